@@ -1,0 +1,195 @@
+"""Dual numbers a + ε a₀ with ε² = 0 over any scalar ring, Eqs. (71)–(72).
+
+The parts may be floats, ints, Fractions, flint ``fmpq`` or ``fmpq_mpoly``, Drake ``Expression``
+or ``AutoDiffXd``, or NumPy arrays of any of these. Over arrays every operation acts entry by entry,
+and a dual vector or tensor is such a dual number: see `workbench.algebra.dual_tensors`.
+No arithmetic is done in floating point unless a part is a float already: int / int is a Fraction.
+"""
+
+import operator
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+
+class ZeroDivisor(ZeroDivisionError):
+    """A dual number with real part zero is a zero divisor: it has no inverse."""
+
+
+class Dual:
+    """The dual number ``re + ε du``, Eq. (71). Immutable; `Re` and `Du` return the parts.
+
+    ``==`` is equality of both parts (for arrays: of all entries; for Drake Expressions: of the
+    expanded polynomials, so it may miss an equality that needs sin² + cos² = 1).
+    """
+
+    __slots__ = ("du", "re")
+    __array_ufunc__ = None  # ndarray * Dual is Dual.__rmul__, never an array of Duals
+
+    re: Any
+    du: Any
+
+    def __init__(self, re: Any, du: Any = 0):
+        if isinstance(re, Dual) or isinstance(du, Dual):
+            raise TypeError("a dual number over dual numbers: expected re and du in a real ring")
+        if isinstance(re, np.ndarray) or isinstance(du, np.ndarray):
+            re, du = np.asarray(re), np.asarray(du)
+            if re.shape != du.shape:
+                re, du = np.broadcast_arrays(re, du)
+        object.__setattr__(self, "re", re)
+        object.__setattr__(self, "du", du)
+
+    def __setattr__(self, name: str, value: Any):
+        raise AttributeError(f"a dual number is immutable: cannot set {name}")
+
+    def __reduce__(self):
+        return Dual, (self.re, self.du)
+
+    def __repr__(self) -> str:
+        return f"Dual({self.re!r}, {self.du!r})"
+
+    def __pos__(self) -> "Dual":
+        return self
+
+    def __neg__(self) -> "Dual":
+        return Dual(-self.re, -self.du)
+
+    def __add__(self, other: Any) -> "Dual":
+        re, du = _parts(other)
+        return Dual(_add(self.re, re), _add(self.du, du))
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> "Dual":
+        return self + (-other)
+
+    def __rsub__(self, other: Any) -> "Dual":
+        return -self + other
+
+    def __mul__(self, other: Any) -> "Dual":
+        if not isinstance(other, Dual):
+            return Dual(_mul(self.re, other), _mul(self.du, other))
+        return Dual(
+            _mul(self.re, other.re), _add(_mul(self.re, other.du), _mul(self.du, other.re))
+        )
+
+    __rmul__ = __mul__
+
+    def __matmul__(self, other: Any) -> "Dual":
+        """The product of dual matrices and vectors (parts: NumPy arrays with matching axes)."""
+        if not isinstance(other, Dual):
+            return Dual(self.re @ other, self.du @ other)
+        return Dual(self.re @ other.re, self.re @ other.du + self.du @ other.re)
+
+    def __rmatmul__(self, other: Any) -> "Dual":
+        return Dual(other @ self.re, other @ self.du)
+
+    def __truediv__(self, other: Any) -> "Dual":
+        """The quotient; raises `ZeroDivisor` if the divisor's real part is (anywhere) zero.
+
+        Over a polynomial ring the quotient must exist in the ring; if not, the ring's error passes.
+        """
+        re, du = _parts(other)
+        if _vanishes(re):
+            raise ZeroDivisor(
+                f"division by {other!r}: its real part is zero, so it has no inverse"
+            )
+        quotient = _divide(self.re, re)
+        return Dual(quotient, _divide(_add(self.du, -_mul(quotient, du)), re))
+
+    def __rtruediv__(self, other: Any) -> "Dual":
+        return Dual(other, 0 * self.du) / self
+
+    def __pow__(self, n: int) -> "Dual":
+        """The n-th power, n an integer; entry by entry if the parts are arrays."""
+        try:
+            n = operator.index(n)
+        except TypeError:
+            raise TypeError(
+                f"power of a dual number: expected an integer exponent, got {n!r}"
+            ) from None
+        if n < 0:
+            return 1 / self**-n
+        if n == 0:
+            return Dual(self.re**0, 0 * self.du)
+        return Dual(self.re**n, _mul(n * self.re ** (n - 1), self.du))
+
+    def __eq__(self, other: Any) -> bool:
+        try:
+            difference = self - other
+        except (TypeError, ValueError):
+            return NotImplemented
+        return _is_zero(difference.re) and _is_zero(difference.du)
+
+    def __hash__(self) -> int:
+        return hash(self.re) if _is_zero(self.du) else hash((self.re, self.du))
+
+    def __getitem__(self, index: Any) -> "Dual":
+        """The entries ``index`` of a dual array."""
+        return Dual(self.re[index], self.du[index])
+
+
+EPSILON = Dual(0, 1)
+
+
+def Re(a: Any) -> Any:
+    """The real part of a dual number; a real number is its own."""
+    return a.re if isinstance(a, Dual) else a
+
+
+def Du(a: Any) -> Any:
+    """The dual part of a dual number; zero for a real one."""
+    return a.du if isinstance(a, Dual) else 0 * a
+
+
+def _parts(a: Any) -> tuple[Any, Any]:
+    return (a.re, a.du) if isinstance(a, Dual) else (a, 0)
+
+
+def _is_flint(a: Any) -> bool:
+    return type(a).__module__.startswith("flint")
+
+
+def _match(a: Any, b: Any) -> tuple[Any, Any]:
+    """a and b as operands of one ring: flint refuses Fractions, so they become fmpq."""
+    for this, other in ((a, b), (b, a)):
+        if isinstance(this, Fraction) and _is_flint(other):
+            from flint import fmpq
+
+            converted = fmpq(this.numerator, this.denominator)
+            return (converted, b) if this is a else (a, converted)
+    return a, b
+
+
+def _add(a: Any, b: Any) -> Any:
+    a, b = _match(a, b)
+    return a + b
+
+
+def _mul(a: Any, b: Any) -> Any:
+    a, b = _match(a, b)
+    return a * b
+
+
+def _divide(a: Any, b: Any) -> Any:
+    a, b = _match(a, b)
+    if isinstance(a, int) and isinstance(b, int):
+        return Fraction(a, b)
+    return a / b
+
+
+def _is_zero(a: Any) -> bool:
+    """Whether a (for an array: every entry of it) is zero."""
+    if isinstance(a, np.ndarray):
+        return all(_is_zero(x) for x in a.flat) if a.dtype == object else not np.any(a)
+    if hasattr(a, "Expand"):
+        return a.Expand().EqualTo(0)
+    return bool(a == 0)
+
+
+def _vanishes(a: Any) -> bool:
+    """Whether a (for an array: some entry of it) is zero."""
+    if isinstance(a, np.ndarray):
+        return any(_is_zero(x) for x in a.flat) if a.dtype == object else not np.all(a)
+    return _is_zero(a)

@@ -1,0 +1,1 @@
+"""The claim language: LaTeX text to typed terms, and back to LaTeX."""

@@ -1,0 +1,197 @@
+"""The functions that build terms; each checks types and weights and raises IllFormed where they misfit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Literal
+
+from workbench.language.integers import Linear, as_linear
+from workbench.language.signatures import SIGNATURES, agree
+from workbench.language.terms import (
+    Apply,
+    BigSum,
+    Block,
+    Counting,
+    Derivative,
+    DualUnit,
+    Identity,
+    IllFormed,
+    Integer,
+    Number,
+    Power,
+    Relation,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+from workbench.language.types import OPERATOR, SCALAR, TENSOR, Declaration, Type, Weight
+
+
+def number(value: int | Fraction) -> Number:
+    return Number(SCALAR, Linear(0), Fraction(value))
+
+
+def integer(value: Linear | int) -> Term:
+    value = as_linear(value)
+    return number(value.constant) if value.is_number else Integer(SCALAR, Linear(0), value)
+
+
+def counting(name: Literal["factorial", "binomial", "multinomial"], *arguments: Linear | int) -> Counting:
+    return Counting(SCALAR, Linear(0), name, tuple(as_linear(a) for a in arguments))
+
+
+def zero(type_: Type = SCALAR) -> Zero:
+    return Zero(type_, None)
+
+
+def identity(type_: Type = TENSOR) -> Identity:
+    return Identity(type_, Linear(0))
+
+
+def dual_unit() -> DualUnit:
+    return DualUnit(SCALAR.with_dual(True), Linear(0))
+
+
+def time_operator() -> TimeOperator:
+    return TimeOperator(OPERATOR, Linear(1))
+
+
+def symbol(
+    declaration: Declaration, index: Sequence[Linear | int] = (), arguments: Sequence[Term] = ()
+) -> Symbol:
+    index = tuple(as_linear(i) for i in index)
+    if len(index) != declaration.indices:
+        raise IllFormed(f"{declaration.name} takes {declaration.indices} indices, got {len(index)}")
+    if len(arguments) != declaration.parameters:
+        raise IllFormed(f"{declaration.name} takes {declaration.parameters} arguments, got {len(arguments)}")
+    weight = declaration.weight
+    if weight is not None:
+        weight = weight.substitute({f"@{i}": value for i, value in enumerate(index)})
+    return Symbol(declaration.type, weight, declaration, index, tuple(arguments))
+
+
+def derivative(body: Term, order: Linear | int) -> Term:
+    order = as_linear(order)
+    if order.is_number and order.constant < 0:
+        raise IllFormed(f"derivative of negative order {order}")
+    if body.type.kind == "operator":
+        raise IllFormed("the time derivative of an operator is written D ∘ P, not with a dot")
+    weight = None if body.weight is None else body.weight + order
+    return Derivative(body.type, weight, body, order)
+
+
+def power(base: Term, exponent: Linear | int) -> Term:
+    exponent = as_linear(exponent)
+    type_ = base.type
+    if exponent.is_number and exponent.constant < 0:
+        raise IllFormed(f"power with negative exponent {exponent}; an inverse is written ^{{-1}}")
+    if type_.kind == "vector":
+        if exponent.is_number and exponent.constant % 2:
+            raise IllFormed(f"an odd power ({exponent}) of a vector; x² means x·x")
+        type_ = SCALAR.with_dual(type_.dual)
+    elif type_.kind == "covector" or (type_.kind == "block" and type_.rows != type_.columns):
+        raise IllFormed(f"a power of a {type_}")
+    weight: Weight = None
+    if base.weight is not None:
+        if exponent.is_number:
+            weight = base.weight * exponent.constant
+        elif base.weight.is_number:
+            weight = exponent * base.weight.constant
+    return Power(type_, weight, base, exponent)
+
+
+def big_sum(variables: Sequence[str], lower: Linear | int | None, upper: Linear | int, body: Term) -> BigSum:
+    upper = as_linear(upper)
+    lower = None if lower is None else as_linear(lower)
+    weight = body.weight
+    if weight is not None:
+        if lower is None:
+            others = Linear(0)
+            for name in variables[:-1]:
+                others = others + Linear.variable(name)
+            weight = weight.substitute({variables[-1]: upper - others})
+        if weight.variables & set(variables):
+            raise IllFormed(f"addends of the sum over {', '.join(variables)} differ in weight: {weight}")
+    return BigSum(body.type, weight, tuple(variables), lower, upper, body)
+
+
+def block(entries: Sequence[Sequence[Term]]) -> Block:
+    """A block matrix; a zero entry takes the shape that its row and column need."""
+    shapes = {"tensor": (3, 3), "vector": (3, 1), "covector": (1, 3), "scalar": (1, 1)}
+    height: dict[int, int] = {}
+    width: dict[int, int] = {}
+    if len({len(row) for row in entries}) != 1:
+        raise IllFormed("the rows of a matrix have unequal lengths")
+    for i, row in enumerate(entries):
+        for j, entry in enumerate(row):
+            if isinstance(entry, Zero):
+                continue
+            if entry.type.kind == "block":
+                shape = (sum(entry.type.rows), sum(entry.type.columns))
+            elif entry.type.kind in shapes:
+                shape = shapes[entry.type.kind]
+            else:
+                raise IllFormed(f"a {entry.type} cannot be an entry of a matrix")
+            for known, place, size, what in (
+                (height, i, shape[0], "row"),
+                (width, j, shape[1], "column"),
+            ):
+                if known.setdefault(place, size) != size:
+                    raise IllFormed(
+                        f"{what} {place + 1} of the matrix holds blocks of size {known[place]} and {size}"
+                    )
+    rows = tuple(height.get(i, 1) for i in range(len(entries)))
+    columns = tuple(width.get(j, 1) for j in range(len(entries[0])))
+    kinds = {shape: kind for kind, shape in shapes.items()}
+    typed = tuple(
+        tuple(
+            zero(Type(kinds[rows[i], columns[j]]))
+            if isinstance(entry, Zero) and (rows[i], columns[j]) in kinds
+            else entry
+            for j, entry in enumerate(row)
+        )
+        for i, row in enumerate(entries)
+    )
+    dual = any(entry.type.dual for row in typed for entry in row)
+    return Block(Type("block", dual, rows, columns), _block_weight(typed), typed)
+
+
+def _block_weight(entries: Sequence[Sequence[Term]]) -> Weight:
+    """A block matrix has a weight if all its entries share one; a homogeneous matrix [Φ a; 0 0] does."""
+    weights = {entry.weight for row in entries for entry in row if not isinstance(entry, Zero)}
+    return weights.pop() if len(weights) == 1 else None
+
+
+def relation(operator: Literal["=", "≠"], left: Term, right: Term) -> Relation:
+    """A relation of two terms of one kind and weight; a bare 0 or I takes the other side's type."""
+    left, right = agree((left, right), "the two sides")
+    return Relation(operator, left, right)
+
+
+def apply(head: str, *arguments: Term) -> Term:
+    """The term head(arguments); SIGNATURES says which heads there are and what each takes."""
+    if head == "add":
+        arguments = agree(arguments, "the addends")
+    type_, weight = SIGNATURES[head](arguments)
+    return Apply(type_, weight, head, arguments)
+
+
+def rebuild(term: Term, children: Sequence[Term]) -> Term:
+    """The same node over other children, checked again."""
+    match term:
+        case Apply():
+            return apply(term.head, *children)
+        case Symbol() if term.arguments:
+            return symbol(term.declaration, term.index, children)
+        case Derivative():
+            return derivative(children[0], term.order)
+        case Power():
+            return power(children[0], term.exponent)
+        case BigSum():
+            return big_sum(term.variables, term.lower, term.upper, children[0])
+        case Block():
+            width = len(term.entries[0])
+            return block([children[i : i + width] for i in range(0, len(children), width)])
+    return term

@@ -1,0 +1,203 @@
+"""Typed terms: small immutable objects that every other part of the workbench sees a formula as.
+
+They are made by `construct.py`, which refuses what types or weights forbid. Nothing here knows LaTeX.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from workbench.language.integers import Linear
+from workbench.language.types import Declaration, Type, Weight
+
+
+class IllFormed(ValueError):
+    """Types or weights do not fit. `intent` names the one likely meaning, where there is one."""
+
+    def __init__(self, message: str, intent: str | None = None) -> None:
+        super().__init__(message)
+        self.intent = intent
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """A formula without a relation. `type` and `weight` are those of its value."""
+
+    type: Type
+    weight: Weight
+
+    @property
+    def children(self) -> tuple[Term, ...]:
+        return ()
+
+    def walk(self) -> Iterator[Term]:
+        """This term and all below it, parents first."""
+        yield self
+        for child in self.children:
+            yield from child.walk()
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Term):
+    """A rational constant."""
+
+    value: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Integer(Term):
+    """An integer expression used as a scalar, such as the n in n ω."""
+
+    value: Linear
+
+
+@dataclass(frozen=True, slots=True)
+class Counting(Term):
+    """factorial(n), binomial(n, k) or multinomial(n; k₁, …) as a scalar."""
+
+    name: Literal["factorial", "binomial", "multinomial"]
+    arguments: tuple[Linear, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Zero(Term):
+    """0 of any type."""
+
+
+@dataclass(frozen=True, slots=True)
+class Identity(Term):
+    """The unit tensor I, the unit block matrix, or the unit operator, by its type."""
+
+
+@dataclass(frozen=True, slots=True)
+class DualUnit(Term):
+    """ε with ε² = 0."""
+
+
+@dataclass(frozen=True, slots=True)
+class TimeOperator(Term):
+    """D = d/dt as an operator."""
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol(Term):
+    """A declared symbol, one member of a family (index), a function symbol applied (arguments)."""
+
+    declaration: Declaration
+    index: tuple[Linear, ...] = ()
+    arguments: tuple[Term, ...] = ()
+
+    @property
+    def children(self) -> tuple[Term, ...]:
+        return self.arguments
+
+
+@dataclass(frozen=True, slots=True)
+class Apply(Term):
+    """The operation `head` on its arguments; SIGNATURES in `signatures.py` lists the heads."""
+
+    head: str
+    arguments: tuple[Term, ...]
+
+    @property
+    def children(self) -> tuple[Term, ...]:
+        return self.arguments
+
+
+@dataclass(frozen=True, slots=True)
+class Derivative(Term):
+    """The time derivative of order `order` (a linear integer expression) of `body`."""
+
+    body: Term
+    order: Linear
+
+    @property
+    def children(self) -> tuple[Term, ...]:
+        return (self.body,)
+
+
+@dataclass(frozen=True, slots=True)
+class Power(Term):
+    """base^exponent; for a vector x² is x·x, for a tensor or an operator the repeated product."""
+
+    base: Term
+    exponent: Linear
+
+    @property
+    def children(self) -> tuple[Term, ...]:
+        return (self.base,)
+
+
+@dataclass(frozen=True, slots=True)
+class BigSum(Term):
+    """Σ of `body` for `variables`: one variable from `lower` to `upper`; or, if `lower` is None,
+    all non-negative values of the variables whose sum is `upper`."""
+
+    variables: tuple[str, ...]
+    lower: Linear | None
+    upper: Linear
+    body: Term
+
+    @property
+    def children(self) -> tuple[Term, ...]:
+        return (self.body,)
+
+
+@dataclass(frozen=True, slots=True)
+class Block(Term):
+    """A matrix of blocks, row by row."""
+
+    entries: tuple[tuple[Term, ...], ...]
+
+    @property
+    def children(self) -> tuple[Term, ...]:
+        return tuple(entry for row in self.entries for entry in row)
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """left = right, or left ≠ right."""
+
+    operator: Literal["=", "≠"]
+    left: Term
+    right: Term
+
+
+@dataclass(frozen=True, slots=True)
+class Equivalence:
+    """left ⇔ right, of two relations."""
+
+    left: Statement
+    right: Statement
+
+
+@dataclass(frozen=True, slots=True)
+class Implication:
+    """left ⇒ right."""
+
+    left: Statement
+    right: Statement
+
+
+@dataclass(frozen=True, slots=True)
+class Conjunction:
+    """Several statements that hold together, such as the chain a = b = c."""
+
+    parts: tuple[Statement, ...]
+
+
+Statement = Relation | Equivalence | Implication | Conjunction
+
+
+@dataclass(frozen=True, slots=True)
+class Definition:
+    """symbol := body. Each index is a number (Φ₁) or one variable plus a number (Φ_{n+1}); `parameters` are
+    the formal arguments of a function symbol."""
+
+    declaration: Declaration
+    index: tuple[Linear, ...]
+    parameters: tuple[Declaration, ...]
+    body: Term

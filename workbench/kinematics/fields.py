@@ -39,29 +39,24 @@ from .tensors import (
     cross,
     det,
     divide,
-    dot,
     identity_like,
-    outer,
     scalar_kind,
     skew,
     sym,
     trace,
-    transpose,
     vect,
 )
 
-RELATIVE_FLATNESS = 1e-9
-"""Float points count as collinear (coplanar) when their spread across is below this times their spread."""
 
-
-def _twist(omega, v) -> tuple[np.ndarray, np.ndarray]:
-    omega, v = _derivatives(omega, "omega"), _derivatives(v, "v")
-    if omega.shape[0] != v.shape[0]:
+def paired_derivatives(x, y, names: tuple[str, str]) -> tuple[np.ndarray, np.ndarray]:
+    """Two vectors with as many derivatives of one as of the other, each (N, ..., 3), or ValueError."""
+    x, y = _derivatives(x, names[0]), _derivatives(y, names[1])
+    if len(x) != len(y):
         raise ValueError(
-            "omega and v: expected as many derivatives of one as of the other, "
-            f"got {omega.shape[0]} and {v.shape[0]}"
+            f"{names[0]} and {names[1]}: expected as many derivatives of one as of the other, "
+            f"got {len(x)} and {len(y)}"
         )
-    return omega, v
+    return x, y
 
 
 def _derivatives(x, name: str) -> np.ndarray:
@@ -95,7 +90,7 @@ def invariant_vectors(omega, v) -> np.ndarray:
         aₙ₊₁ = v⁽ⁿ⁾ + Σₖ C(n,k) ω⁽ⁿ⁻ᵏ⁾ × aₖ,  k = 1..n,  a₀ = 0.
     Raises ValueError for a wrong shape.
     """
-    omega, v = _twist(omega, v)
+    omega, v = paired_derivatives(omega, v, ("omega", "v"))
     a = [0 * (omega[0] + v[0])]
     for n in range(len(v)):
         higher = [comb(n, k) * cross(omega[n - k], a[k]) for k in range(1, n + 1)]
@@ -180,8 +175,8 @@ def invariant_J(Phi, a_rho, rho) -> np.ndarray:
 def invariant_K(Phi_m, a_rho_m, Phi_n, a_rho_n) -> np.ndarray:
     """K_{m,n} = a_ρ⁽ᵐ⁾ - Φₘ Φₙ⁻¹ a_ρ⁽ⁿ⁾, (..., 3), the same at every point; Eq. (51).
 
-    Equal to aₘ - Φₘ Φₙ⁻¹ aₙ, the m-th order acceleration of the n-th order centre. On exact scalars
-    a singular Φₙ raises ZeroDivisionError; on floats it raises ValueError if det Φₙ is exactly 0.
+    Equal to aₘ - Φₘ Φₙ⁻¹ aₙ, the m-th order acceleration of the n-th order centre.
+    Raises ValueError where Φₙ is singular, as `solve` does.
     """
     Phi_m, Phi_n = as_tensors(Phi_m, "Phi_m"), as_tensors(Phi_n, "Phi_n")
     a_rho_m, a_rho_n = as_vectors(a_rho_m, "a_rho_m"), as_vectors(a_rho_n, "a_rho_n")

@@ -31,7 +31,9 @@ def _as_array(x, core: tuple[int, ...], name: str) -> np.ndarray:
     try:
         array = np.asarray(x)
     except ValueError as error:
-        raise ValueError(f"{name}: expected an array of shape {_shape_text(core)}: {error}") from None
+        raise ValueError(
+            f"{name}: expected an array of shape {_shape_text(core)}: {error}"
+        ) from None
     if array.shape[-len(core) :] != core:
         raise ValueError(f"{name}: expected shape {_shape_text(core)}, got {array.shape}")
     if array.dtype == object:
@@ -120,13 +122,19 @@ def outer(x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 def apply(T: np.ndarray, x: np.ndarray) -> np.ndarray:
     """T x, (..., 3)."""
-    return T[..., :, 0] * x[..., None, 0] + T[..., :, 1] * x[..., None, 1] + T[..., :, 2] * x[..., None, 2]
+    return (
+        T[..., :, 0] * x[..., None, 0]
+        + T[..., :, 1] * x[..., None, 1]
+        + T[..., :, 2] * x[..., None, 2]
+    )
 
 
 def compose(T: np.ndarray, U: np.ndarray) -> np.ndarray:
     """T U, (..., 3, 3)."""
-    return outer(T[..., :, 0], U[..., 0, :]) + outer(T[..., :, 1], U[..., 1, :]) + outer(
-        T[..., :, 2], U[..., 2, :]
+    return (
+        outer(T[..., :, 0], U[..., 0, :])
+        + outer(T[..., :, 1], U[..., 1, :])
+        + outer(T[..., :, 2], U[..., 2, :])
     )
 
 

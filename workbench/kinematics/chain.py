@@ -1,0 +1,117 @@
+"""Twist derivatives of a serial chain, to any order, for one state or a batch of them.
+
+The chain is a product of joint motions, Eq. (117) of *Higher-Order Kinematics in Dual Lie Algebra*,
+
+    X(q) = J₁(q₁) · J₂(q₂) ⋯ J_m(q_m),
+
+and what comes out is the dual twist ₀ω̲_m of the last body relative to the base, Eq. (119), with its
+time derivatives to order n. The engine carries truncated Taylor series from the tip to the base,
+
+    V ← Ad(Cᵢ) [ z α̲̇ᵢ + e^{α̲ᵢ z̃} V ],        α̲ᵢ = angle + ε slide of joint i,
+
+each step in a frame whose z axis is the joint axis: O(m n²) operations and no forward kinematics.
+The closed form (133) is a reference to compare with, not the way to compute.
+
+Conventions: radian, metre, second. A twist is (ω; v), six numbers in base coordinates, v being the
+velocity of the body point that is at the base origin at that instant (the chapter's dual part).
+"""
+
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from math import factorial
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from workbench.kinematics import chain_series
+from workbench.kinematics.chain_geometry import Joint, Links, links_of, motion
+
+__all__ = ["Joint", "SerialChain"]
+
+HIGHEST_DERIVATIVE_ORDER = 168  # 170! is the last factorial below the largest double
+
+
+class SerialChain:
+    """A serial chain of revolute, prismatic, cylindrical, helical and fixed joints.
+
+    `dof` is the number of joint coordinates: one a joint, two (angle, then slide) a cylindrical
+    joint, none a fixed one; they are ordered from the base to the tip. `home` is the pose (4, 4) of
+    the last body in the base frame at q = 0.
+    """
+
+    def __init__(self, joints: Iterable[Joint]):
+        self.joints = tuple(joints)
+        for position, joint in enumerate(self.joints):
+            if not isinstance(joint, Joint):
+                raise TypeError(f"joint {position}: expected a Joint, got {type(joint).__name__}")
+        self._links: Links = links_of(self.joints)
+        self.dof = self._links.dof
+        if self.dof == 0:
+            raise ValueError("expected a chain with at least one moving joint, got none")
+        self.home = self._links.home
+
+    def twist_derivatives(self, q: ArrayLike) -> np.ndarray:
+        """The twist of the last body and its time derivatives, Eq. (119) differentiated.
+
+        q: (..., dof, n + 2), where q[..., i, k] is the k-th time derivative of coordinate i, from
+           the coordinate itself (k = 0) to order n + 1. Leading axes are states.
+        Returns (..., n + 1, 6): entry k is d^k/dt^k (ω; v) in rad/s^{k+1} and m/s^{k+1}.
+
+        Raises ValueError for a wrong shape, a complex array, or n > 168 (whose factorials exceed
+        the doubles: use `twist_taylor`).
+        """
+        q = self._checked(q)
+        order = q.shape[-1] - 2
+        if order > HIGHEST_DERIVATIVE_ORDER:
+            raise ValueError(
+                f"expected derivatives to order at most {HIGHEST_DERIVATIVE_ORDER}, got {order}; "
+                "use twist_taylor for Taylor coefficients of higher order"
+            )
+        factorials = _factorials(order + 2)
+        return chain_series.twist(self._links, q / factorials) * factorials[:-1, None]
+
+    def twist_taylor(self, q: ArrayLike) -> np.ndarray:
+        """The same from and to Taylor coefficients: q[..., i, k] is q_i^{(k)} / k!.
+
+        q: (..., dof, n + 2). Returns (..., n + 1, 6): entry k is (1/k!) d^k/dt^k (ω; v).
+        """
+        return chain_series.twist(self._links, self._checked(q))
+
+    def pose(self, q: ArrayLike) -> np.ndarray:
+        """The pose of the last body in the base frame, Eq. (117).
+
+        q: (..., dof) coordinates. Returns (..., 4, 4) homogeneous matrices.
+        """
+        q = np.asarray(q, dtype=float)
+        if q.ndim == 0 or q.shape[-1] != self.dof:
+            raise ValueError(f"expected coordinates of shape (..., {self.dof}), got {q.shape}")
+        pose = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))
+        first = 0
+        for joint in self.joints:
+            pose = pose @ motion(joint, q[..., first : first + joint.dof])
+            first += joint.dof
+        return pose
+
+    def _checked(self, q: ArrayLike) -> np.ndarray:
+        q = np.asarray(q)
+        if q.dtype != np.float64:
+            if q.dtype.kind not in "fiu":
+                raise ValueError(f"expected real joint derivatives, got an array of {q.dtype}")
+            q = q.astype(float)
+        if q.ndim < 2 or q.shape[-2] != self.dof or q.shape[-1] < 2:
+            raise ValueError(
+                f"expected joint derivatives of shape (..., {self.dof}, n + 2) with n ≥ 0 "
+                f"(coordinate, velocity, …), got {q.shape}"
+            )
+        return q
+
+    def __repr__(self) -> str:
+        kinds: Sequence[str] = [joint.kind for joint in self.joints]
+        return f"SerialChain({', '.join(kinds)}; dof={self.dof})"
+
+
+@lru_cache(maxsize=64)
+def _factorials(count: int) -> np.ndarray:
+    values = np.array([float(factorial(k)) for k in range(count)])
+    values.flags.writeable = False
+    return values

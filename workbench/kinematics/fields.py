@@ -169,7 +169,7 @@ def invariant_I(Phi, a_rho, rho) -> np.ndarray:
 def invariant_J(Phi, a_rho, rho) -> np.ndarray:
     """Jₙ = Φₙ* a_ρ⁽ⁿ⁾ - (det Φₙ) ρ, (..., 3), the same at every point (Φₙ* aₙ); Eq. (48)."""
     Phi, rho = as_tensors(Phi, "Phi"), as_vectors(rho, "rho")
-    return apply(adjugate(Phi), as_vectors(a_rho, "a_rho")) - det(Phi)[..., None] * rho
+    return apply(adjugate(Phi), as_vectors(a_rho, "a_rho")) - np.asarray(det(Phi))[..., None] * rho
 
 
 def invariant_K(Phi_m, a_rho_m, Phi_n, a_rho_n) -> np.ndarray:
@@ -196,7 +196,7 @@ def solve(T, x) -> np.ndarray:
             return np.linalg.solve(T.astype(float), x.astype(float)[..., None])[..., 0]
         except np.linalg.LinAlgError:
             raise ValueError("T: expected a regular tensor, got one with det T = 0") from None
-    determinant = det(T)
+    determinant = np.asarray(det(T))
     if kind == "exact" and np.any(determinant == 0):
         raise ValueError("T: expected a regular tensor, got one with det T = 0")
     return divide(apply(adjugate(T), x), determinant[..., None])

@@ -48,7 +48,7 @@ def field_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
         Phi = transpose(np.linalg.pinv(arms.astype(float)) @ relative)
     else:
         moments = outer(arms, arms).sum(axis=-3)
-        inverse = divide(adjugate(moments), det(moments)[..., None, None])
+        inverse = divide(adjugate(moments), np.asarray(det(moments))[..., None, None])
         Phi = compose(outer(relative, arms).sum(axis=-3), inverse)
     return Phi, mean - apply(Phi, centroid)
 
@@ -96,7 +96,7 @@ def _turn(arms: np.ndarray, displacements: np.ndarray) -> np.ndarray:
             ..., 0
         ]
     dyads = outer(arms, arms)
-    squares = dot(arms, arms)[..., None, None] * identity_like(dyads)
+    squares = np.asarray(dot(arms, arms))[..., None, None] * identity_like(dyads)
     return solve((squares - dyads).sum(axis=-3), cross(arms, displacements).sum(axis=-2))
 
 
@@ -127,7 +127,7 @@ def _require_spread(points: np.ndarray, dimension: int) -> None:
     if kind == "exact":
         dyads = outer(arms, arms)
         if dimension == 2:
-            dyads = dot(arms, arms)[..., None, None] * identity_like(dyads) - dyads
+            dyads = np.asarray(dot(arms, arms))[..., None, None] * identity_like(dyads) - dyads
         flat = det(dyads.sum(axis=-3)) == 0
     else:
         spread = np.linalg.svd(arms.astype(float), compute_uv=False)

@@ -6,7 +6,9 @@ and a dual vector or tensor is such a dual number: see `workbench.algebra.dual_t
 No arithmetic is done in floating point unless a part is a float already: int / int is a Fraction.
 """
 
+import math
 import operator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -34,9 +36,7 @@ class Dual:
         if isinstance(re, Dual) or isinstance(du, Dual):
             raise TypeError("a dual number over dual numbers: expected re and du in a real ring")
         if isinstance(re, np.ndarray) or isinstance(du, np.ndarray):
-            re, du = np.asarray(re), np.asarray(du)
-            if re.shape != du.shape:
-                re, du = np.broadcast_arrays(re, du)
+            re, du = _entries(re, du)
         object.__setattr__(self, "re", re)
         object.__setattr__(self, "du", du)
 
@@ -151,32 +151,86 @@ def _is_flint(a: Any) -> bool:
     return type(a).__module__.startswith("flint")
 
 
-def _match(a: Any, b: Any) -> tuple[Any, Any]:
-    """a and b as operands of one ring: flint refuses Fractions, so they become fmpq."""
-    for this, other in ((a, b), (b, a)):
-        if isinstance(this, Fraction) and _is_flint(other):
-            from flint import fmpq
+def as_array(a: Any) -> np.ndarray:
+    """a, a scalar or nested lists of scalars of any ring, as an array.
 
-            converted = fmpq(this.numerator, this.denominator)
-            return (converted, b) if this is a else (a, converted)
+    NumPy takes a flint polynomial for a sequence of its coefficients; here it is one entry.
+    """
+    if isinstance(a, np.ndarray):
+        return a
+    leaves = list(_leaves(a))
+    if not any(_is_flint(leaf) for leaf in leaves):
+        return np.asarray(a)
+    shape = _nesting(a)
+    if len(leaves) != math.prod(shape):
+        raise ValueError(f"expected lists of equal lengths, got {a!r}")
+    entries = np.empty(len(leaves), dtype=object)
+    entries[:] = leaves
+    return entries.reshape(shape)
+
+
+def _leaves(a: Any) -> Iterator[Any]:
+    if isinstance(a, list | tuple):
+        for entry in a:
+            yield from _leaves(entry)
+    else:
+        yield a
+
+
+def _nesting(a: Any) -> tuple[int, ...]:
+    return (len(a), *_nesting(a[0])) if isinstance(a, list | tuple) else ()
+
+
+def _entries(re: Any, du: Any) -> tuple[Any, Any]:
+    """re and du as arrays of one shape (scalars if it is ()); integers become Python's, which
+    cannot overflow."""
+    re, du = np.broadcast_arrays(as_array(re), as_array(du))
+    if np.issubdtype(np.result_type(re, du), np.integer):
+        re, du = re.astype(object), du.astype(object)
+    return re[()], du[()]
+
+
+def _in_one_ring(a: Any, b: Any) -> tuple[Any, Any]:
+    """a and b as operands of one ring: flint refuses Fractions, so they become fmpq."""
+    if isinstance(a, Fraction) and _is_flint(b):
+        return _fmpq(a), b
+    if isinstance(b, Fraction) and _is_flint(a):
+        return a, _fmpq(b)
     return a, b
 
 
-def _add(a: Any, b: Any) -> Any:
-    a, b = _match(a, b)
-    return a + b
+def _fmpq(a: Fraction) -> Any:
+    from flint import fmpq
+
+    return fmpq(a.numerator, a.denominator)
 
 
-def _mul(a: Any, b: Any) -> Any:
-    a, b = _match(a, b)
-    return a * b
+def _exact_quotient(a: Any, b: Any) -> Any:
+    return Fraction(a, b) if isinstance(a, int) and isinstance(b, int) else a / b
 
 
-def _divide(a: Any, b: Any) -> Any:
-    a, b = _match(a, b)
-    if isinstance(a, int) and isinstance(b, int):
-        return Fraction(a, b)
-    return a / b
+def _ring_operation(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """The operation on two scalars of a ring, or entry by entry on arrays of them."""
+
+    def on_scalars(a: Any, b: Any) -> Any:
+        return operation(*_in_one_ring(a, b))
+
+    on_objects = np.frompyfunc(on_scalars, 2, 1)
+
+    def on_any(a: Any, b: Any) -> Any:
+        if not (isinstance(a, np.ndarray) or isinstance(b, np.ndarray)):
+            return on_scalars(a, b)
+        a, b = as_array(a), as_array(b)
+        if a.dtype == object or b.dtype == object:
+            return on_objects(a, b)
+        return operation(a, b)
+
+    return on_any
+
+
+_add = _ring_operation(operator.add)
+_mul = _ring_operation(operator.mul)
+_divide = _ring_operation(_exact_quotient)
 
 
 def _is_zero(a: Any) -> bool:

@@ -30,6 +30,11 @@ def tensor(re: Any, du: Any = None) -> Dual:
     return _dual_array(re, du, (3, 3))
 
 
+def as_vector(a: Any) -> np.ndarray:
+    """A real vector of shape (..., 3), exact if its entries are; errors as `vector`."""
+    return vector(a).re
+
+
 def _dual_array(re: Any, du: Any, shape: tuple[int, ...]) -> Dual:
     re = as_array(re)
     du = 0 * re if du is None else as_array(du)

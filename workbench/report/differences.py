@@ -1,0 +1,146 @@
+"""What exactly differs between a printed formula and the right one: sign, number, mark, symbol, part."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+
+from workbench.report.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
+
+# Below this share of common atoms a list of differences would be longer than the two formulas.
+_RECOGNISABLE = 0.35
+
+_Key = Callable[[Atom], str | None]
+
+
+@dataclass(frozen=True)
+class Change:
+    """One place where two formulas differ. kind: sign, number, mark, symbol, part.
+
+    before: what the first formula has there (LaTeX, None if nothing); after: what the second has.
+    following: the atom that stands before the place, None at the beginning.
+    """
+
+    kind: str
+    before: str | None
+    after: str | None
+    following: str | None
+
+
+@dataclass(frozen=True)
+class Difference:
+    """changes, in reading order, and the leaves to mark in each formula (indices into their atoms).
+
+    rewritten: so little is common that no list of changes is given.
+    """
+
+    changes: tuple[Change, ...] = ()
+    marked_before: frozenset[int] = frozenset()
+    marked_after: frozenset[int] = frozenset()
+    rewritten: bool = False
+
+
+def difference(before: str, after: str) -> Difference | None:
+    """What differs, or None where one of the formulas cannot be taken apart.
+
+    Bold, italic and upright letters count as the same unless they are all that differs.
+    """
+    try:
+        first, second = atoms_of(_without_final_stop(before)), atoms_of(_without_final_stop(after))
+    except LatexNotTypesettable:
+        return None
+    by_shape = _compare(first, second, lambda atom: atom.shape)
+    if by_shape.changes or by_shape.rewritten:
+        return by_shape
+    return _compare(first, second, lambda atom: atom.identity)
+
+
+def _without_final_stop(latex: str) -> str:
+    return re.sub(r"[\s.,;]+$", "", latex)
+
+
+def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
+    sides = (first, second)
+    counted = [[i for i, atom in enumerate(atoms) if key(atom) is not None] for atoms in sides]
+    keys = [[key(sides[side][i]) for i in counted[side]] for side in (0, 1)]
+    matcher = SequenceMatcher(None, *keys, autojunk=False)
+    if keys[0] and keys[1] and matcher.ratio() < _RECOGNISABLE:
+        return Difference(rewritten=True)
+    changes, marked = [], (set(), set())
+    for tag, *ends in matcher.get_opcodes():
+        if tag == "equal":
+            continue
+        if tag != "replace":
+            ends = _led_by_its_sign(keys[0 if tag == "delete" else 1], tag, ends)
+        places = [counted[0][ends[0] : ends[1]], counted[1][ends[2] : ends[3]]]
+        for side in (0, 1):
+            marked[side].update(_leaves_within(sides[side], places[side]))
+        kind = _kind([first[i] for i in places[0]], [second[i] for i in places[1]])
+        following = _leaf_before(second, counted[1], ends[2])
+        before, after = (_fragment(sides[side], places[side]) for side in (0, 1))
+        changes.append(Change(kind, before, after, following))
+    return Difference(tuple(changes), frozenset(marked[0]), frozenset(marked[1]))
+
+
+def _led_by_its_sign(keys: Sequence[str | None], tag: str, ends: list[int]) -> list[int]:
+    """A dropped or added term with the sign before it, not the one behind: `a [+ b] + c`."""
+    start, end = ends[:2] if tag == "delete" else ends[2:]
+    if (
+        start
+        and end > start + 1
+        and keys[end - 1] in ("+", "−")
+        and keys[start - 1] == keys[end - 1]
+    ):
+        return [position - 1 for position in ends]
+    return ends
+
+
+def _leaves_within(atoms: Sequence[Atom], places: Sequence[int]) -> set[int]:
+    """The leaves at the places, and those inside a mark, script or fraction that opens there."""
+    leaves = set()
+    for place in places:
+        end = _closing_of(atoms, place) if _opens(atoms[place]) > 0 else place
+        leaves.update(i for i in range(place, end + 1) if atoms[i].leaf)
+    return leaves
+
+
+def _closing_of(atoms: Sequence[Atom], opening: int) -> int:
+    depth = 0
+    for place in range(opening, len(atoms)):
+        depth += _opens(atoms[place])
+        if depth == 0:
+            return place
+    return len(atoms) - 1
+
+
+def _leaf_before(atoms: Sequence[Atom], counted: Sequence[int], position: int) -> str | None:
+    leaves = [atoms[i].latex for i in counted[:position] if atoms[i].leaf]
+    return leaves[-1] if leaves else None
+
+
+def _kind(before: Sequence[Atom], after: Sequence[Atom]) -> str:
+    either = [*before, *after]
+    if either and all(atom.latex in "+-" for atom in either):
+        return "sign"
+    if either and all(atom.latex.isdigit() for atom in either):
+        return "number"
+    if len(before) == len(after) == 1 and before[0].leaf and after[0].leaf:
+        bare = [re.sub(r"[\W\d_]|ddddot|dddot|ddot|dot|underline", "", a[0].identity or "")
+                for a in (before, after)]  # fmt: skip
+        return "mark" if bare[0] == bare[1] else "symbol"
+    return "part"
+
+
+def _fragment(atoms: Sequence[Atom], places: Sequence[int]) -> str | None:
+    """LaTeX from the first to the last of the places, completed to the end of what opens there."""
+    if not places:
+        return None
+    end = max(_closing_of(atoms, place) if _opens(atoms[place]) > 0 else place for place in places)
+    text = latex_of(atoms[places[0] : end + 1])
+    return "{}" + text if text.startswith(("^", "_")) else text
+
+
+def _opens(atom: Atom) -> int:
+    return 0 if atom.leaf else atom.latex.count("{") - atom.latex.count("}")

@@ -54,7 +54,8 @@ def _transport(omega: np.ndarray, p: list[np.ndarray], n: int) -> np.ndarray:
 def about_origin(Phi, a, p_WO) -> tuple[np.ndarray, np.ndarray]:
     """(Phi, a) about another fixed origin O at the constant p_WO (..., 3): Φ stays, a becomes a + Φ p_WO.
 
-    Phi (..., 3, 3), a (..., 3). Follows from Eq. (19) with ρ = p_WO + ρ'.
+    Phi (..., 3, 3), a (..., 3) of orders n >= 1 (a₀ = 0 has no other origin).
+    Follows from Eq. (19) with ρ = p_WO + ρ'.
     """
     Phi, a = as_tensors(Phi, "Phi"), as_vectors(a, "a")
     return Phi, a + apply(Phi, as_vectors(p_WO, "p_WO"))

@@ -3,7 +3,8 @@
 A vector is an array (..., 3), a tensor an array (..., 3, 3); leading axes broadcast. The scalars are
 float64, or (dtype object) Python ints, `fractions.Fraction`, `flint.fmpq` and `pydrake.symbolic.Expression`.
 Everything here is written with +, -, * and division by an integer, so exact scalars stay exact and
-symbolic ones stay symbolic.
+symbolic ones stay symbolic. (Drake keeps Expressions as NaNs with a payload, which makes NumPy warn of
+invalid values in sound results: work on them under `np.errstate(invalid="ignore")`.)
 """
 
 from __future__ import annotations

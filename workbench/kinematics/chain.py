@@ -16,15 +16,13 @@ Conventions: radian, metre, second. A twist is (ω; v), six numbers in base coor
 velocity of the body point that is at the base origin at that instant (the chapter's dual part).
 """
 
-from collections.abc import Iterable, Sequence
-from functools import lru_cache
-from math import factorial
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics import chain_series
-from workbench.kinematics.chain_geometry import Joint, Links, links_of, motion
+from workbench.kinematics.chain_engine import Engine, scales_of_derivatives, scales_of_taylor
+from workbench.kinematics.chain_geometry import Joint, links_of, motion
 
 __all__ = ["Joint", "SerialChain"]
 
@@ -44,11 +42,12 @@ class SerialChain:
         for position, joint in enumerate(self.joints):
             if not isinstance(joint, Joint):
                 raise TypeError(f"joint {position}: expected a Joint, got {type(joint).__name__}")
-        self._links: Links = links_of(self.joints)
-        self.dof = self._links.dof
-        if self.dof == 0:
+        links = links_of(self.joints)
+        if links.dof == 0:
             raise ValueError("expected a chain with at least one moving joint, got none")
-        self.home = self._links.home
+        self.dof = links.dof
+        self.home = links.home
+        self._engine = Engine(links)
 
     def twist_derivatives(self, q: ArrayLike) -> np.ndarray:
         """The twist of the last body and its time derivatives, Eq. (119) differentiated.
@@ -67,15 +66,15 @@ class SerialChain:
                 f"expected derivatives to order at most {HIGHEST_DERIVATIVE_ORDER}, got {order}; "
                 "use twist_taylor for Taylor coefficients of higher order"
             )
-        factorials = _factorials(order + 2)
-        return chain_series.twist(self._links, q / factorials) * factorials[:-1, None]
+        return self._engine.twist(q, scales_of_derivatives(order + 1))
 
     def twist_taylor(self, q: ArrayLike) -> np.ndarray:
         """The same from and to Taylor coefficients: q[..., i, k] is q_i^{(k)} / k!.
 
         q: (..., dof, n + 2). Returns (..., n + 1, 6): entry k is (1/k!) d^k/dt^k (ω; v).
         """
-        return chain_series.twist(self._links, self._checked(q))
+        q = self._checked(q)
+        return self._engine.twist(q, scales_of_taylor(q.shape[-1] - 1))
 
     def pose(self, q: ArrayLike) -> np.ndarray:
         """The pose of the last body in the base frame, Eq. (117).
@@ -106,12 +105,5 @@ class SerialChain:
         return q
 
     def __repr__(self) -> str:
-        kinds: Sequence[str] = [joint.kind for joint in self.joints]
+        kinds = [joint.kind for joint in self.joints]
         return f"SerialChain({', '.join(kinds)}; dof={self.dof})"
-
-
-@lru_cache(maxsize=64)
-def _factorials(count: int) -> np.ndarray:
-    values = np.array([float(factorial(k)) for k in range(count)])
-    values.flags.writeable = False
-    return values

@@ -114,20 +114,20 @@ class Links(NamedTuple):
     """What the recursion needs, one row a moving joint, from base to tip.
 
     `angle` and `slide` are the coordinate of the joint's rotation and translation (−1: it has
-    none), the translation being `pitch` times its coordinate. `turn` is (cos, sin) of the constant
-    angle and `offset` the constant length from the entering to the leaving frame. `twist_angle` is
-    (cos, sin) and `shift` is (a, b) of the step from the leaving frame of the joint before to the
-    entering frame of this one; for the first joint, `base` (3, 4) takes their place.
+    none), the translation being `pitch` times its coordinate. `twist_angle` is (cos, sin) and
+    `shift` is (a, b) of the step from the leaving frame before to the entering frame of the joint.
+    `turn` is (cos, sin) of the constant angle and `offset` the constant length from an entering to
+    a leaving frame, one row more than the others: row 0 belongs to the base, whose z axis stands
+    for a joint that never moves, row i to the i-th moving joint.
     """
 
     angle: np.ndarray
     slide: np.ndarray
     pitch: np.ndarray
-    turn: np.ndarray
-    offset: np.ndarray
     twist_angle: np.ndarray
     shift: np.ndarray
-    base: np.ndarray
+    turn: np.ndarray
+    offset: np.ndarray
     home: np.ndarray
     dof: int
 
@@ -148,31 +148,25 @@ def links_of(joints: Sequence[Joint]) -> Links:
         pitches.append(joint.pitch if joint.kind == "helical" else 1.0)
         dof += joint.dof
     count = len(axes)
-    turn, twist_angle = np.tile((1.0, 0.0), (count, 1)), np.tile((1.0, 0.0), (count, 1))
-    offset, shift = np.zeros(count), np.zeros((count, 2))
-    base = np.eye(4)[:3]
-    for i in range(count):
-        if i == 0:
-            z, origin = axes[0], points[0] - axes[0] * (axes[0] @ points[0])
-            x = _perpendicular(z)
-            base = np.column_stack([x, np.cross(z, x), z, origin])
-            continue
-        next_x, next_origin, foot = _common_normal(z, origin, axes[i], points[i])
-        turn[i - 1] = _unit2(next_x @ x, next_x @ np.cross(z, x))
-        offset[i - 1] = (foot - origin) @ z
-        twist_angle[i] = _unit2(z @ axes[i], np.cross(z, axes[i]) @ next_x)
+    twist_angle, shift = np.empty((count, 2)), np.empty((count, 2))
+    turn, offset = np.tile((1.0, 0.0), (count + 1, 1)), np.zeros(count + 1)
+    x, z, origin = np.array([1.0, 0, 0]), np.array([0, 0, 1.0]), np.zeros(3)
+    for i, (next_z, point) in enumerate(zip(axes, points, strict=True)):
+        next_x, next_origin, foot = _common_normal(z, origin, next_z, point)
+        turn[i] = _unit2(next_x @ x, next_x @ np.cross(z, x))
+        offset[i] = (foot - origin) @ z
+        twist_angle[i] = _unit2(z @ next_z, np.cross(z, next_z) @ next_x)
         shift[i] = (next_origin - foot) @ next_x, (next_origin - foot) @ np.cross(z, next_x)
-        z, origin, x = axes[i], next_origin, next_x - axes[i] * (next_x @ axes[i])
+        x, z, origin = next_x - next_z * (next_x @ next_z), next_z, next_origin
         x = x / np.linalg.norm(x)
     return Links(
         np.array(angles, dtype=np.int64),
         np.array(slides, dtype=np.int64),
         np.array(pitches, dtype=float),
-        turn,
-        offset,
         twist_angle,
         shift,
-        base,
+        turn,
+        offset,
         home,
         dof,
     )

@@ -20,21 +20,19 @@ def twist(links: Links, q: np.ndarray) -> np.ndarray:
     along = np.zeros((2, terms, series.shape[-1]))
     for i in reversed(range(len(links.angle))):
         angle, slide, pitch = links.angle[i], links.slide[i], links.pitch[i]
-        across *= complex(*links.turn[i])
-        across[1] += 1j * links.offset[i] * across[0]
         if angle >= 0:
             across = _product(_exponential(series[angle, :-1]), across)
             along[0] += rates[angle]
         if slide >= 0:
             across[1] += 1j * pitch * _product(series[slide, :-1], across[:1])[0]
             along[1] += pitch * rates[slide]
-        if i > 0:
-            across, along = _step(across, along, links.twist_angle[i], links.shift[i])
-    R, p = links.base[:, :3], links.base[:, 3]
-    omega = np.tensordot(R, [across[0].real, across[0].imag, along[0]], axes=1)
-    v = np.tensordot(R, [across[1].real, across[1].imag, along[1]], axes=1)
-    v += np.cross(p, omega, axisb=0, axisc=0)
-    return np.moveaxis(np.concatenate([omega, v]), -1, 0).swapaxes(1, 2).reshape(*states, terms, 6)
+        across, along = _step(across, along, links.twist_angle[i], links.shift[i])
+        across[1] += 1j * links.offset[i] * across[0]
+        across *= complex(*links.turn[i])
+    omega = [across[0].real, across[0].imag, along[0]]
+    v = [across[1].real, across[1].imag, along[1]]
+    components = np.array([*omega, *v])  # (6, n + 1, states)
+    return components.transpose(2, 1, 0).reshape(*states, terms, 6)
 
 
 def _exponential(angle: np.ndarray) -> np.ndarray:

@@ -237,8 +237,8 @@ def _is_zero(a: Any) -> bool:
     """Whether a (for an array: every entry of it) is zero."""
     if isinstance(a, np.ndarray):
         return all(_is_zero(x) for x in a.flat) if a.dtype == object else not np.any(a)
-    if hasattr(a, "Expand"):
-        return a.Expand().EqualTo(0)
+    if type(a).__module__.startswith("pydrake.symbolic"):
+        return (1 * a).Expand().EqualTo(0)  # 1 * makes an Expression of a Variable
     return bool(a == 0)
 
 

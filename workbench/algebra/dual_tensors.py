@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from workbench.algebra.dual import Du, Dual, Re, _divide, _is_zero, as_array
+from workbench.algebra.dual import Du, Dual, Re, ZeroDivisor, _divide, _is_zero, _vanishes, as_array
 from workbench.algebra.dual_functions import sqrt
 
 Array = np.ndarray | Dual
@@ -215,7 +215,10 @@ def _length(a: np.ndarray) -> Any:
 
 def unit(a: Array) -> Array:
     """The unit dual vector a / |a|; raises `ZeroDivisor` where Re a = 0: no such vector is one."""
-    return a / _with_axes(norm(a), 1)
+    length = norm(a)
+    if _vanishes(Re(length)):
+        raise ZeroDivisor("no unit vector: expected a dual vector with a real part that is not 0")
+    return a / _with_axes(length, 1)
 
 
 def identity() -> np.ndarray:

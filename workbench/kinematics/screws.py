@@ -170,7 +170,7 @@ def mozzi_chasles_axis(R: Dual) -> Dual:
     pure translation it is the line through the origin (see `natural_invariants`).
     """
     alpha, u = natural_invariants(R)
-    if np.any((np.asarray(alpha.re) == 0) & (np.asarray(alpha.du) == 0)):
+    if alpha == 0 if _is_symbolic(R) else np.any((alpha.re == 0) & (alpha.du == 0)):
         raise ValueError("the identity has no axis: expected a displacement that moves something")
     return u
 
@@ -203,8 +203,8 @@ def from_rigid_transform(X: "RigidTransform") -> Dual:
 def to_rigid_transform(R: Dual) -> "RigidTransform":
     """Φ⁻¹ of Eq. (85): the Drake RigidTransform, of the scalar type of R's entries.
 
-    Raises `ValueError` if R has not shape (3, 3) or Drake finds it not orthonormal, `TypeError` if
-    the entries are neither floats nor Drake scalars.
+    Raises `ValueError` if R has not shape (3, 3) or is a float tensor that is not orthogonal,
+    `TypeError` if the entries are neither floats nor Drake scalars.
     """
     from pydrake.math import RigidTransform_, RotationMatrix_
 
@@ -212,23 +212,22 @@ def to_rigid_transform(R: Dual) -> "RigidTransform":
         raise ValueError(f"expected one displacement, shape (3, 3), got {R.re.shape}")
     rotation_tensor, rho = structural_invariants(R)
     scalar = type(rotation_tensor.flat[0]) if _is_symbolic(R) else float
-    try:
-        X_type, R_type = RigidTransform_[scalar], RotationMatrix_[scalar]
-    except KeyError:
+    if (scalar,) not in RigidTransform_.param_list:
         raise TypeError(
             f"expected entries of type float, AutoDiffXd or Expression, got {scalar.__name__}"
-        ) from None
-    try:
-        return X_type(R_type(rotation_tensor), rho)
-    except RuntimeError as error:
-        raise ValueError(f"not a rotation for Drake: {error}") from None
+        )
+    return RigidTransform_[scalar](RotationMatrix_[scalar](rotation_tensor), rho)
 
 
 def _is_symbolic(a: Dual) -> bool:
+    if not (isinstance(a, Dual) and isinstance(a.re, np.ndarray)):
+        raise TypeError(f"expected a dual vector or tensor (a Dual of arrays), got {a!r}")
     return a.re.dtype == object or a.du.dtype == object
 
 
 def _require_orthogonal(R: Dual):
+    if not _is_symbolic(R) and R.re.shape[-2:] != (3, 3):
+        raise ValueError(f"expected a dual tensor, shape (..., 3, 3), got {R.re.shape}")
     if not _is_symbolic(R) and not is_orthogonal(R, TOLERANCE):
         raise ValueError(
             "expected an orthogonal dual tensor, R̲ R̲ᵀ = I and det R̲ = 1 within "

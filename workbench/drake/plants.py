@@ -1,0 +1,233 @@
+"""The plants of the reference motions, and Drake's own velocities and accelerations on them.
+
+Conventions are Drake's. A spatial velocity V_WB = [w_WB; v_WBo] stacks the angular velocity above
+the velocity of the body origin Bo; a spatial acceleration A_WB = [alpha_WB; a_WBo] stacks the
+angular acceleration above the (classical) acceleration of Bo. Everything is expressed in W.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from importlib import metadata
+from pathlib import Path
+
+import numpy as np
+from pydrake.math import RigidTransform
+from pydrake.multibody.parsing import Parser
+from pydrake.multibody.plant import MultibodyPlant
+from pydrake.multibody.tree import (
+    BodyIndex,
+    FixedOffsetFrame,
+    PrismaticJoint,
+    RevoluteJoint,
+    RigidBody,
+    RpyFloatingJoint,
+    SpatialInertia,
+)
+from pydrake.systems.framework import Context
+
+ROBOT_DATA = "example-robot-data"
+
+
+class PlantError(ValueError):
+    """A plant that cannot be built, or a body or state that does not fit it."""
+
+
+@dataclass(frozen=True)
+class CylindricalAxis:
+    """A cylindrical joint: turn θ about, and slide d along, the same line.
+
+    ``direction``: shape (3,), along the line; ``point``: shape (3,), metres, on the line; both in
+    the parent body's frame when θ = d = 0. There the two bodies' frames coincide, so that the
+    relative pose is the screw displacement exp((θ + εd) ũ) of the chapter's Eqs. (137)-(138).
+    """
+
+    direction: tuple[float, float, float]
+    point: tuple[float, float, float]
+
+
+def cylindrical_chain(axes: Sequence[CylindricalAxis], body_names: Sequence[str]) -> MultibodyPlant:
+    """A serial chain of bodies on cylindrical joints, the first one on the world.
+
+    Each joint is a prismatic and a revolute joint on one axis with a slider between them. The
+    positions are, body by body, (d, θ); the joints are called ``<body>_d`` and ``<body>_theta``.
+    """
+    if len(axes) != len(body_names):
+        raise PlantError(f"{len(axes)} axes do not fit {len(body_names)} bodies")
+    plant = MultibodyPlant(0.0)
+    parent = plant.world_body()
+    for axis, name in zip(axes, body_names, strict=True):
+        slider = plant.AddRigidBody(f"{name}_slider", _any_inertia())
+        body = plant.AddRigidBody(name, _any_inertia())
+        X_on_axis = RigidTransform(np.array(axis.point, dtype=float))
+        on_parent = plant.AddFrame(
+            FixedOffsetFrame(f"{name}_axis_on_parent", parent.body_frame(), X_on_axis)
+        )
+        on_body = plant.AddFrame(
+            FixedOffsetFrame(f"{name}_axis_on_body", body.body_frame(), X_on_axis)
+        )
+        direction = np.array(axis.direction, dtype=float)
+        plant.AddJoint(PrismaticJoint(f"{name}_d", on_parent, slider.body_frame(), direction))
+        plant.AddJoint(RevoluteJoint(f"{name}_theta", slider.body_frame(), on_body, direction))
+        parent = body
+    plant.Finalize()
+    return plant
+
+
+def free_body(name: str = "B") -> MultibodyPlant:
+    """One body free to move; positions are roll, pitch, yaw, x, y, z of Bo in W."""
+    plant = MultibodyPlant(0.0)
+    body = plant.AddRigidBody(name, _any_inertia())
+    plant.AddJoint(RpyFloatingJoint(name, plant.world_frame(), body.body_frame()))
+    plant.Finalize()
+    return plant
+
+
+def _any_inertia() -> SpatialInertia:
+    """Kinematics does not depend on it, but a plant wants a valid one."""
+    return SpatialInertia.SolidSphereWithMass(1.0, 0.1)
+
+
+def load_urdf(path: str | Path, packages: Mapping[str, str | Path] | None = None) -> MultibodyPlant:
+    """The plant of a URDF file, its base welded to the world; meshes are not read.
+
+    ``packages`` maps a package name of the file's ``package://`` addresses to its directory.
+    Raises PlantError, in one line, when the file is missing or Drake cannot read it.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise PlantError(f"no URDF file at {path}")
+    plant = MultibodyPlant(0.0)
+    parser = Parser(plant)
+    for package, directory in (packages or {}).items():
+        parser.package_map().Add(package, str(directory))
+    try:
+        with _without_parser_warnings():
+            parser.AddModels(str(path))
+            _weld_bases(plant)
+            plant.Finalize()
+    except RuntimeError as error:
+        raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error
+    if plant.num_bodies() == 1:
+        raise PlantError(f"{path} holds no body")
+    return plant
+
+
+@contextmanager
+def _without_parser_warnings() -> Iterator[None]:
+    """Tags about safety limits, friction and motors do not concern kinematics."""
+    log = logging.getLogger("drake")
+    level = log.level
+    log.setLevel(logging.ERROR)
+    try:
+        yield
+    finally:
+        log.setLevel(level)
+
+
+def _first_line(error: Exception) -> str:
+    return (str(error).strip().splitlines() or [type(error).__name__])[0]
+
+
+def _weld_bases(plant: MultibodyPlant) -> None:
+    children = {plant.get_joint(index).child_body().index() for index in plant.GetJointIndices()}
+    for index in map(BodyIndex, range(1, plant.num_bodies())):
+        if index not in children:
+            plant.WeldFrames(plant.world_frame(), plant.get_body(index).body_frame())
+
+
+def robot_data_directory() -> Path:
+    """Where the optional distribution ``example-robot-data`` keeps its robots."""
+    try:
+        files = metadata.distribution(ROBOT_DATA).files or []
+    except metadata.PackageNotFoundError as error:
+        raise PlantError(
+            f"the robots' URDF files are not installed: pip install {ROBOT_DATA} "
+            "(the extra 'robots' of this package)"
+        ) from error
+    for file in files:
+        if file.parts[-3:] == ("share", ROBOT_DATA, "package.xml"):
+            return Path(file.locate()).resolve().parent
+    raise PlantError(f"the installed {ROBOT_DATA} holds no share/{ROBOT_DATA}/package.xml")
+
+
+def robot_urdf(name: str) -> Path:
+    """The URDF of a robot of ``example-robot-data`` by its file name, e.g. "panda", "ur5_robot"."""
+    urdfs = {path.stem: path for path in sorted(robot_data_directory().rglob("*.urdf"))}
+    if name not in urdfs:
+        raise PlantError(f"no robot {name!r}; {ROBOT_DATA} has {', '.join(sorted(urdfs))}")
+    return urdfs[name]
+
+
+def load_robot(name: str) -> MultibodyPlant:
+    """The plant of a robot of ``example-robot-data``, its base welded to the world."""
+    return load_urdf(robot_urdf(name), {ROBOT_DATA: robot_data_directory()})
+
+
+def body_named(plant: MultibodyPlant, name: str) -> RigidBody:
+    """The body of that name; PlantError lists those that exist."""
+    names = [plant.get_body(BodyIndex(i)).name() for i in range(plant.num_bodies())]
+    if names.count(name) != 1:
+        problem = "no body" if name not in names else "more than one body"
+        raise PlantError(f"{problem} {name!r} in the plant; it has {', '.join(names)}")
+    return plant.GetBodyByName(name)
+
+
+@dataclass(frozen=True)
+class BodyMotion:
+    """A body B at one state, in Drake's doubles, expressed in W and taken at its point Bp.
+
+    ``R_WB`` (3, 3); ``p_WBp`` (3,) m; ``V_WBp`` (6,) = [w_WB rad/s; v_WBp m/s];
+    ``A_WBp`` (6,) = [alpha_WB rad/s²; a_WBp m/s²].
+    """
+
+    R_WB: np.ndarray
+    p_WBp: np.ndarray
+    V_WBp: np.ndarray
+    A_WBp: np.ndarray
+
+
+def body_motion(
+    plant: MultibodyPlant,
+    body: str,
+    q: Sequence[float],
+    v: Sequence[float],
+    vdot: Sequence[float],
+    p_BoBp_B: Sequence[float] = (0.0, 0.0, 0.0),
+) -> BodyMotion:
+    """Pose, velocity and acceleration of a body's point Bp, natively by Drake.
+
+    ``q`` (num_positions,), ``v`` and ``vdot`` (num_velocities,): position, velocity and
+    acceleration of the joints. ``p_BoBp_B``: Bp from Bo in the body's frame, metres.
+    Works on the plant's own scalars: float, AutoDiffXd or Expression.
+    """
+    frame = body_named(plant, body).body_frame()
+    context = plant.CreateDefaultContext()
+    set_state(plant, context, q, v)
+    vdot = _of_length(vdot, plant.num_velocities(), "vdot")
+    X_WB = frame.CalcPoseInWorld(context)
+    p_BoBp_W = X_WB.rotation().matrix() @ _of_length(p_BoBp_B, 3, "p_BoBp_B")
+    V_WBo = frame.CalcSpatialVelocityInWorld(context)
+    A_WBo = plant.CalcSpatialAccelerationsFromVdot(context, vdot)[int(frame.body().index())]
+    return BodyMotion(
+        R_WB=X_WB.rotation().matrix(),
+        p_WBp=X_WB.translation() + p_BoBp_W,
+        V_WBp=V_WBo.Shift(p_BoBp_W).get_coeffs(),
+        A_WBp=A_WBo.Shift(p_BoBp_W, V_WBo.rotational()).get_coeffs(),
+    )
+
+
+def set_state(plant: MultibodyPlant, context: Context, q: Sequence, v: Sequence) -> None:
+    """Put joint positions and velocities into the context; PlantError if the counts differ."""
+    plant.SetPositions(context, _of_length(q, plant.num_positions(), "q"))
+    plant.SetVelocities(context, _of_length(v, plant.num_velocities(), "v"))
+
+
+def _of_length(values: Sequence, length: int, name: str) -> np.ndarray:
+    array = np.asarray(values)
+    if array.shape != (length,):
+        raise PlantError(f"{name} needs shape ({length},), got {array.shape}")
+    return array

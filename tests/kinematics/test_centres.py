@@ -81,6 +81,7 @@ def test_no_centre(scalar, rank, seed):
     locus = acceleration_centre(T, a)
     assert locus.kind == "none" and locus.rank == rank and str(locus) == "no point"
     assert is_zero(apply(T.T, locus.residual)) and not is_zero(locus.residual)
+    assert is_zero(fields.acceleration(T, a, locus.point) - locus.residual)
     assert is_zero(locus.directions)
 
 

@@ -92,9 +92,8 @@ def _turn(arms: np.ndarray, displacements: np.ndarray) -> np.ndarray:
         arms, displacements = arms.astype(float), displacements.astype(float)
         rows = -skew(arms)
         rows = rows.reshape(*rows.shape[:-3], -1, 3)
-        return (np.linalg.pinv(rows) @ displacements.reshape(*displacements.shape[:-2], -1, 1))[
-            ..., 0
-        ]
+        columns = displacements.reshape(*displacements.shape[:-2], -1, 1)
+        return (np.linalg.pinv(rows) @ columns)[..., 0]
     dyads = outer(arms, arms)
     squares = np.asarray(dot(arms, arms))[..., None, None] * identity_like(dyads)
     return solve((squares - dyads).sum(axis=-3), cross(arms, displacements).sum(axis=-2))

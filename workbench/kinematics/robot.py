@@ -7,9 +7,7 @@ Everything is measured and expressed in the world frame W. Orders count as in Eq
 
 from __future__ import annotations
 
-import logging
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import comb, factorial
 from pathlib import Path
@@ -37,7 +35,7 @@ RANK_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True)
-class BodyMotion:
+class RobotMotion:
     """The motion of a body B at one instant, to order N, in W.
 
     X_WB (4, 4) pose; p_WP (3,) the position in m of the body point P that was asked.
@@ -65,7 +63,7 @@ class BodyMotion:
 
 def robot_motion(
     plant: MultibodyPlant, body: str, q_derivatives: ArrayLike, point: ArrayLike = (0, 0, 0)
-) -> BodyMotion:
+) -> RobotMotion:
     """The motion of `body` of a finalized plant to the order N = q_derivatives.shape[1] - 1.
 
     q_derivatives (plant.num_positions(), N+1): the k-th time derivative of each position at [:, k].
@@ -73,9 +71,8 @@ def robot_motion(
     Raises ValueError for an unknown body (its message lists the bodies), a wrong shape, N < 1, numbers
     that are not finite, and a body that the world does not reach by angles and lengths.
     """
-    if not plant.HasBodyNamed(body):
-        names = body_names(plant)
-        raise ValueError(f"unknown body {body!r}: expected one of {', '.join(names)}")
+    from workbench.drake.plants import body_named
+
     q = np.asarray(q_derivatives, dtype=float)
     count = plant.num_positions()
     if q.ndim != 2 or q.shape[0] != count or q.shape[1] < 2 or not np.isfinite(q).all():
@@ -86,7 +83,7 @@ def robot_motion(
     p_BoP_B = as_vectors(point, "point")
     if p_BoP_B.shape != (3,):
         raise ValueError(f"point: expected three coordinates, got shape {p_BoP_B.shape}")
-    chain, positions = serial_chain_from_plant(plant, body)
+    chain, positions = serial_chain_from_plant(plant, body_named(plant, body))
     q = q[positions]
     twist = chain.twist_derivatives(q)
     omega, v = twist[:, :3], twist[:, 3:]
@@ -102,14 +99,14 @@ def robot_motion(
     )
     w_WB, v_WBo = drake_twist(omega, v, X_WB[:3, 3])
     accelerations = a + apply(Phi, p_WP)
-    return BodyMotion(X_WB, p_WP, w_WB, v_WBo, v, Phi, a, accelerations, centres)
+    return RobotMotion(X_WB, p_WP, w_WB, v_WBo, v, Phi, a, accelerations, centres)
 
 
 def _chain_scales(chain: SerialChain, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Bounds of Φₙ and aₙ that do not see terms cancel, each (N+1,), of one state q (dof, N+1).
+    """The sizes of the terms of Φₙ and aₙ, each (N+1,), of one state q (dof, N+1).
 
-    Of ω = Σ q̇ᵢ uᵢ with unit axes uᵢ' = ω × uᵢ the norms' recurrence gives bounds of ω⁽ᵏ⁾; v is
-    bounded by these at the chain's reach.
+    With unit axes turning as uᵢ' = ω × uᵢ, the norms in ω = Σ q̇ᵢ uᵢ bound ω⁽ᵏ⁾ without seeing terms
+    cancel; v is taken to be as large as these at the chain's reach.
     """
     rates = np.abs(q[:, 1:]).sum(axis=0)
     turning, axes = [], [1.0]
@@ -120,13 +117,6 @@ def _chain_scales(chain: SerialChain, q: np.ndarray) -> tuple[np.ndarray, np.nda
     reach = 1 + sum(lengths) + np.abs(q[:, 0]).sum()
     bound = np.outer(turning, (1.0, 0.0, 0.0))
     return field_scales(bound, reach * bound)
-
-
-def body_names(plant: MultibodyPlant) -> list[str]:
-    """The names of the plant's bodies but the world, in the plant's order."""
-    from pydrake.multibody.tree import BodyIndex
-
-    return [plant.get_body(BodyIndex(i)).name() for i in range(1, plant.num_bodies())]
 
 
 @dataclass(frozen=True)
@@ -163,7 +153,7 @@ class MotionReport:
     at: float
     joints: tuple[str, ...]
     path: JointPath
-    motion: BodyMotion
+    motion: RobotMotion
     checks: tuple[DrakeCheck, ...]
 
     def to_dict(self) -> dict:
@@ -237,8 +227,7 @@ def motion_report(
     from workbench.drake.plants import load_urdf
     from workbench.drake.references import twist_derivatives
 
-    with _parser_warnings_muted():
-        plant = load_urdf(urdf)
+    plant = load_urdf(urdf)
     names = tuple(plant.GetPositionNames(False, False))
     path = _joint_path(joints, names, order)
     motion = robot_motion(plant, body, path.jet(at, order).T, point)
@@ -286,15 +275,3 @@ def _joint_path(joints, names: tuple[str, ...], order: int) -> JointPath:
             raise ValueError(f"joint {name!r}: expected at least one coefficient, got none")
         column[: len(row)] = row
     return JointPath(table)
-
-
-@contextmanager
-def _parser_warnings_muted() -> Iterator[None]:
-    """Drake's warnings on friction, transmissions and safety limits do not concern kinematics."""
-    logger = logging.getLogger("drake")
-    level = logger.level
-    logger.setLevel(logging.ERROR)
-    try:
-        yield
-    finally:
-        logger.setLevel(level)

@@ -142,10 +142,11 @@ class _SymbolicMotion:
         self.plant = plant.ToSymbolic()
         self.context = self.plant.CreateDefaultContext()
         self._time = t
-        q = _expanded(path(Expression(t)))
-        self.plant.SetPositions(self.context, q)
-        v = _expanded(np.ravel(self.plant.MapQDotToVelocity(self.context, self.rate(q))))
-        set_state(self.plant, self.context, q, v)
+        self.q = _expanded(path(Expression(t)))
+        self.plant.SetPositions(self.context, self.q)
+        qdot = self.rate(self.q)
+        v = _expanded(np.ravel(self.plant.MapQDotToVelocity(self.context, qdot)))
+        set_state(self.plant, self.context, self.q, v)
         self._A = self.plant.CalcSpatialAccelerationsFromVdot(self.context, self.rate(v))
 
     def rate(self, quantity: np.ndarray) -> np.ndarray:
@@ -199,15 +200,13 @@ def _body_quantities(motion: _SymbolicMotion) -> dict[str, np.ndarray]:
 
 
 def _chain_quantities(
-    motion: _SymbolicMotion, path_at_t: np.ndarray, axes: Sequence[CylindricalAxis]
+    motion: _SymbolicMotion, second_joint: _SymbolicMotion, axes: Sequence[CylindricalAxis]
 ) -> dict[str, np.ndarray]:
+    """``second_joint`` moves B alone, with A for its world: the relative motion, seen from A."""
     A, B, W = motion.frame("A"), motion.frame("B"), motion.plant.world_frame()
-    X_WA, X_AB = motion.pose("A"), B.CalcPose(motion.context, A)
-    V_WA, V_AB_W, V_AB_A = (
-        motion.velocity("A"),
-        B.CalcSpatialVelocity(motion.context, A, W),
-        B.CalcSpatialVelocity(motion.context, A, A),
-    )
+    X_WA, X_AB = motion.pose("A"), second_joint.pose("B")
+    V_WA, V_AB_A = motion.velocity("A"), second_joint.velocity("B")
+    V_AB_W = B.CalcSpatialVelocity(motion.context, A, W)
     V_WA0 = V_WA.Shift(-X_WA.translation())
     V_AB0_W = V_AB_W.Shift(-motion.pose("B").translation())
     V_AB0_A = V_AB_A.Shift(-X_AB.translation())
@@ -215,7 +214,7 @@ def _chain_quantities(
     point1_W, point2_A = (np.array(axis.point) for axis in axes)
     u2_W = X_WA.rotation().matrix() @ u2_A
     point2_W = motion.pose("B_axis_on_parent").translation()
-    d1, theta1, d2, theta2 = path_at_t
+    d1, theta1, d2, theta2 = motion.q
     return {
         "R_WA": X_WA.rotation().matrix(),
         "R_AB": X_AB.rotation().matrix(),
@@ -254,8 +253,10 @@ def chain_motion(name: str, axes: Sequence[CylindricalAxis], path: JointPath) ->
     """Bodies A on W and B on A, each on a cylindrical joint; q = (d₁, θ₁, d₂, θ₂)."""
     t = Variable("t")
     motion = _SymbolicMotion(cylindrical_chain(axes, ("A", "B")), path, t)
-    chain = _chain_quantities(motion, path(Expression(t)), axes)
-    return ReferenceMotion(name, t, {**_body_quantities(motion), **chain})
+    second_path = JointPath(path.coefficients[:, 2:])
+    second_joint = _SymbolicMotion(cylindrical_chain(axes[1:], ("B",)), second_path, t)
+    relative = _chain_quantities(motion, second_joint, axes)
+    return ReferenceMotion(name, t, {**_body_quantities(motion), **relative})
 
 
 def free_body_motion(name: str, path: JointPath) -> ReferenceMotion:

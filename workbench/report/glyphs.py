@@ -56,15 +56,14 @@ UNDER_ACCENTS = frozenset({r"\underline"})
 WIDE_ACCENTS = frozenset({r"\widetilde", r"\widehat", r"\overline", r"\underline"})
 
 DELIMITERS = frozenset(
-    ("(", ")", "[", "]", "|", ".", r"\{", r"\}", r"\langle", r"\rangle", r"\|", r"\Vert", "/")
-    + (r"\lVert", r"\rVert", r"\lvert", r"\rvert")
+    r"( ) [ ] | . / \{ \} \langle \rangle \| \Vert \lVert \rVert \lvert \rvert".split()
 )
-SIZES = frozenset("\\" + size + side for size in ("big", "Big", "bigg", "Bigg") for side in "lrm")
-SIZES |= {"\\big", "\\Big", "\\bigg", "\\Bigg"}
+SIZES = frozenset(
+    "\\" + size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")
+)
 
 STYLES = frozenset(
-    (r"\mathbf", r"\boldsymbol", r"\bm", r"\mathrm", r"\mathit", r"\mathcal", r"\mathbb")
-    + (r"\mathfrak", r"\mathsf")
+    r"\mathbf \boldsymbol \bm \mathrm \mathit \mathcal \mathbb \mathfrak \mathsf".split()
 )
 WEIGHT_STYLES = frozenset((r"\mathbf", r"\boldsymbol", r"\bm"))
 TEXT_COMMANDS = frozenset((r"\text", r"\operatorname", r"\textbf", r"\textit", r"\textrm"))

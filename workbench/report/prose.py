@@ -1,0 +1,102 @@
+"""Sentences with formulas in them, the same for every format: runs of text and of mathematics."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from workbench.report.differences import Change, Difference
+
+_INLINE_MATH = re.compile(r"\$([^$\n]+)\$")
+_RATIONAL = re.compile(r"-?\d+(/[1-9]\d*)?")
+
+
+@dataclass(frozen=True)
+class Run:
+    """A stretch of plain text, or of LaTeX if `is_math`."""
+
+    content: str
+    is_math: bool = False
+
+
+def text(content: str) -> Run:
+    return Run(content)
+
+
+def formula(latex: str) -> Run:
+    return Run(latex, is_math=True)
+
+
+def runs_of(prose: str) -> list[Run]:
+    """A note or statement: what stands between dollar signs is LaTeX, the rest is text."""
+    pieces = _INLINE_MATH.split(prose)
+    return [Run(piece, is_math=bool(i % 2)) for i, piece in enumerate(pieces) if piece]
+
+
+def change_runs(change: Change, second_is: str) -> list[Run]:
+    """One change as a sentence; `second_is` says what the second formula is: "right" or "meant"."""
+    runs = [text(f"{change.kind.capitalize()}: ")]
+    place = [text(" after "), formula(change.following)] if change.following else []
+    if change.before is None:
+        return [*runs, formula(change.after or ""), text(" is missing"), *place, text(".")]
+    runs += [formula(change.before), text(" is printed")]
+    if change.after is None:
+        return [*runs, *place, text("; it should not be there.")]
+    return [*runs, *place, text("; "), formula(change.after), text(f" is {second_is}.")]
+
+
+def difference_runs(difference: Difference | None, second_is: str) -> list[list[Run]]:
+    """The changes, a sentence each; or one sentence where there is no list of changes."""
+    if difference is None:
+        return [[text("One of the two forms cannot be taken apart; compare them as they stand.")]]
+    if difference.rewritten:
+        return [[text("The two forms have little in common; compare them as a whole.")]]
+    if not difference.changes:
+        return [[text("The two forms differ only in grouping or spacing.")]]
+    return [change_runs(change, second_is) for change in difference.changes]
+
+
+def value_latex(entries: Sequence[str] | str) -> str | None:
+    """Rationals laid out for pencil: a number, a row, or (nine entries) a 3 × 3 matrix by rows.
+
+    None where an entry is not a rational number: it is then shown as it stands.
+    """
+    entries = [entries] if isinstance(entries, str) else list(entries)
+    if not entries or not all(_RATIONAL.fullmatch(entry) for entry in entries):
+        return None
+    numbers = [_rational_latex(entry) for entry in entries]
+    if len(numbers) == 1:
+        return numbers[0]
+    if len(numbers) == 9:
+        rows = [" & ".join(numbers[row : row + 3]) for row in (0, 3, 6)]
+        return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
+    return r"( " + r" ,\; ".join(numbers) + " )"
+
+
+def subtract(left: Sequence[str] | str, right: Sequence[str] | str) -> list[str] | None:
+    """left − right, entry by entry, exactly; None where they are not rationals of one shape."""
+    sides = [[side] if isinstance(side, str) else list(side) for side in (left, right)]
+    if len(sides[0]) != len(sides[1]):
+        return None
+    if not all(_RATIONAL.fullmatch(entry) for side in sides for entry in side):
+        return None
+    return [str(Fraction(a) - Fraction(b)) for a, b in zip(*sides, strict=True)]
+
+
+def plain_value(value: Any) -> str:
+    """A figure of the evidence as text."""
+    if isinstance(value, str):
+        return value
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def _rational_latex(number: str) -> str:
+    sign, digits = ("-", number[1:]) if number.startswith("-") else ("", number)
+    if "/" not in digits:
+        return sign + digits
+    numerator, denominator = digits.split("/")
+    return rf"{sign}\frac{{{numerator}}}{{{denominator}}}"

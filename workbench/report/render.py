@@ -1,0 +1,107 @@
+"""The four files of a report, made from one canonical dictionary: same input, same bytes."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+from markupsafe import Markup, escape
+
+from workbench.report import markdown, tex
+from workbench.report.document import KINDS, document_of
+from workbench.report.mathml import mathml
+from workbench.report.prose import Run
+from workbench.report.structure import ReportError, canonical, canonical_json
+
+_MATH_FAILED = "This formula could not be typeset for certain; this is its LaTeX source."
+
+
+def write_report(report: Mapping[str, Any], out: Path) -> list[Path]:
+    """Write report.json, report.md, report.html and erratum.tex into the directory `out`.
+
+    report: the canonical dictionary (see `structure`). All files are rendered before the first is put in
+    place, and each is put in place by a rename. Returns their paths. Raises ReportError if the report is
+    not canonical or `out` cannot be a directory.
+    """
+    texts = render(report)
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError) as error:
+        raise ReportError(f"{out}: expected a directory for the report, got a file") from error
+    with tempfile.TemporaryDirectory(dir=out, prefix=".report-") as staging:
+        for name, content in texts.items():
+            (Path(staging) / name).write_bytes(content.encode("utf-8"))
+        for name in texts:
+            os.replace(Path(staging) / name, out / name)
+    return [out / name for name in texts]
+
+
+def render(report: Mapping[str, Any]) -> dict[str, str]:
+    """The text of each file by name. Raises ReportError if the report is not canonical."""
+    report = canonical(report)
+    document = document_of(report)
+    texts = {"report.json": canonical_json(report)}
+    for name, environment in (
+        ("report.md", _environment(markdown.FILTERS)),
+        ("report.html", _environment(_HTML_FILTERS, html=True)),
+        ("erratum.tex", _tex_environment()),
+    ):
+        template = environment.get_template(name + ".j2")
+        texts[name] = template.render(document=document, kinds=KINDS)
+    return texts
+
+
+def _html_math(latex: str, marked: frozenset[int] = frozenset(), display: bool = False) -> Markup:
+    """MathML, or the LaTeX source with a sign that it is source."""
+    converted = mathml(latex, display, marked)
+    if converted is not None:
+        return Markup(converted)
+    return Markup('<code class="source" title="{}">{}</code><span class="source-sign">{}</span>').format(
+        _MATH_FAILED, latex, " (LaTeX source)"
+    )
+
+
+def _html_runs(runs: tuple[Run, ...] | list[Run]) -> Markup:
+    return Markup("").join(
+        _html_math(run.content) if run.is_math else escape(run.content) for run in runs
+    )
+
+
+_HTML_FILTERS = {"math": _html_math, "runs": _html_runs}
+
+
+def _environment(filters: Mapping[str, Any], html: bool = False, **syntax: str) -> Environment:
+    environment = Environment(
+        loader=_loader(),
+        autoescape=select_autoescape(("html.j2",)) if html else False,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        **syntax,
+    )
+    environment.filters.update(filters)
+    return environment
+
+
+def _tex_environment() -> Environment:
+    """TeX is full of braces and per cents: its template uses << >> and <% %>."""
+    return _environment(
+        tex.FILTERS,
+        block_start_string="<%",
+        block_end_string="%>",
+        variable_start_string="<<",
+        variable_end_string=">>",
+        comment_start_string="<#",
+        comment_end_string="#>",
+    )
+
+
+@cache
+def _loader() -> PackageLoader:
+    return PackageLoader("workbench.report", "templates")

@@ -1,0 +1,156 @@
+"""The canonical report: which keys it has, in which order, and what each may hold."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+VERDICTS = (
+    "proved",
+    "conditional",
+    "refuted",
+    "ill-formed",
+    "definition",
+    "probable",
+    "unchecked",
+)
+_REPORT_KEYS = ("paper", "versions", "claims", "summary")
+_CLAIM_KEYS = (
+    ("id", "equation", "section", "statement", "printed", "read_back", "verdict", "scope")
+    + ("reason", "reading", "corrected", "hypothesis", "counterexample", "evidence")
+    + ("inherits", "note")
+)  # fmt: skip
+_MAY_BE_ABSENT = frozenset({"statement", "reason"})
+_TEXT_OR_NULL = ("equation", "section", "statement", "printed", "read_back", "scope", "reason") + (
+    "hypothesis",
+    "note",
+)
+
+
+class ReportError(ValueError):
+    """The report cannot be rendered: what was expected, what was got, and where."""
+
+
+def canonical(report: Mapping[str, Any]) -> dict[str, Any]:
+    """The report with its keys in canonical order.
+
+    Raises ReportError for a missing or unknown key, a value of the wrong type, an unknown verdict, an
+    id used twice, or a summary that does not count the verdicts of the claims.
+    """
+    _keys(report, _REPORT_KEYS, "report")
+    _keys(report["paper"], ("title", "doi"), "paper")
+    _text(report["paper"]["title"], "paper.title")
+    _text(report["paper"]["doi"], "paper.doi", nullable=True)
+    _mapping(report["versions"], "versions")
+    claims = [
+        _claim(claim, f"claims[{index}]")
+        for index, claim in enumerate(_list(report["claims"], "claims"))
+    ]
+    _unique_ids(claims)
+    return {
+        "paper": {key: report["paper"][key] for key in ("title", "doi")},
+        "versions": {name: _text(v, f"versions.{name}") for name, v in report["versions"].items()},
+        "claims": claims,
+        "summary": _summary(report["summary"], claims),
+    }
+
+
+def canonical_json(report: Mapping[str, Any]) -> str:
+    """report.json: keys in canonical order, UTF-8 text as it is, one trailing newline."""
+    try:
+        return json.dumps(report, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
+    except (TypeError, ValueError) as error:
+        raise ReportError(f"report: expected JSON values (no NaN, no objects): {error}") from error
+
+
+def _claim(claim: Any, place: str) -> dict[str, Any]:
+    _keys(claim, _CLAIM_KEYS, place, _MAY_BE_ABSENT)
+    _text(claim["id"], f"{place}.id")
+    for key in _TEXT_OR_NULL:
+        _text(claim.get(key), f"{place}.{key}", nullable=True)
+    if claim["printed"] is None and not claim.get("statement"):
+        raise ReportError(f"{place}: expected a printed formula or a statement, got neither")
+    _verdict(claim["verdict"], f"{place}.verdict")
+    for key in ("reading", "corrected"):
+        if claim[key] is not None:
+            _keys(claim[key], ("latex", "verdict"), f"{place}.{key}")
+            _text(claim[key]["latex"], f"{place}.{key}.latex")
+            _verdict(claim[key]["verdict"], f"{place}.{key}.verdict")
+    if claim["counterexample"] is not None:
+        _counterexample(claim["counterexample"], f"{place}.counterexample")
+    for index, item in enumerate(_list(claim["evidence"], f"{place}.evidence")):
+        where = f"{place}.evidence[{index}]"
+        for key in ("method", "outcome"):
+            _text(_mapping(item, where).get(key), f"{where}.{key}")
+    for index, heir in enumerate(_list(claim["inherits"], f"{place}.inherits")):
+        _text(heir, f"{place}.inherits[{index}]")
+    return {key: claim[key] for key in _CLAIM_KEYS if key in claim}
+
+
+def _counterexample(example: Any, place: str) -> None:
+    _keys(example, ("values", "lhs", "rhs"), place)
+    for symbol, entries in _mapping(example["values"], f"{place}.values").items():
+        _texts(entries, f"{place}.values[{symbol!r}]")
+    for side in ("lhs", "rhs"):
+        if not isinstance(example[side], str):
+            _texts(example[side], f"{place}.{side}")
+
+
+def _summary(summary: Any, claims: Sequence[Mapping[str, Any]]) -> dict[str, int]:
+    counted = Counter(claim["verdict"] for claim in claims)
+    for verdict, count in _mapping(summary, "summary").items():
+        _verdict(verdict, f"summary key {verdict!r}")
+        if count != counted[verdict]:
+            raise ReportError(f"summary.{verdict}: expected {counted[verdict]}, got {count!r}")
+    missing = [verdict for verdict in counted if verdict not in summary]
+    if missing:
+        raise ReportError(f"summary: expected a count of {', '.join(missing)}, got none")
+    return {verdict: summary[verdict] for verdict in VERDICTS if verdict in summary}
+
+
+def _unique_ids(claims: Sequence[Mapping[str, Any]]) -> None:
+    twice = [name for name, n in Counter(claim["id"] for claim in claims).items() if n > 1]
+    if twice:
+        raise ReportError(f"claims: expected every id once, got {', '.join(twice)} more than once")
+
+
+def _keys(
+    value: Any, known: Sequence[str], place: str, optional: frozenset[str] = frozenset()
+) -> None:
+    _mapping(value, place)
+    missing = [key for key in known if key not in value and key not in optional]
+    unknown = [str(key) for key in value if key not in known]
+    if missing or unknown:
+        got = [f"no {key}" for key in missing] + [f"unknown {key}" for key in unknown]
+        raise ReportError(f"{place}: expected {', '.join(known)}; got {', '.join(got)}")
+
+
+def _mapping(value: Any, place: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise ReportError(f"{place}: expected an object, got {type(value).__name__}")
+    return value
+
+
+def _list(value: Any, place: str) -> Sequence[Any]:
+    if isinstance(value, str) or not isinstance(value, Sequence):
+        raise ReportError(f"{place}: expected a list, got {type(value).__name__}")
+    return value
+
+
+def _texts(value: Any, place: str) -> None:
+    for index, entry in enumerate(_list(value, place)):
+        _text(entry, f"{place}[{index}]")
+
+
+def _text(value: Any, place: str, nullable: bool = False) -> str | None:
+    if not isinstance(value, str) and not (nullable and value is None):
+        wanted = "a string or null" if nullable else "a string"
+        raise ReportError(f"{place}: expected {wanted}, got {type(value).__name__}")
+    return value
+
+
+def _verdict(value: Any, place: str) -> None:
+    if value not in VERDICTS:
+        raise ReportError(f"{place}: expected one of {', '.join(VERDICTS)}; got {value!r}")

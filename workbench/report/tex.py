@@ -1,0 +1,88 @@
+"""The LaTeX of the erratum note: escaped text, formulas with their changes in colour."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable
+
+from workbench.report import glyphs
+from workbench.report.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
+from workbench.report.prose import Run
+
+_SPECIAL = {
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#",
+    "%": r"\%", "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
+    "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}", '"': r"\textquotedbl{}",
+    "–": "--", "—": "---", "‘": "`", "’": "'", "“": "``", "”": "''", "…": r"\ldots{}",
+    "\u00a0": "~", "`": r"\textasciigrave{}", "'": "'", "-": "{-}",
+}  # fmt: skip
+_MATH_CHARACTERS = {
+    glyph: command
+    for command, glyph in glyphs.SYMBOLS.items()
+    if command.startswith("\\") and len(glyph) == 1 and not glyph.isascii()
+}
+# The last of two commands for one character would win; these are the plain ones.
+_MATH_CHARACTERS |= {"→": r"\to", "≠": r"\neq", "≤": r"\leq", "≥": r"\geq", "−": "-", "²": "^2"}
+_COMMANDS_OF_FAMILY = {"ord": r"\Changed", "bin": r"\ChangedBin", "rel": r"\ChangedRel"}
+
+
+def escaped(plain: str) -> str:
+    """Text for pdfLaTeX: specials escaped, Greek and signs as mathematics, the rest by code point."""
+    return "".join(_character(c) for c in " ".join(unicodedata.normalize("NFC", plain).split()))
+
+
+def _character(character: str) -> str:
+    if character in _SPECIAL:
+        return _SPECIAL[character]
+    if character in _MATH_CHARACTERS:
+        return rf"\ensuremath{{{_MATH_CHARACTERS[character]}}}"
+    if character.isascii():
+        return character if character.isprintable() else f"[U+{ord(character):04X}]"
+    if "LATIN" in unicodedata.name(character, "") and ord(character) < 0x180:
+        return character
+    return f"[U+{ord(character):04X}]"
+
+
+def source(latex: str) -> str:
+    return rf"\texttt{{{escaped(latex)}}}"
+
+
+def inline_math(latex: str) -> str:
+    try:
+        return rf"\({latex_of(atoms_of(latex))}\)"
+    except LatexNotTypesettable:
+        return source(latex)
+
+
+def display_math(latex: str, marked: frozenset[int] = frozenset()) -> str:
+    """A displayed formula, scaled down where it is wider than the line, its changes in colour."""
+    try:
+        atoms = atoms_of(latex)
+    except LatexNotTypesettable:
+        return rf"\begin{{quote}}\raggedright {source(latex)}\end{{quote}}"
+    return rf"\DisplayedFormula{{{latex_of(atoms, marked, _in_colour)}}}"
+
+
+def runs(sentence: Iterable[Run]) -> str:
+    pieces = []
+    for run in sentence:
+        if run.is_math:
+            pieces.append(inline_math(run.content))
+            continue
+        lead, trail = run.content[:1].isspace(), run.content[-1:].isspace()
+        pieces.append(" " * lead + escaped(run.content) + " " * trail)
+    return re.sub(" +", " ", "".join(pieces)).strip()
+
+
+def _in_colour(atom: Atom) -> str:
+    return f"{_COMMANDS_OF_FAMILY[atom.family]}{{{atom.latex}}}"
+
+
+FILTERS = {
+    "text": escaped,
+    "source": source,
+    "imath": inline_math,
+    "dmath": display_math,
+    "runs": runs,
+}

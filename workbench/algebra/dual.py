@@ -37,6 +37,8 @@ class Dual:
             raise TypeError("a dual number over dual numbers: expected re and du in a real ring")
         if isinstance(re, np.ndarray) or isinstance(du, np.ndarray):
             re, du = _entries(re, du)
+        else:
+            re, du = _in_one_ring(re, du)
         object.__setattr__(self, "re", re)
         object.__setattr__(self, "du", du)
 
@@ -130,9 +132,6 @@ class Dual:
         return Dual(self.re[index], self.du[index])
 
 
-EPSILON = Dual(0, 1)
-
-
 def Re(a: Any) -> Any:
     """The real part of a dual number; a real number is its own."""
     return a.re if isinstance(a, Dual) else a
@@ -182,11 +181,15 @@ def _nesting(a: Any) -> tuple[int, ...]:
 
 
 def _entries(re: Any, du: Any) -> tuple[Any, Any]:
-    """re and du as arrays of one shape (scalars if it is ()); integers become Python's, which
-    cannot overflow."""
+    """re and du as arrays of one shape (scalars if it is ()) over one ring.
+
+    Integers become Python's, which cannot overflow.
+    """
     re, du = np.broadcast_arrays(as_array(re), as_array(du))
     if np.issubdtype(np.result_type(re, du), np.integer):
         re, du = re.astype(object), du.astype(object)
+    if any(_is_flint(entry) for part in (re, du) if part.dtype == object for entry in part.flat):
+        re, du = _without_fractions(re), _without_fractions(du)
     return re[()], du[()]
 
 
@@ -203,6 +206,9 @@ def _fmpq(a: Fraction) -> Any:
     from flint import fmpq
 
     return fmpq(a.numerator, a.denominator)
+
+
+_without_fractions = np.frompyfunc(lambda a: _fmpq(a) if isinstance(a, Fraction) else a, 1, 1)
 
 
 def _exact_quotient(a: Any, b: Any) -> Any:
@@ -247,3 +253,6 @@ def _vanishes(a: Any) -> bool:
     if isinstance(a, np.ndarray):
         return any(_is_zero(x) for x in a.flat) if a.dtype == object else not np.all(a)
     return _is_zero(a)
+
+
+EPSILON = Dual(0, 1)

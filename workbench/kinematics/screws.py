@@ -100,7 +100,7 @@ def natural_invariants(R: Dual) -> tuple[Dual, Dual]:
     across = cross(u, rho)
     moment = (cotangent[..., None] * -cross(u, across) - across) / 2
     moment = np.where(is_translation[..., None], 0.0, moment)
-    return Dual(alpha, dot(u, rho)), Dual(u, moment)
+    return Dual(alpha, np.where(is_translation, shift, dot(u, rho))), Dual(u, moment)
 
 
 def _natural_invariants_of_objects(R: Dual) -> tuple[Dual, Dual]:

@@ -38,8 +38,8 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """Values of the symbols (LaTeX → rationals as strings, in reading order of the components; a derivative is
-    a symbol of its own, `\\dot{\\omega}`), and what the two sides then are."""
+    """Values of the symbols (LaTeX → rationals as strings, components in reading order; a derivative is a
+    symbol of its own, `\\dot{\\omega}`), and what the two sides then are."""
 
     values: Mapping[str, tuple[str, ...]]
     left: tuple[str, ...]

@@ -1,0 +1,136 @@
+"""Polynomials over ℚ with a derivation d/dt, in FLINT: the ring in which the first engine proves.
+
+Every derivative of a free function is an indeterminate of its own and d/dt shifts one to the next. Sines and
+cosines, unit vectors, rotations (as unit quaternions) and norms are indeterminates with one relation each,
+
+    s² = 1 − c²,   u₀² = 1 − u₁² − u₂²,   q₀² = 1 − q₁² − q₂² − q₃²,   N² = x·x,
+
+whose leading squares are powers of different indeterminates. By Buchberger's first criterion such relations
+are a Gröbner basis in a lexicographic order that ranks each squared indeterminate above those of its right
+side, so the remainder by them is a normal form: 0 exactly for the polynomials that vanish modulo them.
+A reciprocal 1/d is an indeterminate z with z·d = 1, cleared at the end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+Polynomial = fmpq_mpoly
+Derivation = Callable[["DifferentialRing"], Polynomial]
+
+
+class DifferentialRing:
+    """Built from a list of generator names, highest rank first, and then furnished: each generator gets its
+    time derivative by `derive_as`, and squares are rewritten by `square_as`."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        self._context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
+        self.names = tuple(names)
+        self.generators = dict(zip(names, self._context.gens(), strict=True))
+        self.zero = self._context.constant(0)
+        self.one = self._context.constant(1)
+        self._rates: dict[int, Polynomial] = {}
+        self._places = {name: place for place, name in enumerate(names)}
+        self._squares: dict[str, Polynomial] = {}
+        self._reciprocals: list[tuple[str, Polynomial]] = []
+
+    def constant(self, value: Fraction | int) -> Polynomial:
+        value = Fraction(value)
+        return self._context.constant(fmpq(value.numerator, value.denominator))
+
+    def derive_as(self, name: str, rate: Polynomial) -> None:
+        """The time derivative of a generator; a generator without one must not be differentiated."""
+        self._rates[self._places[name]] = rate
+
+    def square_as(self, name: str, value: Polynomial) -> None:
+        """name² = value. `value` must not hold `name` and its generators must rank below it."""
+        self._squares[name] = value
+
+    def derive(self, p: Polynomial) -> Polynomial:
+        """dp/dt by the chain rule over the generators that occur in p."""
+        rate = self.zero
+        for place, degree in enumerate(p.degrees()):
+            if degree > 0:
+                if place not in self._rates:
+                    raise ValueError(f"{self.names[place]} was not given a time derivative")
+                rate = rate + p.derivative(place) * self._rates[place]
+        return self.reduce(rate)
+
+    def reduce(self, p: Polynomial) -> Polynomial:
+        """The normal form modulo the square relations."""
+        changed = bool(self._squares)
+        while changed:
+            changed = False
+            for name, value in self._squares.items():
+                if p.degrees()[self._places[name]] > 1:
+                    p = divmod(p, self.generators[name] ** 2 - value)[1]
+                    changed = True
+        return p
+
+    def reciprocal(self, d: Polynomial, spare: Sequence[str]) -> tuple[Polynomial, Fraction]:
+        """(z, factor) with 1/d = factor·z; denominators equal up to a number share one z. `spare` names the
+        generators set aside for reciprocals."""
+        if d == 0:
+            raise ZeroDivisionError("division by an expression that is identically zero")
+        leading = d.leading_coefficient()
+        if d.is_constant():
+            return self.one, Fraction(int(leading.q), int(leading.p))
+        monic = d / leading
+        factor = Fraction(int(leading.q), int(leading.p))
+        for name, known in self._reciprocals:
+            if known == monic:
+                return self.generators[name], factor
+        name = spare[len(self._reciprocals)]
+        self._reciprocals.append((name, monic))
+        z = self.generators[name]
+        if all(place in self._rates for place, degree in enumerate(monic.degrees()) if degree > 0):
+            self.derive_as(name, -(z**2) * self.derive(monic))
+        return z, factor
+
+    @property
+    def relations(self) -> list[Polynomial]:
+        """The polynomials name² − value."""
+        return [self.generators[name] ** 2 - value for name, value in self._squares.items()]
+
+    def square_of(self, p: Polynomial) -> Polynomial:
+        """p² in normal form if p is a single generator with a square relation, such as a norm; else p. Both
+        vanish at the same points."""
+        for name, value in self._squares.items():
+            if p == self.generators[name]:
+                return value
+        return p
+
+    @property
+    def denominators(self) -> tuple[Polynomial, ...]:
+        """What was divided by, up to numbers, in normal form."""
+        return tuple(d for _, d in self._reciprocals)
+
+    def clear(self, p: Polynomial) -> Polynomial:
+        """p times powers of the denominators so that no reciprocal is left: 0 exactly if p is, where no
+        denominator vanishes. Later reciprocals can hold earlier ones in their denominator: last goes first."""
+        for name, d in reversed(self._reciprocals):
+            place = self._places[name]
+            height = p.degrees()[place]
+            if height <= 0:
+                continue
+            rows: dict[int, dict] = {}
+            for exponents, coefficient in p.terms():
+                bare = (*exponents[:place], 0, *exponents[place + 1 :])
+                rows.setdefault(exponents[place], {})[bare] = coefficient
+            p = self.zero
+            for degree, terms in rows.items():
+                p = p + self._context.from_dict(terms) * d ** (height - degree)
+            p = self.reduce(p)
+        return p
+
+    def at(self, p: Polynomial, values: dict[str, Fraction]) -> Fraction:
+        """The value of p at a rational point; every generator of p must have a value."""
+        used = {self.names[i] for i, degree in enumerate(p.degrees()) if degree > 0}
+        if missing := used - values.keys():
+            raise ValueError(f"no value for {', '.join(sorted(missing))}")
+        point = [values.get(name, Fraction(0)) for name in self.names]
+        result = p(*(fmpq(v.numerator, v.denominator) for v in point))
+        return Fraction(int(result.p), int(result.q))

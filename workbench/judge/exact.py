@@ -1,0 +1,421 @@
+"""The first engine: a term's value as a matrix of polynomials over ℚ, with d/dt as the ring's derivation.
+
+A scalar is a 1×1 matrix, a vector 3×1, a covector 1×3, a tensor 3×3, so that juxtaposition is the matrix
+product throughout. Dual entries are `Dual` numbers over the ring. An operator Σ Aₖ Dᵏ is (A₀, A₁, …).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import reduce as fold
+
+from workbench.algebra.differential_ring import DifferentialRing, Polynomial
+from workbench.algebra.dual import Dual
+from workbench.algebra.matrices import (
+    Entry,
+    Matrix,
+    add,
+    adjugate,
+    cross,
+    det,
+    dual_part,
+    flat,
+    matrix,
+    product,
+    real_part,
+    scale,
+    skew,
+    symmetric,
+    trace,
+    transpose,
+    vect,
+)
+from workbench.judge.exact_symbols import FreeSymbols, rank, shape_of
+from workbench.judge.inventory import Inventory, Lookup, NotExact
+from workbench.judge.parameters import Parameter, parameters
+from workbench.language.terms import (
+    Apply,
+    Block,
+    Counting,
+    Derivative,
+    DualUnit,
+    Identity,
+    Integer,
+    Number,
+    Power,
+    Relation,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+from workbench.language.types import Type
+
+Operator = tuple[Matrix, ...]
+
+
+class ExactEngine:
+    """Evaluates terms whose free symbols are those of the inventory."""
+
+    def __init__(self, inventory: Inventory, definitions: Lookup) -> None:
+        self._definitions = definitions
+        self._norm_names = [f"norm{i}" for i in reversed(range(inventory.norms))]
+        self._reciprocal_names = [f"reciprocal{i}" for i in range(inventory.reciprocals)]
+        self._named = {p: f"x{i}" for i, p in enumerate(sorted(parameters(inventory), key=rank))}
+        self.ring = DifferentialRing([*self._norm_names, *self._named.values(), *self._reciprocal_names])
+        self._norms: list[tuple[str, Polynomial]] = []
+        self._values: dict[Term, Matrix | Operator] = {}
+        self._free = FreeSymbols(self.ring, self._named)
+        for angle in inventory.angles:
+            self._free.furnish_angle(angle)
+        for symbol in inventory.orders:
+            self._values[symbol] = self._free.furnish(symbol)
+
+    def residuals(self, relation: Relation) -> list[Polynomial]:
+        """left − right, entry by entry, real parts before dual parts, cleared of denominators."""
+        return [self.ring.clear(p) for p in self.parts(self.difference(relation))]
+
+    def difference(self, relation: Relation) -> Matrix | Operator:
+        left, right = self.value(relation.left), self.value(relation.right)
+        if relation.left.type.kind == "operator" or relation.right.type.kind == "operator":
+            return _add_operators(_operator(left), _scale(self._constant(-1), _operator(right)))
+        return add(left, _scale(self._constant(-1), right))
+
+    def parts(self, value: Matrix | Operator) -> list[Polynomial]:
+        """All entries in reading order, real parts before dual parts."""
+        matrices = value if _is_operator(value) else (value,)
+        entries = [entry for matrix in matrices for row in matrix for entry in row]
+        real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
+        dual = [entry.du for entry in entries if isinstance(entry, Dual)]
+        return [self.ring.reduce(self._polynomial(p)) for p in (*real, *dual)]
+
+    def at(self, p: Polynomial, point: dict[Parameter, Fraction]) -> Fraction:
+        """The value of a polynomial without reciprocals or norms at a point of the parameters."""
+        return self.ring.at(p, {self._named[q]: value for q, value in point.items() if q in self._named})
+
+    # --- terms ----------------------------------------------------------------------------------
+
+    def value(self, term: Term) -> Matrix | Operator:
+        """The matrix (or operator) of the term. Raises NotExact outside the exact world."""
+        if term not in self._values:
+            self._values[term] = self._reduced(self._evaluate(term))
+        return self._values[term]
+
+    def _evaluate(self, term: Term) -> Matrix | Operator:
+        match term:
+            case Number():
+                return ((self._constant(term.value),),)
+            case Zero():
+                return self._diagonal(term.type, 0)
+            case Identity():
+                return self._diagonal(term.type, 1)
+            case DualUnit():
+                return ((Dual(self.ring.zero, self.ring.one),),)
+            case TimeOperator():
+                return (self._unit(0), self._unit(1))
+            case Symbol():
+                body = self._definitions.lookup(term)
+                if body is None:
+                    raise NotExact(f"{term.declaration.name} is not in the inventory")
+                return self.value(body)
+            case Derivative():
+                value = self.value(term.body)
+                for _ in range(int(term.order)):
+                    value = self._map(self.ring.derive, value)
+                return value
+            case Power():
+                return self._power(term)
+            case Block():
+                return self._block(term)
+            case Apply():
+                return _HEADS[term.head](self, term)
+            case Integer() | Counting():
+                raise NotExact(f"the integer expression {term} is not bound to a number")
+        raise NotExact(f"no exact value for {type(term).__name__}")
+
+    def _power(self, term: Power) -> Matrix | Operator:
+        exponent = int(term.exponent)
+        base = self.value(term.base)
+        if term.base.type.kind == "vector":
+            square = product(transpose(base), base)
+            return fold(product, [square] * (exponent // 2), self._unit(1, 1))
+        if term.type.kind == "operator":
+            return fold(self._compose, [base] * exponent, (self._unit(1),))
+        return fold(product, [base] * exponent, self._unit(1, len(base)))
+
+    def _block(self, term: Block) -> Matrix:
+        rows: list[tuple[Entry, ...]] = []
+        for line in term.entries:
+            blocks = [self.value(entry) for entry in line]
+            rows.extend(sum(parts, ()) for parts in zip(*blocks, strict=True))
+        return tuple(rows)
+
+    def _add(self, term: Apply) -> Matrix | Operator:
+        values = [self.value(a) for a in term.arguments]
+        if term.type.kind == "operator":
+            return fold(_add_operators, map(_operator, values))
+        return fold(add, values)
+
+    def _neg(self, term: Apply) -> Matrix | Operator:
+        return _scale(self._constant(-1), self.value(term.arguments[0]))
+
+    def _mul(self, term: Apply) -> Matrix | Operator:
+        left, right = term.arguments
+        a, b = self.value(left), self.value(right)
+        if left.type.kind == "scalar":
+            return _scale(a[0][0], b)
+        if right.type.kind == "scalar":
+            return _scale(b[0][0], a)
+        if left.type.kind == "operator" and right.type.kind != "operator":
+            return self._act(a, b)
+        if "operator" in (left.type.kind, right.type.kind):
+            return self._compose(_operator(a), _operator(b))
+        return product(a, b)
+
+    def _composition(self, term: Apply) -> Operator:
+        return self._compose(*(_operator(self.value(a)) for a in term.arguments))
+
+    def _compose(self, left: Operator, right: Operator) -> Operator:
+        """By D·A = Ȧ + A·D, applied once for each power of D on the left."""
+        total: Operator = (self._unit(0),)
+        shifted = right
+        for coefficient in left:
+            total = _add_operators(total, tuple(product(coefficient, a) for a in shifted))
+            raised = (self._unit(0), *shifted)
+            shifted = _add_operators(raised, tuple(self._map(self.ring.derive, a) for a in shifted))
+        return total
+
+    def _act(self, operator: Operator, value: Matrix) -> Matrix:
+        total = None
+        for coefficient in operator:
+            addend = product(coefficient, value)
+            total = addend if total is None else add(total, addend)
+            value = self._map(self.ring.derive, value)
+        return total
+
+    def _div(self, term: Apply) -> Matrix | Operator:
+        numerator, denominator = (self.value(a) for a in term.arguments)
+        return _scale(self._inverse_entry(denominator[0][0]), numerator)
+
+    def _inverse_entry(self, entry: Entry) -> Entry:
+        """1/p, or 1/(p + ε p₀) = 1/p − ε p₀/p²."""
+        if isinstance(entry, Dual):
+            z = self._inverse_entry(entry.re)
+            return Dual(z, -entry.du * z**2)
+        z, factor = self.ring.reciprocal(self.ring.reduce(entry), self._reciprocal_names)
+        return self._constant(factor) * z
+
+    def _inverse(self, term: Apply) -> Matrix:
+        """A⁻¹ = adj A / det A; for block matrices both come from Faddeev and LeVerrier's recurrence."""
+        matrix = self.value(term.arguments[0])
+        if len(matrix) == 1:
+            return ((self._inverse_entry(matrix[0][0]),),)
+        if len(matrix) == 3:
+            cofactors, determinant = adjugate(matrix), det(matrix)
+        else:
+            cofactors, determinant = self._faddeev_leverrier(matrix)
+        return _scale(self._inverse_entry(determinant), cofactors)
+
+    def _faddeev_leverrier(self, matrix: Matrix) -> tuple[Matrix, Entry]:
+        size = len(matrix)
+        adjugate, coefficient = self._unit(1, size), self._constant(0)
+        for k in range(1, size + 1):
+            step = self._reduced(product(matrix, adjugate))
+            coefficient = self._constant(Fraction(-1, k)) * trace(step)
+            if k < size:
+                adjugate = add(step, _scale(coefficient, self._unit(1, size)))
+        sign = self._constant((-1) ** (size - 1))
+        return _scale(sign, adjugate), self._constant((-1) ** size) * coefficient
+
+    def _norm(self, term: Apply) -> Matrix:
+        """N with N² = x·x; for a dual vector N + ε x·x₀/N, Eq. (74), where Re x ≠ 0."""
+        entries = [entry for row in self.value(term.arguments[0]) for entry in row]
+        real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
+        square = self.ring.reduce(sum((x * x for x in real), self.ring.zero))
+        norm = self._root(square)
+        if not term.type.dual:
+            return ((norm,),)
+        mixed = sum((e.re * e.du for e in entries if isinstance(e, Dual)), self.ring.zero)
+        return ((Dual(norm, mixed * self._inverse_entry(norm)),),)
+
+    def _root(self, square: Polynomial) -> Polynomial:
+        if square.is_constant() and square == self.ring.one:
+            return self.ring.one
+        for name, known in self._norms:
+            if known == square:
+                return self.ring.generators[name]
+        name = self._norm_names[len(self._norm_names) - 1 - len(self._norms)]
+        self._norms.append((name, square))
+        self.ring.square_as(name, square)
+        norm = self.ring.generators[name]
+        reciprocal = self._inverse_entry(norm)
+        try:
+            rate = self._constant(Fraction(1, 2)) * self.ring.derive(square) * reciprocal
+        except ValueError:  # not differentiated anywhere: the inventory gave no further derivative
+            return norm
+        self.ring.derive_as(name, rate)
+        self.ring.derive_as(str(reciprocal), -(reciprocal**2) * rate)
+        return norm
+
+    def _triple(self, term: Apply) -> Matrix:
+        rows = tuple(transpose(self.value(a))[0] for a in term.arguments)
+        return ((det(rows),),)
+
+    def _sin(self, term: Apply) -> Matrix:
+        return ((self._circle(term.arguments[0])[1],),)
+
+    def _cos(self, term: Apply) -> Matrix:
+        return ((self._circle(term.arguments[0])[0],),)
+
+    def _circle(self, angle: Term) -> tuple[Entry, Entry]:
+        """(cos, sin) of an integer combination of free angles, dual parts by Eq. (72)."""
+        value = self.value(angle)[0][0]
+        real = value.re if isinstance(value, Dual) else value
+        cosine, sine = self.ring.one, self.ring.zero
+        for exponents, coefficient in real.terms():
+            name = self._linear_angle(exponents, coefficient)
+            c, s = self._free.circle(name.symbol, int(coefficient))
+            cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+        if isinstance(value, Dual):
+            return Dual(cosine, -value.du * sine), Dual(sine, value.du * cosine)
+        return cosine, sine
+
+    def _linear_angle(self, exponents: tuple[int, ...], coefficient: Fraction) -> Parameter:
+        places = [i for i, e in enumerate(exponents) if e]
+        if len(places) == 1 and exponents[places[0]] == 1 and coefficient.q == 1:
+            name = self.ring.names[places[0]]
+            for parameter, known in self._named.items():
+                if known == name and parameter.part == "value" and parameter.order == 0:
+                    return parameter
+        raise NotExact("the sine or cosine of anything but an integer combination of angles")
+
+    def _exp(self, term: Apply) -> Matrix:
+        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: Rodrigues' formula."""
+        argument = term.arguments[0]
+        value = self.value(argument)
+        if all(
+            isinstance(e, Dual) and self.ring.reduce(self._polynomial(e.re)) == 0
+            for row in value
+            for e in row
+        ):
+            return add(self._unit(1, len(value)), value)
+        match argument:
+            case Apply(head="mul", arguments=(angle, Apply(head="skew", arguments=(Symbol() as u,)))) if (
+                angle.type.kind == "scalar" and u.declaration.unit
+            ):
+                cosine, sine = self._circle(angle)
+                skew = self.value(argument.arguments[1])
+                turned = add(_scale(sine, skew), _scale(1 - cosine, product(skew, skew)))
+                return add(self._unit(1), turned)
+        raise NotExact(
+            "exp of anything but a purely dual argument or an angle times a unit vector's skew tensor"
+        )
+
+    def _divergence(self, term: Apply) -> Matrix:
+        gradient = self._gradient(term.arguments[0])
+        return ((trace(gradient),),)
+
+    def _curl(self, term: Apply) -> Matrix:
+        g = self._gradient(term.arguments[0])
+        return ((g[2][1] - g[1][2],), (g[0][2] - g[2][0],), (g[1][0] - g[0][1],))
+
+    def _gradient(self, field: Term) -> Matrix:
+        """∂fᵢ/∂ρⱼ at a fixed instant, ρ the declared coordinate."""
+        coordinates = [s for s in self._values if isinstance(s, Symbol) and s.declaration.coordinate]
+        if len(coordinates) != 1:
+            raise NotExact(f"div and curl need one symbol declared `coordinate`, got {len(coordinates)}")
+        places = [self.ring.names.index(str(g)) for g in self._free.column(coordinates[0], "value", 0, 3)]
+        return tuple(tuple(row[0].derivative(place) for place in places) for row in self.value(field))
+
+    # --- entries --------------------------------------------------------------------------------
+
+    def _constant(self, value: Fraction | int) -> Polynomial:
+        return self.ring.constant(value)
+
+    def _polynomial(self, entry: Polynomial | int) -> Polynomial:
+        return self._constant(entry) if isinstance(entry, int) else entry
+
+    def _unit(self, diagonal: int, size: int = 3) -> Matrix:
+        return tuple(
+            tuple(self._constant(diagonal if i == j else 0) for j in range(size)) for i in range(size)
+        )
+
+    def _diagonal(self, type_: Type, value: int) -> Matrix | Operator:
+        rows, columns = shape_of(type_)
+        matrix = tuple(
+            tuple(self._constant(value if i == j else 0) for j in range(columns)) for i in range(rows)
+        )
+        return (matrix,) if type_.kind == "operator" else matrix
+
+    def _map(self, function, value: Matrix | Operator) -> Matrix | Operator:
+        if _is_operator(value):
+            return tuple(self._map(function, matrix) for matrix in value)
+        return tuple(
+            tuple(
+                Dual(function(self._polynomial(e.re)), function(self._polynomial(e.du)))
+                if isinstance(e, Dual)
+                else function(self._polynomial(e))
+                for e in row
+            )
+            for row in value
+        )
+
+    def _reduced(self, value: Matrix | Operator) -> Matrix | Operator:
+        return self._map(self.ring.reduce, value)
+
+
+def _is_operator(value: Matrix | Operator) -> bool:
+    return isinstance(value[0][0], tuple)
+
+
+def _operator(value: Matrix | Operator) -> Operator:
+    return value if _is_operator(value) else (value,)
+
+
+def _add_operators(a: Operator, b: Operator) -> Operator:
+    longer, shorter = (a, b) if len(a) >= len(b) else (b, a)
+    return tuple(add(m, shorter[k]) if k < len(shorter) else m for k, m in enumerate(longer))
+
+
+def _scale(factor: Entry, value: Matrix | Operator) -> Matrix | Operator:
+    if _is_operator(value):
+        return tuple(scale(factor, matrix) for matrix in value)
+    return scale(factor, value)
+
+
+def _unary(function):
+    return lambda engine, term: function(engine.value(term.arguments[0]))
+
+
+def _binary(function):
+    return lambda engine, term: function(*(engine.value(a) for a in term.arguments))
+
+
+_HEADS = {
+    "add": ExactEngine._add,
+    "neg": ExactEngine._neg,
+    "mul": ExactEngine._mul,
+    "compose": ExactEngine._composition,
+    "div": ExactEngine._div,
+    "inverse": ExactEngine._inverse,
+    "norm": ExactEngine._norm,
+    "triple": ExactEngine._triple,
+    "sin": ExactEngine._sin,
+    "cos": ExactEngine._cos,
+    "exp": ExactEngine._exp,
+    "divergence": ExactEngine._divergence,
+    "curl": ExactEngine._curl,
+    "dot": _binary(lambda a, b: product(transpose(a), b)),
+    "cross": _binary(lambda a, b: matrix(cross(flat(a), flat(b)), 1)),
+    "outer": _binary(lambda a, b: product(a, transpose(b))),
+    "skew": _unary(lambda a: skew(flat(a))),
+    "vect": _unary(vect),
+    "symmetric": _unary(lambda a: symmetric(a, 1)),
+    "antisymmetric": _unary(lambda a: symmetric(a, -1)),
+    "transpose": _unary(transpose),
+    "adjugate": _unary(adjugate),
+    "det": _unary(lambda a: ((det(a),),)),
+    "trace": _unary(lambda a: ((trace(a),),)),
+    "re": _unary(lambda a: tuple(tuple(real_part(e) for e in row) for row in a)),
+    "du": _unary(lambda a: tuple(tuple(dual_part(e) for e in row) for row in a)),
+}

@@ -1,0 +1,307 @@
+"""From a statement to its verdict.
+
+One relation goes through: inventory → two random points modulo a prime → the exact ring → the second engine
+→ Drake's motions; or, where a residual is not zero, to a small rational counterexample. Numbers can veto a
+proof and never make one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from random import Random
+from typing import Protocol
+
+from workbench.algebra.differential_ring import Polynomial
+from workbench.judge.assumptions import Assumptions, Unsatisfiable
+from workbench.judge.exact import ExactEngine
+from workbench.judge.inventory import Inventory, Lookup, NotExact, take_inventory
+from workbench.judge.jets import JetEngine
+from workbench.judge.points import Trial, counterexample, first_trial
+from workbench.judge.rings import PRIME, PointSource, ResidueRing, sample
+from workbench.judge.vanishing import ideal_of, in_ideal, same_zeros, unimplied
+from workbench.judge.verdict import Counterexample, EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.language.printer import to_latex
+from workbench.language.terms import (
+    Conjunction,
+    Equivalence,
+    Implication,
+    Relation,
+    Statement,
+    Symbol,
+)
+
+
+class OrderRanges(Protocol):
+    """The values of a family's integer variables, such as `papers.Orders`."""
+
+    def assignments(self): ...
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Judges statements under one set of definitions.
+
+    motion: what symbols are on Drake's reference motions (declared name → binding).
+    second_engine, motions: whether proofs are rechecked by SymPy and on Drake's motions; without the second
+    engine no outcome is `proved`, since one engine alone proves nothing here: it is `probable`.
+    """
+
+    definitions: Lookup
+    motion: Mapping[Symbol, str] | None = None
+    second_engine: bool = True
+    motions: bool = True
+
+    def judge(
+        self,
+        statement: Statement,
+        assume: Sequence[Statement] = (),
+        hypothesis: Statement | None = None,
+        orders: OrderRanges | None = None,
+    ) -> Verdict:
+        """The verdict on a statement under the stated assumptions.
+
+        hypothesis: a condition that the text does not state; the outcome is `conditional` if the statement
+        needs it. orders: the integer variables of a family.
+        Raises Unsatisfiable if nothing satisfies the assumptions, EngineDisagreement if the engines differ.
+        """
+        from workbench.judge.families import judge_family
+
+        judged = judge_family(self, statement, tuple(assume), hypothesis, orders)
+        return replace(judged, read_back=to_latex(statement))
+
+    def judge_instance(
+        self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    ) -> Verdict:
+        """The verdict where no integer variable is left to bind. Raises NotExact outside the exact world."""
+        verdict = self._judge(statement, assume)
+        if hypothesis is None or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
+            return verdict
+        under = self._judge(statement, (*assume, hypothesis))
+        if under.outcome != Outcome.PROVED:
+            return under if under.outcome == Outcome.REFUTED else replace(under, reason=under.reason)
+        witness = Evidence("witness against the bare statement", verdict.reason or "a point where it fails")
+        return Verdict(
+            Outcome.CONDITIONAL,
+            reason="holds under a hypothesis that the text does not state",
+            hypothesis=to_latex(hypothesis),
+            counterexample=verdict.counterexample,
+            evidence=(*under.evidence, witness),
+        )
+
+    def _judge(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        match statement:
+            case Conjunction(parts=parts):
+                return _together([self._judge(part, assume) for part in parts])
+            case Relation(operator="="):
+                return _RelationJudge(self, statement, assume).verdict()
+            case Relation():
+                return self._judge_inequation(statement, assume)
+            case Equivalence(left=Relation() as left, right=Relation() as right):
+                return self._judge_zeros(left, right, assume, both_ways=True)
+            case Implication(left=left, right=Relation(operator="=") as right):
+                return self._judge(right, (*assume, left))
+            case Implication(left=Relation() as left, right=Relation() as right):
+                return self._judge_zeros(left, right, assume, both_ways=False)
+        raise NotExact("a statement of this form")
+
+    def _judge_inequation(self, relation: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        """p ≠ 0 is proved only for a non-zero constant, and refuted by a zero."""
+        case = _Case(self, [relation], assume)
+        trial = case.find(lambda t: t.differences(relation) is not None and not t.holds(relation))
+        if trial is not None:
+            return _refuted(trial, relation, case.inventory)
+        residuals = case.exact.residuals(replace(relation, operator="="))
+        if any(p.is_constant() and p != 0 for p in residuals):
+            return Verdict(Outcome.PROVED, evidence=(Evidence("exact ring", "a non-zero constant"),))
+        return Verdict(Outcome.UNCHECKED, reason="no zero was found and none was excluded")
+
+    def _judge_zeros(
+        self, left: Relation, right: Relation, assume: tuple[Statement, ...], both_ways: bool
+    ) -> Verdict:
+        """left ⇔ right (or ⇒) between `… = …` or `… ≠ …`: a comparison of real zero sets."""
+        if left.operator != right.operator:
+            return Verdict(Outcome.UNCHECKED, reason="an equivalence between an equation and an inequation")
+        case = _Case(self, [left, right], assume)
+
+        def disagrees(trial: Trial) -> bool:
+            if trial.differences(left) is None or trial.differences(right) is None:
+                return False
+            holds_left, holds_right = trial.holds(left), trial.holds(right)
+            return (holds_left and not holds_right) or (both_ways and holds_right and not holds_left)
+
+        trial = case.find(disagrees)
+        if trial is not None:
+            wrong = right if trial.holds(left) else left
+            return _refuted(trial, wrong, case.inventory)
+        return same_zeros(case, left, right, both_ways, self.second_engine)
+
+
+class _Case:
+    """The engines over the inventory of some relations and their assumptions."""
+
+    def __init__(self, judge: Judge, relations: Sequence[Relation], assume: tuple[Statement, ...]) -> None:
+        self.judge = judge
+        self.definitions = judge.definitions
+        self.assumptions = Assumptions(assume)
+        sides = [side for r in (*relations, *self.assumptions.relations) for side in (r.left, r.right)]
+        self.inventory: Inventory = take_inventory(sides, self.definitions)
+
+    @cached_property
+    def exact(self) -> ExactEngine:
+        return ExactEngine(self.inventory, self.definitions)
+
+    def find(self, accept) -> Trial | None:
+        """A small point that satisfies the assumptions and is accepted."""
+        supposed = self.assumptions.relations
+        return first_trial(
+            self.inventory,
+            self.definitions,
+            lambda t: all(t.holds(r) for r in supposed) and accept(t),
+            self.assumptions.pinned,
+        )
+
+
+class _RelationJudge(_Case):
+    """One equation, with the assumptions it stands under."""
+
+    def __init__(self, judge: Judge, relation: Relation, assume: tuple[Statement, ...]) -> None:
+        super().__init__(judge, [relation], assume)
+        self.relation = relation
+
+    def verdict(self) -> Verdict:
+        relation = self.relation
+        if (
+            isinstance(relation.left, Symbol)
+            and self.judge.definitions.lookup(relation.left) == relation.right
+        ):
+            return self._definition()
+        if relation.left == relation.right:
+            return Verdict(Outcome.UNCHECKED, reason="both sides are the same term, so nothing is tested")
+        if self.assumptions.relations and self.find(lambda trial: True) is None:
+            raise Unsatisfiable("no values of the symbols satisfy the assumptions")
+        screened = self._screen()
+        try:
+            residuals = self.exact.residuals(relation)
+        except ZeroDivisionError:
+            return Verdict(Outcome.UNCHECKED, reason="a denominator is identically zero")
+        vanishes = self._vanishes(residuals)
+        if screened is False and vanishes and not self.assumptions.equations:
+            raise EngineDisagreement(f"zero in the exact ring, not modulo {PRIME}: {to_latex(relation)}")
+        if not vanishes:
+            return self._refute(residuals)
+        return self._prove(residuals, screened)
+
+    def _definition(self) -> Verdict:
+        self.exact.value(self.relation.right)
+        return Verdict(
+            Outcome.DEFINITION, evidence=(Evidence("definitions", "well-formed, and the one in force"),)
+        )
+
+    def _screen(self) -> bool | None:
+        """Zero at two random points modulo the prime; None where the screen does not apply."""
+        if self.assumptions.equations:
+            return None
+        random, ring = Random(2020), ResidueRing()
+        for _ in range(2):
+            point = sample(self.inventory, ring, random, lambda _: True)
+            engine = JetEngine(PointSource(ring, point), self.definitions)
+            try:
+                if any(engine.differences(self.relation.left, self.relation.right)):
+                    return False
+            except (NotExact, ZeroDivisionError):
+                return None
+        return True
+
+    @cached_property
+    def _equations(self) -> list[Polynomial]:
+        return ideal_of(self.exact, self.assumptions.equations)
+
+    def _vanishes(self, residuals: list[Polynomial]) -> bool:
+        if self.assumptions.equations:
+            return all(in_ideal(p, self._equations) for p in residuals)
+        return all(p == 0 for p in residuals)
+
+    def _prove(self, residuals: list[Polynomial], screened: bool | None) -> Verdict:
+        figures = {"components": len(residuals), "indeterminates": len(self.exact.ring.names)}
+        evidence = [Evidence("exact ring over ℚ (FLINT)", "residual is 0", figures)]
+        if screened:
+            evidence.insert(0, Evidence(f"random points modulo {PRIME}", "residual is 0", {"points": 2}))
+        gaps = unimplied(self.exact, self.assumptions.nonzero)
+        if gaps:
+            return self._conditional(gaps, evidence)
+        if not self.judge.second_engine:
+            return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=tuple(evidence))
+        evidence.append(self._recheck())
+        if self.judge.motions and self.judge.motion and not self.assumptions.equations:
+            from workbench.judge.motion_check import VETO, check_on_motions
+
+            checked = check_on_motions(self.relation, self.inventory, self.definitions, self.judge.motion)
+            if checked is not None:
+                evidence.append(checked)
+                if checked.outcome == VETO:
+                    reason = "proved, but Drake's motions contradict it: a binding or the workbench is wrong"
+                    return Verdict(Outcome.UNCHECKED, reason=reason, evidence=tuple(evidence))
+        return Verdict(Outcome.PROVED, evidence=tuple(evidence))
+
+    def _recheck(self) -> Evidence:
+        from workbench.judge.sympy_ring import recheck
+
+        agreed = recheck(self.relation, self.inventory, self.definitions, self.assumptions.equations)
+        if not agreed:
+            raise EngineDisagreement(f"zero in FLINT's ring, not in SymPy's: {to_latex(self.relation)}")
+        return Evidence("SymPy PolyRing on Python integers, Leibniz jets", "residual is 0")
+
+    def _conditional(self, gaps: list[Polynomial], evidence: list[Evidence]) -> Verdict:
+        relation = self.relation
+        trial = self.find(lambda t: t.differences(relation) is None)
+        return Verdict(
+            Outcome.CONDITIONAL,
+            reason="a denominator can vanish, and nothing that the claim assumes excludes it",
+            counterexample=None if trial is None else counterexample(trial, relation, self.inventory),
+            evidence=(
+                *evidence,
+                Evidence("denominators", "not excluded by the assumptions", {"count": len(gaps)}),
+            ),
+        )
+
+    def _refute(self, residuals: list[Polynomial]) -> Verdict:
+        relation = self.relation
+
+        def fails(trial: Trial) -> bool:
+            differences = trial.differences(relation)
+            return differences is not None and any(differences)
+
+        trial = self.find(fails)
+        if trial is None:
+            return Verdict(
+                Outcome.UNCHECKED,
+                reason="the residual is not 0 in the exact ring, but no small counterexample was found",
+            )
+        self._confirm(trial, residuals)
+        return _refuted(trial, relation, self.inventory)
+
+    def _confirm(self, trial: Trial, residuals: list[Polynomial]) -> None:
+        """The first engine must see the counterexample too; norms have no value there as polynomials."""
+        if self.inventory.norms or self.assumptions.equations:
+            return
+        if not any(self.exact.at(p, trial.point) for p in residuals):
+            raise EngineDisagreement(f"a counterexample of one engine only: {to_latex(self.relation)}")
+
+
+def _refuted(trial: Trial, relation: Relation, inventory: Inventory) -> Verdict:
+    example: Counterexample = counterexample(trial, relation, inventory)
+    evidence = Evidence("rational point, exact arithmetic", "the two sides differ")
+    return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))
+
+
+def _together(verdicts: list[Verdict]) -> Verdict:
+    """A conjunction is as good as its worst part."""
+    worst = (Outcome.REFUTED, Outcome.UNCHECKED, Outcome.PROBABLE, Outcome.CONDITIONAL, Outcome.PROVED)
+    for outcome in worst:
+        for verdict in verdicts:
+            if verdict.outcome == outcome:
+                evidence = tuple(e for v in verdicts for e in v.evidence)
+                return replace(verdict, evidence=evidence if outcome == Outcome.PROVED else verdict.evidence)
+    return verdicts[0]

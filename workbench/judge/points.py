@@ -1,0 +1,119 @@
+"""Small rational points: where assumptions hold, and where a claim fails."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+from workbench.judge.inventory import Inventory, Lookup, NotExact
+from workbench.judge.jets import JetEngine
+from workbench.judge.parameters import SPHERES, Parameter
+from workbench.judge.rings import PointSource, RationalRing, sample
+from workbench.judge.verdict import Counterexample
+from workbench.language.construct import derivative
+from workbench.language.printer import to_latex
+from workbench.language.terms import Relation, Symbol, Term
+
+#: Entries to draw from, and how many points to try with them.
+STAGES = (((-1, 0, 1), 240), ((-2, -1, 0, 1, 2), 160), ((-3, -2, -1, 1, 2, 3), 120))
+
+
+#: (symbol, order of derivative) that are to be zero.
+Pinned = frozenset[tuple[Symbol, int]]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What two terms are at one rational point; None where a side is undefined there."""
+
+    point: dict[Parameter, Fraction]
+    engine: JetEngine
+
+    def components(self, term: Term) -> list[Fraction] | None:
+        try:
+            return self.engine.components(term)
+        except ZeroDivisionError:
+            return None
+
+    def differences(self, relation: Relation) -> list[Fraction] | None:
+        try:
+            return self.engine.differences(relation.left, relation.right)
+        except ZeroDivisionError:
+            return None
+
+    def holds(self, relation: Relation) -> bool:
+        """Whether the relation is true here; False where it is undefined."""
+        differences = self.differences(relation)
+        if differences is None:
+            return False
+        return any(differences) == (relation.operator == "≠")
+
+
+def trials(inventory: Inventory, definitions: Lookup, pinned: Pinned = frozenset()) -> Iterator[Trial]:
+    """Random points, simple ones first; in each stage a parameter is non-zero with growing probability."""
+    random = Random(0)
+    for entries, count in STAGES:
+        ring = RationalRing(entries)
+        for i in range(count):
+            density = 0.3 + 0.7 * i / count
+
+            def keep(parameter: Parameter, density: float = density) -> bool:
+                return (parameter.symbol, parameter.order) not in pinned and random.random() < density
+
+            point = sample(inventory, ring, random, keep)
+            yield Trial(point, JetEngine(PointSource(ring, point), definitions))
+
+
+def first_trial(
+    inventory: Inventory, definitions: Lookup, accept: Callable[[Trial], bool], pinned: Pinned = frozenset()
+) -> Trial | None:
+    """The first point that is accepted, made simpler as long as it still is; None if there is none."""
+    for trial in trials(inventory, definitions, pinned):
+        if _accepted(trial, accept):
+            return _simplified(trial, definitions, accept)
+    return None
+
+
+def _accepted(trial: Trial, accept: Callable[[Trial], bool]) -> bool:
+    try:
+        return accept(trial)
+    except NotExact:  # a norm that is not rational at this point
+        return False
+
+
+def _simplified(trial: Trial, definitions: Lookup, accept: Callable[[Trial], bool]) -> Trial:
+    """Puts entries to 0, one by one and highest derivatives first, where the point stays accepted."""
+    ring = RationalRing()
+    for parameter in sorted(trial.point, key=lambda p: -p.order):
+        if parameter.part in SPHERES or not trial.point[parameter]:
+            continue
+        point = {**trial.point, parameter: Fraction(0)}
+        candidate = Trial(point, JetEngine(PointSource(ring, point), definitions))
+        if _accepted(candidate, accept):
+            trial = candidate
+    return trial
+
+
+def counterexample(trial: Trial, relation: Relation, inventory: Inventory) -> Counterexample:
+    """The point as values of the symbols and their derivatives, with what the two sides are there."""
+    values: dict[str, tuple[str, ...]] = {}
+    for symbol, order in inventory.orders.items():
+        for k in range(order + 1):
+            if k and symbol.declaration.constant:
+                break
+            name = to_latex(derivative(symbol, k) if k else symbol)
+            values[name] = _strings(trial.components(derivative(symbol, k) if k else symbol))
+    for angle in inventory.angles:
+        cosine, sine = trial.engine.circle(angle)
+        name = to_latex(angle)
+        values[rf"\cos {name}"], values[rf"\sin {name}"] = (str(cosine),), (str(sine),)
+    return Counterexample(
+        values, _strings(trial.components(relation.left)), _strings(trial.components(relation.right))
+    )
+
+
+def _strings(components: list[Any] | None) -> tuple[str, ...]:
+    return ("undefined",) if components is None else tuple(str(c) for c in components)

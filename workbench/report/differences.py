@@ -12,6 +12,10 @@ from workbench.report.latex_atoms import Atom, LatexNotTypesettable, atoms_of, l
 # Below this share of common atoms a list of differences would be longer than the two formulas.
 _RECOGNISABLE = 0.35
 
+_OPENING, _CLOSING = frozenset(("(", "[", r"\{", "{")), frozenset((")", "]", r"\}", "}"))
+_MARK_NAMES = r"d{0,4}dot\(|~\(|hat\(|widehat\(|bar\(|overline\(|vec\(|underline\(|\)"
+
+_Sides = tuple[Sequence[Atom], Sequence[Atom]]
 _Key = Callable[[Atom], str | None]
 
 
@@ -77,10 +81,7 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
         places = [counted[0][ends[0] : ends[1]], counted[1][ends[2] : ends[3]]]
         for side in (0, 1):
             marked[side].update(_leaves_within(sides[side], places[side]))
-        kind = _kind([first[i] for i in places[0]], [second[i] for i in places[1]])
-        following = _leaf_before(second, counted[1], ends[2])
-        before, after = (_fragment(sides[side], places[side]) for side in (0, 1))
-        changes.append(Change(kind, before, after, following))
+        changes.append(_change(sides, places, _preceding(second, counted[1], ends[2])))
     return Difference(tuple(changes), frozenset(marked[0]), frozenset(marked[1]))
 
 
@@ -115,21 +116,51 @@ def _closing_of(atoms: Sequence[Atom], opening: int) -> int:
     return len(atoms) - 1
 
 
-def _leaf_before(atoms: Sequence[Atom], counted: Sequence[int], position: int) -> str | None:
-    leaves = [atoms[i].latex for i in counted[:position] if atoms[i].leaf]
-    return leaves[-1] if leaves else None
+def _change(sides: _Sides, places: list[list[int]], following: str | None) -> Change:
+    before, after = (_fragment(sides[side], places[side]) for side in (0, 1))
+    if not (places[0] and places[1]) and all(
+        sides[side][place].is_accent for side in (0, 1) for place in places[side]
+    ):
+        bare = _fragment(*_content_of(sides[0], places[0]) or _content_of(sides[1], places[1]))
+        return Change("mark", before or bare, after or bare, following)
+    kind = _kind(*([sides[side][i] for i in places[side]] for side in (0, 1)))
+    return Change(kind, before, after, following)
+
+
+def _content_of(atoms: Sequence[Atom], openings: Sequence[int]) -> tuple | None:
+    """What stands under the marks that open at the places."""
+    if not openings:
+        return None
+    return atoms, range(openings[-1] + 1, _closing_of(atoms, openings[-1]))
+
+
+def _preceding(atoms: Sequence[Atom], counted: Sequence[int], position: int) -> str | None:
+    """The symbol or bracket before a place, with its exponents and indices."""
+    end = counted[position] if position < len(counted) else len(atoms)
+    braces = brackets = 0
+    for start in range(end - 1, -1, -1):
+        atom = atoms[start]
+        braces += _opens(atom)
+        brackets += (atom.identity in _OPENING) - (atom.identity in _CLOSING)
+        if braces > 0 or brackets > 0:  # the place lies inside what opens here
+            break
+        if braces == brackets == 0 and (atom.leaf or atom.identity in _OPENING):
+            return latex_of(atoms[start:end])
+    leaves = [atom for atom in atoms[:end] if atom.leaf]
+    return leaves[-1].latex if leaves else None
 
 
 def _kind(before: Sequence[Atom], after: Sequence[Atom]) -> str:
     either = [*before, *after]
-    if either and all(atom.latex in "+-" for atom in either):
+    if all(atom.latex in ("+", "-") for atom in either):
         return "sign"
-    if either and all(atom.latex.isdigit() for atom in either):
+    if all(atom.leaf and atom.family in ("bin", "rel") for atom in either):
+        return "operator"
+    if all(atom.latex.isdigit() for atom in either):
         return "number"
     if len(before) == len(after) == 1 and before[0].leaf and after[0].leaf:
-        bare = [re.sub(r"[\W\d_]|ddddot|dddot|ddot|dot|underline", "", a[0].identity or "")
-                for a in (before, after)]  # fmt: skip
-        return "mark" if bare[0] == bare[1] else "symbol"
+        letters = [re.sub(_MARK_NAMES, "", atom.shape or "") for atom in either]
+        return "mark" if letters[0] == letters[1] else "symbol"
     return "part"
 
 

@@ -34,10 +34,17 @@ KINDS = {
     kind.verdict: kind
     for kind in (
         Kind("proved", "✓", "holds as printed", "proved exactly, and again by a second engine"),
-        Kind("definition", "≔", "definition", "nothing to prove; it agrees with what stands before it"),
+        Kind(
+            "definition",
+            "≔",
+            "definition",
+            "nothing to prove; it agrees with what stands before it",
+        ),
         Kind("refuted", "✗", "false as printed", "a counterexample can be checked by hand"),
         Kind("ill-formed", "G", "garbled", "types or time weights do not fit as printed"),
-        Kind("conditional", "H", "needs a hypothesis", "proved under a condition the text leaves out"),
+        Kind(
+            "conditional", "H", "needs a hypothesis", "proved under a condition the text leaves out"
+        ),
         Kind("probable", "≈", "probable, not proved", "random points only"),
         Kind("unchecked", "?", "not checked", "never counted as passed"),
     )
@@ -247,7 +254,9 @@ def _slug(name: str) -> str:
 
 def _equation(claims: Sequence[Mapping[str, Any]], places, anchors: _Anchors) -> Equation:
     entries = tuple(_entry(claim, places, anchors) for claim in claims)
-    worst = min((entry.kind for entry in entries), key=lambda kind: _WORST_FIRST.index(kind.verdict))
+    worst = min(
+        (entry.kind for entry in entries), key=lambda kind: _WORST_FIRST.index(kind.verdict)
+    )
     first = claims[0]
     return Equation(
         name=first["equation"] or first["id"],

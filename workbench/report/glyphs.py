@@ -55,16 +55,18 @@ ACCENTS = {
 UNDER_ACCENTS = frozenset({r"\underline"})
 WIDE_ACCENTS = frozenset({r"\widetilde", r"\widehat", r"\overline", r"\underline"})
 
-DELIMITERS = frozenset(
-    r"( ) [ ] | . / \{ \} \langle \rangle \| \Vert \lVert \rVert \lvert \rvert".split()
-)
+DELIMITERS = {
+    "(", ")", "[", "]", "|", ".", "/", r"\{", r"\}", r"\langle", r"\rangle", r"\|", r"\Vert",
+    r"\lVert", r"\rVert", r"\lvert", r"\rvert",
+}  # fmt: skip
 SIZES = frozenset(
     "\\" + size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")
 )
 
-STYLES = frozenset(
-    r"\mathbf \boldsymbol \bm \mathrm \mathit \mathcal \mathbb \mathfrak \mathsf".split()
-)
+STYLES = {
+    r"\mathbf", r"\boldsymbol", r"\bm", r"\mathrm", r"\mathit", r"\mathcal", r"\mathbb", r"\mathfrak",
+    r"\mathsf",
+}  # fmt: skip
 WEIGHT_STYLES = frozenset((r"\mathbf", r"\boldsymbol", r"\bm"))
 TEXT_COMMANDS = frozenset((r"\text", r"\operatorname", r"\textbf", r"\textit", r"\textrm"))
 SPACES = frozenset((r"\,", r"\;", r"\:", r"\!", r"\ ", r"\quad", r"\qquad", "~"))

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
-from workbench.report import glyphs
+from workbench.report import glyphs as table
 
 _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\d+|\s+|.", re.DOTALL)
 
@@ -33,6 +33,11 @@ class Atom:
     leaf: bool = False
     family: str = "ord"
     glyphs: str = ""
+
+    @property
+    def is_accent(self) -> bool:
+        """A mark over (or under) several symbols, opening."""
+        return not self.leaf and self.latex[:-1] in table.ACCENTS
 
 
 def atoms_of(latex: str) -> list[Atom]:
@@ -103,23 +108,23 @@ class _Parser:
             return [Atom(token + "{", token, token), *self.argument(), _closing()]
         if token in ("&", r"\\"):
             return [Atom(token, token, token)]
-        if token in glyphs.SPACES:
+        if token in table.SPACES:
             return [Atom(token, None)]
-        if token in glyphs.SYMBOLS:
+        if token in table.SYMBOLS:
             return [_symbol(token)]
-        if token in glyphs.ACCENTS:
+        if token in table.ACCENTS:
             return self.accent(token)
-        if token in glyphs.STYLES:
+        if token in table.STYLES:
             return self.style(token)
-        if token in glyphs.TEXT_COMMANDS:
+        if token in table.TEXT_COMMANDS:
             return [self.text(token)]
-        if token in glyphs.TWO_ARGUMENTS:
+        if token in table.TWO_ARGUMENTS:
             return self.two_arguments(token)
         if token == r"\sqrt":
             return [Atom(r"\sqrt{", "√", "√"), *self.argument(), _closing()]
         if token == r"\left":
             return self.left_right()
-        if token in glyphs.SIZES:
+        if token in table.SIZES:
             delimiter = self.delimiter()
             sized = Atom(token + delimiter, delimiter, delimiter)
             return [replace(sized, glyphs=_glyph(delimiter))]
@@ -149,14 +154,14 @@ class _Parser:
         """One leaf where a single symbol is decorated, else an opening, the content and a brace."""
         inner = self.argument()
         name = {"tilde": "~"}.get(name, name)
-        mark = glyphs.ACCENTS.get(command, "")
+        mark = table.ACCENTS.get(command, "")
         counted = [atom for atom in inner if atom.identity is not None]
-        word = command in glyphs.STYLES and all(re.fullmatch("[A-Za-z]", a.latex) for a in counted)
+        word = command in table.STYLES and all(re.fullmatch("[A-Za-z]", a.latex) for a in counted)
         if counted and (word or (len(counted) == 1 and counted[0].leaf)):
             content = "".join(atom.latex for atom in counted) if word else latex_of(inner)
             shape = "".join(atom.shape or "" for atom in counted)
             identity = "".join(atom.identity or "" for atom in counted)
-            plain = command in glyphs.WEIGHT_STYLES
+            plain = command in table.WEIGHT_STYLES
             return [
                 Atom(
                     f"{command}{{{content}}}",
@@ -189,7 +194,7 @@ class _Parser:
 
     def delimiter(self) -> str:
         token = self.take()
-        if token not in glyphs.DELIMITERS:
+        if token not in table.DELIMITERS:
             raise LatexNotTypesettable(f"expected a delimiter, got {token}")
         return token
 
@@ -206,7 +211,7 @@ class _Parser:
 
     def environment(self) -> list[Atom]:
         name = self.brace_word()
-        if name not in glyphs.ENVIRONMENTS:
+        if name not in table.ENVIRONMENTS:
             raise LatexNotTypesettable(f"cannot typeset the environment {name}")
         columns = "{" + self.brace_word() + "}" if name == "array" else ""
         inner = self.sequence(frozenset())
@@ -229,14 +234,14 @@ class _Parser:
 
 
 def _glyph(symbol: str) -> str:
-    return glyphs.SYMBOLS[symbol]
+    return table.SYMBOLS[symbol]
 
 
 def _symbol(token: str) -> Atom:
     family = "ord"
-    if token in glyphs.BINARY_OPERATORS:
+    if token in table.BINARY_OPERATORS:
         family = "bin"
-    elif token in glyphs.RELATIONS:
+    elif token in table.RELATIONS:
         family = "rel"
     glyph = _glyph(token)
     return Atom(token, glyph, glyph, leaf=True, family=family, glyphs=glyph)

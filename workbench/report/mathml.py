@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from itertools import pairwise
 
 from latex2mathml.converter import convert
 
@@ -24,6 +25,7 @@ _ACCENT_MADE_BY_CONVERTER = {
     "\u02d9": r"\dot", "\u00a8": r"\ddot", "\u20db": r"\dddot", "\u20dc": r"\ddddot",
     "~": r"\tilde", "^": r"\hat", "\u00af": r"\bar", "\u2015": r"\overline", "→": r"\vec",
 }  # fmt: skip
+_CLOSING = frozenset(")]}|⟩‖!")
 _BARE_FUNCTIONS = frozenset(glyphs.FUNCTION_NAMES.values())
 
 
@@ -76,8 +78,13 @@ def _for_converter(atom: Atom) -> Atom:
 def _mend(tree: ElementTree.Element) -> None:
     for parent in list(tree.iter()):
         _collapse_marked_leaf(parent)
+    for parent in list(tree.iter()):
+        _tell_signs_from_operators(parent)
         if parent.tag in ("mover", "munder") and len(parent) == 2 and parent[1].tag == "mo":
             _mend_accent(parent)
+        if parent.tag == "mtable" and parent.find("mtr/mtd[@columnalign='right']") is not None:
+            parent.set("displaystyle", "true")
+            parent.set("class", "aligned")
         if parent.tag == "mo" and not parent.text:
             parent.text = ""
         variant = parent.get("mathvariant")
@@ -93,6 +100,16 @@ def _mend(tree: ElementTree.Element) -> None:
         if parent.tag in ("mi", "mo") and (parent.text in _BARE_FUNCTIONS or _is_word(parent)):
             parent.tag = "mo"
             parent.attrib.update({"form": "prefix", "lspace": "0.1em", "rspace": "0.17em"})
+
+
+def _tell_signs_from_operators(parent: ElementTree.Element) -> None:
+    """A + or − is an operator only after an operand; alone in a row any operator takes no space."""
+    if parent.tag == "mrow" and len(parent) == 1 and parent[0].tag == "mo":
+        parent[0].attrib.update({"lspace": "0", "rspace": "0"})
+    for before, sign in pairwise(parent):
+        follows_operand = before.tag != "mo" or before.text in _CLOSING
+        if sign.tag == "mo" and sign.text in ("+", "−") and not follows_operand:
+            sign.set("form", "prefix")
 
 
 def _is_word(element: ElementTree.Element) -> bool:

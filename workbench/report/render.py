@@ -61,9 +61,9 @@ def _html_math(latex: str, marked: frozenset[int] = frozenset(), display: bool =
     converted = mathml(latex, display, marked)
     if converted is not None:
         return Markup(converted)
-    return Markup('<code class="source" title="{}">{}</code><span class="source-sign">{}</span>').format(
-        _MATH_FAILED, latex, " (LaTeX source)"
-    )
+    return Markup(
+        '<code class="source" title="{}">{}</code><span class="source-sign">{}</span>'
+    ).format(_MATH_FAILED, latex, " (LaTeX source)")
 
 
 def _html_runs(runs: tuple[Run, ...] | list[Run]) -> Markup:

@@ -18,15 +18,14 @@ VERDICTS = (
 )
 _REPORT_KEYS = ("paper", "versions", "claims", "summary")
 _CLAIM_KEYS = (
-    ("id", "equation", "section", "statement", "printed", "read_back", "verdict", "scope")
-    + ("reason", "reading", "corrected", "hypothesis", "counterexample", "evidence")
-    + ("inherits", "note")
+    "id", "equation", "section", "statement", "printed", "read_back", "verdict", "scope", "reason",
+    "reading", "corrected", "hypothesis", "counterexample", "evidence", "inherits", "note",
 )  # fmt: skip
 _MAY_BE_ABSENT = frozenset({"statement", "reason"})
-_TEXT_OR_NULL = ("equation", "section", "statement", "printed", "read_back", "scope", "reason") + (
-    "hypothesis",
+_TEXT_OR_NULL = (
+    "equation", "section", "statement", "printed", "read_back", "scope", "reason", "hypothesis",
     "note",
-)
+)  # fmt: skip
 
 
 class ReportError(ValueError):

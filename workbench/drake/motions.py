@@ -4,9 +4,6 @@ A motion is a MultibodyPlant whose joint path is a polynomial in t. Its kinemati
 Drake's plant on Expressions in t, and every time derivative is Drake's Expression.Differentiate.
 No formula of rigid body kinematics stands here: an error in one would then also stand in the judge.
 The exceptions are definitions: a dual quantity puts together a real and a dual part.
-
-The value of an Expression grows a thousandfold in a few derivatives if left as it comes. Expanded
-into its monomials t^k sin^a(θ₁) cos^b(θ₁) ..., of which there are few, it stays small.
 """
 
 from __future__ import annotations
@@ -18,22 +15,16 @@ from functools import lru_cache
 import numpy as np
 from pydrake.math import RigidTransform_
 from pydrake.multibody.math import SpatialVelocity_
-from pydrake.symbolic import Expression, Variable
+from pydrake.symbolic import Variable
 
 from workbench.drake.bindings import ALIASES, BODY_BINDINGS, CHAIN_BINDINGS, Binding
 from workbench.drake.joint_paths import JointPath
-from workbench.drake.plants import (
-    CylindricalAxis,
-    body_named,
-    cylindrical_chain,
-    free_body,
-    set_state,
-)
+from workbench.drake.plants import CylindricalAxis, cylindrical_chain, free_body
+from workbench.drake.symbolic_motions import SymbolicMotion, evaluated, expanded, rate
 
 SAMPLES = (-1.0, -0.75, -0.5, 0.5, 0.75, 1.0)
 P_BO_P_B = np.array([0.5, -0.25, 1.0])
 P_BO_Q_B = np.array([-0.75, 0.5, 0.25])
-ZERO = Expression(0.0)
 
 _NAME_TO_BINDING = {binding.name: binding for binding in (*BODY_BINDINGS, *CHAIN_BINDINGS)}
 
@@ -54,7 +45,7 @@ class ReferenceMotion:
         self.name = name
         self.samples = tuple(samples)
         self._time = time
-        self._derivatives = {key: [_expanded(value)] for key, value in quantities.items()}
+        self._derivatives = {key: [expanded(value)] for key, value in quantities.items()}
         self._values: dict[tuple[str, int, float], np.ndarray] = {}
 
     def __repr__(self) -> str:
@@ -87,33 +78,14 @@ class ReferenceMotion:
     def _value(self, name: str, order: int, sample: float) -> np.ndarray:
         key = (name, order, sample)
         if key not in self._values:
-            at_sample = {self._time: sample}
-            self._values[key] = _entrywise(
-                lambda entry: entry.Evaluate(at_sample), self._derivative(name, order), float
-            )
+            self._values[key] = evaluated(self._derivative(name, order), self._time, sample)
         return self._values[key]
 
     def _derivative(self, name: str, order: int) -> np.ndarray:
         known = self._derivatives[name]
         while len(known) <= order:
-            known.append(_rate(known[-1], self._time))
+            known.append(rate(known[-1], self._time))
         return known[order]
-
-
-def _entrywise(function, array: np.ndarray, dtype: type = object) -> np.ndarray:
-    values = np.empty(array.shape, dtype)
-    for index in np.ndindex(array.shape):
-        values[index] = function(array[index])
-    return values
-
-
-def _expanded(quantity) -> np.ndarray:
-    return _entrywise(lambda entry: (ZERO + entry).Expand(), np.asarray(quantity, object))
-
-
-def _rate(quantity: np.ndarray, t: Variable) -> np.ndarray:
-    """The time derivative, by Drake."""
-    return _entrywise(lambda entry: entry.Differentiate(t).Expand(), quantity)
 
 
 def _skew(p: np.ndarray) -> np.ndarray:
@@ -135,42 +107,12 @@ def _dual_twist(V_WBp: SpatialVelocity_) -> np.ndarray:
     return np.array([V_WBp.rotational(), V_WBp.translational()])
 
 
-class _SymbolicMotion:
-    """A plant on Expressions, put on a joint path q(t) with the velocities that belong to it."""
-
-    def __init__(self, plant, path: JointPath, t: Variable):
-        self.plant = plant.ToSymbolic()
-        self.context = self.plant.CreateDefaultContext()
-        self._time = t
-        self.q = _expanded(path(Expression(t)))
-        self.plant.SetPositions(self.context, self.q)
-        qdot = self.rate(self.q)
-        v = _expanded(np.ravel(self.plant.MapQDotToVelocity(self.context, qdot)))
-        set_state(self.plant, self.context, self.q, v)
-        self._A = self.plant.CalcSpatialAccelerationsFromVdot(self.context, self.rate(v))
-
-    def rate(self, quantity: np.ndarray) -> np.ndarray:
-        return _rate(quantity, self._time)
-
-    def frame(self, name: str):
-        return self.plant.GetFrameByName(name)
-
-    def pose(self, name: str):
-        return self.frame(name).CalcPoseInWorld(self.context)
-
-    def velocity(self, name: str):
-        return self.frame(name).CalcSpatialVelocityInWorld(self.context)
-
-    def acceleration(self, name: str):
-        return self._A[int(body_named(self.plant, name).index())]
-
-
-def _body_quantities(motion: _SymbolicMotion) -> dict[str, np.ndarray]:
+def _body_quantities(motion: SymbolicMotion) -> dict[str, np.ndarray]:
     X_WB, V_WB, A_WB = motion.pose("B"), motion.velocity("B"), motion.acceleration("B")
     R_WB, p_WBo = X_WB.rotation().matrix(), X_WB.translation()
     V_WB0, A_WB0 = V_WB.Shift(-p_WBo), A_WB.Shift(-p_WBo, V_WB.rotational())
     w_WB = V_WB.rotational()
-    p_WP, p_WQ = (_expanded(p_WBo + R_WB @ p_BoPoint_B) for p_BoPoint_B in (P_BO_P_B, P_BO_Q_B))
+    p_WP, p_WQ = (expanded(p_WBo + R_WB @ p_BoPoint_B) for p_BoPoint_B in (P_BO_P_B, P_BO_Q_B))
     v_WP, v_WQ = motion.rate(p_WP), motion.rate(p_WQ)
     return {
         "R_WB": R_WB,
@@ -200,7 +142,7 @@ def _body_quantities(motion: _SymbolicMotion) -> dict[str, np.ndarray]:
 
 
 def _chain_quantities(
-    motion: _SymbolicMotion, second_joint: _SymbolicMotion, axes: Sequence[CylindricalAxis]
+    motion: SymbolicMotion, second_joint: SymbolicMotion, axes: Sequence[CylindricalAxis]
 ) -> dict[str, np.ndarray]:
     """``second_joint`` moves B alone, with A for its world: the relative motion, seen from A."""
     A, B, W = motion.frame("A"), motion.frame("B"), motion.plant.world_frame()
@@ -252,9 +194,9 @@ def _chain_quantities(
 def chain_motion(name: str, axes: Sequence[CylindricalAxis], path: JointPath) -> ReferenceMotion:
     """Bodies A on W and B on A, each on a cylindrical joint; q = (d₁, θ₁, d₂, θ₂)."""
     t = Variable("t")
-    motion = _SymbolicMotion(cylindrical_chain(axes, ("A", "B")), path, t)
+    motion = SymbolicMotion(cylindrical_chain(axes, ("A", "B")), path, t)
     second_path = JointPath(path.coefficients[:, 2:])
-    second_joint = _SymbolicMotion(cylindrical_chain(axes[1:], ("B",)), second_path, t)
+    second_joint = SymbolicMotion(cylindrical_chain(axes[1:], ("B",)), second_path, t)
     relative = _chain_quantities(motion, second_joint, axes)
     return ReferenceMotion(name, t, {**_body_quantities(motion), **relative})
 
@@ -262,7 +204,7 @@ def chain_motion(name: str, axes: Sequence[CylindricalAxis], path: JointPath) ->
 def free_body_motion(name: str, path: JointPath) -> ReferenceMotion:
     """One free body B; q = (roll, pitch, yaw, x, y, z)."""
     t = Variable("t")
-    return ReferenceMotion(name, t, _body_quantities(_SymbolicMotion(free_body(), path, t)))
+    return ReferenceMotion(name, t, _body_quantities(SymbolicMotion(free_body(), path, t)))
 
 
 def _small_path(seed: int, joints: int) -> JointPath:

@@ -169,11 +169,11 @@ def load_robot(name: str) -> MultibodyPlant:
 
 def body_named(plant: MultibodyPlant, name: str) -> RigidBody:
     """The body of that name; PlantError lists those that exist."""
+    if plant.NumBodiesWithName(name) == 1:
+        return plant.GetBodyByName(name)
     names = [plant.get_body(BodyIndex(i)).name() for i in range(plant.num_bodies())]
-    if names.count(name) != 1:
-        problem = "no body" if name not in names else "more than one body"
-        raise PlantError(f"{problem} {name!r} in the plant; it has {', '.join(names)}")
-    return plant.GetBodyByName(name)
+    problem = "no body" if name not in names else "more than one body"
+    raise PlantError(f"{problem} {name!r} in the plant; it has {', '.join(names)}")
 
 
 @dataclass(frozen=True)
@@ -197,15 +197,18 @@ def body_motion(
     v: Sequence[float],
     vdot: Sequence[float],
     p_BoBp_B: Sequence[float] = (0.0, 0.0, 0.0),
+    context: Context | None = None,
 ) -> BodyMotion:
     """Pose, velocity and acceleration of a body's point Bp, natively by Drake.
 
     ``q`` (num_positions,), ``v`` and ``vdot`` (num_velocities,): position, velocity and
     acceleration of the joints. ``p_BoBp_B``: Bp from Bo in the body's frame, metres.
+    ``context``: a context of this plant to work in, where many states are visited.
     Works on the plant's own scalars: float, AutoDiffXd or Expression.
+    Raises PlantError for an unknown body or a shape that does not fit the plant.
     """
     frame = body_named(plant, body).body_frame()
-    context = plant.CreateDefaultContext()
+    context = context or plant.CreateDefaultContext()
     set_state(plant, context, q, v)
     vdot = _of_length(vdot, plant.num_velocities(), "vdot")
     X_WB = frame.CalcPoseInWorld(context)

@@ -1,0 +1,74 @@
+"""A plant moving along a polynomial joint path, with Drake Expressions of time for scalars.
+
+An Expression grows a thousandfold in a few derivatives if left as it comes. Expanded into its
+monomials t^k sin^a(θ₁) cos^b(θ₁) ..., of which there are few, it stays small.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from pydrake.multibody.plant import MultibodyPlant
+from pydrake.symbolic import Expression, Variable
+
+from workbench.drake.joint_paths import JointPath
+from workbench.drake.plants import body_named, set_state
+
+ZERO = Expression(0.0)
+
+
+def _entrywise(function: Callable, array: np.ndarray, dtype: type = object) -> np.ndarray:
+    values = np.empty(array.shape, dtype)
+    for index in np.ndindex(array.shape):
+        values[index] = function(array[index])
+    return values
+
+
+def expanded(quantity) -> np.ndarray:
+    return _entrywise(lambda entry: (ZERO + entry).Expand(), np.asarray(quantity, object))
+
+
+def rate(quantity: np.ndarray, t: Variable) -> np.ndarray:
+    """The time derivative, by Drake."""
+    return _entrywise(lambda entry: entry.Differentiate(t).Expand(), quantity)
+
+
+def evaluated(quantity: np.ndarray, t: Variable, time: float) -> np.ndarray:
+    """The quantity's value at a time, in floats."""
+    return _entrywise(lambda entry: entry.Evaluate({t: time}), quantity, float)
+
+
+class SymbolicMotion:
+    """A plant on Expressions, put on a joint path q(t) with the velocities that belong to it."""
+
+    def __init__(self, plant: MultibodyPlant, path: JointPath, t: Variable):
+        self.plant = plant.ToSymbolic()
+        self.context = self.plant.CreateDefaultContext()
+        self._time = t
+        self.q = expanded(path(Expression(t)))
+        self.plant.SetPositions(self.context, self.q)
+        qdot = self.rate(self.q)
+        v = expanded(np.ravel(self.plant.MapQDotToVelocity(self.context, qdot)))
+        set_state(self.plant, self.context, self.q, v)
+        self._A = self.plant.CalcSpatialAccelerationsFromVdot(self.context, self.rate(v))
+
+    def rate(self, quantity: np.ndarray) -> np.ndarray:
+        return rate(quantity, self._time)
+
+    def frame(self, name: str):
+        return self.plant.GetFrameByName(name)
+
+    def pose(self, name: str):
+        return self.frame(name).CalcPoseInWorld(self.context)
+
+    def velocity(self, name: str):
+        return self.frame(name).CalcSpatialVelocityInWorld(self.context)
+
+    def acceleration(self, name: str):
+        return self._A[int(body_named(self.plant, name).index())]
+
+    def twist(self, name: str, p_BoBp_B: np.ndarray) -> np.ndarray:
+        """V_WBp = [w_WB; v_WBp], expressed in W, shape (6,)."""
+        p_BoBp_W = self.pose(name).rotation().matrix() @ p_BoBp_B
+        return expanded(self.velocity(name).Shift(p_BoBp_W).get_coeffs())

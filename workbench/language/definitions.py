@@ -59,7 +59,7 @@ class Definitions:
         return None
 
     def _descends(self, recurrence: Definition, symbol: Symbol, values: Mapping[str, Linear]) -> bool:
-        """Whether the recurrence step applies: a number above the base, or a symbolic n + c at or above it."""
+        """Whether the recurrence step applies: a number above the base, or a symbolic n + c."""
         if any(value.constant < 0 for value in values.values() if not value.is_number):
             return False
         numbers = [i for i in symbol.index if i.is_number]

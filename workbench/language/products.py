@@ -1,0 +1,292 @@
+"""What stands in a row: factors, functions and what they take, d/dt, and the signs · × ⊗ ∘ between them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from workbench.language import construct
+from workbench.language.errors import Fault, Misfit
+from workbench.language.integers import Linear
+from workbench.language.names import Scripts, linear
+from workbench.language.syntax import (
+    Accented,
+    Bracket,
+    Fraction,
+    Group,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Summation,
+)
+from workbench.language.terms import IllFormed, Integer, Number, Symbol, Term
+
+if TYPE_CHECKING:
+    from workbench.language.elaborate import Elaborator
+
+_OF_TENSORS = {"det", "trace", "symmetric", "skew", "vect", "adjugate"}
+_NAMES = {"symmetric": "sym", "re": "Re", "du": "Du", "adjugate": "adj", "divergence": "div"}
+
+
+def product(reader: Elaborator, items: Sequence[Node]) -> Term:
+    """Factors and infix signs. Juxtaposition binds tighter than the signs; \\sum takes all that follows it."""
+    rows: list[list[Node]] = [[]]
+    signs: list[Infix] = []
+    for place, item in enumerate(items):
+        if isinstance(item, Infix):
+            if not rows[-1]:
+                raise Fault(f"nothing before {item.operator}", item.at)
+            signs.append(item)
+            rows.append([])
+        elif isinstance(item, Summation):
+            rows[-1].append(Product(item.at, tuple(items[place:])))
+            break
+        else:
+            rows[-1].append(item)
+    if not rows[-1]:
+        raise Fault(f"nothing after {signs[-1].operator}", signs[-1].at)
+    return _infix(reader, [_Row(reader, row).term() for row in rows], signs)
+
+
+def _infix(reader: Elaborator, operands: list[Term], signs: list[Infix]) -> Term:
+    """a · b, a × b, a ⊗ b, P ∘ Q from left to right, where another order could not mean something else."""
+    result = operands[0]
+    heads = set()
+    for sign, operand in zip(signs, operands[1:], strict=True):
+        head = {"×": "cross", "⊗": "outer", "∘": "compose"}.get(sign.operator, "mul")
+        if sign.operator == "·" and {result.type.kind, operand.type.kind} == {"vector"}:
+            head = "dot"
+        heads.add(head)
+        factors = [o for o in operands if o.type.kind != "scalar"]
+        if heads & {"dot", "cross", "outer"} and len(factors) > 2:
+            raise Fault("several products without brackets are ambiguous", signs[-1].at)
+        result = reader.apply(sign.at, head, result, operand)
+    return result
+
+
+@dataclass(slots=True)
+class _Factor:
+    term: Term
+    at: int
+    end: int  # the item after it
+    node: Node
+
+
+class _Row:
+    """Factors in juxtaposition."""
+
+    def __init__(self, reader: Elaborator, items: Sequence[Node]) -> None:
+        self.reader = reader
+        self.items = items
+        self.known: dict[int, _Factor] = {}
+
+    def term(self) -> Term:
+        factors, place = [], 0
+        while place < len(self.items):
+            factor = self.factor(place)
+            factors.append(factor)
+            place = factor.end
+        return self.multiply(factors)
+
+    def multiply(self, factors: Sequence[_Factor]) -> Term:
+        result = factors[0].term
+        for place, factor in enumerate(factors[1:], start=1):
+            term = factor.term
+            if place == 1 and _is_integer(factors[0]) and isinstance(term, Integer) and _is_bare(factor.node):
+                result = construct.integer(term.value * int(result.value))
+            else:
+                result = self.reader.apply(factor.at, "mul", result, term)
+        return result
+
+    def factor(self, place: int) -> _Factor:
+        """The factor that begins at an item: read once, however often it is looked at."""
+        if place not in self.known:
+            self.known[place] = self._factor(place)
+        return self.known[place]
+
+    def _factor(self, place: int) -> _Factor:
+        item = self.items[place]
+        match item:
+            case Product(items=(Summation() as head, *rest)):
+                term = self.reader.summation(head, lambda: self._body(head, rest))
+                return _Factor(term, item.at, place + 1, item)
+            case Summation():
+                raise Fault("the sum has no body", item.at)
+            case Leaf(kind="FUNCTION") | Scripted(nucleus=Leaf(kind="FUNCTION")):
+                return self.function(place)
+            case Fraction() if (order := self.rate(item)) is not None:
+                return self.derivative(place, order)
+            case Scripted(nucleus=Group(parts=())):
+                return self.with_left_scripts(place)
+            case Leaf(kind="LETTER") | Styled() | Accented() | Scripted():
+                return self.name(place, item, Scripts())
+        return _Factor(self.reader.term(item), item.at, place + 1, item)
+
+    def _body(self, head: Summation, rest: Sequence[Node]) -> Term:
+        if not rest:
+            raise Fault("the sum has no body", head.at)
+        return product(self.reader, rest)
+
+    def with_left_scripts(self, place: int) -> _Factor:
+        left = self.items[place]
+        if place + 1 == len(self.items) or not isinstance(
+            self.items[place + 1], Leaf | Styled | Accented | Scripted
+        ):
+            raise Fault("left scripts must stand before a symbol", left.at)
+        return self.name(place + 1, self.items[place + 1], Scripts(left.sub, left.sup))
+
+    def name(self, place: int, item: Node, scripts: Scripts) -> _Factor:
+        """A symbol; if it is a function symbol, with its arguments. x(t) is x."""
+        reader = self.reader
+        following = self.items[place + 1] if place + 1 < len(self.items) else None
+        bracket = following.nucleus if isinstance(following, Scripted) else following
+        if not (isinstance(bracket, Bracket) and bracket.kind == "("):
+            bracket = None
+        plain = not scripts.left_sub and not scripts.left_sup
+        if plain and (value := reader.integer_expression(item)) is not None:
+            return _Factor(value, item.at, place + 1, item)
+        term, sup = reader.named(item, scripts, bracket)
+        end = place + 1
+        if bracket is not None and (_takes_arguments(term) or self.is_time(bracket)):
+            if isinstance(following, Scripted):
+                raise Fault("scripts on the argument of a function; bracket the whole", following.at)
+            end += 1
+        if sup is not None:
+            term = reader.raised(term, sup)
+        return _Factor(term, item.at, end, item)
+
+    def is_time(self, bracket: Bracket) -> bool:
+        (part, *others) = bracket.parts
+        is_t = isinstance(part, Leaf) and part.text == "t" and not others
+        return is_t and "t" not in self.reader.table.symbols and "t" not in self.reader.variables
+
+    def function(self, place: int) -> _Factor:
+        """det, sym, vect … take the run of tensors that follows, the others take one factor."""
+        item = self.items[place]
+        leaf = item.nucleus if isinstance(item, Scripted) else item
+        head = leaf.text
+        if place + 1 == len(self.items):
+            raise Fault(f"{_NAMES.get(head, head)} of nothing", leaf.at)
+        argument, end = self.argument(head, leaf, place + 1)
+        if head == "skew" and argument.type.kind == "tensor":
+            head = "antisymmetric"
+        term = self.reader.apply(leaf.at, head, argument)
+        if isinstance(item, Scripted):
+            exponent = None if item.sup is None else linear(item.sup, self.reader.variables)
+            if item.sub is not None or item.primes or item.factorial or exponent is None:
+                raise Fault(f"only a power may stand on {_NAMES.get(head, head)}", item.at)
+            if exponent.is_number and exponent.constant < 0:
+                raise Fault("an inverse function or an inverse value? bracket the value", item.at)
+            term = self.reader.build(item.at, construct.power, term, exponent)
+        return _Factor(term, leaf.at, end, item)
+
+    def argument(self, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
+        item = self.items[place]
+        if isinstance(item, Bracket):
+            return self.reader.term(item), place + 1
+        if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket):
+            raise Fault("a power of the function or of its argument? bracket it", item.at)
+        first = self.factor(place)
+        run, end = [first], first.end
+        name = _NAMES.get(head, head)
+        if head in _OF_TENSORS:
+            while end < len(self.items) and first.term.type.kind == "tensor":
+                following = self.factor(end)
+                if following.term.type.kind != "tensor":
+                    break
+                run.append(following)
+                end = following.end
+            return self.multiply(run), end
+        if head in ("sin", "cos", "exp") and isinstance(first.term, Number | Integer) and end < len(self.items):
+            run.append(self.factor(end))
+            end = run[-1].end
+        if end < len(self.items):
+            following = self.factor(end)
+            own = isinstance(following.node, Leaf | Scripted) and _is_function(following.node)
+            mixes = head not in ("sin", "cos") or following.term.type.kind == "scalar"
+            if mixes and not own:
+                raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
+        return self.multiply(run), end
+
+    # d/dt
+
+    def rate(self, fraction: Fraction) -> tuple[Node | None, Node | None, list[Node]] | None:
+        """(order above, order below, what stands behind d) of \\frac{d^k x}{dt^k}; None for other fractions."""
+        if "t" in self.reader.table.symbols:
+            return None
+        above, below = _factors(fraction.numerator), _factors(fraction.denominator)
+        if len(below) != 2 or not above:
+            return None
+        d, order_above = _letter_and_order(above[0])
+        d_below, none = _letter_and_order(below[0])
+        t, order_below = _letter_and_order(below[1])
+        if (d, d_below, t, none) != ("d", "d", "t", None):
+            return None
+        return order_above, order_below, above[1:]
+
+    def derivative(self, place: int, rate: tuple[Node | None, Node | None, list[Node]]) -> _Factor:
+        reader, item = self.reader, self.items[place]
+        orders = [reader.integer(o) if o is not None else Linear(1) for o in rate[:2]]
+        if orders[0] != orders[1]:
+            intent = "one order above and below, \\frac{d^k}{dt^k}"
+            fault = IllFormed(f"d/dt of order {orders[0]} above and {orders[1]} below", intent)
+            raise Misfit(fault, item.at)
+        if rate[2]:
+            body = product(reader, rate[2])
+            return _Factor(reader.build(item.at, construct.derivative, body, orders[0]), item.at, place + 1, item)
+        if place + 1 == len(self.items):
+            operator = construct.time_operator()
+            if orders[0] != Linear(1):
+                operator = construct.power(operator, orders[0])
+            return _Factor(operator, item.at, place + 1, item)
+        following = self.items[place + 1]
+        if isinstance(following, Scripted) and isinstance(following.nucleus, Bracket):
+            raise Fault("a power of the derivative or of its argument? bracket it", following.at)
+        factor = self.factor(place + 1)
+        if factor.end < len(self.items) and not isinstance(following, Bracket):
+            raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
+        term = reader.build(item.at, construct.derivative, factor.term, orders[0])
+        return _Factor(term, item.at, factor.end, item)
+
+
+def _takes_arguments(term: Term) -> bool:
+    """Whether the symbol under the accents of a name was given arguments."""
+    while term.children and not isinstance(term, Symbol):
+        term = term.children[0]
+    return isinstance(term, Symbol) and bool(term.arguments)
+
+
+def _is_function(node: Node) -> bool:
+    leaf = node.nucleus if isinstance(node, Scripted) else node
+    return isinstance(leaf, Leaf) and leaf.kind == "FUNCTION"
+
+
+def _is_integer(factor: _Factor) -> bool:
+    return (
+        isinstance(factor.term, Number) and isinstance(factor.node, Leaf) and factor.term.value.denominator == 1
+    )
+
+
+def _is_bare(node: Node) -> bool:
+    return isinstance(node, Leaf | Scripted)
+
+
+def _factors(node: Node) -> tuple[Node, ...]:
+    while isinstance(node, Group) and len(node.parts) == 1:
+        node = node.parts[0]
+    return node.items if isinstance(node, Product) else (node,)
+
+
+def _letter_and_order(node: Node) -> tuple[str, Node | None]:
+    order = None
+    if isinstance(node, Scripted) and node.sub is None and not node.primes and not node.factorial:
+        node, order = node.nucleus, node.sup
+    if isinstance(node, Styled) and node.style == "\\mathrm":
+        node = node.body
+    if isinstance(node, Group) and len(node.parts) == 1:
+        node = node.parts[0]
+    return (node.text, order) if isinstance(node, Leaf) else ("", None)

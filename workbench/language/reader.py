@@ -1,0 +1,48 @@
+"""LaTeX to typed terms: strict, by type, never a guess."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TypeVar
+
+from workbench.language.errors import Fault, IllFormedAt, Misfit, ReadError, place
+from workbench.language.statements import Range, Reading, reading_of, term_of
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import Lines, parse
+from workbench.language.terms import Statement, Term
+
+__all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term"]
+
+Result = TypeVar("Result")
+
+
+def read(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> tuple[Statement, ...]:
+    """The statements of a formula, in reading order: one for each line of cases, aligned or array, and for
+    each of several relations between commas.
+
+    `integers` are the integer variables allowed (n, k_1 …), beside those for which the formula itself states
+    a range (", n ≥ 1"). Raises ReadError where the text cannot be read, IllFormedAt where types or weights
+    do not fit; both with line and column.
+    """
+    return read_formula(latex, table, integers).statements
+
+
+def read_formula(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Reading:
+    """As `read`, with the ranges that the formula states for its integers."""
+    names = frozenset(integers)
+    return _placed(latex, lambda lines: reading_of(lines, table, names))
+
+
+def read_term(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Term:
+    """The term of an expression without relations. Raises as `read`."""
+    names = frozenset(integers)
+    return _placed(latex, lambda lines: term_of(lines, table, names))
+
+
+def _placed(latex: str, make: Callable[[Lines], Result]) -> Result:
+    try:
+        return make(parse(latex))
+    except Fault as fault:
+        raise ReadError(str(fault), *place(latex, fault.at)) from None
+    except Misfit as misfit:
+        raise IllFormedAt(misfit.fault, *place(latex, misfit.at)) from None

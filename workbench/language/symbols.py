@@ -1,0 +1,191 @@
+"""The symbols of a paper: what each LaTeX name is, and which name a spelling means."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from typing import Any
+
+from workbench.language.errors import Fault, SpecError
+from workbench.language.integers import Linear
+from workbench.language.names import (
+    INDEX_LETTERS,
+    Piece,
+    Scripts,
+    base_name,
+    candidates,
+    linear,
+    literal,
+    names_of_key,
+    spell,
+)
+from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, Styled, parse
+from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type, Weight
+
+_KINDS: dict[str, Type] = {
+    "scalar": SCALAR,
+    "vector": VECTOR,
+    "tensor": TENSOR,
+    "rotation": TENSOR,
+    "operator": OPERATOR,
+}
+_ALLOWED = ("kind", "weight", "constant", "unit", "coordinate", "aliases", "note")
+_FLAGS = ("constant", "unit", "coordinate")
+
+
+@dataclass(frozen=True)
+class SymbolTable:
+    """Names (each index place marked @) to declarations; aliases included. Never changed: `with_symbol` makes
+    a new one."""
+
+    symbols: Mapping[str, Declaration] = field(default_factory=dict)
+    functions: Mapping[str, Declaration] = field(default_factory=dict)
+
+    @staticmethod
+    def build(specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
+        """The table of a paper's [symbols]: LaTeX key → {kind, weight, constant, unit, coordinate, aliases,
+        note}. Raises SpecError."""
+        symbols: dict[str, Declaration] = {}
+        for key, spec in specs.items():
+            name, index = read_key(key)
+            declaration = _declaration(key, name, index, spec)
+            for alias in (key, *_aliases(key, spec)):
+                pattern, places = read_key(alias)
+                if len(places) != len(index):
+                    raise SpecError(f"the alias {alias} has {len(places)} index places, not {len(index)}", key)
+                if pattern in symbols:
+                    raise SpecError(f"{alias} is declared twice", key)
+                symbols[pattern] = declaration
+        return SymbolTable(symbols)
+
+    def with_symbol(self, declaration: Declaration, pattern: str | None = None) -> SymbolTable:
+        """This table and one more symbol (with parameters: a function symbol)."""
+        pattern = declaration.name if pattern is None else pattern
+        if declaration.parameters:
+            return SymbolTable(self.symbols, {**self.functions, pattern: declaration})
+        return SymbolTable({**self.symbols, pattern: declaration}, self.functions)
+
+    def find(
+        self, pieces: Sequence[Piece], function: bool = False
+    ) -> tuple[Declaration, tuple[Linear, ...]] | None:
+        """The symbol that a spelling means and its indices: an exact name before a member of a family."""
+        known = self.functions if function else self.symbols
+        for pattern, index in candidates(pieces):
+            declaration = known.get(pattern)
+            if declaration is not None and declaration.indices == len(index):
+                return declaration, index
+        return None
+
+    def unknown(self, pieces: Sequence[Piece]) -> str:
+        """A message for a spelling that means nothing here, with the closest names."""
+        text = literal(pieces)
+        names = sorted({d.name for d in (*self.symbols.values(), *self.functions.values())})
+        bare = {name: _bare(name) for name in names}
+        alike = [name for name in names if bare[name] == _bare(text)]
+        alike += [name for name in get_close_matches(text, names, n=3, cutoff=0.6) if name not in alike]
+        shown = [name.replace("@", "n") for name in alike[:3]]
+        return f"unknown symbol {text}" + (f"; known and close: {', '.join(shown)}" if shown else "")
+
+
+def _bare(name: str) -> str:
+    """The letter of a name, whatever its font."""
+    letters = name
+    for style in ("\\underline", "\\mathbf", "\\boldsymbol", "\\mathrm", "\\mathcal", "\\overline", "{", "}"):
+        letters = letters.replace(style, "")
+    return letters.split("_")[0].split("^")[0].lstrip()
+
+
+def read_key(key: str) -> tuple[str, tuple[Linear, ...]]:
+    """A declared LaTeX name: its pattern, and what stands in its index places. Raises SpecError."""
+    try:
+        lines = parse(key).lines
+        if len(lines) != 1 or len(lines[0]) != 1 or isinstance(lines[0][0], Chain):
+            raise SpecError("expected one symbol", key)
+        return names_of_key(key_pieces(lines[0][0], key))
+    except Fault as fault:
+        raise SpecError(f"column {fault.at + 1}: {fault}", key) from None
+
+
+def key_pieces(node: Node, key: str) -> list[Piece]:
+    """The spelling of a declared name, where index letters count as integers. Raises SpecError."""
+    left_sub = left_sup = None
+    match node:
+        case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
+            left_sub, left_sup, node = left.sub, left.sup, right
+    scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
+    styles, letter = [], scripted.nucleus
+    while not isinstance(letter, Leaf):
+        match letter:
+            case Styled():
+                styles.append(letter.style)
+                letter = letter.body
+            case Group(parts=(part,)):
+                letter = part
+            case _:
+                raise SpecError("expected one symbol: a letter with its font and scripts", key)
+    if letter.kind != "LETTER" or scripted.factorial:
+        raise SpecError(f"expected a letter, got {letter.text}", key)
+    scripts = Scripts(left_sub, left_sup, scripted.sub, scripted.sup, scripted.primes)
+    pieces = spell(base_name(styles, letter.text), scripts, INDEX_LETTERS)
+    if pieces is None:
+        raise SpecError("its scripts are not part of a name", key)
+    return pieces
+
+
+def _declaration(key: str, name: str, index: Sequence[Linear], spec: Mapping[str, Any]) -> Declaration:
+    if not isinstance(spec, Mapping):
+        raise SpecError(f"expected a table such as {{ kind = \"vector\" }}, got {spec!r}", key)
+    unknown = [entry for entry in spec if entry not in _ALLOWED]
+    if unknown:
+        raise SpecError(f"unknown key {unknown[0]!r}; allowed: {', '.join(_ALLOWED)}", key)
+    kind = spec.get("kind")
+    dual, _, plain = kind.rpartition(" ") if isinstance(kind, str) else ("", "", "")
+    if plain not in _KINDS or dual not in ("", "dual"):
+        raise SpecError(f"kind is {kind!r}; expected {' | '.join(_KINDS)}, each perhaps with 'dual '", key)
+    for flag in _FLAGS:
+        if not isinstance(spec.get(flag, False), bool):
+            raise SpecError(f"{flag} is {spec[flag]!r}; expected true or false", key)
+    for flag in ("unit", "coordinate"):
+        if spec.get(flag) and plain != "vector":
+            raise SpecError(f"{flag} is for a vector, not for a {plain}", key)
+    return Declaration(
+        name,
+        _KINDS[plain].with_dual(bool(dual)),
+        _weight(key, index, spec.get("weight")),
+        constant=spec.get("constant", False),
+        unit=spec.get("unit", False),
+        rotation=plain == "rotation",
+        coordinate=spec.get("coordinate", False),
+        indices=len(index),
+    )
+
+
+def _aliases(key: str, spec: Mapping[str, Any]) -> Sequence[str]:
+    aliases = spec.get("aliases", ())
+    if not isinstance(aliases, list | tuple) or not all(isinstance(alias, str) for alias in aliases):
+        raise SpecError(f"aliases is {aliases!r}; expected a list of LaTeX names", key)
+    return aliases
+
+
+def _weight(key: str, index: Sequence[Linear], weight: Any) -> Weight:
+    """An integer, or a string such as "n+1" in the index letters of the key."""
+    if weight is None or (isinstance(weight, int) and not isinstance(weight, bool)):
+        return None if weight is None else Linear(weight)
+    letters = sorted(set().union(*(place.variables for place in index)))
+    value = None
+    if isinstance(weight, str):
+        try:
+            lines = parse(weight).lines
+            value = linear(lines[0][0], letters) if len(lines) == 1 and len(lines[0]) == 1 else None
+        except Fault:
+            value = None
+    if value is None:
+        of = f" or a string linear in {', '.join(letters)}" if letters else ""
+        raise SpecError(f"weight is {weight!r}; expected an integer{of}", key)
+    places = {}
+    for at, place in sorted(enumerate(index), key=lambda entry: abs(entry[1].constant), reverse=True):
+        for letter, coefficient in place.coefficients:
+            if coefficient == 1 and len(place.coefficients) == 1:
+                places[letter] = Linear.variable(f"@{at}") - place.constant
+    return value.substitute(places)

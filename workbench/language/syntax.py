@@ -1,0 +1,304 @@
+"""The bracket structure of a formula: what the grammar sees before any type is known."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from lark import Lark, Token, Transformer
+from lark.exceptions import UnexpectedInput
+from lark.lexer import Lexer
+
+from workbench.language.errors import Fault
+from workbench.language.tokens import tokenize
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """A piece of a formula; `at` is its offset in the text."""
+
+    at: int
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf(Node):
+    """A letter, a number, a function name, or a mark (T, *, ∞)."""
+
+    kind: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Group(Node):
+    """{…}: grouping that TeX needs and print does not show."""
+
+    parts: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Bracket(Node):
+    """(…), […], {…}, ⟨…⟩, |…| or ‖…‖ with its comma-separated parts; `kind` is the opening bracket."""
+
+    kind: str
+    parts: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Styled(Node):
+    """\\mathbf, \\underline and the like: a part of the name."""
+
+    style: str
+    body: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Accented(Node):
+    """\\dot … \\ddddot (accent "1" … "4") and \\tilde ("~"): an operation."""
+
+    accent: str
+    body: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Scripted(Node):
+    """nucleus with at most one subscript and one superscript, primes, and perhaps a factorial sign."""
+
+    nucleus: Node
+    sub: Node | None = None
+    sup: Node | None = None
+    primes: int = 0
+    factorial: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Fraction(Node):
+    numerator: Node
+    denominator: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Binomial(Node):
+    top: Node
+    bottom: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix(Node):
+    rows: tuple[tuple[Node, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Infix(Node):
+    """· × ⊗ or ∘ between two factors."""
+
+    operator: str
+
+
+@dataclass(frozen=True, slots=True)
+class Summation(Node):
+    """\\sum with its bounds; it acts on the rest of its product."""
+
+    lower: Node | None
+    upper: Node | None
+
+
+@dataclass(frozen=True, slots=True)
+class Product(Node):
+    """Two or more factors and infix signs in a row."""
+
+    items: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Sum(Node):
+    """Signed addends: (sign, where the sign is, addend); the first may have the sign ""."""
+
+    addends: tuple[tuple[str, int, Node], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Chain(Node):
+    """a = b ≠ c …: sides, and between them (relation, where it is). `universal`: a ∀ stands before it."""
+
+    sides: tuple[Node, ...]
+    relations: tuple[tuple[str, int], ...]
+    universal: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Conditional(Node):
+    """Statements joined by ⇔, ⇒ or ⇐ ("if")."""
+
+    statements: tuple[Node, ...]
+    signs: tuple[tuple[str, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Lines(Node):
+    """One tuple of comma-separated clauses for each line."""
+
+    lines: tuple[tuple[Node, ...], ...]
+
+
+class _Builder(Transformer):
+    """Grammar rules to nodes; a rule that holds one thing returns that thing."""
+
+    def start(self, children):
+        return children[0]
+
+    def lines(self, children):
+        rows = [child for child in children if isinstance(child, list)]
+        return Lines(rows[0][0].at if rows[0] else 0, tuple(tuple(row) for row in rows if row))
+
+    def line(self, children):
+        return [child for child in children if isinstance(child, Node)]
+
+    def clause(self, children):
+        if len(children) == 1:
+            return children[0]
+        signs = tuple((str(sign), sign.start_pos) for sign in children[1::2])
+        return Conditional(children[0].at, tuple(children[::2]), signs)
+
+    def statement(self, children):
+        universal = isinstance(children[0], Token)
+        parts = children[universal:]
+        if len(parts) == 1 and not universal:
+            return parts[0]
+        relations = tuple((str(sign), sign.start_pos) for sign in parts[1::2])
+        return Chain(parts[0].at, tuple(parts[::2]), relations, universal)
+
+    def sum(self, children):
+        if len(children) == 1:
+            return children[0]
+        addends, sign = [], ("", children[0].at if isinstance(children[0], Node) else 0)
+        for child in children:
+            if isinstance(child, Token):
+                sign = (str(child), child.start_pos)
+            else:
+                addends.append((*sign, child))
+        return Sum(addends[0][1], tuple(addends))
+
+    def product(self, children):
+        return children[0] if len(children) == 1 else Product(children[0].at, tuple(children))
+
+    def infix(self, children):
+        return Infix(children[0].start_pos, str(children[0]))
+
+    def summation(self, children):
+        at = children[0].start_pos
+        scripts = _scripts(Leaf(at, "MARK", "∑"), children[1:])
+        if scripts.primes or scripts.factorial:
+            raise Fault("a sum has a lower and an upper bound only", at)
+        return Summation(at, scripts.sub, scripts.sup)
+
+    def factor(self, children):
+        return children[0] if len(children) == 1 else _scripts(children[0], children[1:])
+
+    def sup(self, children):
+        return ("sup", children[0].start_pos, _braced(children[1]))
+
+    def sub(self, children):
+        return ("sub", children[0].start_pos, _braced(children[1]))
+
+    def prime(self, children):
+        return ("prime", children[0].start_pos, None)
+
+    def bang(self, children):
+        return ("bang", children[0].start_pos, None)
+
+    def leaf(self, children):
+        token = children[0]
+        return Leaf(token.start_pos, token.type, str(token))
+
+    def group(self, children):
+        return Group(children[0].start_pos, children[1] if isinstance(children[1], tuple) else ())
+
+    def list(self, children):
+        return tuple(child for child in children if isinstance(child, Node))
+
+    def bracket(self, children):
+        return Bracket(children[0].start_pos, str(children[0]), children[1])
+
+    def styled(self, children):
+        return Styled(children[0].start_pos, str(children[0]), _braced(children[1]))
+
+    def accented(self, children):
+        return Accented(children[0].start_pos, str(children[0]), _braced(children[1]))
+
+    def fraction(self, children):
+        return Fraction(children[0].start_pos, _braced(children[1]), _braced(children[2]))
+
+    def binomial(self, children):
+        return Binomial(children[0].start_pos, _braced(children[1]), _braced(children[2]))
+
+    def row(self, children):
+        return tuple(child for child in children if isinstance(child, Node))
+
+    def matrix(self, children):
+        rows = tuple(child for child in children if isinstance(child, tuple))
+        return Matrix(children[0].start_pos, rows)
+
+    def environment(self, children):
+        return children[1]
+
+
+def _braced(argument: Node) -> Node:
+    """The argument of a command: TeX takes one digit of a number that stands without braces."""
+    if isinstance(argument, Leaf) and argument.kind == "NUMBER" and len(argument.text) > 1:
+        raise Fault(f"TeX takes only the first digit of {argument.text} here; write {{…}}", argument.at)
+    return argument
+
+
+def _scripts(nucleus: Node, scripts: Sequence[tuple[str, int, Node | None]]) -> Scripted:
+    found: dict[str, Node] = {}
+    primes, factorial = 0, False
+    for kind, at, body in scripts:
+        if factorial:
+            raise Fault("nothing may follow a factorial sign without brackets", at)
+        if kind == "prime":
+            primes += 1
+        elif kind == "bang":
+            factorial = True
+        elif kind in found:
+            raise Fault(f"a second {kind}erscript".replace("suberscript", "subscript"), at)
+        else:
+            found[kind] = body
+    return Scripted(nucleus.at, nucleus, found.get("sub"), found.get("sup"), primes, factorial)
+
+
+class _Tokens(Lexer):
+    def __init__(self, lexer_conf) -> None:
+        pass
+
+    def lex(self, data: str):
+        return tokenize(data)
+
+
+@cache
+def _parser() -> Lark:
+    grammar = (Path(__file__).parent / "formula.lark").read_text(encoding="utf-8")
+    return Lark(grammar, parser="lalr", lexer=_Tokens, transformer=_Builder(), maybe_placeholders=True)
+
+
+_NAMES = {
+    "BREAK": "the end of the line",
+    "RBRACE": "}",
+    "CLOSE": "the closing bracket",
+    "END_MATRIX": "the end of the matrix",
+    "END_LINES": "the end of the environment",
+    "$END": "the end of the formula",
+}
+
+
+def parse(text: str) -> Lines:
+    """The lines of a formula. Raises Fault."""
+    try:
+        return _parser().parse(text)
+    except UnexpectedInput as error:
+        token = getattr(error, "token", None)
+        if token is None or token.type == "$END":
+            raise Fault("the formula ends too early", len(text)) from None
+        shown = _NAMES.get(token.type, str(token))
+        raise Fault(f"unexpected {shown}", token.start_pos) from None

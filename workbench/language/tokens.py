@@ -1,0 +1,356 @@
+"""LaTeX text to tokens: spacing dropped, brackets and environments matched, |x| opened and closed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from lark import Token
+
+from workbench.language.errors import Fault
+
+#: No formula is longer, or nests brackets deeper.
+LONGEST = 50_000
+DEEPEST = 40
+
+FUNCTIONS = {
+    "det": "det",
+    "tr": "trace",
+    "trace": "trace",
+    "Tr": "trace",
+    "sym": "symmetric",
+    "skew": "skew",
+    "vect": "vect",
+    "adj": "adjugate",
+    "Re": "re",
+    "Du": "du",
+    "sin": "sin",
+    "cos": "cos",
+    "exp": "exp",
+    "div": "divergence",
+    "curl": "curl",
+    "rot": "curl",
+}
+
+_GREEK = (
+    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho"
+    " varrho sigma varsigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon"
+    " Phi Psi Omega ell"
+).split()
+
+_COMMANDS: dict[str, tuple[str, str]] = {
+    **{name: ("LETTER", f"\\{name}") for name in _GREEK},
+    **{name: ("FUNCTION", FUNCTIONS[name]) for name in ("det", "sin", "cos", "exp", "Re")},
+    **{
+        name: ("STYLE", f"\\{name}")
+        for name in (
+            "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak underline overline bar vec".split()
+        )
+    },
+    "bm": ("STYLE", "\\boldsymbol"),
+    "dot": ("ACCENT", "1"),
+    "ddot": ("ACCENT", "2"),
+    "dddot": ("ACCENT", "3"),
+    "ddddot": ("ACCENT", "4"),
+    "tilde": ("ACCENT", "~"),
+    "widetilde": ("ACCENT", "~"),
+    "frac": ("FRACTION", "frac"),
+    "tfrac": ("FRACTION", "frac"),
+    "dfrac": ("FRACTION", "frac"),
+    "binom": ("BINOMIAL", "binom"),
+    "sum": ("SUM", "sum"),
+    "cdot": ("INFIX", "·"),
+    "times": ("INFIX", "×"),
+    "otimes": ("INFIX", "⊗"),
+    "circ": ("INFIX", "∘"),
+    "neq": ("RELATION", "≠"),
+    "ne": ("RELATION", "≠"),
+    "triangleq": ("RELATION", "="),
+    "geq": ("RELATION", "≥"),
+    "ge": ("RELATION", "≥"),
+    "in": ("RELATION", "∈"),
+    "forall": ("FORALL", "∀"),
+    "Leftrightarrow": ("IMPLICATION", "⇔"),
+    "iff": ("IMPLICATION", "⇔"),
+    "Longleftrightarrow": ("IMPLICATION", "⇔"),
+    "Rightarrow": ("IMPLICATION", "⇒"),
+    "implies": ("IMPLICATION", "⇒"),
+    "Longrightarrow": ("IMPLICATION", "⇒"),
+    "top": ("MARK", "T"),
+    "intercal": ("MARK", "T"),
+    "ast": ("MARK", "*"),
+    "infty": ("MARK", "∞"),
+}
+_CHARACTERS = {
+    "+": ("SIGN", "+"),
+    "-": ("SIGN", "-"),
+    "=": ("RELATION", "="),
+    ">": ("RELATION", ">"),
+    ",": ("COMMA", ","),
+    ";": ("COMMA", ";"),
+    "^": ("SUP", "^"),
+    "_": ("SUB", "_"),
+    "'": ("PRIME", "'"),
+    "!": ("BANG", "!"),
+    "*": ("MARK", "*"),
+}
+_SPACING = set(", ; : ! > quad qquad displaystyle textstyle limits nolimits nonumber notag".split()) | {" "}
+_SIZES = set(
+    "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr".split()
+)
+_BRACKETS = {
+    "(": ("(", 1),
+    ")": ("(", -1),
+    "[": ("[", 1),
+    "]": ("[", -1),
+    "\\{": ("\\{", 1),
+    "\\}": ("\\{", -1),
+    "\\langle": ("\\langle", 1),
+    "\\rangle": ("\\langle", -1),
+    "|": ("|", 0),
+    "\\|": ("\\|", 0),
+    "\\lvert": ("|", 1),
+    "\\rvert": ("|", -1),
+    "\\lVert": ("\\|", 1),
+    "\\rVert": ("\\|", -1),
+}
+_CLOSING = {"{": "}", "(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
+_MATRICES = {"matrix", "bmatrix", "pmatrix", "smallmatrix"}
+_LINES = {"cases", "aligned", "align", "align*", "gathered", "split"}
+_WORDS = {"where": "COMMA", "with": "COMMA", "and": "COMMA", "for": "COMMA", "for all": "FORALL"}
+_WORDS |= {"if": "IMPLICATION", "when": "IMPLICATION", "if and only if": "IMPLICATION", "iff": "IMPLICATION"}
+_CONVERSE = {"if": "⇐", "when": "⇐", "if and only if": "⇔", "iff": "⇔"}
+_ENDS_A_FACTOR = {"LETTER", "NUMBER", "MARK", "RBRACE", "CLOSE", "PRIME", "BANG", "END_MATRIX", "END_LINES"}
+
+_GOES_ON = {"RELATION", "INFIX", "IMPLICATION"}
+
+_TOKEN = re.compile(
+    r"""(?P<space>[ \t\r\n~]+)
+    | \\(?:stackrel|overset)\s*\{\s*(?:\\(?:text|mathrm|rm)\s*\{\s*def\.?\s*\}|def|\\triangle|\\Delta)\s*\}
+      \s*(?P<defined>\{\s*=\s*\}|=)
+    | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*\{(?P<words>[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*)\}
+    | \\(?P<environment>begin|end)\s*\{(?P<name>[a-z]+\*?)\}(?:\s*\{[lcr|\s]*\})?
+    | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
+    | \\(?P<command>[A-Za-z]+|[^A-Za-z])
+    | (?P<number>[0-9]+(?:\.[0-9]+)?)
+    | (?P<letters>[A-Za-z]+)
+    | (?P<assign>:=)
+    | (?P<character>.)""",
+    re.VERBOSE | re.DOTALL,
+)
+
+
+class _Open(NamedTuple):
+    """A bracket or environment that is open."""
+
+    what: str
+    at: int
+    contents: str = ""
+
+
+def tokenize(text: str) -> Iterator[Token]:
+    """The tokens of a formula; token.start_pos is its offset. Raises Fault."""
+    return iter(_Tokenizer(text).tokens())
+
+
+class _Tokenizer:
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.out: list[Token] = []
+        self.open: list[_Open] = []
+        self.size: str | None = None  # a pending \left, \right, \bigl …
+
+    def tokens(self) -> list[Token]:
+        if len(self.text) > LONGEST:
+            raise Fault(f"a formula of {len(self.text)} characters; at most {LONGEST} are read", LONGEST)
+        _refuse_control_characters(self.text)
+        for match in _TOKEN.finditer(self.text):
+            self.match(match)
+        if self.open:
+            raise Fault(f"{self.open[-1].what} is never closed", self.open[-1].at)
+        if self.size:
+            raise Fault(f"\\{self.size} without a bracket", len(self.text))
+        return _join_lines(self.out)
+
+    def emit(self, kind: str, value: str, at: int) -> None:
+        self.out.append(Token(kind, value, start_pos=at))
+
+    def match(self, match: re.Match[str]) -> None:
+        kind, text, at = match.lastgroup, match[0], match.start()
+        if kind == "space":
+            return
+        if self.size and not self.is_bracket(match):
+            raise Fault(f"\\{self.size} must be followed by a bracket, got {text}", at)
+        match kind:
+            case "defined" | "assign":
+                self.emit("RELATION", "=", at)
+            case "words":
+                self.words(text, match["words"], at)
+            case "name":
+                self.environment(match["environment"], match["name"], at)
+            case "newline":
+                self.emit("ROW" if self.inside() == "matrix" else "BREAK", text, at)
+            case "command":
+                self.command(match["command"], text, at)
+            case "number":
+                self.emit("NUMBER", text, at)
+            case "letters":
+                if text in FUNCTIONS:
+                    self.emit("FUNCTION", FUNCTIONS[text], at)
+                else:
+                    for i, letter in enumerate(text):
+                        self.emit("LETTER", letter, at + i)
+            case _:
+                self.character(text, at)
+
+    def is_bracket(self, match: re.Match[str]) -> bool:
+        return match[0] in _BRACKETS or match[0] == "."
+
+    def words(self, text: str, words: str, at: int) -> None:
+        plain = " ".join(words.replace(",", " ").split()).rstrip(".")
+        if plain in FUNCTIONS:
+            self.emit("FUNCTION", FUNCTIONS[plain], at)
+        elif plain in _WORDS:
+            kind = _WORDS[plain]
+            if kind == "IMPLICATION":
+                self.emit(kind, _CONVERSE[plain], at)
+            elif kind == "FORALL" or not (self.out and self.out[-1].type == "COMMA"):
+                self.emit(kind, plain, at)
+        elif text.startswith("\\mathrm") and plain.isalpha():
+            for i, letter in enumerate(plain):
+                self.emit("STYLE", "\\mathrm", at)
+                self.emit("LETTER", letter, at + i)
+        elif plain:
+            raise Fault(f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}", at)
+
+    def command(self, name: str, text: str, at: int) -> None:
+        if name in _SPACING:
+            return
+        if name in _SIZES:
+            self.size = name
+        elif text in _BRACKETS:
+            self.bracket(text, at)
+        elif name in _COMMANDS:
+            kind, value = _COMMANDS[name]
+            self.bound_prefixes(kind, at)
+            self.emit(kind, value, at)
+        elif name in ("dots", "ldots", "cdots", "vdots"):
+            raise Fault(f"{text} leaves terms to be guessed; write the sum with \\sum", at)
+        else:
+            raise Fault(f"unknown command {text}", at)
+
+    def bound_prefixes(self, kind: str, at: int) -> None:
+        """\\dot\\dot\\dot… nests without brackets."""
+        if kind in ("ACCENT", "STYLE") and all(t.type == kind for t in self.out[-9:]) and len(self.out) > 8:
+            raise Fault("more than nine accents on one another", at)
+
+    def character(self, text: str, at: int) -> None:
+        if text in _CHARACTERS:
+            self.emit(*_CHARACTERS[text], at)
+        elif text == "{":
+            self.push("{", at)
+            self.emit("LBRACE", text, at)
+        elif text == "}":
+            self.pop("{", "}", at)
+            self.emit("RBRACE", text, at)
+        elif text == "&":
+            inside = self.inside()
+            if inside == "matrix":
+                self.emit("CELL", text, at)
+            elif inside != "lines":
+                raise Fault("& outside of a matrix or an aligned environment", at)
+        elif text == "." and self.size:
+            self.null_delimiter(at)
+        elif text == ".":
+            rest = self.text[at + 1 :].lstrip()
+            if rest and not rest.startswith(("\\\\", "\\end", "\\quad", "}")):
+                raise Fault("a full stop inside a formula", at)
+        elif text in _BRACKETS:
+            self.bracket(text, at)
+        else:
+            raise Fault(f"unexpected character {text!r} (U+{ord(text):04X})", at)
+
+    def null_delimiter(self, at: int) -> None:
+        """\\left\\{ \\begin{array} … \\right. is a brace around lines; no other bracket is one-sided."""
+        size, self.size = self.size, None
+        if size != "right" or not self.open or self.open[-1].what != "\\left\\{":
+            raise Fault("a one-sided bracket \\left. or \\right.", at)
+        self.open.pop()
+
+    def bracket(self, text: str, at: int) -> None:
+        kind, side = _BRACKETS[text]
+        size, self.size = self.size, None
+        if size == "left" and kind == "\\{" and re.match(r"\s*\\begin", self.text[at + len(text) :]):
+            self.open.append(_Open("\\left\\{", at, "lines"))
+            return
+        if side == 0:
+            side = self.side_of_bar(kind, size)
+        if side > 0:
+            self.push(kind, at)
+            self.emit("OPEN", kind, at)
+        else:
+            self.pop(kind, text, at)
+            self.emit("CLOSE", kind, at)
+
+    def side_of_bar(self, kind: str, size: str | None) -> int:
+        if size and size.endswith(("l", "left")):
+            return 1
+        if size and size.endswith(("r", "right")):
+            return -1
+        closes = self.open and self.open[-1].what == kind and self.out[-1].type in _ENDS_A_FACTOR
+        return -1 if closes else 1
+
+    def environment(self, side: str, name: str, at: int) -> None:
+        if name == "array":
+            is_matrix = bool(self.out) and self.out[-1].type == "OPEN" if side == "begin" else None
+        elif name in _MATRICES | _LINES:
+            is_matrix = name in _MATRICES
+        else:
+            known = ", ".join(sorted(_MATRICES | _LINES | {"array"}))
+            raise Fault(f"unknown environment {name}; known: {known}", at)
+        if side == "begin":
+            self.push(f"\\begin{{{name}}}", at, "matrix" if is_matrix else "lines")
+            self.emit("BEGIN_MATRIX" if is_matrix else "BEGIN_LINES", name, at)
+        else:
+            kind = self.inside()
+            self.pop(f"\\begin{{{name}}}", f"\\end{{{name}}}", at)
+            self.emit("END_MATRIX" if kind == "matrix" else "END_LINES", name, at)
+
+    def push(self, what: str, at: int, contents: str = "") -> None:
+        if len(self.open) >= DEEPEST:
+            raise Fault(f"brackets nested deeper than {DEEPEST}", at)
+        self.open.append(_Open(what, at, contents))
+
+    def pop(self, what: str, text: str, at: int) -> None:
+        if not self.open:
+            raise Fault(f"{text} closes nothing", at)
+        opened = self.open.pop()
+        if opened.what != what:
+            raise Fault(f"{text} cannot close the {opened.what} opened before it", at)
+
+    def inside(self) -> str:
+        """What the innermost bracket or environment holds: "matrix", "lines" or ""."""
+        return self.open[-1].contents if self.open else ""
+
+
+def _join_lines(tokens: list[Token]) -> list[Token]:
+    """A line goes on after a break if it ends with a sign, or if the next begins with =, × and the like."""
+    joined: list[Token] = []
+    for place, token in enumerate(tokens):
+        if token.type == "BREAK" and joined and place + 1 < len(tokens):
+            following = tokens[place + 1]
+            if joined[-1].type == "SIGN" and following == joined[-1]:
+                joined.pop()  # the sign is repeated on the next line
+                continue
+            if joined[-1].type in _GOES_ON | {"SIGN"} or following.type in _GOES_ON:
+                continue
+        joined.append(token)
+    return joined
+
+
+def _refuse_control_characters(text: str) -> None:
+    for at, character in enumerate(text):
+        code = ord(character)
+        if (code < 32 and character not in "\t\r\n") or 0x7F <= code < 0xA0 or 0xD800 <= code < 0xE000:
+            raise Fault(f"the character U+{code:04X} cannot stand in a formula", at)

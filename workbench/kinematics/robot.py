@@ -123,9 +123,9 @@ def _chain_scales(chain: SerialChain, q: np.ndarray) -> tuple[np.ndarray, np.nda
 class DrakeCheck:
     """Drake's own number for one order beside ours.
 
-    order n: of the (n-1)-th derivative of the spatial velocity V_WB = [w_WB; v_WBo], (6,), which is
-    `drakes`; method: how Drake made it; error: the estimated error of Drake's number, residual: how
-    far ours is from it, both as the largest of the six components.
+    drakes (6,): the (n-1)-th derivative of V_WP = [w_WB; v_WP], so that its lower half is the n-th order
+    acceleration of the body point P; method: how Drake made it; error: the estimated error of Drake's
+    number, residual: how far ours is from it, both as the largest of the six components.
     """
 
     order: int
@@ -182,7 +182,7 @@ class MotionReport:
                     "point_acceleration": motion.accelerations[n].tolist(),
                     "centre": _centre_dict(motion.centres[n - 1]),
                     "drake": {
-                        "V_WB_derivative": check.drakes.tolist(),
+                        "V_WP_derivative": check.drakes.tolist(),
                         "method": check.method,
                         "error": check.error,
                         "residual": check.residual,
@@ -232,8 +232,9 @@ def motion_report(
     path = _joint_path(joints, names, order)
     motion = robot_motion(plant, body, path.jet(at, order).T, point)
     checks = []
-    for n, reference in enumerate(twist_derivatives(plant, body, path, at, order), start=1):
-        ours = np.concatenate([motion.w_WB[n - 1], motion.v_WBo[n - 1]])
+    references = twist_derivatives(plant, body, path, at, order, p_BoBp_B=point)
+    for n, reference in enumerate(references, start=1):
+        ours = np.concatenate([motion.w_WB[n - 1], motion.accelerations[n]])
         residual = float(np.abs(ours - reference.value).max())
         checks.append(
             DrakeCheck(n, reference.value, reference.method, float(reference.error), residual)

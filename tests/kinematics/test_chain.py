@@ -5,9 +5,21 @@ from math import comb, factorial
 import numpy as np
 import pytest
 
+from workbench.kinematics import chain_engine
 from workbench.kinematics.chain import Joint, SerialChain
 
 MOVING = ("revolute", "prismatic", "cylindrical", "helical")
+
+
+@pytest.fixture(autouse=True, params=["NumPy", "kernel"])
+def implementation(request, monkeypatch):
+    """Every law and example holds in both implementations."""
+    if request.param == "kernel":
+        chain_engine.load_kernel()
+    else:
+        monkeypatch.setattr(chain_engine, "_kernel", None)
+        monkeypatch.setattr(chain_engine.Engine, "_is_small", lambda self, q: True)
+    return request.param
 
 
 def random_pose(rng):

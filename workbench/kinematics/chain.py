@@ -21,7 +21,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.chain_engine import Engine, scales_of_derivatives, scales_of_taylor
+from workbench.kinematics.chain_engine import Engine
 from workbench.kinematics.chain_geometry import Joint, links_of, motion
 
 __all__ = ["Joint", "SerialChain"]
@@ -47,7 +47,8 @@ class SerialChain:
             raise ValueError("expected a chain with at least one moving joint, got none")
         self.dof = links.dof
         self.home = links.home
-        self._engine = Engine(links)
+        self._of_derivatives = Engine(links, taylor=False)
+        self._of_taylor = Engine(links, taylor=True)
 
     def twist_derivatives(self, q: ArrayLike) -> np.ndarray:
         """The twist of the last body and its time derivatives, Eq. (119) differentiated.
@@ -66,15 +67,14 @@ class SerialChain:
                 f"expected derivatives to order at most {HIGHEST_DERIVATIVE_ORDER}, got {order}; "
                 "use twist_taylor for Taylor coefficients of higher order"
             )
-        return self._engine.twist(q, scales_of_derivatives(order + 1))
+        return self._of_derivatives.twist(q)
 
     def twist_taylor(self, q: ArrayLike) -> np.ndarray:
         """The same from and to Taylor coefficients: q[..., i, k] is q_i^{(k)} / k!.
 
         q: (..., dof, n + 2). Returns (..., n + 1, 6): entry k is (1/k!) d^k/dt^k (ω; v).
         """
-        q = self._checked(q)
-        return self._engine.twist(q, scales_of_taylor(q.shape[-1] - 1))
+        return self._of_taylor.twist(self._checked(q))
 
     def pose(self, q: ArrayLike) -> np.ndarray:
         """The pose of the last body in the base frame, Eq. (117).

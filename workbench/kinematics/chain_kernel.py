@@ -18,8 +18,8 @@ from numba.extending import intrinsic, lower_builtin, models, register_model
 # array of such numbers.
 
 WIDTH = 8
-DOUBLE, INT32 = ir.DoubleType(), ir.IntType(32)
-VECTOR = ir.VectorType(DOUBLE, WIDTH)
+DOUBLE, INT32, INT64 = ir.DoubleType(), ir.IntType(32), ir.IntType(64)
+HALF, VECTOR = ir.VectorType(DOUBLE, WIDTH // 2), ir.VectorType(DOUBLE, WIDTH)
 
 
 class Lanes(types.Type):
@@ -37,7 +37,7 @@ class LanesModel(models.PrimitiveModel):
 
 
 def _shuffle(builder, first, second, indices):
-    mask = ir.Constant(ir.VectorType(INT32, WIDTH), indices)
+    mask = ir.Constant(ir.VectorType(INT32, len(indices)), indices)
     return builder.shuffle_vector(first, second, mask)
 
 
@@ -128,61 +128,98 @@ def where_positive(typing_context, condition, chosen, otherwise):
     return lanes(lanes, lanes, lanes), generate
 
 
-def _transpose(builder, rows):
-    for span in (1, 2, 4):
-        low = [e if not e & span else WIDTH + e - span for e in range(WIDTH)]
-        high = [e + span if not e & span else WIDTH + e for e in range(WIDTH)]
-        for i in range(WIDTH):
-            if not i & span:
-                pair = rows[i], rows[i + span]
-                rows[i] = _shuffle(builder, *pair, low)
-                rows[i + span] = _shuffle(builder, *pair, high)
-    return rows
+def _exchange(builder, rows, span):
+    """One of the three stages (span 1, 2, 4) of the transposition of eight rows of eight."""
+    low = [e if not e & span else WIDTH + e - span for e in range(WIDTH)]
+    high = [e + span if not e & span else WIDTH + e for e in range(WIDTH)]
+    for i in range(WIDTH):
+        if not i & span:
+            pair = rows[i], rows[i + span]
+            rows[i], rows[i + span] = (_shuffle(builder, *pair, order) for order in (low, high))
 
 
-def _row_pointer(builder, first, stride, row):
-    address = builder.add(first, builder.mul(stride, row))
-    return builder.inttoptr(address, VECTOR.as_pointer())
+def _half_rows(builder, first, stride, last):
+    """Pointers to the two halves of each of eight rows; rows beyond the `last` repeat it."""
+    halves = []
+    for lane in range(WIDTH):
+        lane = INT64(lane)
+        row = builder.select(builder.icmp_signed("<", lane, last), lane, last)
+        address = builder.add(first, builder.mul(stride, row))
+        half = builder.inttoptr(address, HALF.as_pointer())
+        halves.append((half, builder.gep(half, [INT64(1)], source_etype=HALF)))
+    return halves
 
 
 @intrinsic
-def load_states(typing_context, source, stride, last, memory, index):
-    """Eight doubles of each of eight states, `stride` bytes apart, into memory[index : index + 8].
-    States beyond the `last` (0 to 7) repeat it."""
+def load_states(typing_context, source, stride, last, factors, memory, index):
+    """Eight doubles of each of eight states, `stride` bytes apart, times eight factors, into
+    memory[index : index + 8]. States beyond the `last` (0 to 7) repeat it."""
 
     def generate(context, builder, sig, args):
-        source, stride, last, memory, index = args
+        source, stride, last, factors, memory, index = args
+        halves = _half_rows(builder, source, stride, last)
+        factor = builder.inttoptr(factors, HALF.as_pointer())
         rows = []
-        for lane in range(WIDTH):
-            lane = ir.IntType(64)(lane)
-            row = builder.select(builder.icmp_signed("<", lane, last), lane, last)
-            pointer = _row_pointer(builder, source, stride, row)
-            rows.append(builder.load(pointer, align=8, typ=VECTOR))
+        for half in (0, 1):
+            pointer = builder.gep(factor, [INT64(half)], source_etype=HALF)
+            four = builder.load(pointer, align=8, typ=HALF)
+            twice = _shuffle(builder, four, four, [0, 1, 2, 3] * 2)
+            for i in range(4):
+                pair = [builder.load(halves[lane][half], align=8, typ=HALF) for lane in (i, i + 4)]
+                rows.append(builder.fmul(_shuffle(builder, *pair, list(range(8))), twice))
+        for span in (1, 2):
+            _exchange(builder, rows, span)
         first = _pointer(builder, memory, index)
-        for i, row in enumerate(_transpose(builder, rows)):
-            builder.store(row, builder.gep(first, [INT32(i)], source_etype=VECTOR), align=64)
+        for i, row in enumerate(rows):
+            builder.store(row, builder.gep(first, [INT64(i)], source_etype=VECTOR), align=64)
         return context.get_dummy_value()
 
-    return types.void(*[types.int64] * 5), generate
+    return types.void(*[types.int64] * 6), generate
 
 
 @intrinsic
 def store_states(typing_context, memory, index, target, stride):
-    """memory[index : index + 8] into eight doubles of each of eight states."""
+    """memory[index : index + 8] into eight doubles of each of eight states, in their order."""
 
     def generate(context, builder, sig, args):
         memory, index, target, stride = args
         first = _pointer(builder, memory, index)
-        rows = [
-            builder.load(builder.gep(first, [INT32(i)], source_etype=VECTOR), align=64, typ=VECTOR)
-            for i in range(WIDTH)
-        ]
-        for lane, row in enumerate(_transpose(builder, rows)):
-            pointer = _row_pointer(builder, target, stride, ir.IntType(64)(lane))
-            builder.store(row, pointer, align=8)
+        rows = []
+        for i in range(WIDTH):
+            pointer = builder.gep(first, [INT64(i)], source_etype=VECTOR)
+            rows.append(builder.load(pointer, align=64, typ=VECTOR))
+        for span in (1, 2):
+            _exchange(builder, rows, span)
+        halves = _half_rows(builder, target, stride, INT64(WIDTH - 1))
+        for lane in range(WIDTH):
+            four = [e % 4 + lane // 4 * 4 for e in range(4)]
+            for half in (0, 1):
+                part = _shuffle(builder, rows[lane % 4 + 4 * half], rows[0], four)
+                builder.store(part, halves[lane][half], align=8)
         return context.get_dummy_value()
 
     return types.void(*[types.int64] * 4), generate
+
+
+@intrinsic
+def number(typing_context, memory, index):
+    """One double of an array of doubles."""
+
+    def generate(context, builder, sig, args):
+        pointer = builder.inttoptr(args[0], DOUBLE.as_pointer())
+        return builder.load(builder.gep(pointer, [args[1]], source_etype=DOUBLE), typ=DOUBLE)
+
+    return types.float64(types.int64, types.int64), generate
+
+
+@intrinsic
+def set_number(typing_context, memory, index, value):
+    def generate(context, builder, sig, args):
+        pointer = builder.inttoptr(args[0], DOUBLE.as_pointer())
+        builder.store(args[2], builder.gep(pointer, [args[1]], source_etype=DOUBLE))
+        return context.get_dummy_value()
+
+    return types.void(types.int64, types.int64, types.float64), generate
 
 
 compiled = njit(fastmath={"contract"}, error_model="numpy")  # contract: a·b + c in one instruction
@@ -230,15 +267,31 @@ def cosine_and_sine(x):
 
 
 @compiled
-def exponential_term(E, rate, k, reciprocal):
-    """One more coefficient of E = e^{iα}, from E' = i α' E."""
-    c, s = spread(0.0), spread(0.0)
+def extend_exponential(E, rate, k, terms, reciprocals):
+    """Coefficients k and k + 1 (if below `terms`) of E = e^{iα}, from E' = i α' E."""
+    c0, s0, c1, s1 = spread(0.0), spread(0.0), spread(0.0), spread(0.0)
+    next_rate = load(rate, k)
     for j in range(k):
-        w = load(rate, k - 1 - j)
-        c = c - w * load(E, 2 * j + 1)
-        s = s + w * load(E, 2 * j)
-    store(E, 2 * k, reciprocal * c)
-    store(E, 2 * k + 1, reciprocal * s)
+        c, s, this_rate = load(E, 2 * j), load(E, 2 * j + 1), load(rate, k - 1 - j)
+        c0, s0 = c0 - this_rate * s, s0 + this_rate * c
+        c1, s1 = c1 - next_rate * s, s1 + next_rate * c
+        next_rate = this_rate
+    c, s = number(reciprocals, k) * c0, number(reciprocals, k) * s0
+    store(E, 2 * k, c)
+    store(E, 2 * k + 1, s)
+    if k + 1 < terms:
+        store(E, 2 * k + 2, number(reciprocals, k + 1) * (c1 - next_rate * s))
+        store(E, 2 * k + 3, number(reciprocals, k + 1) * (s1 + next_rate * c))
+
+
+@compiled
+def load2(E, first):
+    return load(E, first), load(E, first + 1)
+
+
+@compiled
+def load4(V, first):
+    return load(V, first), load(V, first + 1), load(V, first + 2), load(V, first + 3)
 
 
 @compiled
@@ -260,45 +313,51 @@ def step(V, k, x, y, vx, vy, z, vz, link):
 
 
 @compiled
+def add_product(total, e, v):
+    """total + e^{iα} v, for e = (cos, sin) and the across-axis parts (ωx, ωy, vx, vy)."""
+    c, s = e
+    x, y, vx, vy = v
+    return (
+        total[0] + c * x - s * y,
+        total[1] + s * x + c * y,
+        total[2] + c * vx - s * vy,
+        total[3] + s * vx + c * vy,
+    )
+
+
+@compiled
+def add_along_and_step(W, k, across, V, rate, link):
+    x, y, vx, vy = across
+    step(W, k, x, y, vx, vy, load(V, 6 * k + 4) + load(rate, k), load(V, 6 * k + 5), link)
+
+
+@compiled
 def rotate_and_step(V, W, E, rate, terms, link):
-    """W = step(z α̇ + e^{iα} V): two coefficients at a time, since they share their factors."""
-    for k in range(0, terms - 1, 2):
-        x0, y0, vx0, vy0 = spread(0.0), spread(0.0), spread(0.0), spread(0.0)
-        c1, s1 = load(E, 2 * k + 2), load(E, 2 * k + 3)
-        x1, y1, vx1, vy1 = spread(0.0), spread(0.0), spread(0.0), spread(0.0)
+    """W = step(z α̇ + e^{iα} V), four coefficients at a time, since they share their factors."""
+    zero = spread(0.0)
+    nothing = (zero, zero, zero, zero)
+    for k in range(terms % 4):
+        t0 = nothing
         for j in range(k + 1):
-            c0, s0 = load(E, 2 * (k - j)), load(E, 2 * (k - j) + 1)
-            x, y, vx, vy = load(V, 6 * j), load(V, 6 * j + 1), load(V, 6 * j + 2), load(V, 6 * j + 3)
-            x0 = x0 + c0 * x - s0 * y
-            y0 = y0 + s0 * x + c0 * y
-            vx0 = vx0 + c0 * vx - s0 * vy
-            vy0 = vy0 + s0 * vx + c0 * vy
-            x1 = x1 + c1 * x - s1 * y
-            y1 = y1 + s1 * x + c1 * y
-            vx1 = vx1 + c1 * vx - s1 * vy
-            vy1 = vy1 + s1 * vx + c1 * vy
-            c1, s1 = c0, s0
-        j = k + 1
-        x, y, vx, vy = load(V, 6 * j), load(V, 6 * j + 1), load(V, 6 * j + 2), load(V, 6 * j + 3)
-        x1 = x1 + c1 * x - s1 * y
-        y1 = y1 + s1 * x + c1 * y
-        vx1 = vx1 + c1 * vx - s1 * vy
-        vy1 = vy1 + s1 * vx + c1 * vy
-        z0, z1 = load(V, 6 * k + 4) + load(rate, k), load(V, 6 * k + 10) + load(rate, k + 1)
-        step(W, k, x0, y0, vx0, vy0, z0, load(V, 6 * k + 5), link)
-        step(W, k + 1, x1, y1, vx1, vy1, z1, load(V, 6 * k + 11), link)
-    if terms % 2 == 1:
-        k = terms - 1
-        x0, y0, vx0, vy0 = spread(0.0), spread(0.0), spread(0.0), spread(0.0)
+            t0 = add_product(t0, load2(E, 2 * (k - j)), load4(V, 6 * j))
+        add_along_and_step(W, k, t0, V, rate, link)
+    for k in range(terms % 4, terms, 4):
+        t0, t1, t2, t3 = nothing, nothing, nothing, nothing
+        e1, e2, e3 = load2(E, 2 * k + 2), load2(E, 2 * k + 4), load2(E, 2 * k + 6)
         for j in range(k + 1):
-            c0, s0 = load(E, 2 * (k - j)), load(E, 2 * (k - j) + 1)
-            x, y, vx, vy = load(V, 6 * j), load(V, 6 * j + 1), load(V, 6 * j + 2), load(V, 6 * j + 3)
-            x0 = x0 + c0 * x - s0 * y
-            y0 = y0 + s0 * x + c0 * y
-            vx0 = vx0 + c0 * vx - s0 * vy
-            vy0 = vy0 + s0 * vx + c0 * vy
-        z0 = load(V, 6 * k + 4) + load(rate, k)
-        step(W, k, x0, y0, vx0, vy0, z0, load(V, 6 * k + 5), link)
+            v, e0 = load4(V, 6 * j), load2(E, 2 * (k - j))
+            t0, t1 = add_product(t0, e0, v), add_product(t1, e1, v)
+            t2, t3 = add_product(t2, e2, v), add_product(t3, e3, v)
+            e1, e2, e3 = e0, e1, e2
+        v = load4(V, 6 * k + 6)
+        t1, t2, t3 = add_product(t1, e1, v), add_product(t2, e2, v), add_product(t3, e3, v)
+        v = load4(V, 6 * k + 12)
+        t2, t3 = add_product(t2, e1, v), add_product(t3, e2, v)
+        t3 = add_product(t3, e1, load4(V, 6 * k + 18))
+        add_along_and_step(W, k, t0, V, rate, link)
+        add_along_and_step(W, k + 1, t1, V, rate, link)
+        add_along_and_step(W, k + 2, t2, V, rate, link)
+        add_along_and_step(W, k + 3, t3, V, rate, link)
 
 
 @compiled
@@ -306,7 +365,7 @@ def slide(V, D, q, rate, pitch, reciprocals, terms):
     """v ← v + z ḋ + d z × ω in place, for the slide d = pitch · q."""
     store(D, 0, pitch * load(q, 0))
     for k in range(1, terms):
-        store(D, k, (pitch * reciprocals[k]) * load(rate, k - 1))
+        store(D, k, (pitch * number(reciprocals, k)) * load(rate, k - 1))
     for k in range(terms):
         vx, vy = load(V, 6 * k + 2), load(V, 6 * k + 3)
         for j in range(k + 1):
@@ -331,12 +390,15 @@ def turn(V, W, cosine, sine, terms):
 
 # -- the kernel -----------------------------------------------------------------------------------
 
-HEADER, ROW = 3, 10  # of `links`: see pack_links
+HEADER, ROW = 5, 10
 
 
-def pack_links(links):
-    """One array for the kernel: dof and the base's turn; then for each joint its angle, slide,
-    pitch, twist angle (cos, sin), shift, the offset along the axis before, its turn (cos, sin)."""
+def plan_of(links, terms, rate_factors, twist_factors):
+    """All that is constant, in one array: joints, dof, terms, the base's turn (cos, sin); then the
+    factors of the n + 2 derivatives of each coordinate (at least eight numbers); those of the
+    twist; 0, 1, 1/2, 1/3, …; then for each joint its angle, slide, pitch, twist angle (cos, sin),
+    shift, the offset along the axis before, its turn (cos, sin)."""
+    factors = np.tile([1.0, *rate_factors], links.dof)
     rows = np.column_stack(
         [
             links.angle,
@@ -348,132 +410,134 @@ def pack_links(links):
             links.turn[1:],
         ]
     )
-    return np.concatenate([[links.dof], links.turn[0], rows.ravel()])
+    return np.concatenate(
+        [
+            [len(rows), links.dof, terms, *links.turn[0]],
+            np.pad(factors, (0, max(0, WIDTH - len(factors)))),
+            twist_factors,
+            [0.0],
+            1 / np.arange(1.0, terms),
+            rows.ravel(),
+        ]
+    )
 
 
 @compiled
-def twist_of_block(Q, E, V, W, D, links, scales, terms):
-    """From Q[i (n + 2) + k], coordinate i and its derivatives, to the scaled twist series in V."""
-    dof = int(links[0])
-    joints = (links.size - HEADER) // ROW
+def twist_of_block(Q, E, V, W, D, plan, joints, terms, output_factors, reciprocals, rows):
+    """From Q[i (n + 2) + k], coordinate i and its scaled rates, to the scaled twist
+    W[6 k + (0 … 5)] = k-th coefficient of (ω; v). True if an angle was too large."""
     columns = terms + 1
-    reciprocals = scales[2 * terms :]
-    for i in range(dof):
-        for k in range(terms):
-            store(Q, i * columns + k + 1, scales[k] * load(Q, i * columns + k + 1))
+    zero = spread(0.0)
+    too_large = zero
     for joint in range(joints - 1):
-        row = HEADER + joint * ROW
-        angle = int(links[row])
+        row = rows + 8 * ROW * joint
+        angle = int(number(row, 0))
         if angle >= 0:
-            c, s = cosine_and_sine(load(Q, angle * columns))
-            store(E, 2 * terms * joint, links[row + 8] * c - links[row + 9] * s)
-            store(E, 2 * terms * joint + 1, links[row + 8] * s + links[row + 9] * c)
-    for k in range(1, terms):
+            E_joint = E + 128 * terms * joint
+            alpha = load(Q, angle * columns)
+            too_large = where_positive(alpha * alpha - spread(LARGEST_ANGLE**2), spread(1.0), too_large)
+            c, s = cosine_and_sine(alpha)
+            store(E_joint, 0, number(row, 8) * c - number(row, 9) * s)
+            store(E_joint, 1, number(row, 8) * s + number(row, 9) * c)
+    for k in range(1, terms, 2):
         for joint in range(joints - 1):
-            angle = int(links[HEADER + joint * ROW])
+            angle = int(number(rows + 8 * ROW * joint, 0))
             if angle >= 0:
                 rate = Q + 64 * (angle * columns + 1)
-                exponential_term(E + 128 * terms * joint, rate, k, reciprocals[k])
+                extend_exponential(E + 128 * terms * joint, rate, k, terms, reciprocals)
     for joint in range(joints - 1, -1, -1):
-        row = HEADER + joint * ROW
-        angle, sliding, pitch = int(links[row]), int(links[row + 1]), links[row + 2]
+        row = rows + 8 * ROW * joint
+        angle, sliding, pitch = int(number(row, 0)), int(number(row, 1)), number(row, 2)
         link = (
-            spread(links[row + 3]),
-            spread(links[row + 4]),
-            spread(links[row + 5]),
-            spread(links[row + 6]),
-            spread(links[row + 7]),
+            spread(number(row, 3)),
+            spread(number(row, 4)),
+            spread(number(row, 5)),
+            spread(number(row, 6)),
+            spread(number(row, 7)),
         )
         rate = Q + 64 * (angle * columns + 1)
         slide_rate = Q + 64 * (sliding * columns + 1)
-        zero = spread(0.0)
         if joint == joints - 1:
             for k in range(terms):
                 z = load(rate, k) if angle >= 0 else zero
                 vz = pitch * load(slide_rate, k) if sliding >= 0 else zero
                 step(W, k, zero, zero, zero, zero, z, vz, link)
-        elif sliding < 0:
-            rotate_and_step(V, W, E + 128 * terms * joint, rate, terms, link)
         else:
             if angle >= 0:
                 still = (spread(1.0), zero, zero, zero, zero)
-                rotate_and_step(V, W, E + 128 * terms * joint, rate, terms, still)
+                first_link = link if sliding < 0 else still
+                rotate_and_step(V, W, E + 128 * terms * joint, rate, terms, first_link)
             else:
-                turn(V, W, links[row + 8], links[row + 9], terms)
-            slide(W, D, slide_rate - 64, slide_rate, pitch, reciprocals, terms)
-            for k in range(terms):
-                step(
-                    W,
-                    k,
-                    load(W, 6 * k),
-                    load(W, 6 * k + 1),
-                    load(W, 6 * k + 2),
-                    load(W, 6 * k + 3),
-                    load(W, 6 * k + 4),
-                    load(W, 6 * k + 5),
-                    link,
-                )
+                turn(V, W, number(row, 8), number(row, 9), terms)
+            if sliding >= 0:
+                slide(W, D, slide_rate - 64, slide_rate, pitch, reciprocals, terms)
+                for k in range(terms):
+                    x, y, vx, vy = load4(W, 6 * k)
+                    step(W, k, x, y, vx, vy, load(W, 6 * k + 4), load(W, 6 * k + 5), link)
         V, W = W, V
     for k in range(terms):
-        factor = scales[terms + k]
-        c, s = factor * links[1], factor * links[2]
+        factor = number(output_factors, k)
+        c, s = factor * number(plan, 3), factor * number(plan, 4)
         for part in (0, 1):
             x, y = load(V, 6 * k + 2 * part), load(V, 6 * k + 2 * part + 1)
             store(W, 6 * k + 3 * part, c * x - s * y)
             store(W, 6 * k + 3 * part + 1, s * x + c * y)
             store(W, 6 * k + 3 * part + 2, factor * load(V, 6 * k + 4 + part))
+    store(D, 0, too_large)
     return W
 
 
-def _twists_of_states(q, links, scales, out):
-    """q (states · dof, n + 2) → out (states · (n + 1), 6), with coefficient k of a rate multiplied
-    by scales[k] on the way in and coefficient k of the twist by scales[n + 1 + k] on the way out;
-    scales[2 (n + 1) + k] = 1/k."""
-    dof = int(links[0])
-    joints = (links.size - HEADER) // ROW
-    terms = q.shape[1] - 1
-    states = q.shape[0] // dof
+def _twists_of_states(q, plan_array, out):
+    """q (states · dof, n + 2) → out (states · (n + 1), 6), scaled by the plan's factors.
+    Returns False, with `out` unusable, if an angle exceeds LARGEST_ANGLE."""
+    plan = plan_array.ctypes.data
+    joints, dof, terms = int(number(plan, 0)), int(number(plan, 1)), int(number(plan, 2))
     inputs, outputs = dof * (terms + 1), 6 * terms
-    longest = max(inputs, outputs, WIDTH)
-    numbers = inputs + 2 * terms * joints + 13 * terms + longest
-    workspace = np.empty(WIDTH * (numbers + WIDTH + 1))
+    padded, row = max(inputs, WIDTH), max(outputs, WIDTH)
+    states = q.shape[0] // dof
+    factors = plan + 8 * HEADER
+    output_factors = factors + 8 * padded
+    reciprocals = output_factors + 8 * terms
+    rows = reciprocals + 8 * terms
+    workspace = np.empty(WIDTH * (padded + 2 * terms * joints + 13 * terms + row + 1))
     Q = (workspace.ctypes.data + 63) // 64 * 64
-    E = Q + 64 * max(inputs, WIDTH)
+    E = Q + 64 * padded
     V = E + 128 * terms * joints
     W = V + 384 * terms
     D = W + 384 * terms
-    spare_address = D + 64 * terms
-    spare = workspace[(spare_address - workspace.ctypes.data) // 8 :]
+    spare = D + 64 * terms
     for first in range(0, states, WIDTH):
         here = min(WIDTH, states - first)
         source, stride = q.ctypes.data + 8 * inputs * first, 8 * inputs
-        if inputs < WIDTH:
+        if inputs < WIDTH and (first + here - 1) * inputs + WIDTH > states * inputs:
             for lane in range(here):
                 for i in range(inputs):
-                    spare[WIDTH * lane + i] = q[(first + lane) * dof + i // (terms + 1), i % (terms + 1)]
-            source, stride = spare_address, 64
-        for i in range(0, inputs - WIDTH + 1, WIDTH):
-            load_states(source + 8 * i, stride, here - 1, Q, i)
-        if inputs % WIDTH:
-            i = max(0, inputs - WIDTH)
-            load_states(source + 8 * i, stride, here - 1, Q, i)
-        result = twist_of_block(Q, E, V, W, D, links, scales, terms)
-        whole = here == WIDTH and outputs >= WIDTH
-        row = outputs if whole else longest
-        target = out.ctypes.data + 8 * outputs * first if whole else spare_address
-        for i in range(0, outputs - WIDTH + 1, WIDTH):
-            store_states(result, i, target + 8 * i, 8 * row)
-        if outputs % WIDTH:
-            i = max(0, outputs - WIDTH)
-            store_states(result, i, target + 8 * i, 8 * row)
-        if not whole:
+                    set_number(spare, WIDTH * lane + i, number(source, inputs * lane + i))
+            source, stride = spare, 64
+        for i in range(0, inputs, WIDTH):
+            i = max(0, min(i, inputs - WIDTH))
+            load_states(source + 8 * i, stride, here - 1, factors + 8 * i, Q, i)
+        result = twist_of_block(Q, E, V, W, D, plan, joints, terms, output_factors, reciprocals, rows)
+        for lane in range(here):
+            if number(D, lane) > 0:
+                return False
+        target, row_bytes = out.ctypes.data + 8 * outputs * first, 8 * outputs
+        direct = here == WIDTH and (first + here - 1) * outputs + row <= states * outputs
+        if not direct:
+            target, row_bytes = spare, 8 * row
+        for i in range(0, outputs, WIDTH):
+            i = max(0, min(i, outputs - WIDTH))
+            store_states(result, i, target + 8 * i, row_bytes)
+        if not direct:
+            target = out.ctypes.data + 8 * outputs * first
             for lane in range(here):
                 for i in range(outputs):
-                    out[(first + lane) * terms + i // 6, i % 6] = spare[row * lane + i]
+                    set_number(target, outputs * lane + i, number(spare, row * lane + i))
+    return True
 
 
 def _compile():
-    argument_types = "void(float64[:,::1], float64[::1], float64[::1], float64[:,::1])"
+    argument_types = "boolean(float64[:,::1], float64[::1], float64[:,::1])"
     options = {"fastmath": {"contract"}, "error_model": "numpy"}
     try:
         return njit(argument_types, cache=True, **options)(_twists_of_states)

@@ -170,6 +170,16 @@ def test_a_polynomial_is_one_entry_of_an_array():
         as_array([[x, y], [x]])
 
 
+def test_fractions_join_the_flint_ring_of_the_other_part():
+    third, x = Fraction(1, 3), POLYNOMIAL_RING.gens()[0]
+    for du in (flint.fmpq(1, 2), x):
+        a = Dual(third, du)
+        assert isinstance(a.re, flint.fmpq) and a * a == Dual(third * third, 2 * du / 3)
+        b = Dual(np.array([third, 1]), as_array([du, 2]))
+        assert (b * b).re[0] == flint.fmpq(1, 9) and (b @ b).re == flint.fmpq(10, 9)
+        assert isinstance(Dual(np.array(third), as_array(du)).re, flint.fmpq)
+
+
 def test_a_dual_number_is_immutable_and_can_be_pickled():
     with pytest.raises(AttributeError, match="immutable"):
         Dual(1, 2).re = 3

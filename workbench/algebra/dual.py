@@ -188,9 +188,11 @@ def _entries(re: Any, du: Any) -> tuple[Any, Any]:
     re, du = np.broadcast_arrays(as_array(re), as_array(du))
     if np.issubdtype(np.result_type(re, du), np.integer):
         re, du = re.astype(object), du.astype(object)
+    if re.ndim == 0:
+        return _in_one_ring(re[()], du[()])
     if any(_is_flint(entry) for part in (re, du) if part.dtype == object for entry in part.flat):
-        re, du = _without_fractions(re), _without_fractions(du)
-    return re[()], du[()]
+        return _without_fractions(re), _without_fractions(du)
+    return re, du
 
 
 def _in_one_ring(a: Any, b: Any) -> tuple[Any, Any]:

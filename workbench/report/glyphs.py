@@ -46,15 +46,13 @@ FUNCTION_NAMES = {
 
 SYMBOLS = GREEK | BINARY_OPERATORS | RELATIONS | ORDINARY | FUNCTION_NAMES
 
-# Spacing dots in a row look alike in every font; combining ones (U+20DB, U+20DC) are often missing.
+# Full stops set over a letter keep clear of it in every font; the characters made for marks
+# (U+02D9, U+0307, U+20DB …) run into capitals, or are missing.
 ACCENTS = {
-    r"\dot": "˙", r"\ddot": "˙˙", r"\dddot": "˙˙˙", r"\ddddot": "˙˙˙˙", r"\tilde": "˜",
+    r"\dot": ".", r"\ddot": "..", r"\dddot": "...", r"\ddddot": "....", r"\tilde": "˜",
     r"\widetilde": "˜", r"\hat": "^", r"\widehat": "^", r"\bar": "¯", r"\overline": "¯",
     r"\vec": "→", r"\underline": "_",
 }  # fmt: skip
-UNDER_ACCENTS = frozenset({r"\underline"})
-WIDE_ACCENTS = frozenset({r"\widetilde", r"\widehat", r"\overline", r"\underline"})
-
 DELIMITERS = {
     "(", ")", "[", "]", "|", ".", "/", r"\{", r"\}", r"\langle", r"\rangle", r"\|", r"\Vert",
     r"\lVert", r"\rVert", r"\lvert", r"\rvert",

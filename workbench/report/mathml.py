@@ -25,6 +25,7 @@ _ACCENT_MADE_BY_CONVERTER = {
     "\u02d9": r"\dot", "\u00a8": r"\ddot", "\u20db": r"\dddot", "\u20dc": r"\ddddot",
     "~": r"\tilde", "^": r"\hat", "\u00af": r"\bar", "\u2015": r"\overline", "→": r"\vec",
 }  # fmt: skip
+_MARK_CLASSES = {r"\underline": "under-line", r"\overline": "over-line", r"\bar": "over-line"}
 _CLOSING = frozenset(")]}|⟩‖!")
 _BARE_FUNCTIONS = frozenset(glyphs.FUNCTION_NAMES.values())
 
@@ -97,15 +98,17 @@ def _mend(tree: ElementTree.Element) -> None:
             parent.tag = "mo"
             parent.set("form", "prefix" if parent.text == "⟨" else "postfix")
             parent.set("stretchy", "false")
+        if parent.tag == "mo" and parent.text in ("|", "‖"):
+            parent.attrib.update({"lspace": "0", "rspace": "0"})
         if parent.tag in ("mi", "mo") and (parent.text in _BARE_FUNCTIONS or _is_word(parent)):
             parent.tag = "mo"
-            parent.attrib.update({"form": "prefix", "lspace": "0.1em", "rspace": "0.17em"})
+            parent.attrib.update({"form": "prefix", "lspace": "0.17em", "rspace": "0.17em"})
 
 
 def _tell_signs_from_operators(parent: ElementTree.Element) -> None:
     """A + or − is an operator only after an operand; alone in a row any operator takes no space."""
-    if parent.tag == "mrow" and len(parent) == 1 and parent[0].tag == "mo":
-        parent[0].attrib.update({"lspace": "0", "rspace": "0"})
+    if parent.tag == "math" and len(parent[0]) == 1 and parent[0][0].tag == "mo":
+        parent[0][0].attrib.update({"lspace": "0", "rspace": "0"})
     for before, sign in pairwise(parent):
         follows_operand = before.tag != "mo" or before.text in _CLOSING
         if sign.tag == "mo" and sign.text in ("+", "−") and not follows_operand:
@@ -133,19 +136,13 @@ def _mend_accent(parent: ElementTree.Element) -> None:
         return
     if parent.tag == "munder":
         command = r"\underline"
-        parent.set("accentunder", "true")
-    else:
-        parent.set("accent", "true")
     mark.text = glyphs.ACCENTS[command]
     mark.attrib.clear()
-    mark.set("stretchy", "false")
-    kind = {r"\underline": "under-line", r"\overline": "over-line", r"\bar": "over-line"}.get(
-        command
-    )
-    if command == r"\tilde" and sum(1 for _ in base.iter() if _.text) > 1:
-        kind = "wide-tilde"
-    if kind:
-        parent.set("class", kind)
+    mark.attrib.update({"stretchy": "false", "lspace": "0", "rspace": "0"})
+    parent.attrib.clear()
+    parent.set("class", _MARK_CLASSES.get(command, "mark"))
+    if command == r"\tilde" and len(list(base.iter("mi"))) + len(list(base.iter("mn"))) > 1:
+        parent.set("class", "wide-tilde")
 
 
 _OFFSETS = {

@@ -20,7 +20,13 @@ from pydrake.symbolic import Variable
 from workbench.drake.bindings import ALIASES, BODY_BINDINGS, CHAIN_BINDINGS, Binding
 from workbench.drake.joint_paths import JointPath
 from workbench.drake.plants import CylindricalAxis, cylindrical_chain, free_body
-from workbench.drake.symbolic_motions import SymbolicMotion, evaluated, expanded, rate
+from workbench.drake.symbolic_motions import (
+    SymbolicMotion,
+    evaluated,
+    expanded,
+    expressions_are_not_nan,
+    rate,
+)
 
 SAMPLES = (-1.0, -0.75, -0.5, 0.5, 0.75, 1.0)
 P_BO_P_B = np.array([0.5, -0.25, 1.0])
@@ -88,19 +94,15 @@ class ReferenceMotion:
         return known[order]
 
 
-def _skew(p: np.ndarray) -> np.ndarray:
-    x, y, z = p
-    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-
-
 def _line(direction: np.ndarray, point: np.ndarray) -> np.ndarray:
     """A line's dual vector: direction, and moment about the origin."""
-    return np.array([direction, _skew(point) @ direction])
+    return np.array([direction, np.cross(point, direction)])
 
 
 def _dual_rotation(X: RigidTransform_) -> np.ndarray:
+    """R + ε p̃ R: the columns of the dual part are p × the columns of R."""
     R = X.rotation().matrix()
-    return np.array([R, _skew(X.translation()) @ R])
+    return np.array([R, np.cross(X.translation(), R.T).T])
 
 
 def _dual_twist(V_WBp: SpatialVelocity_) -> np.ndarray:
@@ -112,7 +114,7 @@ def _body_quantities(motion: SymbolicMotion) -> dict[str, np.ndarray]:
     R_WB, p_WBo = X_WB.rotation().matrix(), X_WB.translation()
     V_WB0, A_WB0 = V_WB.Shift(-p_WBo), A_WB.Shift(-p_WBo, V_WB.rotational())
     w_WB = V_WB.rotational()
-    p_WP, p_WQ = (expanded(p_WBo + R_WB @ p_BoPoint_B) for p_BoPoint_B in (P_BO_P_B, P_BO_Q_B))
+    p_WP, p_WQ = (expanded(X_WB @ p_BoPoint_B) for p_BoPoint_B in (P_BO_P_B, P_BO_Q_B))
     v_WP, v_WQ = motion.rate(p_WP), motion.rate(p_WQ)
     return {
         "R_WB": R_WB,
@@ -154,7 +156,7 @@ def _chain_quantities(
     V_AB0_A = V_AB_A.Shift(-X_AB.translation())
     u1_W, u2_A = (np.array(axis.direction) for axis in axes)
     point1_W, point2_A = (np.array(axis.point) for axis in axes)
-    u2_W = X_WA.rotation().matrix() @ u2_A
+    u2_W = X_WA.rotation() @ u2_A
     point2_W = motion.pose("B_axis_on_parent").translation()
     d1, theta1, d2, theta2 = motion.q
     return {
@@ -191,6 +193,7 @@ def _chain_quantities(
     }
 
 
+@expressions_are_not_nan
 def chain_motion(name: str, axes: Sequence[CylindricalAxis], path: JointPath) -> ReferenceMotion:
     """Bodies A on W and B on A, each on a cylindrical joint; q = (d₁, θ₁, d₂, θ₂)."""
     t = Variable("t")
@@ -201,6 +204,7 @@ def chain_motion(name: str, axes: Sequence[CylindricalAxis], path: JointPath) ->
     return ReferenceMotion(name, t, {**_body_quantities(motion), **relative})
 
 
+@expressions_are_not_nan
 def free_body_motion(name: str, path: JointPath) -> ReferenceMotion:
     """One free body B; q = (roll, pitch, yaw, x, y, z)."""
     t = Variable("t")
@@ -208,13 +212,13 @@ def free_body_motion(name: str, path: JointPath) -> ReferenceMotion:
 
 
 def _small_path(seed: int, joints: int) -> JointPath:
-    """q = c₀ + c₁ t + c₅ t⁵: few terms, yet no derivative up to the fifth is zero.
+    """q = c₀ + c₁ t + c₆ t⁶: few terms, yet no derivative up to the sixth is zero.
 
     The coefficients are dyadic, hence exact in doubles.
     """
     draw = random.Random(seed)
-    coefficients = np.zeros((6, joints))
-    for power, unit in ((0, 1 / 4), (1, 1 / 4), (5, 1 / 32)):
+    coefficients = np.zeros((7, joints))
+    for power, unit in ((0, 1 / 4), (1, 1 / 4), (6, 1 / 32)):
         coefficients[power] = [draw.choice((-4, -3, -2, 2, 3, 4)) * unit for _ in range(joints)]
     return JointPath(coefficients)
 
@@ -251,7 +255,7 @@ def special_motions() -> tuple[ReferenceMotion, ...]:
     """Free bodies where something vanishes: where centres are lost and equalities are strict."""
     general = _small_path(4, joints=6).coefficients
 
-    def restricted(name: str, moving: Sequence[int], degree: int = 5) -> ReferenceMotion:
+    def restricted(name: str, moving: Sequence[int], degree: int = 6) -> ReferenceMotion:
         kept = np.zeros_like(general)
         kept[: degree + 1, moving] = general[: degree + 1, moving]
         return free_body_motion(name, JointPath(kept))

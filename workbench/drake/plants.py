@@ -212,7 +212,7 @@ def body_motion(
     set_state(plant, context, q, v)
     vdot = _of_length(vdot, plant.num_velocities(), "vdot")
     X_WB = frame.CalcPoseInWorld(context)
-    p_BoBp_W = X_WB.rotation().matrix() @ _of_length(p_BoBp_B, 3, "p_BoBp_B")
+    p_BoBp_W = X_WB.rotation() @ _of_length(p_BoBp_B, 3, "p_BoBp_B")
     V_WBo = frame.CalcSpatialVelocityInWorld(context)
     A_WBo = plant.CalcSpatialAccelerationsFromVdot(context, vdot)[int(frame.body().index())]
     return BodyMotion(

@@ -2,6 +2,9 @@
 
 An Expression grows a thousandfold in a few derivatives if left as it comes. Expanded into its
 monomials t^k sin^a(θ₁) cos^b(θ₁) ..., of which there are few, it stays small.
+
+Drake keeps an Expression in the bits of a NaN, which NumPy then takes for a numerical accident:
+what computes with arrays of them is decorated with `expressions_are_not_nan`.
 """
 
 from __future__ import annotations
@@ -16,6 +19,8 @@ from workbench.drake.joint_paths import JointPath
 from workbench.drake.plants import body_named, set_state
 
 ZERO = Expression(0.0)
+
+expressions_are_not_nan = np.errstate(invalid="ignore")
 
 
 def _entrywise(function: Callable, array: np.ndarray, dtype: type = object) -> np.ndarray:
@@ -70,5 +75,5 @@ class SymbolicMotion:
 
     def twist(self, name: str, p_BoBp_B: np.ndarray) -> np.ndarray:
         """V_WBp = [w_WB; v_WBp], expressed in W, shape (6,)."""
-        p_BoBp_W = self.pose(name).rotation().matrix() @ p_BoBp_B
+        p_BoBp_W = self.pose(name).rotation() @ p_BoBp_B
         return expanded(self.velocity(name).Shift(p_BoBp_W).get_coeffs())

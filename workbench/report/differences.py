@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from difflib import SequenceMatcher
 
+from workbench.report.glyphs import SPACES
 from workbench.report.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
 
 # Below this share of common atoms a list of differences would be longer than the two formulas.
@@ -52,7 +52,7 @@ def difference(before: str, after: str) -> Difference | None:
     Bold, italic and upright letters count as the same unless they are all that differs.
     """
     try:
-        first, second = atoms_of(_without_final_stop(before)), atoms_of(_without_final_stop(after))
+        first, second = (_without_final_stop(atoms_of(latex)) for latex in (before, after))
     except LatexNotTypesettable:
         return None
     by_shape = _compare(first, second, lambda atom: atom.shape)
@@ -61,21 +61,22 @@ def difference(before: str, after: str) -> Difference | None:
     return _compare(first, second, lambda atom: atom.identity)
 
 
-def _without_final_stop(latex: str) -> str:
-    return re.sub(r"[\s.,;]+$", "", latex)
+def _without_final_stop(atoms: list[Atom]) -> list[Atom]:
+    while atoms and (atoms[-1].latex in (".", ",", ";") or atoms[-1].latex in SPACES):
+        atoms = atoms[:-1]
+    return atoms
 
 
 def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
     sides = (first, second)
     counted = [[i for i, atom in enumerate(atoms) if key(atom) is not None] for atoms in sides]
     keys = [[key(sides[side][i]) for i in counted[side]] for side in (0, 1)]
-    matcher = SequenceMatcher(None, *keys, autojunk=False)
-    if keys[0] and keys[1] and matcher.ratio() < _RECOGNISABLE:
+    blocks = _unequal_blocks(keys, [[sides[side][i] for i in counted[side]] for side in (0, 1)])
+    uncommon = sum(ends[1] - ends[0] + ends[3] - ends[2] for _, ends in blocks)
+    if all(keys) and uncommon > (1 - _RECOGNISABLE) * (len(keys[0]) + len(keys[1])):
         return Difference(rewritten=True)
     changes, marked = [], (set(), set())
-    for tag, *ends in matcher.get_opcodes():
-        if tag == "equal":
-            continue
+    for tag, ends in blocks:
         if tag != "replace":
             ends = _led_by_its_sign(keys[0 if tag == "delete" else 1], tag, ends)
         places = [counted[0][ends[0] : ends[1]], counted[1][ends[2] : ends[3]]]
@@ -83,6 +84,57 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
             marked[side].update(_leaves_within(sides[side], places[side]))
         changes.append(_change(sides, places, _preceding(second, counted[1], ends[2])))
     return Difference(tuple(changes), frozenset(marked[0]), frozenset(marked[1]))
+
+
+def _unequal_blocks(keys: list[list], atoms: list[list[Atom]]) -> list[tuple[str, list[int]]]:
+    """The cheapest way from the first to the second, as (tag, [start, end, start, end]) in order.
+
+    Replacing one atom by another of its family costs less than dropping it and adding the other.
+    """
+    rows, columns = len(keys[0]), len(keys[1])
+    cost = [[float(row + column) for column in range(columns + 1)] for row in range(rows + 1)]
+    for row in range(rows):
+        for column in range(columns):
+            if keys[0][row] == keys[1][column]:
+                across = 0.0
+            else:
+                across = 1.5 if _are_akin(atoms[0][row], atoms[1][column]) else 2.0
+            cost[row + 1][column + 1] = min(
+                cost[row][column] + across, cost[row][column + 1] + 1, cost[row + 1][column] + 1
+            )
+    blocks: list[list[int]] = []
+    row, column = rows, columns
+    while row or column:
+        here = cost[row][column]
+        if (
+            row
+            and column
+            and keys[0][row - 1] == keys[1][column - 1]
+            and here == cost[row - 1][column - 1]
+        ):
+            row, column = row - 1, column - 1
+            continue
+        end = (row, column)
+        if (
+            row
+            and column
+            and here in (cost[row - 1][column - 1] + 1.5, cost[row - 1][column - 1] + 2)
+        ):
+            row, column = row - 1, column - 1
+        elif row and here == cost[row - 1][column] + 1:
+            row -= 1
+        else:
+            column -= 1
+        if blocks and (blocks[-1][0], blocks[-1][2]) == end:
+            blocks[-1][0], blocks[-1][2] = row, column
+        else:
+            blocks.append([row, end[0], column, end[1]])
+    tags = {(True, False): "delete", (False, True): "insert", (True, True): "replace"}
+    return [(tags[b[0] < b[1], b[2] < b[3]], b) for b in reversed(blocks)]
+
+
+def _are_akin(first: Atom, second: Atom) -> bool:
+    return first.leaf == second.leaf and first.family == second.family
 
 
 def _led_by_its_sign(keys: Sequence[str | None], tag: str, ends: list[int]) -> list[int]:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from workbench.report import glyphs as table
 
 _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\d+|\s+|.", re.DOTALL)
+_DEEPEST = 60
 
 
 class LatexNotTypesettable(ValueError):
@@ -66,9 +67,10 @@ class _Parser:
     def __init__(self, latex: str):
         self.tokens = [token for token in _TOKEN.findall(latex)]
         self.position = 0
+        self.depth = 0
 
     def formula(self) -> list[Atom]:
-        atoms = self.sequence(frozenset())
+        atoms = self.sequence()
         if self.peek() is not None:
             raise LatexNotTypesettable(f"unexpected {self.peek()}")
         return atoms
@@ -90,18 +92,24 @@ class _Parser:
         if found != token:
             raise LatexNotTypesettable(f"expected {token}, got {found}")
 
-    def sequence(self, stops: frozenset[str]) -> list[Atom]:
+    def sequence(self) -> list[Atom]:
         atoms: list[Atom] = []
-        while (token := self.peek()) is not None and token not in stops:
-            if token in ("}", r"\right", r"\end"):
-                break
+        while self.peek() not in (None, "}", r"\right", r"\end"):
             atoms.extend(self.item())
         return atoms
 
     def item(self) -> list[Atom]:
+        if self.depth == _DEEPEST:
+            raise LatexNotTypesettable(f"nested more than {_DEEPEST} deep")
+        self.depth += 1
+        atoms = self.item_here()
+        self.depth -= 1
+        return atoms
+
+    def item_here(self) -> list[Atom]:
         token = self.take()
         if token == "{":
-            inner = self.sequence(frozenset())
+            inner = self.sequence()
             self.expect("}")
             return [Atom("{", None), *inner, _closing()]
         if token in ("^", "_"):
@@ -200,7 +208,7 @@ class _Parser:
 
     def left_right(self) -> list[Atom]:
         opening = self.delimiter()
-        inner = self.sequence(frozenset())
+        inner = self.sequence()
         self.expect(r"\right")
         ends = [opening, self.delimiter()]
         left, right = (
@@ -214,7 +222,7 @@ class _Parser:
         if name not in table.ENVIRONMENTS:
             raise LatexNotTypesettable(f"cannot typeset the environment {name}")
         columns = "{" + self.brace_word() + "}" if name == "array" else ""
-        inner = self.sequence(frozenset())
+        inner = self.sequence()
         self.expect(r"\end")
         ended = self.brace_word()
         if ended != name:

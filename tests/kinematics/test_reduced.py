@@ -140,6 +140,7 @@ def test_minimum_is_attained_on_its_locus_and_nowhere_undercut(scalars, rng):
         reduced.minimum_of_reduced_acceleration(omega_n),
     )
     assert lines.is_line(locus)
+    assert least >= 0 and least == reduced.minimum_of_reduced_acceleration(Dual(omega_n.re, -moment))
     on_locus = lines.nearest_point_to_origin(locus) + scalars.number(rng) * locus.re
     attained = reduced.field(omega_n, on_locus).du
     assert dot(attained, attained) == least * least

@@ -9,25 +9,29 @@ same recursion and differ by rounding only.
 from math import factorial
 
 import numpy as np
+from numpy import empty
+from numpy.typing import ArrayLike
 
 from workbench.kinematics import chain_series
 from workbench.kinematics.chain_geometry import Links
+
+HIGHEST_DERIVATIVE_ORDER = 170  # 170! is the last factorial that a double can hold
 
 PLAIN_ORDER = 4  # tasks to this order
 PLAIN_STATES = 32  # of at most so many states are done in NumPy
 PLAIN_TASKS = 2000  # so often in a process, unless the kernel is there already
 
 _plain_tasks_left = PLAIN_TASKS
-_kernel = None
+_twist_kernel = None
 
 
 def load_kernel() -> None:
     """Load the compiled kernel now, compiling it if this machine has not done so before."""
-    global _kernel
-    if _kernel is None:
-        from workbench.kinematics import chain_kernel
+    global _twist_kernel
+    if _twist_kernel is None:
+        from workbench.kinematics.chain_kernel import twist_kernel
 
-        _kernel = chain_kernel
+        _twist_kernel = twist_kernel
 
 
 class Engine:
@@ -36,32 +40,50 @@ class Engine:
     def __init__(self, links: Links, *, taylor: bool):
         self.links = links
         self.taylor = taylor
-        self._plans: dict[int, np.ndarray] = {}
+        self._plans: dict[tuple[int, int], tuple] = {}  # shape of a state → plan, shape of its result
 
-    def twist(self, q: np.ndarray) -> np.ndarray:
-        """(..., dof, n + 2) doubles → (..., n + 1, 6)."""
-        if _kernel is None:
+    def twist(self, q: ArrayLike) -> np.ndarray:
+        """(..., dof, n + 2) → (..., n + 1, 6). Raises ValueError for what the chain cannot take."""
+        try:
+            plan, shape = self._plans[q.shape]  # one state of a shape seen before: nothing to check
+            out = empty(shape)
+            if _twist_kernel(q, plan, out):
+                return out
+        except (AttributeError, KeyError, TypeError):
+            pass
+        q = self._checked(q)
+        if _twist_kernel is None:
             if self._is_small(q):
                 return self._in_numpy(q)
             load_kernel()
-        terms = q.shape[-1] - 1
-        plan = self._plans.get(terms)
-        if plan is None:
-            plan = self._plans[terms] = _kernel.plan_of(self.links, terms, *self._factors(terms))
-        if q.ndim == 2:
-            out = np.empty((terms, 6))
-            within_range = self._run(q, plan, out)
-        else:
-            out = np.empty((*q.shape[:-2], terms, 6))
-            within_range = self._run(q.reshape(-1, terms + 1), plan, out.reshape(-1, 6))
+        shape = q.shape[-2:]
+        if shape not in self._plans:
+            self._plans[shape] = self._plan(shape[1] - 1), (shape[1] - 1, 6)
+        plan, result_shape = self._plans[shape]
+        rows = np.require(q.reshape(-1, shape[1]), requirements=["C", "W"])
+        out = empty((*q.shape[:-2], *result_shape))
+        within_range = _twist_kernel(rows, plan, out.reshape(-1, 6))
         return out if within_range else self._in_numpy(q)
 
-    @staticmethod
-    def _run(q, plan, out):
-        try:
-            return _kernel.twist_kernel(q, plan, out)
-        except TypeError:  # the kernel takes contiguous, writable arrays only
-            return _kernel.twist_kernel(np.array(q, order="C"), plan, out)
+    def _checked(self, q):
+        q = np.asarray(q)
+        if q.dtype != np.float64:
+            if q.dtype.kind not in "fiu":
+                raise ValueError(f"expected real joint derivatives, got an array of {q.dtype}")
+            q = q.astype(float)
+        dof = self.links.dof
+        if q.ndim < 2 or q.shape[-2] != dof or q.shape[-1] < 2:
+            raise ValueError(
+                f"expected joint derivatives of shape (..., {dof}, n + 2) with n ≥ 0 "
+                f"(coordinate, velocity, …), got {q.shape}"
+            )
+        order = q.shape[-1] - 2
+        if order > HIGHEST_DERIVATIVE_ORDER and not self.taylor:
+            raise ValueError(
+                f"expected derivatives to order at most {HIGHEST_DERIVATIVE_ORDER}, got {order}; "
+                "use twist_taylor for Taylor coefficients of higher order"
+            )
+        return q
 
     def _in_numpy(self, q):
         terms = q.shape[-1] - 1
@@ -69,6 +91,37 @@ class Engine:
         series = q.copy()
         series[..., 1:] *= rate_factors / np.arange(1, terms + 1)
         return chain_series.twist(self.links, series) * twist_factors[:, None]
+
+    def _plan(self, terms):
+        """Everything constant in the kernel's work, as one array. In order: joints, dof, terms, the
+        base's turn (cos, sin); the factors of the n + 2 derivatives of each coordinate (at least
+        eight numbers, the kernel's width); those of the twist; 0, 1, 1/2, 1/3, …; then for each
+        joint its angle, slide, pitch, twist angle (cos, sin), shift, the offset along the axis
+        before, its turn (cos, sin)."""
+        links = self.links
+        rate_factors, twist_factors = self._factors(terms)
+        input_factors = np.tile([1.0, *rate_factors], links.dof)
+        joints = np.column_stack(
+            [
+                links.angle,
+                links.slide,
+                links.pitch,
+                links.twist_angle,
+                links.shift,
+                links.offset[:-1],
+                links.turn[1:],
+            ]
+        )
+        return np.concatenate(
+            [
+                [len(joints), links.dof, terms, *links.turn[0]],
+                np.pad(input_factors, (0, max(0, 8 - len(input_factors)))),
+                twist_factors,
+                [0.0],
+                1 / np.arange(1.0, terms),
+                joints.ravel(),
+            ]
+        )
 
     def _factors(self, terms):
         """From q^{(k+1)} or q_{k+1} to the k-th Taylor coefficient of the rate q', and from the

@@ -390,36 +390,7 @@ def turn(V, W, cosine, sine, terms):
 
 # -- the kernel -----------------------------------------------------------------------------------
 
-HEADER, ROW = 5, 10
-
-
-def plan_of(links, terms, rate_factors, twist_factors):
-    """All that is constant, in one array: joints, dof, terms, the base's turn (cos, sin); then the
-    factors of the n + 2 derivatives of each coordinate (at least eight numbers); those of the
-    twist; 0, 1, 1/2, 1/3, …; then for each joint its angle, slide, pitch, twist angle (cos, sin),
-    shift, the offset along the axis before, its turn (cos, sin)."""
-    factors = np.tile([1.0, *rate_factors], links.dof)
-    rows = np.column_stack(
-        [
-            links.angle,
-            links.slide,
-            links.pitch,
-            links.twist_angle,
-            links.shift,
-            links.offset[:-1],
-            links.turn[1:],
-        ]
-    )
-    return np.concatenate(
-        [
-            [len(rows), links.dof, terms, *links.turn[0]],
-            np.pad(factors, (0, max(0, WIDTH - len(factors)))),
-            twist_factors,
-            [0.0],
-            1 / np.arange(1.0, terms),
-            rows.ravel(),
-        ]
-    )
+HEADER, ROW = 5, 10  # numbers before the factors, and for each joint, in the plan
 
 
 @compiled

@@ -15,6 +15,7 @@ from workbench.report import glyphs as table
 
 _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\d+|\s+|.", re.DOTALL)
 _DEEPEST = 60
+_COLUMNS = {"cases": 2, "gathered": 1, "split": 2, "aligned": 8}
 
 
 class LatexNotTypesettable(ValueError):
@@ -92,9 +93,22 @@ class _Parser:
         if found != token:
             raise LatexNotTypesettable(f"expected {token}, got {found}")
 
-    def sequence(self) -> list[Atom]:
+    def sequence(self, columns: int = 0) -> list[Atom]:
+        """Items up to a closing; `columns` of a table row, 0 outside tables."""
         atoms: list[Atom] = []
-        while self.peek() not in (None, "}", r"\right", r"\end"):
+        cells, scripts = 1, ""
+        while (token := self.peek()) not in (None, "}", r"\right", r"\end"):
+            if token in ("&", r"\\"):
+                cells = cells + 1 if token == "&" else 1
+                if cells > columns:
+                    raise LatexNotTypesettable(f"{token} has no place here")
+            if token in ("^", "_", "'"):
+                script = "_" if token == "_" else "^"
+                if script in scripts and not scripts.endswith("'"):
+                    raise LatexNotTypesettable(f"a second {token}")
+                scripts += script + ("'" if token == "'" else "")
+            else:
+                scripts = ""
             atoms.extend(self.item())
         return atoms
 
@@ -222,7 +236,8 @@ class _Parser:
         if name not in table.ENVIRONMENTS:
             raise LatexNotTypesettable(f"cannot typeset the environment {name}")
         columns = "{" + self.brace_word() + "}" if name == "array" else ""
-        inner = self.sequence()
+        width = len(columns) - 2 if columns else _COLUMNS.get(name, 10)
+        inner = self.sequence(width)
         self.expect(r"\end")
         ended = self.brace_word()
         if ended != name:

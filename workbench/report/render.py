@@ -44,8 +44,8 @@ def write_report(report: Mapping[str, Any], out: Path) -> list[Path]:
 def render(report: Mapping[str, Any]) -> dict[str, str]:
     """The text of each file by name. Raises ReportError if the report is not canonical."""
     report = canonical(report)
-    document = document_of(report)
     texts = {"report.json": canonical_json(report)}
+    document = document_of(report)
     for name, environment in (
         ("report.md", _environment(markdown.FILTERS)),
         ("report.html", _environment(_HTML_FILTERS, html=True)),

@@ -1,0 +1,339 @@
+"""The four files: canonical, reproducible, whole or not at all, escaped, and true to the dictionary."""
+
+import copy
+import json
+import re
+import shutil
+import subprocess
+import sys
+from html.parser import HTMLParser
+from itertools import pairwise
+
+import pytest
+from sample_report import CLAIMS, claim, report_of, sample
+
+from workbench.report import render, write_report
+from workbench.report.structure import VERDICTS, ReportError
+
+NASTY = (
+    "<script>alert(1)</script> & \"quotes' $x_1$ #1 100% a_b ~ ^ "
+    "\\input{/etc/passwd} `code` *b* | [l](u) é ω ⃛"
+)
+
+
+@pytest.fixture(scope="module")
+def texts():
+    return render.render(sample())
+
+
+@pytest.fixture(scope="module")
+def nasty():
+    claims = [
+        claim(
+            NASTY, NASTY, NASTY, "refuted", statement=NASTY, printed=NASTY, read_back=NASTY, scope=NASTY,
+            hypothesis=NASTY, note=NASTY + r" $\input{x}$ $\end{document}$ $", inherits=[NASTY, NASTY + "2"],
+            corrected={"latex": r"a\\&b", "verdict": "proved"},
+            counterexample={"values": {NASTY: ["1", "not a number"]}, "lhs": NASTY, "rhs": ["1/0"]},
+            evidence=[{"method": NASTY, "outcome": NASTY, NASTY: NASTY, "list": [1, {"a": None}]}],
+        )
+    ]  # fmt: skip
+    return render.render(report_of(claims, NASTY, NASTY))
+
+
+class Page(HTMLParser):
+    """What a test wants to know of a page; raises if the tags do not nest."""
+
+    VOID = frozenset(("meta", "input", "br", "link"))
+
+    def __init__(self, text):
+        super().__init__()
+        self.ids, self.links, self.headings, self.tags, self.open = [], [], [], [], []
+        self.attributes = []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self.tags.append(tag)
+        self.attributes.append((tag, attributes))
+        self.ids += [attributes["id"]] if "id" in attributes else []
+        self.links += [attributes["href"]] if "href" in attributes else []
+        self.headings += [int(tag[1])] if re.fullmatch("h[1-6]", tag) else []
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.handle_starttag(tag, attributes)
+        if tag not in self.VOID:
+            self.handle_endtag(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+
+def test_same_input_same_bytes(tmp_path):
+    first = [path.read_bytes() for path in write_report(sample(), tmp_path / "a")]
+    render._loader.cache_clear()
+    second = [path.read_bytes() for path in write_report(sample(), tmp_path / "b")]
+    assert first == second
+    names = sorted(path.name for path in (tmp_path / "a").iterdir())
+    assert names == ["erratum.tex", "report.html", "report.json", "report.md"]
+
+
+def test_order_of_keys_does_not_matter(texts):
+    def reversed_keys(value):
+        return dict(reversed(value.items()))
+
+    shuffled = reversed_keys(sample())
+    shuffled["claims"] = [reversed_keys(claim) for claim in shuffled["claims"]]
+    shuffled["paper"] = reversed_keys(shuffled["paper"])
+    assert render.render(shuffled) == texts
+
+
+def test_json_is_the_dictionary(texts):
+    assert json.loads(texts["report.json"]) == sample()
+    assert texts["report.json"].endswith("}\n")
+    assert list(json.loads(texts["report.json"])) == ["paper", "versions", "claims", "summary"]
+
+
+def test_rendering_leaves_the_dictionary_alone():
+    report = sample()
+    before = copy.deepcopy(report)
+    render.render(report)
+    assert report == before
+
+
+def test_a_report_that_cannot_be_rendered_leaves_the_old_files(tmp_path, monkeypatch):
+    write_report(sample(), tmp_path)
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    broken = sample()
+    broken["claims"][0]["verdict"] = "true"
+    with pytest.raises(ReportError):
+        write_report(broken, tmp_path)
+    monkeypatch.setattr(render, "mathml", lambda *_: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        write_report(sample(), tmp_path)
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
+def test_a_file_in_the_way_is_named(tmp_path):
+    (tmp_path / "out").write_text("")
+    for out in (tmp_path / "out", tmp_path / "out" / "deeper"):
+        with pytest.raises(ReportError, match="expected a directory"):
+            write_report(sample(), out)
+
+
+def broken(change):
+    report = sample()
+    change(report)
+    return report
+
+
+def drop(*path):
+    def change(report):
+        for key in path[:-1]:
+            report = report[key]
+        del report[path[-1]]
+
+    return change
+
+
+def put(value, *path):
+    def change(report):
+        for key in path[:-1]:
+            report = report[key]
+        report[path[-1]] = value
+
+    return change
+
+
+BAD = [
+    (drop("paper"), "report: .*no paper"),
+    (drop("paper", "doi"), "paper: .*no doi"),
+    (put(3, "paper", "title"), r"paper\.title: expected a string, got int"),
+    (drop("claims", 2, "evidence"), r"claims\[2\]: .*no evidence"),
+    (put(1, "claims", 2, "colour"), r"claims\[2\]: .*unknown colour"),
+    (
+        put("true", "claims", 0, "verdict"),
+        r"claims\[0\]\.verdict: expected one of proved.*got 'true'",
+    ),
+    (put("20.tensor", "claims", 1, "id"), "expected every id once, got 20.tensor"),
+    (put(None, "claims", 0, "printed"), r"claims\[0\]: expected a printed formula or a statement"),
+    (put({"latex": "a"}, "claims", 0, "reading"), r"claims\[0\]\.reading: .*no verdict"),
+    (
+        put({"latex": "a", "verdict": "?"}, "claims", 0, "corrected"),
+        r"corrected\.verdict: expected one",
+    ),
+    (put([{"method": "a"}], "claims", 0, "evidence"), r"evidence\[0\]\.outcome: expected a string"),
+    (put([1], "claims", 0, "inherits"), r"inherits\[0\]: expected a string, got int"),
+    (put("x", "claims", 0, "inherits"), "inherits: expected a list, got str"),
+    (
+        put({"values": {"x": [1]}, "lhs": "0", "rhs": "0"}, "claims", 0, "counterexample"),
+        r"\['x'\]\[0\]",
+    ),
+    (put(99, "summary", "proved"), r"summary\.proved: expected \d+, got 99"),
+    (drop("summary", "refuted"), "summary: expected a count of refuted"),
+    (put(float("nan"), "claims", 0, "evidence", 0, "terms"), "NaN"),
+    (put(object(), "claims", 0, "evidence", 0, "terms"), "expected JSON values"),
+]
+
+
+@pytest.mark.parametrize(("change", "message"), BAD)
+def test_bad_reports_give_one_clear_message(change, message):
+    with pytest.raises(ReportError, match=message):
+        render.render(broken(change))
+
+
+def test_page_is_self_contained_and_needs_no_script(texts, nasty):
+    for page in (texts["report.html"], nasty["report.html"]):
+        parsed = Page(page)
+        assert not {"script", "link", "img", "iframe", "object"} & set(parsed.tags)
+        assert "@import" not in page
+        assert set(re.findall(r"url\(\"?(.{5})", page)) <= {"data:"}
+
+
+def test_anchors_are_unique_and_links_lead_somewhere(texts, nasty):
+    for page in (texts["report.html"], nasty["report.html"]):
+        parsed = Page(page)
+        assert len(parsed.ids) == len(set(parsed.ids))
+        inner = [link[1:] for link in parsed.links if link.startswith("#")]
+        assert set(inner) <= set(parsed.ids)
+        referred = [v for _, a in parsed.attributes for k, v in a.items() if k == "aria-labelledby"]
+        assert set(referred) <= set(parsed.ids)
+
+
+def test_each_equation_has_its_anchor_and_heading(texts):
+    parsed = Page(texts["report.html"])
+    for equation in {c["equation"] for c in CLAIMS if c["equation"].isdigit()}:
+        assert f"eq-{equation}" in parsed.ids
+        assert re.search(rf'<h4 id="h-eq-{equation}">Eq\. \({equation}\) ', texts["report.html"])
+        assert f'id="{f"eq-{equation}"}"' in texts["report.md"]
+
+
+def test_headings_descend_one_step_at_a_time(texts):
+    levels = Page(texts["report.html"]).headings
+    assert levels[0] == 1
+    assert all(after - before <= 1 for before, after in pairwise(levels))
+
+
+def test_counts_on_the_first_screen(texts):
+    tiles = dict(
+        re.findall(
+            r"<dt>(.*?)</dt><dd>(?:<span.*?</span>)?(\d+)</dd>",
+            texts["report.html"].split("<nav")[0],
+        )
+    )
+    assert tiles == {
+        "numbered equations": "12", "hold as printed": "6", "false as printed": "2", "garbled": "2",
+        "need a hypothesis": "0", "not settled": "2",
+    }  # fmt: skip
+
+
+def test_probable_and_unchecked_never_count_as_holding():
+    for verdict in VERDICTS:
+        document = render.document_of(
+            render.canonical(report_of([claim("1", "1", "1", verdict, printed="a"), CLAIMS[7]]))
+        )
+        holding = document.tiles[0]
+        assert holding.label == "hold as printed"
+        assert holding.equations == 1 + (verdict in ("proved", "definition"))
+        assert sum(tile.equations for tile in document.tiles) == document.numbered == 2
+
+
+def test_an_equation_is_as_bad_as_its_worst_line():
+    lines = [claim(f"1.{v}", "1", "1", v, printed="a") for v in VERDICTS]
+    document = render.document_of(render.canonical(report_of(lines)))
+    assert document.equations[0].kind.verdict == "refuted"
+
+
+def test_every_part_of_an_erratum_is_told(texts):
+    for name in ("report.html", "report.md", "erratum.tex"):
+        text = texts[name]
+        for expected in (
+            "Technical",
+            "Editorial",
+            "Hypothesis",
+            "Printed",
+            "Corrected",
+            "Intended reading",
+        ):
+            assert expected in text, (name, expected)
+        assert "What differs" in text
+        assert "left side" in text
+        assert "Inherited by" in text
+        assert "Missing hypothesis" in text
+
+
+def test_a_claim_without_a_printed_form_shows_its_statement(texts):
+    for name in ("report.html", "report.md"):
+        assert "Adjugate and determinant of a tensor" in texts[name]
+
+
+def test_nothing_from_the_input_becomes_markup(nasty):
+    assert "<script>" not in nasty["report.html"]
+    assert "<script>" not in nasty["report.md"].replace(r"\<script\>", "").replace("`", "")[:400]
+    outside_math = nasty["erratum.tex"].split(r"\begin{document}")[1]
+    assert r"\input" not in outside_math
+    assert outside_math.count(r"\end{document}") == 1
+
+
+def test_markdown_escapes_headings_and_text(nasty):
+    heading = nasty["report.md"].splitlines()[0]
+    assert heading.startswith(r"# \<script\>alert\(1\)\</script\> \& ")
+    assert r"\$x\_1\$" in heading
+
+
+def test_markdown_mathematics_is_one_line_between_dollars(texts):
+    blocks = re.findall(r"^\$\$\n(.*?)\n\$\$$", texts["report.md"], re.DOTALL | re.MULTILINE)
+    assert len(blocks) > 20
+    assert not [block for block in blocks if "\n" in block or "$" in block]
+
+
+@pytest.mark.parametrize("name", ["texts", "nasty"])
+def test_erratum_note_is_balanced(name, request):
+    tex = request.getfixturevalue(name)["erratum.tex"]
+    bare = re.sub(r"\\[\\{}%$&#_]", "", tex)
+    depth = 0
+    for character in bare:
+        depth += (character == "{") - (character == "}")
+        assert depth >= 0
+    assert depth == 0
+    assert "$" not in bare
+    assert bare.count(r"\(") == bare.count(r"\)")
+    environments = re.findall(r"\\(begin|end)\{(\w+\*?)\}", tex)
+    stack = []
+    for kind, environment in environments:
+        if kind == "begin":
+            stack.append(environment)
+        else:
+            assert stack.pop() == environment
+    assert stack == []
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+@pytest.mark.parametrize("name", ["texts", "nasty"])
+def test_erratum_note_compiles(name, request, tmp_path):
+    (tmp_path / "erratum.tex").write_text(request.getfixturevalue(name)["erratum.tex"], "utf-8")
+    run = subprocess.run(
+        ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", "erratum.tex"],
+        cwd=tmp_path, capture_output=True, timeout=60,
+    )  # fmt: skip
+    log = run.stdout.decode("utf-8", "replace")
+    assert run.returncode == 0, log[-2000:]
+    assert name == "nasty" or "Overfull" not in log
+    assert (tmp_path / "erratum.pdf").stat().st_size > 10_000
+
+
+def test_empty_report_is_a_report():
+    texts = render.render(report_of([]))
+    assert "<dd>0</dd>" in texts["report.html"]
+    assert "No erratum was found" in texts["erratum.tex"]
+
+
+def test_package_loads_without_the_rendering_libraries():
+    script = (
+        "import sys, workbench.report; print(sorted({'jinja2', 'latex2mathml'} & set(sys.modules)))"
+    )
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+    assert run.stdout.strip() == "[]"

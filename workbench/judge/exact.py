@@ -179,18 +179,18 @@ class ExactEngine:
         """By D·A = Ȧ + A·D, applied once for each power of D on the left."""
         total: Operator = (self._unit(0),)
         shifted = right
-        for coefficient in left:
+        for power, coefficient in enumerate(left):
+            if power:
+                rates = tuple(self._map(self.ring.derive, a) for a in shifted)
+                shifted = _add_operators((self._unit(0), *shifted), rates)
             total = _add_operators(total, tuple(product(coefficient, a) for a in shifted))
-            raised = (self._unit(0), *shifted)
-            shifted = _add_operators(raised, tuple(self._map(self.ring.derive, a) for a in shifted))
         return total
 
     def _act(self, operator: Operator, value: Matrix) -> Matrix:
-        total = None
-        for coefficient in operator:
-            addend = product(coefficient, value)
-            total = addend if total is None else add(total, addend)
+        total = product(operator[0], value)
+        for coefficient in operator[1:]:
             value = self._map(self.ring.derive, value)
+            total = add(total, product(coefficient, value))
         return total
 
     def _div(self, term: Apply) -> Matrix | Operator:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from workbench.language.construct import derivative
-from workbench.language.terms import Apply, BigSum, Derivative, Symbol, Term
+from workbench.language.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
 
 
 class Lookup(Protocol):
@@ -69,10 +69,35 @@ class _Survey:
         if isinstance(term, Apply):
             self._count(term)
         merged: dict[Symbol, int] = {}
-        for child in term.children:
+        for place, child in enumerate(term.children):
+            raised = shift + self._raised(term, place)
             for symbol, order in self.orders(child).items():
-                merged[symbol] = max(merged.get(symbol, 0), order + shift)
+                merged[symbol] = max(merged.get(symbol, 0), order + raised)
         return merged
+
+    def _raised(self, term: Term, place: int) -> int:
+        """How often the child at this place is differentiated by operators that act on it from the left."""
+        if isinstance(term, Power):
+            return max(0, int(term.exponent) - 1) * self.degree(term.base)
+        if isinstance(term, Apply) and term.head in ("mul", "compose") and place == 1:
+            return self.degree(term.arguments[0])
+        return 0
+
+    def degree(self, term: Term) -> int:
+        """The power of D in an operator; 0 for anything else."""
+        if term.type.kind != "operator":
+            return 0
+        match term:
+            case TimeOperator():
+                return 1
+            case Symbol():
+                body = self.definitions.lookup(term)
+                return 0 if body is None else self.degree(body)
+            case Power():
+                return int(term.exponent) * self.degree(term.base)
+            case Apply(head="mul" | "compose"):
+                return sum(self.degree(a) for a in term.arguments)
+        return max((self.degree(child) for child in term.children), default=0)
 
     def _count(self, term: Apply) -> None:
         if term.head in ("div", "inverse"):

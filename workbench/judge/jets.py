@@ -8,13 +8,38 @@ prime, the rationals, floats or Drake's polynomials. A `Source` says what the sy
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from itertools import permutations, product
+from itertools import product
 from math import comb
 from typing import Any, Protocol
 
 import numpy as np
 
+from workbench.judge.components import (
+    BILINEAR,
+    DOUBLED,
+    LINEAR,
+    Jet,
+    OperatorValue,
+    Value,
+    add,
+    add_operators,
+    array_shape,
+    cross,
+    dot,
+    double_cofactors,
+    entry,
+    first_row_by_first_column,
+    flat_components,
+    leibniz,
+    matrix_shape,
+    outer,
+    product_of,
+    scalar_array,
+    skew,
+    stack,
+    turned,
+    vanishes,
+)
 from workbench.judge.inventory import Lookup, NotExact
 from workbench.language.terms import (
     Apply,
@@ -29,12 +54,6 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import Type
-
-Jet = list[np.ndarray]  # [x, ẋ, ẍ, …], each an object array of the type's shape
-
-#: (i, j, k, sign) of every non-zero component of the Levi-Civita symbol.
-LEVI_CIVITA = tuple((*p, (p[1] - p[0]) * (p[2] - p[0]) * (p[2] - p[1]) // 2) for p in permutations(range(3)))
 
 
 class Ring(Protocol):
@@ -62,36 +81,6 @@ class Source(Protocol):
         """The same source with the coordinate moved by ε along one axis, for div and curl."""
 
 
-@dataclass(frozen=True)
-class Value:
-    """The derivatives of a quantity up to some order: the real part and, if it is dual, the dual part."""
-
-    re: Jet
-    du: Jet | None = None
-
-    def __post_init__(self) -> None:
-        # NumPy turns a 0-dimensional object array into its element at the first operation
-        object.__setattr__(self, "re", [np.asarray(x, dtype=object) for x in self.re])
-        if self.du is not None:
-            object.__setattr__(self, "du", [np.asarray(x, dtype=object) for x in self.du])
-
-    @property
-    def depth(self) -> int:
-        return len(self.re) - 1
-
-    def cut(self, first: int, last: int) -> Value:
-        du = None if self.du is None else self.du[first : last + 1]
-        return Value(self.re[first : last + 1], du)
-
-    def map(self, function: Callable[[np.ndarray], np.ndarray]) -> Value:
-        """A linear function of the components."""
-        du = None if self.du is None else [function(x) for x in self.du]
-        return Value([function(x) for x in self.re], du)
-
-
-OperatorValue = tuple[Value, ...]
-
-
 class JetEngine:
     """Evaluates terms on a source."""
 
@@ -106,15 +95,15 @@ class JetEngine:
         """All components at the instant: an operator's coefficients by rising power of D, each in reading
         order, real parts before dual parts."""
         is_operator = term.type.kind == "operator"
-        return _flat(self.operator(term, 0) if is_operator else (self.value(term, 0),))
+        return flat_components(self.operator(term, 0) if is_operator else (self.value(term, 0),))
 
     def differences(self, left: Term, right: Term) -> list[Any]:
         """left − right by components; a missing dual part or operator coefficient counts as zero."""
         if "operator" in (left.type.kind, right.type.kind):
             a, b = self.operator(left, 0), self.operator(right, 0)
             minus = tuple(v.map(lambda x: -x) for v in b)
-            return _flat(_add_operators(a, minus))
-        return _flat((_add(self.value(left, 0), self.value(right, 0).map(lambda x: -x)),))
+            return flat_components(add_operators(a, minus))
+        return flat_components((add(self.value(left, 0), self.value(right, 0).map(lambda x: -x)),))
 
     def circle(self, angle: Symbol) -> tuple[Any, Any]:
         """(cos, sin) of a free angle at the instant."""
@@ -147,7 +136,7 @@ class JetEngine:
                 values = [self.operator(a, depth) for a in term.arguments]
                 total = values[0]
                 for value in values[1:]:
-                    total = _add_operators(total, value)
+                    total = add_operators(total, value)
                 return total
             case Apply(head="neg"):
                 return tuple(v.map(lambda x: -x) for v in self.operator(term.arguments[0], depth))
@@ -158,10 +147,10 @@ class JetEngine:
             case Apply(head="mul" | "compose", arguments=(left, right)):
                 if left.type.kind == "scalar":
                     factor = self.value(left, depth)
-                    return tuple(_product(np.multiply, factor, v) for v in self.operator(right, depth))
+                    return tuple(product_of(np.multiply, factor, v) for v in self.operator(right, depth))
                 if right.type.kind == "scalar":
                     factor = self.value(right, depth)
-                    return tuple(_product(np.multiply, factor, v) for v in self.operator(left, depth))
+                    return tuple(product_of(np.multiply, factor, v) for v in self.operator(left, depth))
                 return self._compose(self.operator(left, depth), self._operator_for(right), depth)
         raise NotExact(f"no operator value for {type(term).__name__}")
 
@@ -177,8 +166,8 @@ class JetEngine:
         for (i, a), (j, b) in product(enumerate(left), enumerate(factors)):
             for order in range(i + 1):
                 count = self._ring.constant(comb(i, order), 1)
-                addend = _product(np.matmul, a, b.cut(order, order + depth)).map(lambda x, c=count: x * c)
-                total[i - order + j] = _add(total[i - order + j], addend)
+                addend = product_of(np.matmul, a, b.cut(order, order + depth)).map(lambda x, c=count: x * c)
+                total[i - order + j] = add(total[i - order + j], addend)
         return tuple(total)
 
     def _body(self, symbol: Symbol) -> Term:
@@ -192,7 +181,7 @@ class JetEngine:
             case Number():
                 return self._constant(term.value.numerator, term.value.denominator, depth)
             case Zero() | Identity():
-                shape = _shape(term.type)
+                shape = array_shape(term.type)
                 if isinstance(term, Identity):
                     return self._diagonal(shape[0], 1, depth)
                 return Value([self._filled(shape) for _ in range(depth + 1)])
@@ -215,18 +204,18 @@ class JetEngine:
     def _power(self, term: Power, depth: int) -> Value:
         base, exponent = self.value(term.base, depth), int(term.exponent)
         if term.base.type.kind == "vector":
-            base, exponent = _product(_dot, base, base), exponent // 2
+            base, exponent = product_of(dot, base, base), exponent // 2
         kind = term.type.kind
         total = (
             self._constant(1, 1, depth) if kind == "scalar" else self._diagonal(base.re[0].shape[0], 1, depth)
         )
         for _ in range(exponent):
-            total = _product(np.multiply if kind == "scalar" else np.matmul, total, base)
+            total = product_of(np.multiply if kind == "scalar" else np.matmul, total, base)
         return total
 
     def _block(self, term: Block, depth: int) -> Value:
         entries = [[self.value(e, depth) for e in row] for row in term.entries]
-        sizes = [[_matrix_shape(e.type) for e in row] for row in term.entries]
+        sizes = [[matrix_shape(e.type) for e in row] for row in term.entries]
 
         def assembled(part: Callable[[Value], Jet | None]) -> Jet:
             jet = []
@@ -247,22 +236,22 @@ class JetEngine:
         head, arguments = term.head, term.arguments
         if head == "mul":
             return self._juxtaposition(*arguments, depth)
-        if head in _BILINEAR:
-            return _product(_BILINEAR[head], *(self.value(a, depth) for a in arguments))
-        if head in _LINEAR:
-            return self.value(arguments[0], depth).map(_LINEAR[head])
+        if head in BILINEAR:
+            return product_of(BILINEAR[head], *(self.value(a, depth) for a in arguments))
+        if head in LINEAR:
+            return self.value(arguments[0], depth).map(LINEAR[head])
         if head in ("vect", "symmetric", "antisymmetric"):
             half = self._constant(1, 2, depth)
-            return _product(np.multiply, half, self.value(arguments[0], depth).map(_DOUBLED[head]))
+            return product_of(np.multiply, half, self.value(arguments[0], depth).map(DOUBLED[head]))
         match head:
             case "add":
                 total = self.value(arguments[0], depth)
                 for argument in arguments[1:]:
-                    total = _add(total, self.value(argument, depth))
+                    total = add(total, self.value(argument, depth))
                 return total
             case "triple":
                 a, b, c = (self.value(x, depth) for x in arguments)
-                return _product(_dot, a, _product(_cross, b, c))
+                return product_of(dot, a, product_of(cross, b, c))
             case "adjugate":
                 return self._adjugate(self.value(arguments[0], depth))
             case "det":
@@ -286,10 +275,10 @@ class JetEngine:
                 return self._exp(arguments[0], depth)
             case "divergence":
                 gradient = self._gradient(arguments[0], depth)
-                return _add(_add(_entry(gradient[0], 0), _entry(gradient[1], 1)), _entry(gradient[2], 2))
+                return add(add(entry(gradient[0], 0), entry(gradient[1], 1)), entry(gradient[2], 2))
             case "curl":
                 gradient = self._gradient(arguments[0], depth)
-                return _stack([self._curl_component(gradient, i) for i in range(3)])
+                return stack([self._curl_component(gradient, i) for i in range(3)])
         raise NotExact(f"no value for the operation {head}")
 
     def _juxtaposition(self, left: Term, right: Term, depth: int) -> Value:
@@ -297,27 +286,27 @@ class JetEngine:
             total = None
             for power, coefficient in enumerate(self.operator(left, depth)):
                 operand = self.value(right, depth + power).cut(power, power + depth)
-                addend = _product(np.matmul, coefficient, operand)
-                total = addend if total is None else _add(total, addend)
+                addend = product_of(np.matmul, coefficient, operand)
+                total = addend if total is None else add(total, addend)
             return total
         a, b = self.value(left, depth), self.value(right, depth)
         if "scalar" in (left.type.kind, right.type.kind):
-            return _product(np.multiply, a, b)
+            return product_of(np.multiply, a, b)
         if left.type.kind == "vector":
-            return _product(_outer, a, b)
+            return product_of(outer, a, b)
         if "block" in (left.type.kind, right.type.kind):
-            shape_a, shape_b = _matrix_shape(left.type), _matrix_shape(right.type)
+            shape_a, shape_b = matrix_shape(left.type), matrix_shape(right.type)
             a = a.map(lambda x: x.reshape(shape_a))
             b = b.map(lambda x: x.reshape(shape_b))
-        return _product(np.matmul, a, b)
+        return product_of(np.matmul, a, b)
 
     def _adjugate(self, a: Value) -> Value:
         """adj(A)ᵢⱼ = ½ εⱼₖₗ εᵢₘₙ Aₖₘ Aₗₙ."""
-        return _product(np.multiply, self._constant(1, 2, a.depth), _product(_double_cofactors, a, a))
+        return product_of(np.multiply, self._constant(1, 2, a.depth), product_of(double_cofactors, a, a))
 
     def _det(self, a: Value) -> Value:
         """det A = a₁ⱼ adj(A)ⱼ₁."""
-        return _product(_first_row_by_first_column, a, self._adjugate(a))
+        return product_of(first_row_by_first_column, a, self._adjugate(a))
 
     def _inverse(self, a: Value) -> Value:
         shape = a.re[0].shape
@@ -330,12 +319,12 @@ class JetEngine:
     def _gauss_jordan(self, a: Value) -> Value:
         """The inverse of a square block matrix, pivot by pivot; a pivot must not vanish identically."""
         size = a.re[0].shape[0]
-        rows = [[_entry(a, (i, j)) for j in range(size)] for i in range(size)]
+        rows = [[entry(a, (i, j)) for j in range(size)] for i in range(size)]
         unit = self._diagonal(size, 1, a.depth)
         for i in range(size):
-            rows[i] += [_entry(unit, (i, j)) for j in range(size)]
+            rows[i] += [entry(unit, (i, j)) for j in range(size)]
         for column in range(size):
-            place = next((i for i in range(column, size) if not _vanishes(rows[i][column])), None)
+            place = next((i for i in range(column, size) if not vanishes(rows[i][column])), None)
             if place is None:
                 raise ZeroDivisionError("a singular matrix has no inverse")
             rows[column], rows[place] = rows[place], rows[column]
@@ -343,13 +332,13 @@ class JetEngine:
             rows[column] = [self._divide(entry, pivot) for entry in rows[column]]
             for i in range(size):
                 factor = rows[i][column]
-                if i != column and not _vanishes(factor):
+                if i != column and not vanishes(factor):
                     minus = factor.map(lambda x: -x)
                     rows[i] = [
-                        _add(entry, _product(np.multiply, minus, top))
+                        add(entry, product_of(np.multiply, minus, top))
                         for entry, top in zip(rows[i], rows[column], strict=True)
                     ]
-        return _stack([_stack(row[size:]) for row in rows])
+        return stack([stack(row[size:]) for row in rows])
 
     def _divide(self, a: Value, b: Value) -> Value:
         """q with q b = a, order by order; dual by (a + ε a₀)/(b + ε b₀) = q + ε (a₀ − q b₀)/b."""
@@ -358,7 +347,7 @@ class JetEngine:
             return Value(re)
         rest = [0 * x for x in a.re] if a.du is None else a.du
         if b.du is not None:
-            rest = [x - y for x, y in zip(rest, _leibniz(np.multiply, re, b.du), strict=True)]
+            rest = [x - y for x, y in zip(rest, leibniz(np.multiply, re, b.du), strict=True)]
         return Value(re, self._divide_jets(rest, b.re))
 
     def _divide_jets(self, a: Jet, b: Jet) -> Jet:
@@ -372,8 +361,8 @@ class JetEngine:
 
     def _norm(self, x: Value, dual: bool) -> Value:
         """N with N² = x·x, order by order; a dual norm is N + ε x·x₀/N, Eq. (74)."""
-        dot = np.multiply if x.re[0].shape == () else _dot
-        square = _leibniz(dot, x.re, x.re)
+        squared = np.multiply if x.re[0].shape == () else dot
+        square = leibniz(squared, x.re, x.re)
         norm: Jet = [np.asarray(self._ring.root(square[0][()]), dtype=object)]
         for k in range(1, len(square)):
             rest = square[k]
@@ -382,7 +371,7 @@ class JetEngine:
             norm += self._divide_jets([rest], [norm[0] * self._ring.constant(2, 1)])
         if not dual:
             return Value(norm)
-        mixed = [0 * n for n in norm] if x.du is None else _leibniz(dot, x.re, x.du)
+        mixed = [0 * n for n in norm] if x.du is None else leibniz(squared, x.re, x.du)
         return Value(norm, self._divide_jets(mixed, norm))
 
     def _circle(self, angle: Term, depth: int) -> tuple[Value, Value]:
@@ -399,7 +388,7 @@ class JetEngine:
             case Apply(head="add"):
                 cosine, sine = self._circle(angle.arguments[0], depth)
                 for argument in angle.arguments[1:]:
-                    cosine, sine = _turned((cosine, sine), self._circle(argument, depth))
+                    cosine, sine = turned((cosine, sine), self._circle(argument, depth))
                 return cosine, sine
             case Apply(head="mul", arguments=(Number() as n, inner)) if n.value.denominator == 1:
                 once = self._circle(inner, depth)
@@ -407,7 +396,7 @@ class JetEngine:
                     once = (once[0], once[1].map(lambda x: -x))
                 total = self._constant(1, 1, depth), self._constant(0, 1, depth)
                 for _ in range(abs(n.value.numerator)):
-                    total = _turned(total, once)
+                    total = turned(total, once)
                 return total
         value = self.value(angle, depth)
         if value.du is not None and all(not x for x in np.ravel(value.re[0])):
@@ -420,12 +409,12 @@ class JetEngine:
         cosine, sine = [c], [s]
         rate = value.re[1:]
         for k in range(depth):
-            cosine.append(-_leibniz(np.multiply, sine, rate[: k + 1])[k])
-            sine.append(_leibniz(np.multiply, cosine[: k + 1], rate[: k + 1])[k])
+            cosine.append(-leibniz(np.multiply, sine, rate[: k + 1])[k])
+            sine.append(leibniz(np.multiply, cosine[: k + 1], rate[: k + 1])[k])
         if value.du is None:
             return Value(cosine), Value(sine)
-        falling = [-x for x in _leibniz(np.multiply, sine, value.du)]
-        return Value(cosine, falling), Value(sine, _leibniz(np.multiply, cosine, value.du))
+        falling = [-x for x in leibniz(np.multiply, sine, value.du)]
+        return Value(cosine, falling), Value(sine, leibniz(np.multiply, cosine, value.du))
 
     def _exp(self, argument: Term, depth: int) -> Value:
         """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u."""
@@ -435,10 +424,10 @@ class JetEngine:
             ):
                 cosine, sine = self._circle(angle, depth)
                 axis = self.value(u, depth)
-                versine = _add(self._constant(1, 1, depth), cosine.map(lambda x: -x))
-                turned = _product(np.multiply, cosine, self._diagonal(3, 1, depth))
-                turned = _add(turned, _product(np.multiply, sine, axis.map(_skew)))
-                return _add(turned, _product(np.multiply, versine, _product(_outer, axis, axis)))
+                versine = add(self._constant(1, 1, depth), cosine.map(lambda x: -x))
+                turned = product_of(np.multiply, cosine, self._diagonal(3, 1, depth))
+                turned = add(turned, product_of(np.multiply, sine, axis.map(skew)))
+                return add(turned, product_of(np.multiply, versine, product_of(outer, axis, axis)))
         value = self.value(argument, depth)
         if value.du is None or any(bool(x != 0) for jet in value.re for x in jet.ravel()):
             raise NotExact(
@@ -461,12 +450,12 @@ class JetEngine:
 
     def _curl_component(self, gradient: list[Value], i: int) -> Value:
         j, k = (i + 1) % 3, (i + 2) % 3
-        return _add(_entry(gradient[j], k), _entry(gradient[k], j).map(lambda x: -x))
+        return add(entry(gradient[j], k), entry(gradient[k], j).map(lambda x: -x))
 
     def _constant(self, numerator: int, denominator: int, depth: int) -> Value:
         zero = self._ring.constant(0, 1)
         value = self._ring.constant(numerator, denominator)
-        return Value([_scalar(value), *(_scalar(zero) for _ in range(depth))])
+        return Value([scalar_array(value), *(scalar_array(zero) for _ in range(depth))])
 
     def _filled(self, shape: tuple[int, ...]) -> np.ndarray:
         array = np.empty(shape, dtype=object)
@@ -478,151 +467,3 @@ class JetEngine:
         for i in range(size):
             jets[0][i, i] = self._ring.constant(value, 1)
         return Value(jets)
-
-
-def _flat(values: OperatorValue) -> list[Any]:
-    real = [x for v in values for x in v.re[0].ravel()]
-    return real + [x for v in values if v.du is not None for x in v.du[0].ravel()]
-
-
-def _scalar(value: Any) -> np.ndarray:
-    array = np.empty((), dtype=object)
-    array[()] = value
-    return array
-
-
-def _shape(type_: Type) -> tuple[int, ...]:
-    if type_.kind == "block":
-        return (sum(type_.rows), sum(type_.columns))
-    return {"scalar": (), "vector": (3,), "covector": (3,)}.get(type_.kind, (3, 3))
-
-
-def _matrix_shape(type_: Type) -> tuple[int, int]:
-    shapes = {"scalar": (1, 1), "vector": (3, 1), "covector": (1, 3)}
-    return shapes.get(type_.kind) or _shape(type_)
-
-
-def _leibniz(f: Callable, a: Jet, b: Jet) -> Jet:
-    """(f(a, b))⁽ᵏ⁾ = Σⱼ C(k, j) f(a⁽ʲ⁾, b⁽ᵏ⁻ʲ⁾) for bilinear f, as far as both lists reach."""
-    result: Jet = []
-    for k in range(min(len(a), len(b))):
-        total = None
-        for j in range(k + 1):
-            addend = f(a[j], b[k - j])
-            addend = addend if comb(k, j) == 1 else addend * comb(k, j)
-            total = addend if total is None else total + addend
-        result.append(np.asarray(total, dtype=object))
-    return result
-
-
-def _product(f: Callable, a: Value, b: Value) -> Value:
-    re = _leibniz(f, a.re, b.re)
-    parts = []
-    if b.du is not None:
-        parts.append(_leibniz(f, a.re, b.du))
-    if a.du is not None:
-        parts.append(_leibniz(f, a.du, b.re))
-    if not parts:
-        return Value(re)
-    du = parts[0] if len(parts) == 1 else [x + y for x, y in zip(*parts, strict=True)]
-    return Value(re, du)
-
-
-def _add(a: Value, b: Value) -> Value:
-    re = [np.asarray(x + y, dtype=object) for x, y in zip(a.re, b.re, strict=True)]
-    if a.du is None or b.du is None:
-        return Value(re, a.du if b.du is None else b.du)
-    return Value(re, [np.asarray(x + y, dtype=object) for x, y in zip(a.du, b.du, strict=True)])
-
-
-def _add_operators(a: OperatorValue, b: OperatorValue) -> OperatorValue:
-    longer, shorter = (a, b) if len(a) >= len(b) else (b, a)
-    return tuple(_add(v, shorter[k]) if k < len(shorter) else v for k, v in enumerate(longer))
-
-
-def _turned(a: tuple[Value, Value], b: tuple[Value, Value]) -> tuple[Value, Value]:
-    (c1, s1), (c2, s2) = a, b
-    both_sines = _product(np.multiply, s1, s2).map(lambda x: -x)
-    cosine = _add(_product(np.multiply, c1, c2), both_sines)
-    return cosine, _add(_product(np.multiply, s1, c2), _product(np.multiply, c1, s2))
-
-
-def _entry(a: Value, place: int | tuple[int, int]) -> Value:
-    return a.map(lambda x: _scalar(x[place]))
-
-
-def _stack(values: list[Value]) -> Value:
-    dual = any(v.du is not None for v in values)
-    re = [np.array([v.re[k] for v in values], dtype=object) for k in range(values[0].depth + 1)]
-    if not dual:
-        return Value(re)
-    full = [[0 * x for x in v.re] if v.du is None else v.du for v in values]
-    return Value(re, [np.array([jet[k] for jet in full], dtype=object) for k in range(len(re))])
-
-
-def _vanishes(value: Value) -> bool:
-    return all(not bool(x != 0) for x in value.re[0].ravel())
-
-
-def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return _scalar(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
-
-
-def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """cᵢ = εᵢⱼₖ aⱼ bₖ."""
-    result = [None, None, None]
-    for i, j, k, sign in LEVI_CIVITA:
-        addend = a[j] * b[k] if sign > 0 else -(a[j] * b[k])
-        result[i] = addend if result[i] is None else result[i] + addend
-    return np.array(result, dtype=object)
-
-
-def _outer(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return np.array([[x * y for y in b] for x in a], dtype=object)
-
-
-def _skew(x: np.ndarray) -> np.ndarray:
-    """x̃ᵢₖ = −εᵢₖⱼ xⱼ, so that x̃ y = x × y."""
-    result = np.empty((3, 3), dtype=object)
-    for i in range(3):
-        result[i, i] = x[0] * 0
-    for i, j, k, sign in LEVI_CIVITA:
-        result[i, k] = x[j] if sign > 0 else -x[j]
-    return result
-
-
-def _twice_vect(a: np.ndarray) -> np.ndarray:
-    """2 vect(A)ᵢ = −εᵢⱼₖ Aⱼₖ."""
-    result = [None, None, None]
-    for i, j, k, sign in LEVI_CIVITA:
-        addend = -a[j, k] if sign > 0 else a[j, k]
-        result[i] = addend if result[i] is None else result[i] + addend
-    return np.array(result, dtype=object)
-
-
-def _double_cofactors(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """εⱼₖₗ εᵢₘₙ aₖₘ bₗₙ."""
-    result = np.empty((3, 3), dtype=object)
-    for (j, k, m, sign), (i, p, q, other) in product(LEVI_CIVITA, LEVI_CIVITA):
-        addend = a[k, p] * b[m, q]
-        addend = addend if sign * other > 0 else -addend
-        result[i, j] = addend if result[i, j] is None else result[i, j] + addend
-    return result
-
-
-def _first_row_by_first_column(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return _dot(a[0], b[:, 0])
-
-
-_BILINEAR: dict[str, Callable] = {"dot": _dot, "cross": _cross, "outer": _outer}
-_LINEAR: dict[str, Callable] = {
-    "neg": lambda x: -x,
-    "skew": _skew,
-    "transpose": lambda x: x.T,
-    "trace": lambda a: _scalar(sum((a[i, i] for i in range(1, len(a))), start=a[0, 0])),
-}
-_DOUBLED: dict[str, Callable] = {
-    "vect": _twice_vect,
-    "symmetric": lambda a: a + a.T,
-    "antisymmetric": lambda a: a - a.T,
-}

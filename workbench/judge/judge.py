@@ -233,7 +233,7 @@ class _RelationJudge(_Case):
             return self._conditional(gaps, evidence)
         if not self.judge.second_engine:
             return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=tuple(evidence))
-        evidence.append(self._recheck())
+        evidence += self._recheck()
         if self.judge.motions and self.judge.motion and not self.assumptions.equations:
             from workbench.judge.motion_check import VETO, check_on_motions
 
@@ -245,13 +245,20 @@ class _RelationJudge(_Case):
                     return Verdict(Outcome.UNCHECKED, reason=reason, evidence=tuple(evidence))
         return Verdict(Outcome.PROVED, evidence=tuple(evidence))
 
-    def _recheck(self) -> Evidence:
+    def _recheck(self) -> list[Evidence]:
+        from workbench.judge.drake_ring import recheck_by_drake
         from workbench.judge.sympy_ring import recheck
 
-        agreed = recheck(self.relation, self.inventory, self.definitions, self.assumptions.equations)
-        if not agreed:
+        equations = self.assumptions.equations
+        if not recheck(self.relation, self.inventory, self.definitions, equations):
             raise EngineDisagreement(f"zero in FLINT's ring, not in SymPy's: {to_latex(self.relation)}")
-        return Evidence("SymPy PolyRing on Python integers, Leibniz jets", "residual is 0")
+        evidence = [Evidence("SymPy PolyRing on Python integers, Leibniz jets", "residual is 0")]
+        by_drake = None if equations else recheck_by_drake(self.relation, self.inventory, self.definitions)
+        if by_drake is False:
+            raise EngineDisagreement(f"zero in FLINT's ring, not in Drake's: {to_latex(self.relation)}")
+        if by_drake:
+            evidence.append(Evidence("Drake symbolic Polynomial, Leibniz jets", "residual is 0"))
+        return evidence
 
     def _conditional(self, gaps: list[Polynomial], evidence: list[Evidence]) -> Verdict:
         relation = self.relation

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from workbench.judge.components import Value
 from workbench.judge.inventory import Inventory, Lookup
-from workbench.judge.jets import JetEngine, Value
+from workbench.judge.jets import JetEngine
 from workbench.judge.rings import FloatRing, PointSource, sample
 from workbench.judge.verdict import Evidence
 from workbench.language.terms import Relation, Symbol

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from workbench.judge.components import Value
 from workbench.judge.inventory import Inventory, NotExact
-from workbench.judge.jets import Value
 from workbench.judge.parameters import SPHERES, Parameter, parameters
 from workbench.language.terms import Symbol
 

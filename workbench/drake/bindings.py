@@ -87,3 +87,7 @@ CHAIN_BINDINGS = (
 )
 
 ALIASES = {"v_W0": "v_WB0", "u1": "u1_W", "u2": "u2_W"}
+
+#: Every binding by its name and by its aliases.
+BINDINGS = {binding.name: binding for binding in (*BODY_BINDINGS, *CHAIN_BINDINGS)}
+BINDINGS |= {alias: BINDINGS[name] for alias, name in ALIASES.items()}

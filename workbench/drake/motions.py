@@ -17,7 +17,7 @@ from pydrake.math import RigidTransform_
 from pydrake.multibody.math import SpatialVelocity_
 from pydrake.symbolic import Variable
 
-from workbench.drake.bindings import ALIASES, BODY_BINDINGS, CHAIN_BINDINGS, Binding
+from workbench.drake.bindings import ALIASES, BINDINGS, Binding
 from workbench.drake.joint_paths import JointPath
 from workbench.drake.plants import CylindricalAxis, cylindrical_chain, free_body
 from workbench.drake.symbolic_motions import (
@@ -32,7 +32,6 @@ SAMPLES = (-1.0, -0.75, -0.5, 0.5, 0.75, 1.0)
 P_BO_P_B = np.array([0.5, -0.25, 1.0])
 P_BO_Q_B = np.array([-0.75, 0.5, 0.25])
 
-_NAME_TO_BINDING = {binding.name: binding for binding in (*BODY_BINDINGS, *CHAIN_BINDINGS)}
 
 
 class ReferenceMotion:
@@ -68,7 +67,7 @@ class ReferenceMotion:
                 f"no binding {name!r} on the motion {self.name!r}; "
                 f"it has {', '.join(self._derivatives)}"
             )
-        return _NAME_TO_BINDING[name]
+        return BINDINGS[name]
 
     def jet(self, binding: str, order: int, sample: float) -> np.ndarray:
         """The quantity and its time derivatives up to ``order`` at the time ``sample``.

@@ -30,7 +30,7 @@ from workbench.drake import chebyshev
 from workbench.drake.joint_paths import JointPath
 from workbench.drake.magnitudes import Reach, reach
 from workbench.drake.plants import PlantError, body_motion
-from workbench.drake.symbolic_motions import SymbolicMotion, evaluated, expressions_are_not_nan
+from workbench.drake.symbolic_motions import SymbolicMotion, evaluated
 
 SMALL_PLANT = 3
 """As many joints between W and the body keep an Expression small along any path."""
@@ -152,7 +152,6 @@ class _BodyPoint:
         value = gradient[:, 0] if gradient.size else np.zeros(6)
         return Reference(value, self._rounding(2), "AutoDiffXd")
 
-    @expressions_are_not_nan
     def by_expression(self, order: int) -> list[Reference]:
         """d^k V / dt^k for k = 3 .. order - 1. Powers of t that cannot count are left out."""
         t = Variable("t")

@@ -47,6 +47,7 @@ def evaluated(quantity: np.ndarray, t: Variable, time: float) -> np.ndarray:
 class SymbolicMotion:
     """A plant on Expressions, put on a joint path q(t) with the velocities that belong to it."""
 
+    @expressions_are_not_nan
     def __init__(self, plant: MultibodyPlant, path: JointPath, t: Variable):
         self.plant = plant.ToSymbolic()
         self.context = self.plant.CreateDefaultContext()
@@ -73,6 +74,7 @@ class SymbolicMotion:
     def acceleration(self, name: str):
         return self._A[int(body_named(self.plant, name).index())]
 
+    @expressions_are_not_nan
     def twist(self, name: str, p_BoBp_B: np.ndarray) -> np.ndarray:
         """V_WBp = [w_WB; v_WBp], expressed in W, shape (6,)."""
         p_BoBp_W = self.pose(name).rotation() @ p_BoBp_B

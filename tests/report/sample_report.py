@@ -86,6 +86,7 @@ CLAIMS = [
     ),
     claim(
         "T4", "Theorem 4", SECTION_4, "proved", evidence=[EXACT],
+        printed="Adjugate and determinant of a tensor from its symmetric part and its vector.",
         statement="Adjugate and determinant of a tensor from its symmetric part and its vector.",
     ),
     claim(
@@ -102,7 +103,8 @@ CLAIMS = [
         inherits=["59"],
     ),
     claim(
-        "58.det", "58", SECTION_4, "proved", evidence=[EXACT, SECOND, DRAKE],
+        "58.det", "58", SECTION_4, "proved", assume=[r"\omega \times \dot{\omega} \neq 0"], orders="n = 2",
+        expected="refuted", passed=False, why_not="as printed: expected refuted, got proved", evidence=[EXACT, SECOND, DRAKE],
         printed=r"\det \Phi_2 = -(\boldsymbol{\omega} \times \dot{\boldsymbol{\omega}})^2",
     ),
     claim(
@@ -141,7 +143,8 @@ CLAIMS = [
         corrected={
             "latex": r"\det \Phi_3 = \frac{12(\mathbf{t}_3 \times \dot{\omega}) \cdot (\omega \times \mathbf{t}_3)"
             r" - 27\omega \cdot \ddot{\omega}(\omega \times \dot{\omega})^2}{4}",
-            "verdict": "proved",
+            "verdict": "proved", "read_back": r"\det \Phi_3 = 0", "scope": None, "reason": None,
+            "evidence": [EXACT, DRAKE],
         },
         counterexample={"values": {r"\omega": ["1", "0", "0"], r"\dot{\omega}": ["0", "1", "0"],
                                    r"\ddot{\omega}": ["0", "0", "1"]}, "lhs": ["-13/4"], "rhs": ["1/4"]},

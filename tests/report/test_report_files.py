@@ -265,6 +265,28 @@ def test_every_part_of_an_erratum_is_told(texts):
         assert "Missing hypothesis" in text
 
 
+def test_a_verdict_that_is_not_the_expected_one_is_told(texts):
+    for name in ("report.html", "report.md"):
+        assert "Not the expected verdict" in texts[name]
+        assert texts[name].count("expected refuted, got proved") == 1
+
+
+def test_evidence_says_which_form_it_is_about(texts):
+    entry = texts["report.html"].split('id="claim-61.det"')[1].split("</article>")[0]
+    rows = re.findall(r"<tr><td>(\w+)</td><th scope=\"row\">(.*?)</th>", entry)
+    assert [of for of, _ in rows] == ["printed"] * 3 + ["corrected"] * 2
+    assert "residual <b>3.1e-13</b>" in entry
+
+
+def test_counterexample_is_exact_and_complete(texts):
+    entry = texts["report.html"].split('id="claim-61.det"')[1].split("</article>")[0]
+    alternatives = re.findall(r'alttext="(.*?)"', entry.split('class="pencil"')[1].split("</table>")[0])
+    assert alternatives == [
+        r"\omega", r"( 1 ,\; 0 ,\; 0 )", r"\dot{\omega}", r"( 0 ,\; 1 ,\; 0 )",
+        r"\ddot{\omega}", r"( 0 ,\; 0 ,\; 1 )", r"-\frac{13}{4}", r"\frac{1}{4}", r"-\frac{7}{2}",
+    ]  # fmt: skip
+
+
 def test_a_claim_without_a_printed_form_shows_its_statement(texts):
     for name in ("report.html", "report.md"):
         assert "Adjugate and determinant of a tensor" in texts[name]

@@ -92,35 +92,28 @@ def _unequal_blocks(keys: list[list], atoms: list[list[Atom]]) -> list[tuple[str
     Replacing one atom by another of its family costs less than dropping it and adding the other.
     """
     rows, columns = len(keys[0]), len(keys[1])
+
+    def across(row: int, column: int) -> float:
+        if keys[0][row] == keys[1][column]:
+            return 0.0
+        return 1.5 if _are_akin(atoms[0][row], atoms[1][column]) else 2.0
+
     cost = [[float(row + column) for column in range(columns + 1)] for row in range(rows + 1)]
     for row in range(rows):
         for column in range(columns):
-            if keys[0][row] == keys[1][column]:
-                across = 0.0
-            else:
-                across = 1.5 if _are_akin(atoms[0][row], atoms[1][column]) else 2.0
             cost[row + 1][column + 1] = min(
-                cost[row][column] + across, cost[row][column + 1] + 1, cost[row + 1][column] + 1
+                cost[row][column] + across(row, column),
+                cost[row][column + 1] + 1,
+                cost[row + 1][column] + 1,
             )
     blocks: list[list[int]] = []
     row, column = rows, columns
     while row or column:
-        here = cost[row][column]
-        if (
-            row
-            and column
-            and keys[0][row - 1] == keys[1][column - 1]
-            and here == cost[row - 1][column - 1]
-        ):
+        here, end = cost[row][column], (row, column)
+        if row and column and here == cost[row - 1][column - 1] + across(row - 1, column - 1):
             row, column = row - 1, column - 1
-            continue
-        end = (row, column)
-        if (
-            row
-            and column
-            and here in (cost[row - 1][column - 1] + 1.5, cost[row - 1][column - 1] + 2)
-        ):
-            row, column = row - 1, column - 1
+            if keys[0][row] == keys[1][column]:
+                continue
         elif row and here == cost[row - 1][column] + 1:
             row -= 1
         else:

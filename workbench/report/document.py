@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-from workbench.report.differences import Difference, difference
+from workbench.report.differences import difference
 from workbench.report.prose import (
     Run,
     difference_runs,
@@ -64,23 +64,29 @@ _TILES = (
 
 @dataclass(frozen=True)
 class Form:
-    """A formula with its caption, the verdict on it (if it has one of its own) and its marked leaves."""
+    """A formula with its caption, its marked leaves, and what was found if it was judged by itself."""
 
     caption: str
     latex: str
     marked: frozenset[int] = frozenset()
     kind: Kind | None = None
+    scope: str | None = None
+    reason: tuple[Run, ...] = ()
 
 
 @dataclass(frozen=True)
 class Counterexample:
     """rows: (what, value) as runs; the last rows are the two sides and their difference."""
 
+    caption: str
     rows: tuple[tuple[Run, Run], ...]
 
 
 @dataclass(frozen=True)
 class Evidence:
+    """of: which form it is about: "printed", "reading" or "corrected"."""
+
+    of: str
     method: str
     outcome: str
     figures: tuple[tuple[str, str], ...]
@@ -102,6 +108,9 @@ class Entry:
     forms: tuple[Form, ...]
     read_back: str | None
     hypothesis: str | None
+    assume: tuple[str, ...]
+    orders: str | None
+    unexpected: str | None
     wrong: tuple[tuple[Run, ...], ...]
     counterexample: Counterexample | None
     evidence: tuple[Evidence, ...]
@@ -283,47 +292,57 @@ def _entry(claim: Mapping[str, Any], places, anchors: _Anchors) -> Entry:
         forms=forms,
         read_back=claim["read_back"],
         hypothesis=claim["hypothesis"],
+        assume=tuple(claim.get("assume", ())),
+        orders=claim.get("orders"),
+        unexpected=None if claim.get("passed", True) else claim.get("why_not") or "not as expected",
         wrong=wrong,
-        counterexample=_counterexample(claim["counterexample"]),
-        evidence=tuple(_evidence(item) for item in claim["evidence"]),
+        counterexample=_counterexample(claim),
+        evidence=_evidence(claim),
         inherits=tuple(places.get(heir, (heir, None)) for heir in claim["inherits"]),
     )
 
 
 def _forms(claim: Mapping[str, Any]) -> tuple[tuple[Form, ...], tuple[tuple[Run, ...], ...]]:
     """The printed form, the reading and the corrected form, each compared with the one before it."""
-    steps = []
-    if claim["printed"] is not None:
-        steps.append(("Printed", claim["printed"], None, ""))
-    if claim["reading"]:
-        steps.append(("Intended reading", *claim["reading"].values(), "meant"))
-    if claim["corrected"]:
-        steps.append(("Corrected", *claim["corrected"].values(), "right"))
-    marked: list[frozenset[int]] = [frozenset()] * len(steps)
+    steps: list[tuple[Form, str]] = []
+    if claim["printed"] is not None and claim["printed"] != claim.get("statement"):
+        steps.append((Form("Printed", claim["printed"]), ""))
+    for key, caption, is_what in (
+        ("reading", "Intended reading", "meant"),
+        ("corrected", "Corrected", "right"),
+    ):
+        if claim[key]:
+            found, reason = claim[key], tuple(runs_of(claim[key].get("reason") or ""))
+            form = Form(caption, found["latex"], kind=KINDS[found["verdict"]], reason=reason)
+            steps.append((replace(form, scope=found.get("scope")), is_what))
+    forms = [form for form, _ in steps]
     wrong: list[tuple[Run, ...]] = []
-    for index in range(1, len(steps)):
-        found: Difference | None = difference(steps[index - 1][1], steps[index][1])
-        wrong.extend(tuple(runs) for runs in difference_runs(found, steps[index][3]))
+    for index, (_, is_what) in list(enumerate(steps))[1:]:
+        before, after = forms[index - 1 : index + 1]
+        found = difference(before.latex, after.latex)
+        wrong.extend(tuple(runs) for runs in difference_runs(found, is_what))
         if found:
-            marked[index - 1] |= found.marked_before
-            marked[index] |= found.marked_after
-    forms = tuple(
-        Form(caption, latex, marks, KINDS[verdict] if verdict else None)
-        for (caption, latex, verdict, _), marks in zip(steps, marked, strict=True)
-    )
-    return forms, tuple(wrong)
+            forms[index - 1] = replace(before, marked=before.marked | found.marked_before)
+            forms[index] = replace(after, marked=found.marked_after)
+    return tuple(forms), tuple(wrong)
 
 
-def _counterexample(example: Mapping[str, Any] | None) -> Counterexample | None:
+def _counterexample(claim: Mapping[str, Any]) -> Counterexample | None:
+    example = claim["counterexample"]
     if example is None:
         return None
+    caption = (
+        "Where the hypothesis fails" if claim["verdict"] == "conditional" else "Counterexample"
+    )
+    if claim["verdict"] == "ill-formed":
+        caption = "Counterexample to the reading"
     rows = [(formula(symbol), _value(entries)) for symbol, entries in example["values"].items()]
     rows.append((text("left side"), _value(example["lhs"])))
     rows.append((text("right side"), _value(example["rhs"])))
     gap = subtract(example["lhs"], example["rhs"])
     if gap is not None:
         rows.append((text("left − right"), _value(gap)))
-    return Counterexample(tuple(rows))
+    return Counterexample(caption, tuple(rows))
 
 
 def _value(entries: Sequence[str] | str) -> Run:
@@ -333,10 +352,19 @@ def _value(entries: Sequence[str] | str) -> Run:
     return text(entries if isinstance(entries, str) else ", ".join(entries))
 
 
-def _evidence(item: Mapping[str, Any]) -> Evidence:
-    figures = tuple(
+def _evidence(claim: Mapping[str, Any]) -> tuple[Evidence, ...]:
+    about = [("printed", claim["evidence"])]
+    about += [(key, (claim[key] or {}).get("evidence", ())) for key in ("reading", "corrected")]
+    return tuple(
+        Evidence(of, item["method"], item["outcome"], _figures(item))
+        for of, items in about
+        for item in items
+    )
+
+
+def _figures(item: Mapping[str, Any]) -> tuple[tuple[str, str], ...]:
+    return tuple(
         (key.replace("_", " "), plain_value(value))
         for key, value in item.items()
         if key not in ("method", "outcome")
     )
-    return Evidence(item["method"], item["outcome"], figures)

@@ -26,7 +26,7 @@ _ACCENT_MADE_BY_CONVERTER = {
     "~": r"\tilde", "^": r"\hat", "\u00af": r"\bar", "\u2015": r"\overline", "→": r"\vec",
 }  # fmt: skip
 _MARK_CLASSES = {r"\underline": "under-line", r"\overline": "over-line", r"\bar": "over-line"}
-_CLOSING = frozenset(")]}|⟩‖!")
+_SIGNS_ENDING_AN_OPERAND = frozenset(")]}|⟩‖!…⋯")
 _BARE_FUNCTIONS = frozenset(glyphs.FUNCTION_NAMES.values())
 
 
@@ -110,7 +110,7 @@ def _tell_signs_from_operators(parent: ElementTree.Element) -> None:
     if parent.tag == "math" and len(parent[0]) == 1 and parent[0][0].tag == "mo":
         parent[0][0].attrib.update({"lspace": "0", "rspace": "0"})
     for before, sign in pairwise(parent):
-        follows_operand = before.tag != "mo" or before.text in _CLOSING
+        follows_operand = before.tag != "mo" or before.text in _SIGNS_ENDING_AN_OPERAND
         if sign.tag == "mo" and sign.text in ("+", "−") and not follows_operand:
             sign.set("form", "prefix")
 

@@ -18,13 +18,18 @@ VERDICTS = (
 )
 _REPORT_KEYS = ("paper", "versions", "claims", "summary")
 _CLAIM_KEYS = (
-    "id", "equation", "section", "statement", "printed", "read_back", "verdict", "scope", "reason",
-    "reading", "corrected", "hypothesis", "counterexample", "evidence", "inherits", "note",
+    "id", "equation", "section", "printed", "statement", "read_back", "verdict", "scope", "reason",
+    "reading", "corrected", "hypothesis", "assume", "orders", "counterexample", "evidence", "inherits",
+    "note", "expected", "passed", "why_not",
 )  # fmt: skip
-_MAY_BE_ABSENT = frozenset({"statement", "reason"})
+_FORM_KEYS = ("latex", "verdict", "read_back", "scope", "reason", "evidence")
+_MAY_BE_ABSENT = frozenset({
+    "statement", "reason", "assume", "orders", "expected", "passed", "why_not", "read_back", "scope",
+    "evidence",
+})  # fmt: skip
 _TEXT_OR_NULL = (
-    "equation", "section", "statement", "printed", "read_back", "scope", "reason", "hypothesis",
-    "note",
+    "equation", "section", "printed", "statement", "read_back", "scope", "reason", "hypothesis",
+    "orders", "note", "expected", "why_not",
 )  # fmt: skip
 
 
@@ -65,27 +70,39 @@ def canonical_json(report: Mapping[str, Any]) -> str:
 
 
 def _claim(claim: Any, place: str) -> dict[str, Any]:
-    _keys(claim, _CLAIM_KEYS, place, _MAY_BE_ABSENT)
+    _keys(claim, _CLAIM_KEYS, place, _MAY_BE_ABSENT - {"read_back", "scope", "evidence"})
     _text(claim["id"], f"{place}.id")
     for key in _TEXT_OR_NULL:
         _text(claim.get(key), f"{place}.{key}", nullable=True)
     if claim["printed"] is None and not claim.get("statement"):
         raise ReportError(f"{place}: expected a printed formula or a statement, got neither")
     _verdict(claim["verdict"], f"{place}.verdict")
-    for key in ("reading", "corrected"):
-        if claim[key] is not None:
-            _keys(claim[key], ("latex", "verdict"), f"{place}.{key}")
-            _text(claim[key]["latex"], f"{place}.{key}.latex")
-            _verdict(claim[key]["verdict"], f"{place}.{key}.verdict")
+    for key in ("inherits", "assume"):
+        _texts(claim.get(key, ()), f"{place}.{key}")
     if claim["counterexample"] is not None:
         _counterexample(claim["counterexample"], f"{place}.counterexample")
-    for index, item in enumerate(_list(claim["evidence"], f"{place}.evidence")):
-        where = f"{place}.evidence[{index}]"
+    _evidence(claim["evidence"], f"{place}.evidence")
+    forms = {key: _form(claim[key], f"{place}.{key}") for key in ("reading", "corrected")}
+    return {key: (claim | forms)[key] for key in _CLAIM_KEYS if key in claim}
+
+
+def _form(form: Any, place: str) -> dict[str, Any] | None:
+    if form is None:
+        return None
+    _keys(form, _FORM_KEYS, place, _MAY_BE_ABSENT)
+    _text(form["latex"], f"{place}.latex")
+    _verdict(form["verdict"], f"{place}.verdict")
+    for key in ("read_back", "scope", "reason"):
+        _text(form.get(key), f"{place}.{key}", nullable=True)
+    _evidence(form.get("evidence", ()), f"{place}.evidence")
+    return {key: form[key] for key in _FORM_KEYS if key in form}
+
+
+def _evidence(items: Any, place: str) -> None:
+    for index, item in enumerate(_list(items, place)):
+        where = f"{place}[{index}]"
         for key in ("method", "outcome"):
             _text(_mapping(item, where).get(key), f"{where}.{key}")
-    for index, heir in enumerate(_list(claim["inherits"], f"{place}.inherits")):
-        _text(heir, f"{place}.inherits[{index}]")
-    return {key: claim[key] for key in _CLAIM_KEYS if key in claim}
 
 
 def _counterexample(example: Any, place: str) -> None:

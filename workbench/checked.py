@@ -1,0 +1,153 @@
+"""`workbench.check`: a verdict that displays itself in Jupyter and on a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.definitions import Definitions
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.symbols import SymbolTable
+from workbench.papers import Claim, Formula, Notation, Orders, Paper, find_paper
+from workbench.papers.formulas import read_statement
+from workbench.papers.lines import Line, split_lines
+from workbench.papers.notation import extended
+from workbench.papers.orders import orders_within
+from workbench.results import claim_dict
+from workbench.terminal import claim_lines
+from workbench.verify import HOLDS, ClaimResult, PaperJudge
+
+_SIGNS = {
+    Outcome.PROVED: "✓",
+    Outcome.DEFINITION: "≔",
+    Outcome.CONDITIONAL: "◐",
+    Outcome.REFUTED: "✗",
+    Outcome.ILL_FORMED: "✗",
+    Outcome.PROBABLE: "?",
+    Outcome.UNCHECKED: "?",
+}
+
+
+@dataclass(frozen=True, repr=False)
+class Checked:
+    """A formula and the verdict on it. `holds`: proved, or a definition."""
+
+    result: ClaimResult
+
+    @property
+    def latex(self) -> str:
+        return self.result.claim.printed.latex
+
+    @property
+    def verdict(self) -> Verdict:
+        return self.result.verdict
+
+    @property
+    def outcome(self) -> Outcome:
+        return self.verdict.outcome
+
+    @property
+    def holds(self) -> bool:
+        return self.outcome in HOLDS
+
+    def __str__(self) -> str:
+        return "\n".join(str(line) for line in claim_lines(claim_dict(self.result)))
+
+    __repr__ = __str__
+
+    def _repr_markdown_(self) -> str:
+        verdict = self.verdict
+        parts = [f"$$ {_one_line(self.latex)} $$", f"{_SIGNS[self.outcome]} **{self.outcome}**"]
+        if verdict.scope:
+            parts[-1] += f" ({verdict.scope})"
+        if verdict.reason:
+            parts.append(_as_text(verdict.reason))
+        if verdict.hypothesis:
+            parts.append(f"if $ {verdict.hypothesis} $")
+        if verdict.read_back and _one_line(verdict.read_back) != _one_line(self.latex):
+            parts.append(f"read as $ {verdict.read_back} $")
+        if counterexample := verdict.counterexample:
+            values = [f"${name} = {_tuple(entries)}$" for name, entries in counterexample.values.items()]
+            left, right = _tuple(counterexample.left), _tuple(counterexample.right)
+            parts.append("counterexample: " + ", ".join(values) + f" gives ${left} \\neq {right}$")
+        evidence = [f"- {_as_text(e.method)}: {_as_text(e.outcome)}" for e in verdict.evidence]
+        return "\n\n".join([*parts, "\n".join(evidence)]).rstrip()
+
+
+class CheckedLines(tuple[Checked, ...]):
+    """The verdicts on the lines of a formula."""
+
+    @property
+    def holds(self) -> bool:
+        return all(line.holds for line in self)
+
+    def __str__(self) -> str:
+        return "\n\n".join(map(str, self))
+
+    __repr__ = __str__
+
+    def _repr_markdown_(self) -> str:
+        return "\n\n---\n\n".join(line._repr_markdown_() for line in self)
+
+
+def check(
+    latex: str,
+    symbols: Mapping[str, str | Mapping[str, Any]] | None,
+    paper: Paper | Path | str | None,
+    assume: Sequence[str],
+    orders: str | None,
+) -> Checked | CheckedLines:
+    """See `workbench.check`."""
+    notation = _notation(symbols, paper)
+    given = None if orders is None else Orders.parse(orders)
+    judge = PaperJudge(Paper("", None, (), notation, ()))
+    lines = split_lines(latex)
+    checked = []
+    for number, line in enumerate(lines, start=1):
+        formula, values = _formula(line, notation, given)
+        supposed = tuple(_formula(Line(text), notation, values, "assume: ")[0] for text in assume)
+        for condition in supposed:
+            if condition.ill_formed:
+                raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
+        name = "check" if len(lines) == 1 else f"check.{number}"
+        checked.append(Checked(judge.result(Claim(name, formula, notation, assume=supposed, orders=values))))
+    return checked[0] if len(checked) == 1 else CheckedLines(checked)
+
+
+def _notation(
+    symbols: Mapping[str, str | Mapping[str, Any]] | None, paper: Paper | Path | str | None
+) -> Notation:
+    specs = {
+        name: {"kind": spec} if isinstance(spec, str) else spec for name, spec in (symbols or {}).items()
+    }
+    if paper is None and symbols is not None:
+        return extended(Notation(SymbolTable(), Definitions(), {}), specs)
+    return extended((paper if isinstance(paper, Paper) else find_paper(paper)).notation, specs)
+
+
+def _formula(
+    line: Line, notation: Notation, orders: Orders | None, what: str = ""
+) -> tuple[Formula, Orders | None]:
+    try:
+        statement, ranges = read_statement(line.latex, notation, orders)
+    except IllFormedAt as error:
+        return Formula(line.latex, ill_formed=str(error)), orders
+    except ReadError as error:
+        raise ReadError(what + error.message, *line.place(error.line, error.column)) from None
+    return Formula(line.latex, statement), orders_within(orders, ranges)
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())
+
+
+def _as_text(text: str) -> str:
+    """Text with what Markdown would take for markup made plain."""
+    return "".join("\\" + c if c in "\\`*_{}[]<>#|$" else c for c in text)
+
+
+def _tuple(entries: Sequence[str]) -> str:
+    return entries[0] if len(entries) == 1 else "(" + ", ".join(entries) + ")"

@@ -1,0 +1,143 @@
+"""The notation of a paper file: its symbols, its definitions, and what they are on Drake's motions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from difflib import get_close_matches
+from typing import Any
+
+from workbench.drake.bindings import BINDINGS
+from workbench.language.definitions import Definitions
+from workbench.language.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.integers import Linear, as_linear
+from workbench.language.reader import read_term
+from workbench.language.symbols import SymbolTable
+from workbench.language.terms import Definition, Symbol
+from workbench.language.types import Type
+from workbench.papers.model import Notation
+from workbench.papers.toml_file import TomlFile
+
+_SHAPES = {"scalar": (), "vector": (3,), "tensor": (3, 3)}
+
+
+def notation_of(files: Sequence[TomlFile]) -> Notation:
+    """The notation that the files give together, the first one first. Raises PaperError."""
+    table = _table(files)
+    placed: list[tuple[TomlFile, str, Definition]] = []
+    for file, key, body in _entries(files, "definitions"):
+        definition, table = _definition(file, key, body, table)
+        placed.append((file, key, definition))
+    _refuse_circles(placed)
+    definitions = [definition for _, _, definition in placed]
+    motion = dict(_binding(file, key, name, table) for file, key, name in _entries(files, "motion"))
+    return Notation(table, Definitions(definitions), motion)
+
+
+def extended(notation: Notation, specs: Mapping[str, Any]) -> Notation:
+    """The notation and more symbols, which it must not know yet. Raises SpecError."""
+    more = SymbolTable.build(specs)
+    known = {**notation.symbols.symbols, **notation.symbols.functions}
+    for name in more.symbols:
+        if name in known:
+            raise SpecError("the paper's notation has this symbol already", name)
+    table = SymbolTable({**notation.symbols.symbols, **more.symbols}, notation.symbols.functions)
+    return Notation(table, notation.definitions, notation.motion)
+
+
+def _table(files: Sequence[TomlFile]) -> SymbolTable:
+    specs: dict[str, Any] = {}
+    owners: dict[str, TomlFile] = {}
+    for file in files:
+        for key, spec in file.value(("symbols",), dict, {}).items():
+            if key in specs:
+                raise file.error_at_key(("symbols", key), f"{key} is declared in {owners[key].path.name} too")
+            file.value(("symbols", key), dict)
+            specs[key], owners[key] = spec, file
+    try:
+        return SymbolTable.build(specs)
+    except SpecError as error:
+        raise owners[error.key].error_at_key(("symbols", error.key), str(error)) from None
+
+
+def _entries(files: Sequence[TomlFile], table: str) -> Iterator[tuple[TomlFile, str, str]]:
+    owners: dict[str, TomlFile] = {}
+    for file in files:
+        for key in file.value((table,), dict, {}):
+            if key in owners:
+                message = f"{key} stands in [{table}] of {owners[key].path.name} too"
+                raise file.error_at_key((table, key), message)
+            owners[key] = file
+            yield file, key, file.text((table, key))
+
+
+def _definition(
+    file: TomlFile, key: str, body: str, table: SymbolTable
+) -> tuple[Definition, SymbolTable]:
+    from workbench.language.definitions import read_definition
+
+    path = ("definitions", key)
+    try:
+        return read_definition(key, body, table)
+    except SpecError as error:
+        raise file.error_at_key(path, str(error)) from None
+    except (ReadError, IllFormedAt) as error:
+        message = f"{key}: {error.message}"
+        raise file.error_in_string(path, error.line, error.column, message) from None
+
+
+def _binding(file: TomlFile, key: str, name: str, table: SymbolTable) -> tuple[Symbol, str]:
+    path = ("motion", key)
+    try:
+        symbol = read_term(key, table)
+    except (ReadError, IllFormedAt) as error:
+        raise file.error_in_key(path, error.line, error.column, f"motion: {error.message}") from None
+    if not isinstance(symbol, Symbol):
+        raise file.error_at_key(path, "motion: expected one symbol on the left")
+    binding = BINDINGS.get(name)
+    if binding is None:
+        near = get_close_matches(name, BINDINGS, 3, 0.5) or sorted(BINDINGS)
+        raise file.error_at_value(path, f"motion: unknown quantity {name!r}; expected {' or '.join(near)}")
+    if binding.shape != _shape(symbol.type):
+        wrong = f"{key} is a {symbol.type}, but {name} has the shape {binding.shape}"
+        raise file.error_at_value(path, f"motion: {wrong}: {binding.meaning}")
+    if symbol.weight is not None and symbol.weight != as_linear(binding.weight):
+        wrong = f"{key} has weight {symbol.weight}, but {name} has weight {binding.weight}"
+        raise file.error_at_value(path, f"motion: {wrong}: {binding.meaning}")
+    return symbol, name
+
+
+def _shape(type_: Type) -> tuple[int, ...] | None:
+    shape = _SHAPES.get(type_.kind)
+    return (2, *shape) if type_.dual and shape is not None else shape
+
+
+def _refuse_circles(placed: Sequence[tuple[TomlFile, str, Definition]]) -> None:
+    """Each definition uses only what stands above it; a member of its own family must be a lower one."""
+    pending = {definition.declaration.name for _, _, definition in placed}
+    seen: set[tuple[str, tuple[Linear, ...]]] = set()
+    for file, key, definition in placed:
+        name = definition.declaration.name
+        if (name, definition.index) in seen:
+            raise file.error_at_key(("definitions", key), f"{key} is defined twice")
+        seen.add((name, definition.index))
+        pending.discard(name)
+        for part in definition.body.walk():
+            if not isinstance(part, Symbol):
+                continue
+            if part.declaration.name in pending:
+                message = f"{key} uses {part.declaration.name}, which is defined only below"
+                raise file.error_at_value(("definitions", key), message)
+            if part.declaration.name == name and not _is_below(part.index, definition.index):
+                message = f"{key} is defined in terms of itself"
+                raise file.error_at_value(("definitions", key), message)
+
+
+def _is_below(index: Sequence[Linear], than: Sequence[Linear]) -> bool:
+    """Whether the member is an earlier one of its family: in the first index that differs it is lower."""
+    for mine, other in zip(index, than, strict=True):
+        gap = other - mine
+        if not gap.is_number or gap.constant < 0:
+            return False
+        if gap.constant > 0:
+            return True
+    return False

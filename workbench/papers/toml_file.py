@@ -1,0 +1,129 @@
+"""A TOML file read for people: every fault is one PaperError that says where it stands."""
+
+from __future__ import annotations
+
+import difflib
+import re
+import tomllib
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from workbench.papers.model import PaperError
+from workbench.papers.toml_places import KeyPath, Places
+
+MOST_BYTES = 4_000_000
+_TOMLLIB_PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)
+_TYPE_NAMES = {
+    str: "a string",
+    bool: "true or false",
+    int: "an integer",
+    float: "a number",
+    list: "a list",
+    dict: "a table",
+}
+
+
+class TomlFile:
+    """The data of a TOML file and the places of its keys and values.
+
+    Raises PaperError if the file is none, is too big, or is not TOML in UTF-8.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        text = self._text()
+        try:
+            self.data: dict[str, Any] = tomllib.loads(text)
+            self.places = Places.scan(text)
+        except tomllib.TOMLDecodeError as error:
+            raise self._syntax_error(error, text) from None
+        except RecursionError:
+            raise PaperError(path, 1, 1, "tables or lists are nested too deep") from None
+        except ValueError as error:  # such as an integer of more digits than Python converts
+            raise PaperError(path, 1, 1, f"not TOML: {error}") from None
+
+    def value(self, path: KeyPath, expected: type, default: Any = None) -> Any:
+        """The value at `path`, which must be of the expected type; `default` if the key is not there."""
+        node: Any = self.data
+        for part in path:
+            if isinstance(node, dict) and part not in node:
+                return default
+            node = node[part]
+        if type(node) is not expected:
+            got = _TYPE_NAMES.get(type(node), f"a {type(node).__name__}")
+            raise self.error_at_value(path, f"{path[-1]}: expected {_TYPE_NAMES[expected]}, got {got}")
+        return node
+
+    def text(self, path: KeyPath) -> str | None:
+        """A string that is not blank, or None if the key is not there."""
+        text = self.value(path, str)
+        if text is not None and not text.strip():
+            raise self.error_at_value(path, f"{path[-1]}: expected some text, got an empty string")
+        return text
+
+    def texts(self, path: KeyPath) -> tuple[str, ...]:
+        items = self.value(path, list, [])
+        for index, item in enumerate(items):
+            place = (*path, index)
+            if type(item) is not str or not item.strip():
+                raise self.error_at_value(place, f"{path[-1]}: expected a list of strings that are not empty")
+        return tuple(items)
+
+    def allow_keys(self, path: KeyPath, allowed: Iterable[str]) -> None:
+        """Raises PaperError at the first key of the table at `path` that is not among `allowed`."""
+        allowed = list(allowed)
+        table = self.value(path, dict, {}) if path else self.data
+        for key in table:
+            if key not in allowed:
+                near = difflib.get_close_matches(key, allowed, 1)
+                hint = f"did you mean {near[0]}?" if near else f"expected one of {', '.join(allowed)}"
+                raise self.error_at_key((*path, key), f"unknown key {key!r}; {hint}")
+
+    def error_at_key(self, path: KeyPath, message: str) -> PaperError:
+        return PaperError(self.path, *self.places.of_key(path), message)
+
+    def error_at_value(self, path: KeyPath, message: str) -> PaperError:
+        return PaperError(self.path, *self.places.of_value(path), message)
+
+    def error_in_string(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
+        return PaperError(self.path, *self.places.in_string(path, line, column), message)
+
+    def error_in_key(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
+        return PaperError(self.path, *self.places.in_key(path, line, column), message)
+
+    def _text(self) -> str:
+        try:
+            if self.path.is_dir():
+                raise PaperError(self.path, None, None, "is a directory; expected a TOML file")
+            if self.path.exists() and not self.path.is_file():
+                raise PaperError(self.path, None, None, "is not a regular file; expected a TOML file")
+            with self.path.open("rb") as stream:
+                raw = stream.read(MOST_BYTES + 1)
+        except FileNotFoundError:
+            raise PaperError(self.path, None, None, "no such file") from None
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or str(error)
+            raise PaperError(self.path, None, None, f"cannot be read: {reason}") from None
+        if len(raw) > MOST_BYTES:
+            raise PaperError(self.path, None, None, f"is larger than {MOST_BYTES:,} bytes")
+        try:
+            text = raw.decode("utf-8")
+        except UnicodeDecodeError as error:
+            line = raw.count(b"\n", 0, error.start) + 1
+            column = error.start - (raw.rfind(b"\n", 0, error.start) + 1) + 1
+            byte = raw[error.start]
+            raise PaperError(self.path, line, column, f"byte 0x{byte:02x} is not UTF-8") from None
+        if text.startswith("\ufeff"):
+            raise PaperError(self.path, 1, 1, "begins with a byte-order mark; save it as plain UTF-8")
+        if not text.strip():
+            raise PaperError(self.path, 1, 1, "is empty; expected a paper file with [[claim]] tables")
+        return text
+
+    def _syntax_error(self, error: tomllib.TOMLDecodeError, text: str) -> PaperError:
+        message, line, column = str(error), None, None
+        if match := _TOMLLIB_PLACE.fullmatch(message):
+            message = match[1]
+            line = int(match[2]) if match[2] else text.count("\n") + 1
+            column = int(match[3]) if match[3] else len(text) - text.rfind("\n")
+        return PaperError(self.path, line or 1, column or 1, f"not TOML: {message}")

@@ -1,0 +1,84 @@
+"""Makes each claim of a paper file a test item of pytest: `file.toml::58.det`.
+
+A TOML file without `[[claim]]` is no paper file and is left alone, unless it is named on the command line.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+if TYPE_CHECKING:
+    from workbench.papers import Claim
+    from workbench.verify import ClaimResult, PaperJudge
+
+_CLAIM_HEADER = re.compile(rb"^\s*\[\[\s*(claim|\"claim\"|'claim')\s*\]\]", re.MULTILINE)
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    if file_path.suffix != ".toml":
+        return None
+    if parent.session.isinitpath(file_path) or _has_claims(file_path):
+        return PaperFile.from_parent(parent, path=file_path)
+    return None
+
+
+def _has_claims(path: Path) -> bool:
+    try:
+        return _CLAIM_HEADER.search(path.read_bytes()) is not None
+    except OSError:
+        return False
+
+
+class PaperFile(pytest.File):
+    """A paper file; its claims share one judge."""
+
+    def collect(self) -> Iterator[ClaimItem]:
+        from workbench.papers import PaperError, load_paper
+        from workbench.verify import PaperJudge
+
+        try:
+            paper = load_paper(self.path)
+        except PaperError as error:
+            raise self.CollectError(str(error)) from None
+        judge = PaperJudge(paper)
+        for claim in paper.claims:
+            yield ClaimItem.from_parent(self, name=claim.id, claim=claim, judge=judge)
+
+
+class NotAsExpected(Exception):
+    """A claim whose verdict is not the one that its keys announce."""
+
+    def __init__(self, result: ClaimResult) -> None:
+        super().__init__(result.why_not)
+        self.result = result
+
+
+class ClaimItem(pytest.Item):
+    """Passes if the verdicts on the claim are those that its keys announce."""
+
+    def __init__(self, *, claim: Claim, judge: PaperJudge, **rest: object) -> None:
+        super().__init__(**rest)
+        self.claim, self.judge = claim, judge
+
+    def runtest(self) -> None:
+        result = self.judge.result(self.claim)
+        if not result.passed:
+            raise NotAsExpected(result)
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: object = None) -> object:
+        if not isinstance(excinfo.value, NotAsExpected):
+            return super().repr_failure(excinfo, style)
+        from workbench.results import claim_dict
+        from workbench.terminal import claim_lines
+
+        place = f"{self.claim.file}:{self.claim.line}: claim {self.claim.id}"
+        lines = [str(line) for line in claim_lines(claim_dict(excinfo.value.result))]
+        return "\n".join([place, str(excinfo.value), *lines])
+
+    def reportinfo(self) -> tuple[Path, int, str]:
+        return self.path, self.claim.line - 1, f"claim {self.claim.id}"

@@ -1,0 +1,47 @@
+"""Which claims a SELECT of the command line means."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from fnmatch import fnmatchcase
+
+from workbench.papers.model import Claim
+
+_RANGE = re.compile(r"(\d{1,6})\s*[-–]\s*(\d{1,6})")
+_LEADING_NUMBER = re.compile(r"\d+")
+
+
+class SelectError(ValueError):
+    """A selection that means no claim."""
+
+
+def select_claims(claims: Sequence[Claim], select: Sequence[str]) -> list[Claim]:
+    """The claims that at least one item means, in reading order; all of them if there is no item.
+
+    An item is an equation ("58", "Theorem 4"), a range of equations ("45-70"), an id ("58.det"), a section
+    ("4.1"), or a pattern of ids ("58.*"). Raises SelectError for an item that means none.
+    """
+    if not select:
+        return list(claims)
+    chosen: set[str] = set()
+    for item in select:
+        found = {claim.id for claim in claims if _means(item.strip(), claim)}
+        if not found:
+            raise SelectError(
+                f"{item!r} selects no claim; expected an equation (58), a range (45-70), an id (58.det), "
+                "a section (4.1) or a pattern (58.*)"
+            )
+        chosen |= found
+    return [claim for claim in claims if claim.id in chosen]
+
+
+def _means(item: str, claim: Claim) -> bool:
+    if claim.equation is not None:
+        if item.casefold() == claim.equation.casefold():
+            return True
+        bounds = _RANGE.fullmatch(item)
+        number = _LEADING_NUMBER.match(claim.equation)
+        if bounds and number and int(bounds[1]) <= int(number[0]) <= int(bounds[2]):
+            return True
+    return item in (claim.id, claim.section) or fnmatchcase(claim.id, item)

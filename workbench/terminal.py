@@ -1,0 +1,179 @@
+"""How results look on a terminal. Formulas are Text throughout: their brackets are no markup."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import IO, TYPE_CHECKING, Any
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+from rich.text import Text
+
+from workbench.verify import ClaimResult, expected_outcome
+
+if TYPE_CHECKING:
+    from workbench.papers.model import Claim
+
+_STYLES = {
+    "proved": "green",
+    "definition": "green",
+    "conditional": "yellow",
+    "refuted": "red",
+    "ill-formed": "magenta",
+    "probable": "yellow",
+    "unchecked": "dim",
+}
+_UNLIMITED = 100_000
+
+
+def console(stream: IO[str]) -> Console:
+    """Colours only on a terminal (rich also respects NO_COLOR); elsewhere no line is ever wrapped or cut."""
+    width = None if stream.isatty() else _UNLIMITED
+    return Console(file=stream, width=width, highlight=False, emoji=False, soft_wrap=False)
+
+
+def outcome_text(outcome: str) -> Text:
+    return Text(str(outcome), style=_STYLES.get(str(outcome), ""))
+
+
+def claims_table(claims: Sequence[Claim]) -> Table:
+    table = _table("id", "equation", "section", "expected", "printed")
+    for claim in claims:
+        table.add_row(
+            Text(claim.id),
+            Text(claim.equation or ""),
+            Text(claim.section or ""),
+            outcome_text(expected_outcome(claim)),
+            Text(_one_line(claim.printed.latex or claim.statement or "")),
+        )
+    return table
+
+
+def results_table(results: Sequence[ClaimResult]) -> Table:
+    table = _table("id", "equation", "verdict", "scope", "reading", "corrected", "as expected")
+    for result in results:
+        table.add_row(
+            Text(result.claim.id),
+            Text(result.claim.equation or ""),
+            outcome_text(result.verdict.outcome),
+            Text(result.verdict.scope or ""),
+            outcome_text(result.reading.outcome) if result.reading else Text(""),
+            outcome_text(result.corrected.outcome) if result.corrected else Text(""),
+            Text("yes", style="green") if result.passed else Text(f"NO: {result.why_not}", style="bold red"),
+        )
+    return table
+
+
+def summary_line(results: Sequence[ClaimResult]) -> Text:
+    counts = Counter(str(result.verdict.outcome) for result in results)
+    line = Text(f"{len(results)} claims: ")
+    for position, name in enumerate(name for name in _STYLES if counts[name]):
+        line.append(", " if position else "")
+        line.append(f"{counts[name]} {name}", style=_STYLES[name])
+    failed = sum(not result.passed for result in results)
+    line.append("; all as expected" if not failed else f"; {failed} not as expected")
+    return line
+
+
+def claim_lines(claim: Mapping[str, Any]) -> Iterator[Text]:
+    """One claim of the report in full."""
+    yield Text(claim["id"], style="bold")
+    yield from _field("equation", claim["equation"])
+    yield from _field("section", claim["section"])
+    yield from _field("statement", claim["statement"])
+    yield from _field("printed", claim["printed"])
+    yield from _field("read as", claim["read_back"])
+    yield from _field("for", claim["orders"])
+    for condition in claim["assume"]:
+        yield from _field("assuming", condition)
+    yield Text.assemble(f"{'verdict':>15}  ", outcome_text(claim["verdict"]))
+    yield from _field("scope", claim["scope"])
+    yield from _field("because", claim["reason"])
+    yield from _field("hypothesis", claim["hypothesis"])
+    for key in ("reading", "corrected"):
+        if form := claim[key]:
+            yield from _field(key, form["latex"])
+            yield Text.assemble(" " * 17, outcome_text(form["verdict"]))
+            yield from _field("because", form["reason"])
+    if counterexample := claim["counterexample"]:
+        yield Text(f"{'counterexample':>15}")
+        for symbol, entries in counterexample["values"].items():
+            yield Text(f"{'':17}{symbol} = {_tuple(entries)}")
+        yield Text(f"{'':17}left  = {_tuple(counterexample['lhs'])}")
+        yield Text(f"{'':17}right = {_tuple(counterexample['rhs'])}")
+    for evidence in claim["evidence"]:
+        figures = ", ".join(f"{k} {v}" for k, v in evidence.items() if k not in ("method", "outcome"))
+        text = f"{evidence['method']}: {evidence['outcome']}" + (f" ({figures})" if figures else "")
+        yield from _field("evidence", text)
+    yield from _field("inherited by", ", ".join(claim["inherits"]))
+    yield from _field("note", claim["note"])
+    if not claim["passed"]:
+        yield Text(f"{'NOT AS EXPECTED':>15}  {claim['why_not']}", style="bold red")
+
+
+def motion_lines(report: Mapping[str, Any]) -> Iterator[Text]:
+    """The motion of a robot's body, order by order."""
+    yield Text(f"{report['body']} of {report['urdf']} at t = {report['time']:g} s", style="bold")
+    yield Text(f"{'p_WP':>22}  {_vector(report['p_WP'])}")
+    for order in report["orders"]:
+        n = order["order"]
+        yield Text(f"order {n}", style="bold")
+        derivative = "" if n == 1 else f", derivative {n - 1}"
+        yield Text(f"{'w_WB' + derivative:>22}  {_vector(order['w_WB'])}")
+        yield Text(f"{'v_WBo' + derivative:>22}  {_vector(order['v_WBo'])}")
+        for row, values in enumerate(order["Phi"]):
+            yield Text(f"{f'Φ_{n}' if row == 0 else '':>22}  {_vector(values)}")
+        yield Text(f"{f'a_{n}':>22}  {_vector(order['a'])}")
+        yield Text(f"{f'det Φ_{n}':>22}  {order['det_Phi']:12.6g}")
+        yield Text(f"{f'd^{n} p_WP / dt^{n}':>22}  {_vector(order['point_acceleration'])}")
+        centre = order["centre"]
+        place = "" if centre["point"] is None else f" {_vector(centre['point'])}"
+        yield Text(f"{'centre':>22}  {centre['kind']}{place}")
+        for direction in centre["directions"]:
+            yield Text(f"{'along':>22}  {_vector(direction)}")
+        drake = order["drake"]
+        agreement = "agrees with Drake" if drake["agrees"] else "DISAGREES with Drake"
+        figures = f"residual {drake['residual']:.2g}, error {drake['error']:.2g}, by {drake['method']}"
+        yield Text(
+            f"{'':>22}  {agreement}: {figures}", style="green" if drake["agrees"] else "bold red"
+        )
+
+
+def _vector(values: Sequence[float]) -> str:
+    return " ".join(f"{value:12.6g}" for value in values)
+
+
+@contextmanager
+def progress_bar(total: int, what: str) -> Iterator[Any]:
+    """A bar on standard error, if that is a terminal; yields the function that advances it."""
+    if not sys.stderr.isatty() or total < 2:
+        yield lambda result: None
+        return
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task(what, total=total)
+        yield lambda result: progress.update(task, advance=1)
+
+
+def _table(*headings: str) -> Table:
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for heading in headings:
+        table.add_column(heading, overflow="fold")
+    return table
+
+
+def _field(name: str, value: str | None) -> Iterator[Text]:
+    if value:
+        yield Text(f"{name:>15}  {_one_line(value)}")
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())
+
+
+def _tuple(entries: Sequence[str]) -> str:
+    return entries[0] if len(entries) == 1 else "(" + ", ".join(entries) + ")"

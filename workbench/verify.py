@@ -1,0 +1,128 @@
+"""Runs the claims of a paper: each printed form, its reading and its correction get a verdict of their own,
+and the claim passes if the verdicts are those that its keys announce."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from workbench.judge.assumptions import Unsatisfiable
+from workbench.judge.judge import Judge
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
+from workbench.selection import select_claims
+
+#: Outcomes that count as true: what a definition says is true by its being one.
+HOLDS = frozenset({Outcome.PROVED, Outcome.DEFINITION})
+
+
+@dataclass(frozen=True)
+class ClaimResult:
+    """The verdict on a claim as printed, on its reading and on its correction. `why_not`: if the claim did
+    not pass, which verdict was expected and which one came."""
+
+    claim: Claim
+    verdict: Verdict
+    reading: Verdict | None
+    corrected: Verdict | None
+    expected: Outcome
+    passed: bool
+    why_not: str = ""
+
+
+def expected_outcome(claim: Claim) -> Outcome:
+    """What the keys of a claim say of its printed form."""
+    if claim.reading is not None:
+        return Outcome.ILL_FORMED
+    if claim.corrected is not None:
+        return Outcome.REFUTED
+    if claim.hypothesis is not None:
+        return Outcome.CONDITIONAL
+    return Outcome.PROVED
+
+
+class PaperJudge:
+    """The judges of a paper: one for each notation, made on first use."""
+
+    def __init__(self, paper: Paper, second_engine: bool = True, motions: bool = True) -> None:
+        self.paper = paper
+        self.options = {"second_engine": second_engine, "motions": motions}
+        self._judges: dict[int, Judge] = {}
+
+    def result(self, claim: Claim) -> ClaimResult:
+        """Raises EngineDisagreement: a defect of the workbench, which no verdict may hide."""
+        unstated = claim.hypothesis
+        verdict = self._printed(claim)
+        reading = claim.reading and self._verdict(claim, claim.reading, unstated)
+        corrected = claim.corrected and self._verdict(claim, claim.corrected, None)
+        expected = expected_outcome(claim)
+        faults = list(_faults(claim, expected, verdict, reading, corrected))
+        return ClaimResult(claim, verdict, reading, corrected, expected, not faults, "; ".join(faults))
+
+    def _printed(self, claim: Claim) -> Verdict:
+        if claim.theorem is not None:
+            return self.paper.theorems[claim.theorem]()
+        return self._verdict(claim, claim.printed, claim.hypothesis)
+
+    def _verdict(self, claim: Claim, formula: Formula, hypothesis: Formula | None) -> Verdict:
+        if formula.ill_formed is not None:
+            return Verdict(Outcome.ILL_FORMED, reason=formula.ill_formed)
+        try:
+            return self._judge(claim.notation).judge(
+                formula.statement,
+                assume=tuple(a.statement for a in claim.assume),
+                hypothesis=hypothesis and hypothesis.statement,
+                orders=claim.orders,
+            )
+        except Unsatisfiable as error:
+            raise PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error}") from None
+
+    def _judge(self, notation: Notation) -> Judge:
+        if id(notation) not in self._judges:
+            self._judges[id(notation)] = Judge(
+                notation.definitions, motion=notation.motion, **self.options
+            )
+        return self._judges[id(notation)]
+
+
+def judge_paper(
+    paper: Paper,
+    select: Sequence[str] = (),
+    progress: Callable[[ClaimResult], None] = lambda result: None,
+    **options: bool,
+) -> list[ClaimResult]:
+    """The results of the selected claims, in reading order; `progress` sees each as soon as it is there."""
+    judge = PaperJudge(paper, **options)
+    results = []
+    for claim in select_claims(paper.claims, select):
+        results.append(judge.result(claim))
+        progress(results[-1])
+    return results
+
+
+def _faults(
+    claim: Claim, expected: Outcome, verdict: Verdict, reading: Verdict | None, corrected: Verdict | None
+) -> Iterator[str]:
+    yield from _differs("as printed", expected, verdict)
+    if reading is not None:
+        intended = Outcome.PROVED
+        if claim.corrected is not None:
+            intended = Outcome.REFUTED
+        elif claim.hypothesis is not None:
+            intended = Outcome.CONDITIONAL
+        yield from _differs("the reading", intended, reading)
+    if corrected is not None:
+        yield from _differs("the correction", Outcome.PROVED, corrected)
+
+
+def _differs(what: str, expected: Outcome, verdict: Verdict) -> Iterable[str]:
+    got = verdict.outcome
+    if got == Outcome.PROVED and not verdict.evidence:
+        yield f"{what}: proved without evidence"
+    if got == expected or (expected == Outcome.PROVED and got in HOLDS):
+        return
+    reason = f" ({verdict.reason})" if verdict.reason else ""
+    yield f"{what}: expected {expected}, got {got}{reason}"
+
+
+__all__ = ["ClaimResult", "PaperJudge", "expected_outcome", "judge_paper"]

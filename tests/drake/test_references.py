@@ -179,6 +179,26 @@ def test_the_chebyshev_error_covers_the_difference_from_expression(name, size, s
         assert estimated.error <= 1e-5 * np.max(np.abs(exact.value))
 
 
+@pytest.mark.parametrize("tiny", [1e-9, 1e-200])
+def test_joints_that_hardly_turn(tiny):
+    """The body all but translates; the estimate must not be lost in endless windows."""
+    path = JointPath([[0, 0, 0, 0], [0.5, tiny, 0.25, tiny], [0, 0, 0.5, 0], [0.25, 0, 0, 0]])
+    exact, estimated = (
+        twist_derivatives(CHAIN, "B", path, 0.3, 5, POINT, method)
+        for method in ("expression", "chebyshev")
+    )
+    for one, other in zip(exact, estimated, strict=True):
+        assert_agree(one, other)
+        assert other.error < 1e-4
+
+
+def test_a_body_that_no_joint_moves():
+    path = random_path(TWO_ARMS, 0, 3)
+    for method in ("expression", "chebyshev"):
+        for reference in twist_derivatives(TWO_ARMS, "base", path, 0.3, 5, POINT, method):
+            assert not np.any(reference.value) and reference.error == 0.0
+
+
 def test_methods_and_their_orders():
     path = random_path(CHAIN, 0, 2)
     methods = [r.method for r in twist_derivatives(CHAIN, "B", path, 0.0, 5)]

@@ -38,6 +38,9 @@ SMALL_PLANT = 3
 TURNS = (3.0, 5.0, 8.0, 12.0, 18.0)
 """Sums of joint angles, in rad, swept in half of a window: five windows to choose from."""
 
+SLOWEST = 1e-3
+"""In rad/s: joints that turn slower do not widen the windows beyond all bounds."""
+
 METHODS = ("auto", "expression", "chebyshev")
 
 
@@ -178,10 +181,11 @@ class _BodyPoint:
 
     def _half_widths(self) -> list[float]:
         """Half-widths, in s, in which the joints turn by no more than each of `TURNS` together."""
-        turning = self.reach.turning(self.path, 0.0, self.path.degree)
+        turning = self.reach.turning(self.path, 0.0, max(1, self.path.degree))
         turning[0] = 0.0
         if not np.any(turning):
             return [0.5, 1.0]
+        turning[1] = max(turning[1], SLOWEST)
         widths = []
         for turn in TURNS:
             polynomial = turning.copy()

@@ -1,0 +1,259 @@
+"""Chains of cylindrical joints: the dual twist of the last body and its derivatives, closed forms.
+
+Joint i turns and slides along the line u̲ᵢ (a unit dual vector, where it is *now*, in the base
+frame) at the dual rate ω̲ᵢ = α̇ᵢ + ε ḋᵢ. Joint i carries all lines after it, Eqs. (136)–(142):
+
+    u̲̇₁ = 0,   u̲̇₂ = ω̲₁ u̲₁ × u̲₂,   u̲̇₃ = (ω̲₁ u̲₁ + ω̲₂ u̲₂) × u̲₃,   ω̲ = Σ ω̲ᵢ u̲ᵢ.
+
+`twist_derivatives_2c` is Section 8 of the chapter, `twist_derivatives_3c` the six-degree-of-freedom
+chain that it leaves to the reader; `latex_2c` and `latex_3c` print them. `twist_derivatives` is for
+any number of joints and any order. All take any scalar ring, and floats in batches.
+
+Lines have shape (..., 3), rates (...). A rate is given with its time derivatives: rates[i][k] is
+dᵏω̲ᵢ/dtᵏ, a dual number (a real one is a joint that only turns). Units: radians and metres per
+second to the power k + 1. Results are a tuple: entry k is dᵏω̲/dtᵏ, of shape (..., 3).
+"""
+
+import re
+from collections.abc import Sequence
+from math import comb
+from typing import Any
+
+from workbench.algebra.dual import Dual
+from workbench.algebra.dual_tensors import apply, cross, scale
+from workbench.kinematics.screws import from_natural_invariants
+
+Rates = Sequence[Sequence[Any]]
+
+
+def current_lines(lines: Sequence[Dual], angles: Sequence[Dual]) -> tuple[Dual, ...]:
+    """Where the joints' lines are at the dual angles α̲ᵢ + ε dᵢ, Eqs. (139)–(140).
+
+    ``lines[i]``: where line i is, in the base frame, when all angles are zero.
+    """
+    carried = list(lines)
+    for i in reversed(range(len(lines))):
+        displacement = from_natural_invariants(angles[i], lines[i])
+        carried[i + 1 :] = [apply(displacement, line) for line in carried[i + 1 :]]
+    return tuple(carried)
+
+
+def twist_derivatives_2c(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
+    """ω̲, ω̲̇, ω̲̈, ω̲⃛ of a 2C chain, Eqs. (143)–(146); ``rates[i]`` holds four entries.
+
+    Raises `ValueError` for another number of lines or rates.
+    """
+    _require(lines, rates, joints=2)
+    u1, u2 = lines
+    (w1, dw1, ddw1, dddw1), (w2, dw2, ddw2, dddw2) = rates
+    u12 = cross(u1, u2)
+    u112 = cross(u1, u12)
+    twist = scale(w1, u1) + scale(w2, u2)
+    rate = scale(dw1, u1) + scale(dw2, u2) + scale(w1 * w2, u12)
+    second = (
+        scale(ddw1, u1)
+        + scale(ddw2, u2)
+        + scale(2 * w1 * dw2 + dw1 * w2, u12)
+        + scale(w1 * w1 * w2, u112)
+    )
+    third = (
+        scale(dddw1, u1)
+        + scale(dddw2, u2)
+        + scale(_third_rate_across(rates[0], rates[1]), u12)
+        + scale(3 * (w1 * w1 * dw2 + w1 * dw1 * w2), u112)
+    )
+    return twist, rate, second, third
+
+
+def twist_derivatives_3c(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
+    """ω̲, ω̲̇, ω̲̈, ω̲⃛ of a 3C chain, as `latex_3c` prints them; ``rates[i]`` holds four entries.
+
+    Raises `ValueError` for another number of lines or rates.
+    """
+    _require(lines, rates, joints=3)
+    u1, u2, u3 = lines
+    (w1, dw1, ddw1, dddw1), (w2, dw2, ddw2, dddw2), (w3, dw3, ddw3, dddw3) = rates
+    u12, u13, u23 = cross(u1, u2), cross(u1, u3), cross(u2, u3)
+    u112, u113, u123, u223 = cross(u1, u12), cross(u1, u13), cross(u1, u23), cross(u2, u23)
+    twist = scale(w1, u1) + scale(w2, u2) + scale(w3, u3)
+    rate = (
+        scale(dw1, u1)
+        + scale(dw2, u2)
+        + scale(dw3, u3)
+        + scale(w1 * w2, u12)
+        + scale(w1 * w3, u13)
+        + scale(w2 * w3, u23)
+    )
+    second = (
+        scale(ddw1, u1)
+        + scale(ddw2, u2)
+        + scale(ddw3, u3)
+        + scale(2 * w1 * dw2 + dw1 * w2, u12)
+        + scale(2 * w1 * dw3 + dw1 * w3, u13)
+        + scale(2 * w2 * dw3 + dw2 * w3, u23)
+        + scale(w1 * w1 * w2, u112)
+        + scale(w1 * w1 * w3, u113)
+        + scale(w2 * w2 * w3, u223)
+        + scale(2 * w1 * w2 * w3, u123)
+    )
+    third = (
+        scale(dddw1, u1)
+        + scale(dddw2, u2)
+        + scale(dddw3, u3)
+        + scale(_third_rate_across(rates[0], rates[1]), u12)
+        + scale(_third_rate_across(rates[0], rates[2]), u13)
+        + scale(_third_rate_across(rates[1], rates[2]), u23)
+        + scale(3 * (w1 * w1 * dw2 + w1 * dw1 * w2), u112)
+        + scale(3 * (w1 * w1 * dw3 + w1 * dw1 * w3), u113)
+        + scale(3 * (w2 * w2 * dw3 + w2 * dw2 * w3), u223)
+        + scale(3 * (2 * w1 * w2 * dw3 + w1 * dw2 * w3 + dw1 * w2 * w3), u123)
+        + scale(3 * w1 * w1 * w2 * w3, cross(u1, u123))
+        + scale(3 * w1 * w2 * w2 * w3, cross(u1, u223))
+    )
+    return twist, rate, second, third
+
+
+def _third_rate_across(inner: Sequence[Any], outer: Sequence[Any]) -> Any:
+    """The coefficient of u̲ᵢ × u̲ⱼ in ω̲⃛; its last term is ω̲ᵢ³ ω̲ⱼ ũ̲ᵢ³ u̲ⱼ, and ũ̲³ = −ũ̲."""
+    (w, dw, ddw, _), (v, dv, ddv, _) = inner, outer
+    return ddw * v + 3 * dw * dv + 3 * w * ddv - w * w * w * v
+
+
+def twist_derivatives(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...]:
+    """ω̲ and its derivatives to order n of any number of cylindrical joints.
+
+    ``rates[i]`` holds n + 1 entries. Eq. (133) with the joints nested: the twist of the bodies from
+    joint i on has the derivatives ω̲ᵢ⁽ᵏ⁾ u̲ᵢ + Σⱼ C(k, j) Φ̲ⱼ(ω̲ᵢ u̲ᵢ) V̲⁽ᵏ⁻ʲ⁾, V̲ being that of the
+    bodies after it, as seen from joint i's body. Raises `ValueError` for counts that do not fit.
+    """
+    _require(lines, rates, joints=len(lines), entries=len(rates[0]) if rates else 1)
+    order = len(rates[0]) - 1
+    beyond = None
+    for u, w in zip(reversed(lines), reversed(rates), strict=True):
+        own = [scale(w[k], u) for k in range(order + 1)]
+        if beyond is not None:
+            carried = _carried(u, w, beyond)
+            own = [own[k] + carried[k] for k in range(order + 1)]
+        beyond = own
+    return tuple(beyond)
+
+
+def _carried(u: Dual, w: Sequence[Any], V: Sequence[Dual]) -> list[Dual]:
+    """Σⱼ C(k, j) Φ̲ⱼ(ω̲ u̲) V̲⁽ᵏ⁻ʲ⁾ for every k; about a fixed line Φ̲ⱼ = aⱼ ũ̲ + bⱼ ũ̲², j ≥ 1."""
+    a, b = _fixed_axis_coefficients(w)
+    first = [cross(u, v) for v in V]
+    second = [cross(u, v) for v in first]
+    carried = list(V)
+    for k in range(1, len(V)):
+        for j in range(1, k + 1):
+            carried[k] = (
+                carried[k]
+                + scale(comb(k, j) * a[j - 1], first[k - j])
+                + scale(comb(k, j) * b[j - 1], second[k - j])
+            )
+    return carried
+
+
+def _fixed_axis_coefficients(w: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    """a₁ … aₙ and b₁ … bₙ with Φ̲ⱼ(ω̲ u̲) = aⱼ ũ̲ + bⱼ ũ̲², by Φⱼ₊₁ = Σᵢ C(j, i) ω̲⁽ⁱ⁾ ũ̲ Φⱼ₋ᵢ."""
+    a, b = [w[0]], [0 * w[0]]
+    for j in range(1, len(w) - 1):
+        before = [(comb(j, i) * w[i], j - i - 1) for i in range(j)]
+        turned = sum((-c * b[place] for c, place in before), w[j])
+        a, b = [*a, turned], [*b, sum((c * a[place] for c, place in before), 0 * w[0])]
+    return a, b
+
+
+def _require(lines: Sequence[Dual], rates: Rates, joints: int, entries: int = 4):
+    if joints == 0 or len(lines) != joints:
+        raise ValueError(f"expected {joints or 'at least 1'} lines, got {len(lines)}")
+    if len(rates) != joints:
+        raise ValueError(f"expected the rates of {joints} joints, got those of {len(rates)}")
+    for place, entry in enumerate(rates):
+        if len(entry) != entries or entries == 0:
+            raise ValueError(
+                f"joint {place + 1}: expected its rate and {entries - 1} derivatives of it, "
+                f"got {len(entry)} entries"
+            )
+
+
+def latex_2c(expanded: bool = False) -> tuple[str, ...]:
+    """Eqs. (143)–(146) in the chapter's notation, marks restored; ``expanded``: with (147)."""
+    return tuple(map(_in_the_chapters_letters, _EXPANDED_2C if expanded else _NESTED_2C))
+
+
+def latex_3c(expanded: bool = False) -> tuple[str, ...]:
+    """ω̲, ω̲̇, ω̲̈, ω̲⃛ of the 3C chain in the chapter's notation: in products nested to the right, as
+    in (146), or ``expanded`` in the u̲ᵢ and u̲ᵢ × u̲ⱼ alone, as in (147)."""
+    return tuple(map(_in_the_chapters_letters, _EXPANDED_3C if expanded else _NESTED_3C))
+
+
+_NESTED_2C = (
+    r"W = w_1 u_1 + w_2 u_2",
+    r"\dot{W} = \dot{w}_1 u_1 + \dot{w}_2 u_2 + w_1 w_2 u_1 \times u_2",
+    r"\ddot{W} = \ddot{w}_1 u_1 + \ddot{w}_2 u_2"
+    r" + (2 w_1 \dot{w}_2 + \dot{w}_1 w_2) u_1 \times u_2"
+    r" + w_1^2 w_2 u_1 \times (u_1 \times u_2)",
+    r"\dddot{W} = \dddot{w}_1 u_1 + \dddot{w}_2 u_2"
+    r" + (\ddot{w}_1 w_2 + 3 \dot{w}_1 \dot{w}_2 + 3 w_1 \ddot{w}_2 - w_1^3 w_2) u_1 \times u_2"
+    r" + 3 (w_1^2 \dot{w}_2 + w_1 \dot{w}_1 w_2) u_1 \times (u_1 \times u_2)",
+)
+_EXPANDED_2C = (
+    *_NESTED_2C[:2],
+    r"\ddot{W} = [\ddot{w}_1 + w_1^2 w_2 (u_1 \cdot u_2)] u_1 + [\ddot{w}_2 - w_1^2 w_2] u_2"
+    r" + (2 w_1 \dot{w}_2 + \dot{w}_1 w_2) u_1 \times u_2",
+    r"\dddot{W} = [\dddot{w}_1 + 3 (w_1^2 \dot{w}_2 + w_1 \dot{w}_1 w_2) (u_1 \cdot u_2)] u_1"
+    r" + [\dddot{w}_2 - 3 (w_1^2 \dot{w}_2 + w_1 \dot{w}_1 w_2)] u_2"
+    r" + (\ddot{w}_1 w_2 + 3 \dot{w}_1 \dot{w}_2 + 3 w_1 \ddot{w}_2 - w_1^3 w_2) u_1 \times u_2",
+)
+_NESTED_3C = (
+    r"W = w_1 u_1 + w_2 u_2 + w_3 u_3",
+    r"\dot{W} = \dot{w}_1 u_1 + \dot{w}_2 u_2 + \dot{w}_3 u_3"
+    r" + w_1 w_2 u_1 \times u_2 + w_1 w_3 u_1 \times u_3 + w_2 w_3 u_2 \times u_3",
+    r"\ddot{W} = \ddot{w}_1 u_1 + \ddot{w}_2 u_2 + \ddot{w}_3 u_3"
+    r" + (2 w_1 \dot{w}_2 + \dot{w}_1 w_2) u_1 \times u_2"
+    r" + (2 w_1 \dot{w}_3 + \dot{w}_1 w_3) u_1 \times u_3"
+    r" + (2 w_2 \dot{w}_3 + \dot{w}_2 w_3) u_2 \times u_3"
+    r" + w_1^2 w_2 u_1 \times (u_1 \times u_2)"
+    r" + w_1^2 w_3 u_1 \times (u_1 \times u_3)"
+    r" + w_2^2 w_3 u_2 \times (u_2 \times u_3)"
+    r" + 2 w_1 w_2 w_3 u_1 \times (u_2 \times u_3)",
+    r"\dddot{W} = \dddot{w}_1 u_1 + \dddot{w}_2 u_2 + \dddot{w}_3 u_3"
+    r" + (\ddot{w}_1 w_2 + 3 \dot{w}_1 \dot{w}_2 + 3 w_1 \ddot{w}_2 - w_1^3 w_2) u_1 \times u_2"
+    r" + (\ddot{w}_1 w_3 + 3 \dot{w}_1 \dot{w}_3 + 3 w_1 \ddot{w}_3 - w_1^3 w_3) u_1 \times u_3"
+    r" + (\ddot{w}_2 w_3 + 3 \dot{w}_2 \dot{w}_3 + 3 w_2 \ddot{w}_3 - w_2^3 w_3) u_2 \times u_3"
+    r" + 3 (w_1^2 \dot{w}_2 + w_1 \dot{w}_1 w_2) u_1 \times (u_1 \times u_2)"
+    r" + 3 (w_1^2 \dot{w}_3 + w_1 \dot{w}_1 w_3) u_1 \times (u_1 \times u_3)"
+    r" + 3 (w_2^2 \dot{w}_3 + w_2 \dot{w}_2 w_3) u_2 \times (u_2 \times u_3)"
+    r" + 3 (2 w_1 w_2 \dot{w}_3 + w_1 \dot{w}_2 w_3 + \dot{w}_1 w_2 w_3) u_1 \times (u_2 \times u_3)"
+    r" + 3 w_1^2 w_2 w_3 u_1 \times (u_1 \times (u_2 \times u_3))"
+    r" + 3 w_1 w_2^2 w_3 u_1 \times (u_2 \times (u_2 \times u_3))",
+)
+_EXPANDED_3C = (
+    *_NESTED_3C[:2],
+    r"\ddot{W} = [\ddot{w}_1 + w_1^2 w_2 (u_1 \cdot u_2) + w_1^2 w_3 (u_1 \cdot u_3)] u_1"
+    r" + [\ddot{w}_2 - w_1^2 w_2 + w_2^2 w_3 (u_2 \cdot u_3) + 2 w_1 w_2 w_3 (u_1 \cdot u_3)] u_2"
+    r" + [\ddot{w}_3 - w_1^2 w_3 - w_2^2 w_3 - 2 w_1 w_2 w_3 (u_1 \cdot u_2)] u_3"
+    r" + (2 w_1 \dot{w}_2 + \dot{w}_1 w_2) u_1 \times u_2"
+    r" + (2 w_1 \dot{w}_3 + \dot{w}_1 w_3) u_1 \times u_3"
+    r" + (2 w_2 \dot{w}_3 + \dot{w}_2 w_3) u_2 \times u_3",
+    r"\dddot{W} = [\dddot{w}_1 + 3 (w_1^2 \dot{w}_2 + w_1 \dot{w}_1 w_2) (u_1 \cdot u_2)"
+    r" + 3 (w_1^2 \dot{w}_3 + w_1 \dot{w}_1 w_3) (u_1 \cdot u_3)] u_1"
+    r" + [\dddot{w}_2 - 3 (w_1^2 \dot{w}_2 + w_1 \dot{w}_1 w_2)"
+    r" + 3 (w_2^2 \dot{w}_3 + w_2 \dot{w}_2 w_3) (u_2 \cdot u_3)"
+    r" + 3 (2 w_1 w_2 \dot{w}_3 + w_1 \dot{w}_2 w_3 + \dot{w}_1 w_2 w_3) (u_1 \cdot u_3)] u_2"
+    r" + [\dddot{w}_3 - 3 (w_1^2 \dot{w}_3 + w_1 \dot{w}_1 w_3)"
+    r" - 3 (w_2^2 \dot{w}_3 + w_2 \dot{w}_2 w_3)"
+    r" - 3 (2 w_1 w_2 \dot{w}_3 + w_1 \dot{w}_2 w_3 + \dot{w}_1 w_2 w_3) (u_1 \cdot u_2)] u_3"
+    r" + [\ddot{w}_1 w_2 + 3 \dot{w}_1 \dot{w}_2 + 3 w_1 \ddot{w}_2 - w_1^3 w_2"
+    r" + 3 w_1^2 w_2 w_3 (u_1 \cdot u_3) + 3 w_1 w_2^2 w_3 (u_2 \cdot u_3)] u_1 \times u_2"
+    r" + [\ddot{w}_1 w_3 + 3 \dot{w}_1 \dot{w}_3 + 3 w_1 \ddot{w}_3 - w_1^3 w_3"
+    r" - 3 w_1^2 w_2 w_3 (u_1 \cdot u_2) - 3 w_1 w_2^2 w_3] u_1 \times u_3"
+    r" + (\ddot{w}_2 w_3 + 3 \dot{w}_2 \dot{w}_3 + 3 w_2 \ddot{w}_3 - w_2^3 w_3) u_2 \times u_3",
+)
+
+
+def _in_the_chapters_letters(formula: str) -> str:
+    letters = {"W": r"\underline{\boldsymbol{\omega}}", "w": r"\underline{\omega}"}
+    letters["u"] = r"\underline{\mathbf{u}}"
+    return re.sub(r"(?<![\\a-zA-Z])[Wwu](?![a-zA-Z])", lambda m: letters[m[0]], formula)

@@ -88,7 +88,6 @@ def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) ->
     from workbench.papers import find_paper
     from workbench.selection import select_claims
     from workbench.terminal import claims_table, console
-    from workbench.verify import expected_outcome
 
     claims = select_claims(find_paper(paper_name).claims, select)
     if as_json:
@@ -98,7 +97,7 @@ def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) ->
                     "id": claim.id,
                     "equation": claim.equation,
                     "section": claim.section,
-                    "expected": str(expected_outcome(claim)),
+                    "expected": str(claim.expected),
                     "printed": claim.printed.latex or claim.statement,
                 }
                 for claim in claims
@@ -188,7 +187,12 @@ def check(file: Path, json_out: str | None, second_engine: bool, motions: bool) 
 @_engine_options
 @_reports_faults
 def report(
-    select: Sequence[str], paper_name: str | None, out: Path, as_json: bool, second_engine: bool, motions: bool
+    select: Sequence[str],
+    paper_name: str | None,
+    out: Path,
+    as_json: bool,
+    second_engine: bool,
+    motions: bool,
 ) -> None:
     """Write the report of a paper: JSON, HTML, Markdown and LaTeX. Exit status as for verify."""
     from workbench.papers import find_paper

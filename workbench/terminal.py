@@ -13,10 +13,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
-from workbench.verify import ClaimResult, expected_outcome
-
 if TYPE_CHECKING:
     from workbench.papers.model import Claim
+    from workbench.verify import ClaimResult
 
 _STYLES = {
     "proved": "green",
@@ -47,7 +46,7 @@ def claims_table(claims: Sequence[Claim]) -> Table:
             Text(claim.id),
             Text(claim.equation or ""),
             Text(claim.section or ""),
-            outcome_text(expected_outcome(claim)),
+            outcome_text(claim.expected),
             Text(_one_line(claim.printed.latex or claim.statement or "")),
         )
     return table

@@ -30,17 +30,6 @@ class ClaimResult:
     why_not: str = ""
 
 
-def expected_outcome(claim: Claim) -> Outcome:
-    """What the keys of a claim say of its printed form."""
-    if claim.reading is not None:
-        return Outcome.ILL_FORMED
-    if claim.corrected is not None:
-        return Outcome.REFUTED
-    if claim.hypothesis is not None:
-        return Outcome.CONDITIONAL
-    return Outcome.PROVED
-
-
 class PaperJudge:
     """The judges of a paper: one for each notation, made on first use."""
 
@@ -55,7 +44,7 @@ class PaperJudge:
         verdict = self._printed(claim)
         reading = claim.reading and self._verdict(claim, claim.reading, unstated)
         corrected = claim.corrected and self._verdict(claim, claim.corrected, None)
-        expected = expected_outcome(claim)
+        expected = claim.expected
         faults = list(_faults(claim, expected, verdict, reading, corrected))
         return ClaimResult(claim, verdict, reading, corrected, expected, not faults, "; ".join(faults))
 
@@ -125,4 +114,4 @@ def _differs(what: str, expected: Outcome, verdict: Verdict) -> Iterable[str]:
     yield f"{what}: expected {expected}, got {got}{reason}"
 
 
-__all__ = ["ClaimResult", "PaperJudge", "expected_outcome", "judge_paper"]
+__all__ = ["ClaimResult", "PaperJudge", "judge_paper"]

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from workbench.judge.verdict import Outcome
 from workbench.papers.orders import Orders
 
 if TYPE_CHECKING:
@@ -69,6 +70,15 @@ class Claim:
     theorem: str | None = None
     file: Path | None = None
     line: int = 0
+
+    @property
+    def expected(self) -> Outcome:
+        """What the keys of the claim say of its printed form."""
+        if self.reading is not None:
+            return Outcome.ILL_FORMED
+        if self.corrected is not None:
+            return Outcome.REFUTED
+        return Outcome.PROVED if self.hypothesis is None else Outcome.CONDITIONAL
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,10 @@ from difflib import get_close_matches
 from typing import Any
 
 from workbench.drake.bindings import BINDINGS
+from workbench.language.defining import read_definition
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.integers import Linear, as_linear
+from workbench.language.integers import as_linear
 from workbench.language.reader import read_term
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Definition, Symbol
@@ -23,12 +24,10 @@ _SHAPES = {"scalar": (), "vector": (3,), "tensor": (3, 3)}
 def notation_of(files: Sequence[TomlFile]) -> Notation:
     """The notation that the files give together, the first one first. Raises PaperError."""
     table = _table(files)
-    placed: list[tuple[TomlFile, str, Definition]] = []
+    definitions: list[Definition] = []
     for file, key, body in _entries(files, "definitions"):
         definition, table = _definition(file, key, body, table)
-        placed.append((file, key, definition))
-    _refuse_circles(placed)
-    definitions = [definition for _, _, definition in placed]
+        definitions.append(definition)
     motion = dict(_binding(file, key, name, table) for file, key, name in _entries(files, "motion"))
     return Notation(table, Definitions(definitions), motion)
 
@@ -73,8 +72,6 @@ def _entries(files: Sequence[TomlFile], table: str) -> Iterator[tuple[TomlFile, 
 def _definition(
     file: TomlFile, key: str, body: str, table: SymbolTable
 ) -> tuple[Definition, SymbolTable]:
-    from workbench.language.definitions import read_definition
-
     path = ("definitions", key)
     try:
         return read_definition(key, body, table)
@@ -109,35 +106,3 @@ def _binding(file: TomlFile, key: str, name: str, table: SymbolTable) -> tuple[S
 def _shape(type_: Type) -> tuple[int, ...] | None:
     shape = _SHAPES.get(type_.kind)
     return (2, *shape) if type_.dual and shape is not None else shape
-
-
-def _refuse_circles(placed: Sequence[tuple[TomlFile, str, Definition]]) -> None:
-    """Each definition uses only what stands above it; a member of its own family must be a lower one."""
-    pending = {definition.declaration.name for _, _, definition in placed}
-    seen: set[tuple[str, tuple[Linear, ...]]] = set()
-    for file, key, definition in placed:
-        name = definition.declaration.name
-        if (name, definition.index) in seen:
-            raise file.error_at_key(("definitions", key), f"{key} is defined twice")
-        seen.add((name, definition.index))
-        pending.discard(name)
-        for part in definition.body.walk():
-            if not isinstance(part, Symbol):
-                continue
-            if part.declaration.name in pending:
-                message = f"{key} uses {part.declaration.name}, which is defined only below"
-                raise file.error_at_value(("definitions", key), message)
-            if part.declaration.name == name and not _is_below(part.index, definition.index):
-                message = f"{key} is defined in terms of itself"
-                raise file.error_at_value(("definitions", key), message)
-
-
-def _is_below(index: Sequence[Linear], than: Sequence[Linear]) -> bool:
-    """Whether the member is an earlier one of its family: in the first index that differs it is lower."""
-    for mine, other in zip(index, than, strict=True):
-        gap = other - mine
-        if not gap.is_number or gap.constant < 0:
-            return False
-        if gap.constant > 0:
-            return True
-    return False

@@ -26,8 +26,6 @@ from workbench.kinematics.chain_geometry import Joint, links_of, motion
 
 __all__ = ["Joint", "SerialChain"]
 
-HIGHEST_DERIVATIVE_ORDER = 168  # 170! is the last factorial below the largest double
-
 
 class SerialChain:
     """A serial chain of revolute, prismatic, cylindrical, helical and fixed joints.
@@ -50,31 +48,25 @@ class SerialChain:
         self._of_derivatives = Engine(links, taylor=False)
         self._of_taylor = Engine(links, taylor=True)
 
-    def twist_derivatives(self, q: ArrayLike) -> np.ndarray:
+    def twist_derivatives(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """The twist of the last body and its time derivatives, Eq. (119) differentiated.
 
         q: (..., dof, n + 2), where q[..., i, k] is the k-th time derivative of coordinate i, from
            the coordinate itself (k = 0) to order n + 1. Leading axes are states.
+        out: if given, the result is written there (spares large batches the fresh memory).
         Returns (..., n + 1, 6): entry k is d^k/dt^k (ω; v) in rad/s^{k+1} and m/s^{k+1}.
 
-        Raises ValueError for a wrong shape, a complex array, or n > 168 (whose factorials exceed
+        Raises ValueError for a wrong shape, a complex array, or n > 170 (whose factorials exceed
         the doubles: use `twist_taylor`).
         """
-        q = self._checked(q)
-        order = q.shape[-1] - 2
-        if order > HIGHEST_DERIVATIVE_ORDER:
-            raise ValueError(
-                f"expected derivatives to order at most {HIGHEST_DERIVATIVE_ORDER}, got {order}; "
-                "use twist_taylor for Taylor coefficients of higher order"
-            )
-        return self._of_derivatives.twist(q)
+        return self._of_derivatives.twist(q, out)
 
-    def twist_taylor(self, q: ArrayLike) -> np.ndarray:
+    def twist_taylor(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """The same from and to Taylor coefficients: q[..., i, k] is q_i^{(k)} / k!.
 
         q: (..., dof, n + 2). Returns (..., n + 1, 6): entry k is (1/k!) d^k/dt^k (ω; v).
         """
-        return self._of_taylor.twist(self._checked(q))
+        return self._of_taylor.twist(q, out)
 
     def pose(self, q: ArrayLike) -> np.ndarray:
         """The pose of the last body in the base frame, Eq. (117).
@@ -90,19 +82,6 @@ class SerialChain:
             pose = pose @ motion(joint, q[..., first : first + joint.dof])
             first += joint.dof
         return pose
-
-    def _checked(self, q: ArrayLike) -> np.ndarray:
-        q = np.asarray(q)
-        if q.dtype != np.float64:
-            if q.dtype.kind not in "fiu":
-                raise ValueError(f"expected real joint derivatives, got an array of {q.dtype}")
-            q = q.astype(float)
-        if q.ndim < 2 or q.shape[-2] != self.dof or q.shape[-1] < 2:
-            raise ValueError(
-                f"expected joint derivatives of shape (..., {self.dof}, n + 2) with n ≥ 0 "
-                f"(coordinate, velocity, …), got {q.shape}"
-            )
-        return q
 
     def __repr__(self) -> str:
         kinds = [joint.kind for joint in self.joints]

@@ -42,28 +42,37 @@ class Engine:
         self.taylor = taylor
         self._plans: dict[tuple[int, int], tuple] = {}  # shape of a state → plan, shape of its result
 
-    def twist(self, q: ArrayLike) -> np.ndarray:
+    def twist(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """(..., dof, n + 2) → (..., n + 1, 6). Raises ValueError for what the chain cannot take."""
         try:
             plan, shape = self._plans[q.shape]  # one state of a shape seen before: nothing to check
-            out = empty(shape)
-            if _twist_kernel(q, plan, out):
-                return out
+            result = empty(shape)
+            if out is None and _twist_kernel(q, plan, result):
+                return result
         except (AttributeError, KeyError, TypeError):
             pass
         q = self._checked(q)
+        result_shape = (*q.shape[:-2], q.shape[-1] - 1, 6)
+        if out is None:
+            out = empty(result_shape)
+        elif out.shape != result_shape or out.dtype != np.float64 or not out.flags.c_contiguous:
+            raise ValueError(
+                f"out: expected a contiguous array of doubles of shape {result_shape}, "
+                f"got {out.dtype} of shape {out.shape}"
+            )
         if _twist_kernel is None:
             if self._is_small(q):
-                return self._in_numpy(q)
+                out[...] = self._in_numpy(q)
+                return out
             load_kernel()
         shape = q.shape[-2:]
         if shape not in self._plans:
-            self._plans[shape] = self._plan(shape[1] - 1), (shape[1] - 1, 6)
-        plan, result_shape = self._plans[shape]
+            self._plans[shape] = self._plan(shape[1] - 1), result_shape[-2:]
         rows = np.require(q.reshape(-1, shape[1]), requirements=["C", "W"])
-        out = empty((*q.shape[:-2], *result_shape))
-        within_range = _twist_kernel(rows, plan, out.reshape(-1, 6))
-        return out if within_range else self._in_numpy(q)
+        within_range = _twist_kernel(rows, self._plans[shape][0], out.reshape(-1, 6))
+        if not within_range:
+            out[...] = self._in_numpy(q)
+        return out
 
     def _checked(self, q):
         q = np.asarray(q)

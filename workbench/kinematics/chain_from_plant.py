@@ -47,8 +47,7 @@ def serial_chain_from_plant(plant: "MultibodyPlant", body: "RigidBody | str") ->
         coordinates = list(range(start, start + joint.num_positions()))
         before, after = X_PF, np.linalg.inv(X_CM)
         if not outward:
-            steps = [_inverse(step) for step in reversed(steps)]
-            coordinates.reverse()
+            steps = [_inverse(step) for step in steps]
             before, after = X_CM, np.linalg.inv(X_PF)
         joints += [Joint.fixed(before), *steps, Joint.fixed(after)]
         position_indices += coordinates
@@ -88,7 +87,7 @@ def _elementary_joints(joint: "PlantJoint") -> list[Joint]:
         return [Joint.prismatic(joint.translation_axis())]
     if kind == "screw":
         metres_per_radian = joint.screw_pitch() / (2 * pi)
-        return [Joint.helical(joint.screw_axis(), pitch=metres_per_radian)]
+        return [Joint.helical(_screw_axis(joint), pitch=metres_per_radian)]
     if kind == "universal":
         return [Joint.revolute([1, 0, 0]), Joint.revolute([0, 1, 0])]
     if kind == "planar":
@@ -103,12 +102,21 @@ def _elementary_joints(joint: "PlantJoint") -> list[Joint]:
     )
 
 
+def _screw_axis(joint: "PlantJoint") -> np.ndarray:
+    """The axis of a screw joint, which Drake does not tell: that of its rotation by one radian."""
+    plant = joint.GetParentPlant()
+    context = plant.CreateDefaultContext()
+    positions = plant.GetPositions(context)
+    positions[joint.position_start()] = 1.0
+    plant.SetPositions(context, positions)
+    X_FM = joint.frame_on_child().CalcPose(context, joint.frame_on_parent())
+    return X_FM.rotation().ToAngleAxis().axis()
+
+
 def _inverse(joint: Joint) -> Joint:
-    """The joint with the inverse motion, with the same coordinate."""
+    """The joint with the inverse motion, of the kinds that Drake lets point towards the world."""
     if joint.kind == "fixed":
         return Joint.fixed(np.linalg.inv(joint.transform))
     if joint.kind == "prismatic":
         return Joint.prismatic(-joint.axis)
-    if joint.kind == "helical":
-        return Joint.helical(-joint.axis, joint.point, pitch=joint.pitch)
     return Joint.revolute(-joint.axis, joint.point)

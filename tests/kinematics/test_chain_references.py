@@ -1,0 +1,326 @@
+"""The engine of serial chains against exact rational arithmetic, and against Drake."""
+
+import re
+from math import factorial
+from pathlib import Path
+
+import numpy as np
+import pytest
+from flint import fmpq
+from numpy.polynomial import Chebyshev
+
+from workbench.kinematics import chain_engine
+from workbench.kinematics.chain import Joint, SerialChain
+from workbench.kinematics.chain_from_plant import serial_chain_from_plant
+
+MOVING = ("revolute", "prismatic", "cylindrical", "helical")
+
+
+@pytest.fixture(autouse=True, scope="module")
+def kernel():
+    chain_engine.load_kernel()
+
+
+# -- exact rational references ---------------------------------------------------------------------
+
+
+def rational_rotation(w, x, y, z):
+    """The rotation of an integer quaternion, with rational entries."""
+    N = fmpq(w * w + x * x + y * y + z * z)
+    rows = [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ]
+    return [[entry / N for entry in row] for row in rows]
+
+
+def cross(a, b):
+    return [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
+
+
+def times(R, a):
+    return [sum((x * y for x, y in zip(row, a, strict=True)), fmpq(0)) for row in R]
+
+
+def plus(*vectors):
+    return [sum(parts, fmpq(0)) for parts in zip(*vectors, strict=True)]
+
+
+def scaled(factor, a):
+    return [factor * x for x in a]
+
+
+def exact_bracket(A, B):
+    return [*cross(A[:3], B[:3]), *plus(cross(A[:3], B[3:]), cross(A[3:], B[:3]))]
+
+
+class ExactChain:
+    """Axes in base coordinates; from base to tip, J' = [V, J] for each axis carried along."""
+
+    def __init__(self, seed, count, terms):
+        rng = np.random.default_rng(seed)
+        self.joints = []
+        for kind in rng.choice(MOVING, count):
+            R = rational_rotation(*(int(i) for i in rng.integers(1, 9, 4)))
+            point = [fmpq(int(i), 16) for i in rng.integers(-16, 17, 3)]
+            a, b = sorted(int(i) for i in rng.choice(np.arange(1, 9), 2, replace=False))
+            turn = fmpq(b * b - a * a, a * a + b * b), fmpq(2 * a * b, a * a + b * b)
+            series = [[fmpq(int(i), 64) for i in rng.integers(-64, 65, terms + 1)] for _ in "αd"]
+            self.joints.append((str(kind), R[0], point, turn, series))
+        self.terms = terms
+        self.pitch = fmpq(1, 4)
+
+    def twist_taylor(self):
+        R, p = [[fmpq(int(i == j)) for j in range(3)] for i in range(3)], [fmpq(0)] * 3
+        V = [[fmpq(0)] * 6 for _ in range(self.terms)]
+        for kind, axis, point, (c, s), (angle, slide) in self.joints:
+            turns = kind != "prismatic"
+            c, s = (c, s) if turns else (fmpq(1), fmpq(0))
+            if kind == "helical":  # its angle at t = 0 is free of π, so that its slide is rational
+                c, s, angle = fmpq(1), fmpq(0), [fmpq(0), *angle[1:]]
+                slide = [self.pitch * x for x in angle]
+            rotation, translation = [*axis, *cross(point, axis)], [*[fmpq(0)] * 3, *axis]
+            added = [[fmpq(0)] * 6 for _ in range(self.terms)]
+            for used, screw, rate in (
+                (turns, rotation, angle),
+                (kind != "revolute", translation, slide),
+            ):
+                if not used:
+                    continue
+                w = times(R, screw[:3])
+                J = [[*w, *plus(times(R, screw[3:]), cross(p, w))]]
+                for k in range(self.terms - 1):
+                    terms = [exact_bracket(V[j], J[k - j]) for j in range(k + 1)]
+                    J.append(scaled(fmpq(1, k + 1), plus(*terms)))
+                for k in range(self.terms):
+                    terms = [scaled((j + 1) * rate[j + 1], J[k - j]) for j in range(k + 1)]
+                    added[k] = plus(added[k], *terms)
+            V = [plus(x, y) for x, y in zip(V, added, strict=True)]
+            columns = [
+                plus(
+                    scaled(c, e),
+                    scaled(s, cross(axis, e)),
+                    scaled((1 - c) * sum((x * y for x, y in zip(axis, e, strict=True)), fmpq(0)), axis),
+                )
+                for e in ([fmpq(int(i == j)) for j in range(3)] for i in range(3))
+            ]
+            turn = [list(row) for row in zip(*columns, strict=True)]
+            shift = plus(point, scaled(fmpq(-1), times(turn, point)))
+            if kind in ("prismatic", "cylindrical", "helical"):
+                shift = plus(shift, scaled(slide[0], axis))
+            p = plus(p, times(R, shift))
+            R = [times([list(col) for col in zip(*turn, strict=True)], row) for row in R]
+        return V
+
+    def in_doubles(self):
+        """The chain and its Taylor coefficients q, rounded."""
+        joints, q = [], []
+        for kind, axis, point, (c, s), (angle, slide) in self.joints:
+            where = to_doubles(axis), to_doubles(point)
+            angle, slide = to_doubles(angle), to_doubles(slide)
+            angle[0] = 0 if kind == "helical" else np.arctan2(float_of(s), float_of(c))
+            if kind == "revolute":
+                joints.append(Joint.revolute(*where))
+            elif kind == "prismatic":
+                joints.append(Joint.prismatic(where[0]))
+            elif kind == "cylindrical":
+                joints.append(Joint.cylindrical(*where))
+            else:
+                joints.append(Joint.helical(*where, pitch=float_of(self.pitch)))
+            q += {"prismatic": [slide], "cylindrical": [angle, slide]}.get(kind, [angle])
+        return SerialChain(joints), np.array(q)
+
+
+def float_of(x):
+    return int(x.p) / int(x.q)
+
+
+def to_doubles(values):
+    return np.array([float_of(x) for x in values])
+
+
+def digits_lost(actual, exact):
+    """log₁₀ of the error in units of 2⁻⁵², each order relative to its greatest component."""
+    expected = np.array([to_doubles(row) for row in exact])
+    scale = np.maximum(np.abs(expected).max(axis=1), 1e-3)
+    error = np.abs(actual - expected).max(axis=1) / scale
+    return np.log10(np.maximum(error / 2.0**-52, 1)).max()
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("count, order", [(1, 3), (2, 10), (7, 10), (7, 20), (20, 10)])
+def test_exact_rational_arithmetic_agrees(seed, count, order):
+    exact = ExactChain(seed, count, order + 1)
+    chain, q = exact.in_doubles()
+    assert digits_lost(chain.twist_taylor(q), exact.twist_taylor()) < 2
+
+
+@pytest.mark.slow
+def test_a_hundred_joints_to_order_twenty_lose_two_digits():
+    exact = ExactChain(0, 100, 21)
+    chain, q = exact.in_doubles()
+    assert digits_lost(chain.twist_taylor(q), exact.twist_taylor()) < 2
+
+
+def test_factorials_do_not_overflow():
+    """Order 170 by derivatives, whose factorials are the largest, equals that by coefficients."""
+    chain, q = ExactChain(1, 3, 171).in_doubles()
+    q *= 0.5 ** np.arange(172)
+    factorials = np.array([float(factorial(k)) for k in range(171)])
+    derivatives = q.copy()
+    derivatives[:, 1:] *= factorials
+    derivatives[:, 1:] *= np.arange(1, 172)
+    expected = chain.twist_taylor(q) * factorials[:, None]
+    assert np.isfinite(expected).all()
+    np.testing.assert_allclose(chain.twist_derivatives(derivatives), expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("turns", [1, -3, 10**3, 10**6, 10**9, 10**15, 10**17])
+def test_large_angles_are_reduced_exactly(turns):
+    """Beyond 2⁵⁰ rad the kernel hands over to NumPy; below, both reduce like the C library."""
+    chain = SerialChain([Joint.revolute([0, 0, 1]), Joint.prismatic([1, 0, 0])])
+    angle = 2 * np.pi * turns + 0.3
+    V = chain.twist_derivatives(np.array([[[angle, 0.0], [0.0, 1.0]]] * 9))
+    expected = [0, 0, 0, np.cos(angle), np.sin(angle), 0]
+    np.testing.assert_allclose(V[:, 0], [expected] * 9, rtol=0, atol=4e-16)
+
+
+# -- Drake ----------------------------------------------------------------------------------------
+
+
+def add_body(plant, name):
+    from pydrake.multibody.tree import SpatialInertia
+
+    return plant.AddRigidBody(name, SpatialInertia.SolidSphereWithDensity(1000, 0.1))
+
+
+def offset_frame(plant, body, rng):
+    from pydrake.math import RigidTransform, RollPitchYaw
+    from pydrake.multibody.tree import FixedOffsetFrame
+
+    X = RigidTransform(RollPitchYaw(*rng.normal(size=3)), rng.normal(size=3))
+    return plant.AddFrame(FixedOffsetFrame(f"{body.name()}_{rng.integers(10**9)}", body, X))
+
+
+def plant_of_all_joints(rng):
+    """World, seven joints of the six kinds, tip; every second joint points towards the world
+    (which Drake allows for prismatic and revolute joints and welds)."""
+    from pydrake.math import RigidTransform
+    from pydrake.multibody import tree
+    from pydrake.multibody.plant import MultibodyPlant
+
+    plant = MultibodyPlant(0.0)
+    makers = [
+        lambda name, F, M: tree.RevoluteJoint(name, F, M, [1, 2, 3]),
+        lambda name, F, M: tree.PrismaticJoint(name, F, M, [3, -1, 2]),
+        lambda name, F, M: tree.UniversalJoint(name, F, M),
+        lambda name, F, M: tree.RevoluteJoint(name, F, M, [2, 0, -1]),
+        lambda name, F, M: tree.ScrewJoint(name, F, M, [1, 0, 2], 0.7, 0.0),
+        lambda name, F, M: tree.WeldJoint(name, F, M, RigidTransform([0.1, 0.2, 0.3])),
+        lambda name, F, M: tree.PlanarJoint(name, F, M),
+    ]
+    inner = plant.world_body()
+    for i, maker in enumerate(makers):
+        outer = add_body(plant, f"body_{i}")
+        ends = [offset_frame(plant, inner, rng), offset_frame(plant, outer, rng)]
+        plant.AddJoint(maker(f"joint_{i}", *(ends if i % 2 == 0 else reversed(ends))))
+        inner = outer
+    plant.Finalize()
+    return plant, inner
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_drake_agrees_on_pose_velocity_and_acceleration(seed):
+    rng = np.random.default_rng(seed)
+    plant, body = plant_of_all_joints(rng)
+    chain, positions = serial_chain_from_plant(plant, body)
+    q, v, vdot = rng.normal(size=(3, plant.num_positions()))
+    context = plant.CreateDefaultContext()
+    plant.SetPositions(context, q)
+    plant.SetVelocities(context, v)
+    X_WB = plant.EvalBodyPoseInWorld(context, body)
+    V_WB = plant.EvalBodySpatialVelocityInWorld(context, body)
+    A_WB = plant.CalcSpatialAccelerationsFromVdot(context, vdot)[int(body.index())]
+    twist, twist_dot = chain.twist_derivatives(np.stack([q, v, vdot], axis=1)[positions])
+    p_WB = X_WB.translation()
+    velocity = twist[3:] + np.cross(twist[:3], p_WB)
+    acceleration = twist_dot[3:] + np.cross(twist_dot[:3], p_WB) + np.cross(twist[:3], velocity)
+    near = {"rtol": 0, "atol": 1e-12}
+    np.testing.assert_allclose(chain.pose(q[positions]), X_WB.GetAsMatrix4(), **near)
+    np.testing.assert_allclose(twist[:3], V_WB.rotational(), **near)
+    np.testing.assert_allclose(velocity, V_WB.translational(), **near)
+    np.testing.assert_allclose(twist_dot[:3], A_WB.rotational(), **near)
+    np.testing.assert_allclose(acceleration, A_WB.translational(), **near)
+
+
+ROBOTS = Path(np.__file__).parents[1] / "cmeel.prefix/share/example-robot-data/robots"
+
+
+@pytest.mark.parametrize(
+    "urdf, root, tip",
+    [
+        ("panda_description/urdf/panda.urdf", "panda_link0", "panda_link8"),
+        ("ur_description/urdf/ur5_robot.urdf", "", "tool0"),
+    ],
+)
+def test_robots_follow_drake_s_velocity_along_a_path_to_order_six(urdf, root, tip):
+    """Drake's V_WB at Chebyshev nodes in time, interpolated and differentiated six times."""
+    from pydrake.multibody.parsing import Parser
+    from pydrake.multibody.plant import MultibodyPlant
+
+    if not (ROBOTS / urdf).exists():
+        pytest.skip("example-robot-data is not installed")
+    plant = MultibodyPlant(0.0)
+    without_meshes = re.sub(r"<(visual|collision)\b.*?</\1>", "", (ROBOTS / urdf).read_text(), flags=re.S)
+    Parser(plant).AddModelsFromString(without_meshes, "urdf")
+    if root:
+        plant.WeldFrames(plant.world_frame(), plant.GetFrameByName(root))
+    plant.Finalize()
+    body = plant.GetBodyByName(tip)
+    chain, positions = serial_chain_from_plant(plant, body)
+    rng = np.random.default_rng(0)
+    q = rng.uniform(-1, 1, size=(plant.num_positions(), 8))
+    context = plant.CreateDefaultContext()
+
+    def twist_at(t):
+        powers = np.array([t**k / factorial(k) for k in range(8)])
+        plant.SetPositions(context, q @ powers)
+        plant.SetVelocities(context, q[:, 1:] @ powers[:-1])
+        V_WB = plant.EvalBodySpatialVelocityInWorld(context, body)
+        p_WB = plant.EvalBodyPoseInWorld(context, body).translation()
+        at_origin = V_WB.translational() - np.cross(V_WB.rotational(), p_WB)
+        return np.concatenate([V_WB.rotational(), at_origin])
+
+    half = 0.6
+    nodes = half * np.cos(np.pi * (np.arange(25) + 0.5) / 25)
+    samples = np.array([twist_at(t) for t in nodes])
+    V = chain.twist_derivatives(q[positions])
+    for component in range(6):
+        fit = Chebyshev.fit(nodes, samples[:, component], 24, domain=[-half, half])
+        for k in range(7):
+            scale = np.abs(V[k]).max()
+            assert abs(fit.deriv(k)(0.0) - V[k, component]) < scale * 10.0 ** (k - 12), k
+
+
+def test_what_no_chain_can_be_made_of_is_named():
+    from pydrake.math import RigidTransform
+    from pydrake.multibody import tree
+    from pydrake.multibody.plant import MultibodyPlant
+
+    plant = MultibodyPlant(0.0)
+    arm, ball, free = (add_body(plant, name) for name in ("arm", "ball", "free"))
+    world = plant.world_frame()
+    with pytest.raises(ValueError, match="expected a finalized plant"):
+        serial_chain_from_plant(plant, arm)
+    plant.AddJoint(tree.WeldJoint("weld", world, arm.body_frame(), RigidTransform()))
+    plant.AddJoint(tree.BallRpyJoint("socket", world, ball.body_frame()))
+    plant.Finalize()
+    with pytest.raises(ValueError, match="no body named 'leg'"):
+        serial_chain_from_plant(plant, "leg")
+    with pytest.raises(ValueError, match=r"no moving joint connects body .arm."):
+        serial_chain_from_plant(plant, arm)
+    with pytest.raises(ValueError, match=r"joint 'socket': expected a weld, .* got ball_rpy"):
+        serial_chain_from_plant(plant, ball)
+    with pytest.raises(ValueError, match=r"joint 'free': .* got quaternion_floating"):
+        serial_chain_from_plant(plant, free)

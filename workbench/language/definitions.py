@@ -1,13 +1,15 @@
-"""Definitions of a paper: symbols with explicit bodies, recurrences, and function symbols."""
+"""What the defined symbols of a paper stand for: one step at a time, or all the way down."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 
 from workbench.language.construct import rebuild
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
-from workbench.language.terms import Definition, IllFormed, Symbol, Term
+from workbench.language.symbols import index_in, spelled
+from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
 
 
 class Definitions:
@@ -23,6 +25,9 @@ class Definitions:
         self._of: dict[str, list[Definition]] = {}
         for definition in self._all:
             self._of.setdefault(definition.declaration.name, []).append(definition)
+        self._exact = {
+            spelled(d.declaration.name, d.index): d for d in self._all if all(i.is_number for i in d.index)
+        }
         self._recurrences = {id(d) for d in self._all if _mentions(d.body, d.declaration.name)}
         self._known: dict[Symbol, Term | None] = {}
 
@@ -44,33 +49,34 @@ class Definitions:
         return self._known[symbol]
 
     def _step(self, symbol: Symbol) -> Term | None:
-        candidates = self._of[symbol.declaration.name]
-        exact = next((d for d in candidates if d.index == symbol.index), None)
-        if exact is not None and all(i.is_number for i in exact.index):
-            return _with_arguments(exact.body, exact, symbol)
-        for definition in candidates:
-            values = _solve(definition.index, symbol.index)
+        exact = self._exact.get(spelled(symbol.declaration.name, symbol.index))
+        if exact is not None:
+            body = _with_arguments(exact.body, exact, symbol)
+            return replace(body, type=symbol.type) if isinstance(body, Zero | Identity) else body
+        for definition in self._of[symbol.declaration.name]:
+            values = solve(definition.index, symbol.index)
             if values is None:
                 continue
-            if id(definition) in self._recurrences and not self._descends(definition, symbol, values):
+            if id(definition) in self._recurrences and not self._descends(symbol, values):
                 return None
             body = instantiate(definition.body, values)
             return _with_arguments(body, definition, symbol)
         return None
 
-    def _descends(self, recurrence: Definition, symbol: Symbol, values: Mapping[str, Linear]) -> bool:
+    def _descends(self, symbol: Symbol, values: Mapping[str, Linear]) -> bool:
         """Whether the recurrence step applies: a number above the base, or a symbolic n + c."""
         if any(value.constant < 0 for value in values.values() if not value.is_number):
             return False
         numbers = [i for i in symbol.index if i.is_number]
         if len(numbers) < len(symbol.index):
             return True
-        bases = [d.index for d in self._of[symbol.declaration.name] if all(i.is_number for i in d.index)]
-        lowest = min((tuple(int(i) for i in base) for base in bases), default=None)
+        bases = (index_in(symbol.declaration.name, name) for name in self._exact)
+        lowest = min((tuple(map(int, base)) for base in bases if base is not None), default=None)
         if lowest is None or tuple(int(i) for i in symbol.index) < lowest:
             start = "has no base" if lowest is None else f"starts at {', '.join(map(str, lowest))}"
             wanted = ", ".join(map(str, symbol.index))
-            raise IllFormed(f"{symbol.declaration.name} is not defined for {wanted}: its recurrence {start}")
+            name = symbol.declaration.name.replace("@", "n")
+            raise IllFormed(f"{name} is not defined for n = {wanted}: its recurrence {start}")
         return True
 
 
@@ -114,7 +120,7 @@ def _mentions(body: Term, name: str) -> bool:
     return any(isinstance(t, Symbol) and t.declaration.name == name for t in body.walk())
 
 
-def _solve(pattern: tuple[Linear, ...], index: tuple[Linear, ...]) -> dict[str, Linear] | None:
+def solve(pattern: tuple[Linear, ...], index: tuple[Linear, ...]) -> dict[str, Linear] | None:
     """The values of the pattern's variables at which it equals the index; None if there are none."""
     values: dict[str, Linear] = {}
     for place, wanted in zip(pattern, index, strict=True):

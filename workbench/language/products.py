@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
+from workbench.language.letters import letter, raised
 from workbench.language.names import Scripts, linear
 from workbench.language.syntax import (
     Accented,
@@ -23,7 +24,7 @@ from workbench.language.syntax import (
     Styled,
     Summation,
 )
-from workbench.language.terms import IllFormed, Integer, Number, Symbol, Term
+from workbench.language.terms import IllFormed, Integer, Number, Term
 
 if TYPE_CHECKING:
     from workbench.language.elaborate import Elaborator
@@ -33,7 +34,7 @@ _NAMES = {"symmetric": "sym", "re": "Re", "du": "Du", "adjugate": "adj", "diverg
 
 
 def product(reader: Elaborator, items: Sequence[Node]) -> Term:
-    """Factors and infix signs. Juxtaposition binds tighter than the signs; \\sum takes all that follows it."""
+    """Factors and infix signs. Juxtaposition binds tighter than signs; \\sum takes all that follows."""
     rows: list[list[Node]] = [[]]
     signs: list[Infix] = []
     for place, item in enumerate(items):
@@ -149,14 +150,14 @@ class _Row:
         plain = not scripts.left_sub and not scripts.left_sup
         if plain and (value := reader.integer_expression(item)) is not None:
             return _Factor(value, item.at, place + 1, item)
-        term, sup = reader.named(item, scripts, bracket)
+        term, sup, takes_bracket = letter(reader, item, scripts, bracket)
         end = place + 1
-        if bracket is not None and (_takes_arguments(term) or self.is_time(bracket)):
+        if takes_bracket or (bracket is not None and self.is_time(bracket)):
             if isinstance(following, Scripted):
                 raise Fault("scripts on the argument of a function; bracket the whole", following.at)
             end += 1
         if sup is not None:
-            term = reader.raised(term, sup)
+            term = raised(reader, term, sup)
         return _Factor(term, item.at, end, item)
 
     def is_time(self, bracket: Bracket) -> bool:
@@ -201,7 +202,8 @@ class _Row:
                 run.append(following)
                 end = following.end
             return self.multiply(run), end
-        if head in ("sin", "cos", "exp") and isinstance(first.term, Number | Integer) and end < len(self.items):
+        numeric = isinstance(first.term, Number | Integer) and head in ("sin", "cos", "exp")
+        if numeric and end < len(self.items):
             run.append(self.factor(end))
             end = run[-1].end
         if end < len(self.items):
@@ -215,7 +217,7 @@ class _Row:
     # d/dt
 
     def rate(self, fraction: Fraction) -> tuple[Node | None, Node | None, list[Node]] | None:
-        """(order above, order below, what stands behind d) of \\frac{d^k x}{dt^k}; None for other fractions."""
+        """(order above, order below, what stands behind d) of \\frac{d^k x}{dt^k}, or None."""
         if "t" in self.reader.table.symbols:
             return None
         above, below = _factors(fraction.numerator), _factors(fraction.denominator)
@@ -237,7 +239,8 @@ class _Row:
             raise Misfit(fault, item.at)
         if rate[2]:
             body = product(reader, rate[2])
-            return _Factor(reader.build(item.at, construct.derivative, body, orders[0]), item.at, place + 1, item)
+            term = reader.build(item.at, construct.derivative, body, orders[0])
+            return _Factor(term, item.at, place + 1, item)
         if place + 1 == len(self.items):
             operator = construct.time_operator()
             if orders[0] != Linear(1):
@@ -253,22 +256,14 @@ class _Row:
         return _Factor(term, item.at, factor.end, item)
 
 
-def _takes_arguments(term: Term) -> bool:
-    """Whether the symbol under the accents of a name was given arguments."""
-    while term.children and not isinstance(term, Symbol):
-        term = term.children[0]
-    return isinstance(term, Symbol) and bool(term.arguments)
-
-
 def _is_function(node: Node) -> bool:
     leaf = node.nucleus if isinstance(node, Scripted) else node
     return isinstance(leaf, Leaf) and leaf.kind == "FUNCTION"
 
 
 def _is_integer(factor: _Factor) -> bool:
-    return (
-        isinstance(factor.term, Number) and isinstance(factor.node, Leaf) and factor.term.value.denominator == 1
-    )
+    literal = isinstance(factor.node, Leaf) and isinstance(factor.term, Number)
+    return literal and factor.term.value.denominator == 1
 
 
 def _is_bare(node: Node) -> bool:

@@ -213,7 +213,7 @@ def _piecewise(reader: Elaborator, clause: Chain) -> list[Statement]:
 
 def _statement(reader: Elaborator, clause: Node) -> Statement:
     match clause:
-        case Conditional(statements=(left, right), signs=((sign, at),)):
+        case Conditional(statements=(left, right), signs=((sign, _),)):
             pair = _statement(reader, left), _statement(reader, right)
             if sign == "⇔":
                 return Equivalence(*pair)

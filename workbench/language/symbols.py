@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from typing import Any
 
@@ -21,6 +22,7 @@ from workbench.language.names import (
     spell,
 )
 from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, Styled, parse
+from workbench.language.terms import IllFormed, Term
 from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type, Weight
 
 _KINDS: dict[str, Type] = {
@@ -36,11 +38,20 @@ _FLAGS = ("constant", "unit", "coordinate")
 
 @dataclass(frozen=True)
 class SymbolTable:
-    """Names (each index place marked @) to declarations; aliases included. Never changed: `with_symbol` makes
-    a new one."""
+    """Names (each index place marked @) to declarations; aliases included. Never changed: to add makes a new
+    table."""
 
     symbols: Mapping[str, Declaration] = field(default_factory=dict)
     functions: Mapping[str, Declaration] = field(default_factory=dict)
+    #: the formal arguments of each function symbol, by its name
+    formals: Mapping[str, tuple[Declaration, ...]] = field(default_factory=dict)
+    #: the indices (1, or n+1) at which each name is defined, and the names that only definitions introduce
+    defined: Mapping[str, tuple[tuple[Linear, ...], ...]] = field(default_factory=dict)
+    introduced: frozenset[str] = frozenset()
+    #: of those, the names defined as a bare 0, which has no type of its own
+    zeros: frozenset[str] = frozenset()
+    #: what definitions use although nothing defines it: it must stay primitive
+    primitive: frozenset[tuple[str, tuple[Linear, ...]]] = frozenset()
 
     @staticmethod
     def build(specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
@@ -53,18 +64,28 @@ class SymbolTable:
             for alias in (key, *_aliases(key, spec)):
                 pattern, places = read_key(alias)
                 if len(places) != len(index):
-                    raise SpecError(f"the alias {alias} has {len(places)} index places, not {len(index)}", key)
+                    raise SpecError(f"{alias} has {len(places)} index places, not {len(index)}", key)
                 if pattern in symbols:
                     raise SpecError(f"{alias} is declared twice", key)
+                _refuse_operation(pattern, key)
                 symbols[pattern] = declaration
         return SymbolTable(symbols)
 
-    def with_symbol(self, declaration: Declaration, pattern: str | None = None) -> SymbolTable:
-        """This table and one more symbol (with parameters: a function symbol)."""
-        pattern = declaration.name if pattern is None else pattern
-        if declaration.parameters:
-            return SymbolTable(self.symbols, {**self.functions, pattern: declaration})
-        return SymbolTable({**self.symbols, pattern: declaration}, self.functions)
+    def with_specs(self, specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
+        """This table and more symbols, none of which it has yet. Raises SpecError."""
+        more = SymbolTable.build(specs).symbols
+        for pattern in more:
+            if pattern in self.symbols or pattern in self.functions:
+                raise SpecError("this symbol is known already", pattern)
+        return replace(self, symbols={**self.symbols, **more})
+
+    def with_symbol(self, declaration: Declaration, formals: tuple[Declaration, ...] = ()) -> SymbolTable:
+        """This table and one more symbol; with formal arguments it is a function symbol."""
+        place = {pattern_of(declaration): declaration}
+        if not formals:
+            return replace(self, symbols={**self.symbols, **place})
+        known = {**self.formals, declaration.name: formals}
+        return replace(self, functions={**self.functions, **place}, formals=known)
 
     def find(
         self, pieces: Sequence[Piece], function: bool = False
@@ -74,12 +95,38 @@ class SymbolTable:
         for pattern, index in candidates(pieces):
             declaration = known.get(pattern)
             if declaration is not None and declaration.indices == len(index):
-                return declaration, index
+                is_known = declaration.name not in self.introduced or self.defines(declaration.name, index)
+                return (declaration, index) if is_known else None
         return None
+
+    def defines(self, name: str, index: tuple[Linear, ...]) -> bool:
+        """Whether a definition covers this member: its own, or one for n or n + c."""
+        return any(
+            all(
+                place == wanted if place.is_number else not wanted.is_number or int(wanted) >= place.constant
+                for place, wanted in zip(member, index, strict=True)
+            )
+            for member in self.defined.get(name, ())
+        )
+
+    def check_arguments(self, function: Declaration, arguments: Sequence[Term]) -> None:
+        """Raises IllFormed where an argument is not what the formal one is."""
+        for formal, argument in zip(self.formals[function.name], arguments, strict=False):
+            if argument.type.kind != formal.type.kind:
+                raise IllFormed(f"{function.name} takes a {formal.type}, got a {argument.type}")
+            if None not in (formal.weight, argument.weight) and formal.weight != argument.weight:
+                raise IllFormed(
+                    f"{function.name} takes an argument of weight {formal.weight}, got {argument.weight}"
+                )
 
     def unknown(self, pieces: Sequence[Piece]) -> str:
         """A message for a spelling that means nothing here, with the closest names."""
         text = literal(pieces)
+        for pattern, index in candidates(pieces):
+            declaration = self.symbols.get(pattern) or self.functions.get(pattern)
+            if declaration is not None and declaration.indices == len(index):
+                known = (spelled(declaration.name, member) for member in self.defined[declaration.name])
+                return f"{text} is not defined; defined before it: {', '.join(known)}"
         names = sorted({d.name for d in (*self.symbols.values(), *self.functions.values())})
         bare = {name: _bare(name) for name in names}
         alike = [name for name in names if bare[name] == _bare(text)]
@@ -88,12 +135,40 @@ class SymbolTable:
         return f"unknown symbol {text}" + (f"; known and close: {', '.join(shown)}" if shown else "")
 
 
+def pattern_of(declaration: Declaration) -> str:
+    """The spelling of a symbol; that of a function symbol is its name without (·)."""
+    return declaration.name.partition("(")[0] if declaration.parameters else declaration.name
+
+
+def spelled(name: str, index: Sequence[Linear]) -> str:
+    """A name with its indices put in."""
+    first, *rest = name.split("@")
+    return first + "".join(f"{value}{text}" for value, text in zip(index, rest, strict=True))
+
+
+def index_in(name: str, text: str) -> tuple[Linear, ...] | None:
+    """The numbers at which the family `name` is spelled `text`: 1 for Φ_1 in Φ_n; None if it never is."""
+    match = re.fullmatch(re.escape(name).replace("@", "([0-9]+)"), text)
+    return None if match is None or "@" not in name else tuple(Linear(int(n)) for n in match.groups())
+
+
 def _bare(name: str) -> str:
     """The letter of a name, whatever its font."""
     letters = name
     for style in ("\\underline", "\\mathbf", "\\boldsymbol", "\\mathrm", "\\mathcal", "\\overline", "{", "}"):
         letters = letters.replace(style, "")
     return letters.split("_")[0].split("^")[0].lstrip()
+
+
+def _refuse_operation(pattern: str, key: str) -> None:
+    """A superscript that means something else cannot be part of a name."""
+    sup = pattern.rpartition("^{")[2].removesuffix("}") if pattern.endswith("}") else ""
+    is_right = bool(pattern.rpartition("^{")[0].strip("{}"))
+    if is_right and (sup in ("T", "@") or sup.lstrip("-").isdigit()):
+        meaning = "the transpose" if sup == "T" else "a power"
+        raise SpecError(
+            f"the superscript {sup.replace('@', 'n')} would be read as {meaning}; try ^{{[n]}}", key
+        )
 
 
 def read_key(key: str) -> tuple[str, tuple[Linear, ...]]:
@@ -135,7 +210,7 @@ def key_pieces(node: Node, key: str) -> list[Piece]:
 
 def _declaration(key: str, name: str, index: Sequence[Linear], spec: Mapping[str, Any]) -> Declaration:
     if not isinstance(spec, Mapping):
-        raise SpecError(f"expected a table such as {{ kind = \"vector\" }}, got {spec!r}", key)
+        raise SpecError(f'expected a table such as {{ kind = "vector" }}, got {spec!r}', key)
     unknown = [entry for entry in spec if entry not in _ALLOWED]
     if unknown:
         raise SpecError(f"unknown key {unknown[0]!r}; allowed: {', '.join(_ALLOWED)}", key)

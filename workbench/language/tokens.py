@@ -9,128 +9,31 @@ from typing import NamedTuple
 from lark import Token
 
 from workbench.language.errors import Fault
+from workbench.language.vocabulary import (
+    BRACKETS,
+    CHARACTERS,
+    COMMANDS,
+    CONVERSE,
+    ENDS_A_FACTOR,
+    FUNCTIONS,
+    GOES_ON,
+    LINES,
+    MATRICES,
+    SIZES,
+    SPACING,
+    WORDS,
+)
 
 #: No formula is longer, or nests brackets deeper.
 LONGEST = 50_000
 DEEPEST = 40
-
-FUNCTIONS = {
-    "det": "det",
-    "tr": "trace",
-    "trace": "trace",
-    "Tr": "trace",
-    "sym": "symmetric",
-    "skew": "skew",
-    "vect": "vect",
-    "adj": "adjugate",
-    "Re": "re",
-    "Du": "du",
-    "sin": "sin",
-    "cos": "cos",
-    "exp": "exp",
-    "div": "divergence",
-    "curl": "curl",
-    "rot": "curl",
-}
-
-_GREEK = (
-    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho"
-    " varrho sigma varsigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon"
-    " Phi Psi Omega ell"
-).split()
-
-_COMMANDS: dict[str, tuple[str, str]] = {
-    **{name: ("LETTER", f"\\{name}") for name in _GREEK},
-    **{name: ("FUNCTION", FUNCTIONS[name]) for name in ("det", "sin", "cos", "exp", "Re")},
-    **{
-        name: ("STYLE", f"\\{name}")
-        for name in (
-            "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak underline overline bar vec".split()
-        )
-    },
-    "bm": ("STYLE", "\\boldsymbol"),
-    "dot": ("ACCENT", "1"),
-    "ddot": ("ACCENT", "2"),
-    "dddot": ("ACCENT", "3"),
-    "ddddot": ("ACCENT", "4"),
-    "tilde": ("ACCENT", "~"),
-    "widetilde": ("ACCENT", "~"),
-    "frac": ("FRACTION", "frac"),
-    "tfrac": ("FRACTION", "frac"),
-    "dfrac": ("FRACTION", "frac"),
-    "binom": ("BINOMIAL", "binom"),
-    "sum": ("SUM", "sum"),
-    "cdot": ("INFIX", "·"),
-    "times": ("INFIX", "×"),
-    "otimes": ("INFIX", "⊗"),
-    "circ": ("INFIX", "∘"),
-    "neq": ("RELATION", "≠"),
-    "ne": ("RELATION", "≠"),
-    "triangleq": ("RELATION", "="),
-    "geq": ("RELATION", "≥"),
-    "ge": ("RELATION", "≥"),
-    "in": ("RELATION", "∈"),
-    "forall": ("FORALL", "∀"),
-    "Leftrightarrow": ("IMPLICATION", "⇔"),
-    "iff": ("IMPLICATION", "⇔"),
-    "Longleftrightarrow": ("IMPLICATION", "⇔"),
-    "Rightarrow": ("IMPLICATION", "⇒"),
-    "implies": ("IMPLICATION", "⇒"),
-    "Longrightarrow": ("IMPLICATION", "⇒"),
-    "top": ("MARK", "T"),
-    "intercal": ("MARK", "T"),
-    "ast": ("MARK", "*"),
-    "infty": ("MARK", "∞"),
-}
-_CHARACTERS = {
-    "+": ("SIGN", "+"),
-    "-": ("SIGN", "-"),
-    "=": ("RELATION", "="),
-    ">": ("RELATION", ">"),
-    ",": ("COMMA", ","),
-    ";": ("COMMA", ";"),
-    "^": ("SUP", "^"),
-    "_": ("SUB", "_"),
-    "'": ("PRIME", "'"),
-    "!": ("BANG", "!"),
-    "*": ("MARK", "*"),
-}
-_SPACING = set(", ; : ! > quad qquad displaystyle textstyle limits nolimits nonumber notag".split()) | {" "}
-_SIZES = set(
-    "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr".split()
-)
-_BRACKETS = {
-    "(": ("(", 1),
-    ")": ("(", -1),
-    "[": ("[", 1),
-    "]": ("[", -1),
-    "\\{": ("\\{", 1),
-    "\\}": ("\\{", -1),
-    "\\langle": ("\\langle", 1),
-    "\\rangle": ("\\langle", -1),
-    "|": ("|", 0),
-    "\\|": ("\\|", 0),
-    "\\lvert": ("|", 1),
-    "\\rvert": ("|", -1),
-    "\\lVert": ("\\|", 1),
-    "\\rVert": ("\\|", -1),
-}
-_CLOSING = {"{": "}", "(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
-_MATRICES = {"matrix", "bmatrix", "pmatrix", "smallmatrix"}
-_LINES = {"cases", "aligned", "align", "align*", "gathered", "split"}
-_WORDS = {"where": "COMMA", "with": "COMMA", "and": "COMMA", "for": "COMMA", "for all": "FORALL"}
-_WORDS |= {"if": "IMPLICATION", "when": "IMPLICATION", "if and only if": "IMPLICATION", "iff": "IMPLICATION"}
-_CONVERSE = {"if": "⇐", "when": "⇐", "if and only if": "⇔", "iff": "⇔"}
-_ENDS_A_FACTOR = {"LETTER", "NUMBER", "MARK", "RBRACE", "CLOSE", "PRIME", "BANG", "END_MATRIX", "END_LINES"}
-
-_GOES_ON = {"RELATION", "INFIX", "IMPLICATION"}
 
 _TOKEN = re.compile(
     r"""(?P<space>[ \t\r\n~]+)
     | \\(?:stackrel|overset)\s*\{\s*(?:\\(?:text|mathrm|rm)\s*\{\s*def\.?\s*\}|def|\\triangle|\\Delta)\s*\}
       \s*(?P<defined>\{\s*=\s*\}|=)
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*\{(?P<words>[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*)\}
-    | \\(?P<environment>begin|end)\s*\{(?P<name>[a-z]+\*?)\}(?:\s*\{[lcr|\s]*\})?
+    | \\(?P<environment>begin|end)\s*\{(?P<name>[a-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
     | \\(?P<command>[A-Za-z]+|[^A-Za-z])
     | (?P<number>[0-9]+(?:\.[0-9]+)?)
@@ -193,6 +96,9 @@ class _Tokenizer:
                 self.emit("ROW" if self.inside() == "matrix" else "BREAK", text, at)
             case "command":
                 self.command(match["command"], text, at)
+            case "number" if self.out and self.out[-1].type == "FRACTION" and len(text) == 2:
+                self.emit("NUMBER", text[0], at)  # \frac12
+                self.emit("NUMBER", text[1], at + 1)
             case "number":
                 self.emit("NUMBER", text, at)
             case "letters":
@@ -205,16 +111,16 @@ class _Tokenizer:
                 self.character(text, at)
 
     def is_bracket(self, match: re.Match[str]) -> bool:
-        return match[0] in _BRACKETS or match[0] == "."
+        return match[0] in BRACKETS or match[0] == "."
 
     def words(self, text: str, words: str, at: int) -> None:
         plain = " ".join(words.replace(",", " ").split()).rstrip(".")
         if plain in FUNCTIONS:
             self.emit("FUNCTION", FUNCTIONS[plain], at)
-        elif plain in _WORDS:
-            kind = _WORDS[plain]
+        elif plain in WORDS:
+            kind = WORDS[plain]
             if kind == "IMPLICATION":
-                self.emit(kind, _CONVERSE[plain], at)
+                self.emit(kind, CONVERSE[plain], at)
             elif kind == "FORALL" or not (self.out and self.out[-1].type == "COMMA"):
                 self.emit(kind, plain, at)
         elif text.startswith("\\mathrm") and plain.isalpha():
@@ -225,14 +131,14 @@ class _Tokenizer:
             raise Fault(f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}", at)
 
     def command(self, name: str, text: str, at: int) -> None:
-        if name in _SPACING:
+        if name in SPACING:
             return
-        if name in _SIZES:
+        if name in SIZES:
             self.size = name
-        elif text in _BRACKETS:
+        elif text in BRACKETS:
             self.bracket(text, at)
-        elif name in _COMMANDS:
-            kind, value = _COMMANDS[name]
+        elif name in COMMANDS:
+            kind, value = COMMANDS[name]
             self.bound_prefixes(kind, at)
             self.emit(kind, value, at)
         elif name in ("dots", "ldots", "cdots", "vdots"):
@@ -246,8 +152,8 @@ class _Tokenizer:
             raise Fault("more than nine accents on one another", at)
 
     def character(self, text: str, at: int) -> None:
-        if text in _CHARACTERS:
-            self.emit(*_CHARACTERS[text], at)
+        if text in CHARACTERS:
+            self.emit(*CHARACTERS[text], at)
         elif text == "{":
             self.push("{", at)
             self.emit("LBRACE", text, at)
@@ -266,7 +172,7 @@ class _Tokenizer:
             rest = self.text[at + 1 :].lstrip()
             if rest and not rest.startswith(("\\\\", "\\end", "\\quad", "}")):
                 raise Fault("a full stop inside a formula", at)
-        elif text in _BRACKETS:
+        elif text in BRACKETS:
             self.bracket(text, at)
         else:
             raise Fault(f"unexpected character {text!r} (U+{ord(text):04X})", at)
@@ -279,7 +185,7 @@ class _Tokenizer:
         self.open.pop()
 
     def bracket(self, text: str, at: int) -> None:
-        kind, side = _BRACKETS[text]
+        kind, side = BRACKETS[text]
         size, self.size = self.size, None
         if size == "left" and kind == "\\{" and re.match(r"\s*\\begin", self.text[at + len(text) :]):
             self.open.append(_Open("\\left\\{", at, "lines"))
@@ -298,16 +204,16 @@ class _Tokenizer:
             return 1
         if size and size.endswith(("r", "right")):
             return -1
-        closes = self.open and self.open[-1].what == kind and self.out[-1].type in _ENDS_A_FACTOR
+        closes = self.open and self.open[-1].what == kind and self.out[-1].type in ENDS_A_FACTOR
         return -1 if closes else 1
 
     def environment(self, side: str, name: str, at: int) -> None:
         if name == "array":
             is_matrix = bool(self.out) and self.out[-1].type == "OPEN" if side == "begin" else None
-        elif name in _MATRICES | _LINES:
-            is_matrix = name in _MATRICES
+        elif name in MATRICES | LINES:
+            is_matrix = name in MATRICES
         else:
-            known = ", ".join(sorted(_MATRICES | _LINES | {"array"}))
+            known = ", ".join(sorted(MATRICES | LINES | {"array"}))
             raise Fault(f"unknown environment {name}; known: {known}", at)
         if side == "begin":
             self.push(f"\\begin{{{name}}}", at, "matrix" if is_matrix else "lines")
@@ -343,7 +249,7 @@ def _join_lines(tokens: list[Token]) -> list[Token]:
             if joined[-1].type == "SIGN" and following == joined[-1]:
                 joined.pop()  # the sign is repeated on the next line
                 continue
-            if joined[-1].type in _GOES_ON | {"SIGN"} or following.type in _GOES_ON:
+            if joined[-1].type in GOES_ON | {"SIGN"} or following.type in GOES_ON:
                 continue
         joined.append(token)
     return joined

@@ -1,0 +1,276 @@
+"""Entries of [definitions] to definitions: their names, types and weights are inferred from their bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from workbench.language import construct
+from workbench.language.definitions import Definitions, solve
+from workbench.language.errors import Fault, IllFormedAt, SpecError
+from workbench.language.integers import Linear
+from workbench.language.names import candidates, names_of_key
+from workbench.language.reader import read_term
+from workbench.language.symbols import SymbolTable, index_in, key_pieces
+from workbench.language.syntax import Bracket, Node, Product, Scripted, parse
+from workbench.language.terms import Definition, IllFormed, Symbol, Term, Zero
+from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
+
+#: How the weight of Φ_n may grow with n, in the order in which it is tried.
+_SLOPES = (1, 0, 2, 3, -1, 4)
+
+
+def read_definitions(entries: Mapping[str, str], table: SymbolTable) -> tuple[Definitions, SymbolTable]:
+    """All definitions of a paper, in order, and the table that knows their symbols too.
+
+    Raises as `read_definition`.
+    """
+    definitions = []
+    for key, body in entries.items():
+        definition, table = read_definition(key, body, table)
+        definitions.append(definition)
+    return Definitions(definitions), table
+
+
+def read_definition(key: str, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
+    """One definition, which uses only what the table knows, and the table that knows its symbol too.
+
+    The key is a symbol (α), a member of a family (Φ_1), a recurrence step (Φ_{n+1}, after its base), a
+    family at once (Φ_n), or one of these with formal arguments, which are declared symbols: Φ_{n+1}(x). A
+    symbol that is not in [symbols] gets the type and weight of its body; a family the linear weight that
+    fits.
+    Raises SpecError for the key, ReadError and IllFormedAt for the body.
+    """
+    head = _head(key, table)
+    declaration = _known(head, table)
+    if declaration is None:
+        definition, table = _introduced(head, body, table)
+    else:
+        definition = _defined(head, declaration, _inside(head, table, declaration), body)
+    _refuse_circle(head, definition, table)
+    name = definition.declaration.name
+    known = {**table.defined, name: (*table.defined.get(name, ()), definition.index)}
+    primitive = table.primitive.union(_primitives(definition, known))
+    return definition, replace(table, defined=known, primitive=primitive)
+
+
+@dataclass(frozen=True)
+class _Head:
+    """The left side of a definition: the spellings that it may mean, best first, and its formal arguments."""
+
+    key: str
+    spellings: tuple[tuple[str, tuple[Linear, ...]], ...]
+    formals: tuple[Declaration, ...]
+
+    @property
+    def own(self) -> tuple[str, tuple[Linear, ...]]:
+        """The spelling where letters are index places and numbers are not."""
+        return self.spellings[-1]
+
+    @property
+    def variables(self) -> frozenset[str]:
+        return frozenset().union(*(place.variables for place in self.own[1]))
+
+    @property
+    def name(self) -> str:
+        places = ",".join(["\\cdot"] * len(self.formals))
+        return f"{self.own[0]}({places})" if self.formals else self.own[0]
+
+
+def _head(key: str, table: SymbolTable) -> _Head:
+    try:
+        lines = parse(key).lines
+    except Fault as fault:
+        raise SpecError(f"column {fault.at + 1}: {fault}", key) from None
+    if len(lines) != 1 or len(lines[0]) != 1:
+        raise SpecError("expected one symbol", key)
+    node, formals = lines[0][0], ()
+    match node:
+        case Product(items=(*name, Bracket(kind="(", parts=parts))):
+            formals = tuple(_formal(part, table, key) for part in parts)
+            node = name[0] if len(name) == 1 else Product(node.at, tuple(name))
+    if len(set(formals)) != len(formals):
+        raise SpecError("the formal arguments must differ", key)
+    pieces = key_pieces(node, key)
+    own = names_of_key(pieces)
+    for place in own[1]:
+        if len(place.coefficients) != 1 or place.coefficients[0][1] != 1:
+            raise SpecError(f"the index {place}; expected a number, or one letter plus a number", key)
+    if len({name for place in own[1] for name in place.variables}) != len(own[1]):
+        raise SpecError("each index place needs a letter of its own", key)
+    return _Head(key, (*candidates(pieces), own), formals)
+
+
+def _formal(node: Node, table: SymbolTable, key: str) -> Declaration:
+    try:
+        found = table.find(key_pieces(node, key))
+    except SpecError:
+        found = None
+    if found is None or found[1] or (isinstance(node, Scripted) and node.sup is not None):
+        raise SpecError("a formal argument must be a symbol that is declared, without an index", key)
+    return found[0]
+
+
+def _known(head: _Head, table: SymbolTable) -> tuple[Declaration, tuple[Linear, ...]] | None:
+    """The declaration that the table has for the left side already, and the index there."""
+    known = _names(head, table)
+    for pattern, index in head.spellings:
+        declaration = known.get(pattern)
+        if declaration is not None and declaration.indices == len(index):
+            if index in table.defined.get(declaration.name, ()):
+                raise SpecError("this symbol is defined already", head.key)
+            return declaration, index
+    return None
+
+
+def _inside(head: _Head, table: SymbolTable, known: tuple[Declaration, tuple[Linear, ...]]) -> SymbolTable:
+    """The table for the body: members of the family below its own index may be used."""
+    declaration, index = known
+    if declaration.name not in table.introduced or not head.variables:
+        return table
+    return _with_member(table, declaration, tuple(Linear.variable(n) for p in index for n in p.variables))
+
+
+def _with_member(table: SymbolTable, declaration: Declaration, index: tuple[Linear, ...]) -> SymbolTable:
+    members = (*table.defined.get(declaration.name, ()), index)
+    return replace(
+        table,
+        introduced=table.introduced | {declaration.name},
+        defined={**table.defined, declaration.name: members},
+    )
+
+
+def _defined(
+    head: _Head, known: tuple[Declaration, tuple[Linear, ...]], table: SymbolTable, body: str
+) -> Definition:
+    """The definition of a symbol whose type and weight are known; the body must have them too."""
+    declaration, index = known
+    term = read_term(body, table, head.variables)
+    formals = [construct.symbol(formal) for formal in head.formals]
+    try:
+        relation = construct.relation("=", construct.symbol(declaration, index, formals), term)
+        if relation.right.type.dual and not declaration.type.dual:
+            raise IllFormed(f"{head.key} is real, its definition is dual")
+        if relation.right.type.kind != declaration.type.kind == "tensor":
+            raise IllFormed(f"{head.key} is a tensor, its definition an operator")
+    except IllFormed as fault:
+        raise IllFormedAt(fault, 1, 1) from None
+    return Definition(declaration, index, head.formals, relation.right)
+
+
+def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
+    """The definition of a symbol that is not in [symbols]."""
+    pattern, index = head.own
+    bases = {name: place for name in _names(head, table) if (place := index_in(pattern, name)) is not None}
+    if bases:
+        return _recurrence(head, body, table, bases)
+    term = read_term(body, table, head.variables)
+    places = {
+        name: Linear.variable(f"@{i}") - p.constant for i, p in enumerate(index) for name in p.variables
+    }
+    weight = None if term.weight is None else term.weight.substitute(places)
+    declaration = _declaration(head, term.type, weight)
+    table = table.with_symbol(declaration, head.formals)
+    table = replace(table, introduced=table.introduced | {declaration.name})
+    if isinstance(term, Zero):
+        table = replace(table, zeros=table.zeros | {declaration.name})
+    return Definition(declaration, index, head.formals, term), table
+
+
+def _names(head: _Head, table: SymbolTable) -> Mapping[str, Declaration]:
+    return table.functions if head.formals else table.symbols
+
+
+def _declaration(head: _Head, type_: Type, weight: Linear | None) -> Declaration:
+    return Declaration(head.name, type_, weight, indices=len(head.own[1]), parameters=len(head.formals))
+
+
+def _recurrence(
+    head: _Head, body: str, table: SymbolTable, bases: Mapping[str, tuple[Linear, ...]]
+) -> tuple[Definition, SymbolTable]:
+    """A step Φ_{n+1} after the base Φ_1: the numbered symbols become members of one family."""
+    symbols = _names(head, table)
+    declared = {name: symbols[name] for name in bases}
+    free = [name for name, declaration in declared.items() if declaration.name not in table.introduced]
+    if free or len(head.own[1]) != 1:
+        raise SpecError("declare the whole family in [symbols]: kind, and weight in its index", head.key)
+    rest = {pattern: d for pattern, d in symbols.items() if pattern not in bases}
+    outer = replace(table, **{"functions" if head.formals else "symbols": rest})
+    faults: list[IllFormedAt] = []
+    for type_, weight in _guesses({bases[name]: d for name, d in declared.items()}, table):
+        family = _declaration(head, type_, weight)
+        widened = outer.with_symbol(family, head.formals)
+        for place in bases.values():
+            widened = _with_member(widened, family, place)
+        try:
+            inside = _inside(head, widened, (family, head.own[1]))
+            definition = _defined(head, (family, head.own[1]), inside, body)
+        except IllFormedAt as fault:
+            faults.append(fault)
+            continue
+        if weight is None and definition.body.weight is not None:
+            shift = {n: Linear.variable("@0") - p.constant for p in head.own[1] for n in p.variables}
+            fitted = replace(family, weight=definition.body.weight.substitute(shift))
+            widened = widened.with_symbol(fitted, head.formals)
+            known = (fitted, head.own[1])
+            definition = _defined(head, known, _inside(head, widened, known), body)
+        return definition, widened
+    raise faults[0]
+
+
+def _guesses(
+    bases: Mapping[tuple[Linear, ...], Declaration], table: SymbolTable
+) -> Iterator[tuple[Type, Linear | None]]:
+    """Types and weights that a family with these bases may have; a bare 0 has no type of its own."""
+    (first, declaration), *_ = bases.items()
+    if all(d.name in table.zeros for d in bases.values()):
+        yield from ((type_, None) for type_ in (TENSOR, VECTOR, SCALAR))
+        return
+    types = [declaration.type]
+    if declaration.type.kind == "tensor":
+        types.append(OPERATOR.with_dual(declaration.type.dual))  # a tensor is an operator of degree 0
+    if declaration.weight is not None:
+        for slope in _SLOPES:
+            weight = Linear.variable("@0") * slope + (declaration.weight - first[0] * slope)
+            if all(d.weight == weight.substitute({"@0": place[0]}) for place, d in bases.items()):
+                yield from ((type_, weight) for type_ in types)
+        return
+    yield from ((type_, None) for type_ in types)
+
+
+# circles
+
+
+def _refuse_circle(head: _Head, definition: Definition, table: SymbolTable) -> None:
+    name = definition.declaration.name
+    for used, index in table.primitive:
+        if used == name and solve(definition.index, index) is not None:
+            raise SpecError("this symbol is used above its definition", head.key)
+    for term in _symbols(definition.body):
+        if term.declaration.name == name and not _is_lower(term.index, definition.index):
+            raise SpecError("its definition uses the symbol itself", head.key)
+
+
+def _is_lower(used: tuple[Linear, ...], defined: tuple[Linear, ...]) -> bool:
+    """Whether the member Φ_used comes before Φ_defined: some index is smaller, or is a number and the other
+    is not."""
+    for mine, own in zip(used, defined, strict=True):
+        step = own - mine
+        if (step.is_number and step.constant > 0) or (mine.is_number and not own.is_number):
+            return True
+    return False
+
+
+def _primitives(
+    definition: Definition, defined: Mapping[str, tuple[tuple[Linear, ...], ...]]
+) -> Iterator[tuple[str, tuple[Linear, ...]]]:
+    for term in _symbols(definition.body):
+        name = term.declaration.name
+        if name != definition.declaration.name and not any(
+            solve(member, term.index) is not None for member in defined.get(name, ())
+        ):
+            yield name, term.index
+
+
+def _symbols(term: Term) -> Iterator[Symbol]:
+    return (t for t in term.walk() if isinstance(t, Symbol))

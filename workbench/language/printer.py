@@ -1,0 +1,334 @@
+"""Terms to canonical LaTeX; reading it gives the same term back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from workbench.language.construct import integer
+from workbench.language.integers import Linear
+from workbench.language.symbols import pattern_of
+from workbench.language.terms import (
+    Apply,
+    BigSum,
+    Block,
+    Conjunction,
+    Counting,
+    Derivative,
+    DualUnit,
+    Equivalence,
+    Identity,
+    Implication,
+    Integer,
+    Number,
+    Power,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+
+# How tightly a text holds together.
+_SUM, _INFIX, _PRODUCT, _FACTOR, _ATOM = range(5)
+
+_DOTS = {1: "\\dot", 2: "\\ddot", 3: "\\dddot", 4: "\\ddddot"}
+_FUNCTIONS = {
+    "vect": "\\operatorname{vect}",
+    "symmetric": "\\operatorname{sym}",
+    "antisymmetric": "\\operatorname{skew}",
+    "det": "\\det",
+    "trace": "\\operatorname{trace}",
+    "re": "\\operatorname{Re}",
+    "du": "\\operatorname{Du}",
+    "sin": "\\sin",
+    "cos": "\\cos",
+    "exp": "\\exp",
+    "divergence": "\\operatorname{div}",
+    "curl": "\\operatorname{curl}",
+}
+_SUPERSCRIPTS = {"transpose": "T", "inverse": "-1", "adjugate": "*"}
+_INFIXES = {"dot": "\\cdot", "cross": "\\times", "outer": "\\otimes", "compose": "\\circ"}
+_ZEROS = {"scalar": "0", "vector": "\\mathbf{0}", "tensor": "\\mathbf{0}_{3 \\times 3}"}
+_ZEROS["covector"] = "\\mathbf{0}_{1 \\times 3}"
+
+
+def to_latex(formula: Term | Statement) -> str:
+    """The formula as LaTeX: what a person checks the reading against."""
+    match formula:
+        case Relation(operator=operator):
+            sign = "=" if operator == "=" else "\\neq"
+            left, right = _beside((formula.left, formula.right))
+            return f"{left.text} {sign} {right.text}"
+        case Equivalence():
+            return f"{to_latex(formula.left)} \\Leftrightarrow {to_latex(formula.right)}"
+        case Implication():
+            return f"{to_latex(formula.left)} \\Rightarrow {to_latex(formula.right)}"
+        case Conjunction(parts=parts):
+            return _chain(parts)
+    return _print(formula).text
+
+
+def _chain(parts: tuple[Statement, ...]) -> str:
+    """a = b = c if each part goes on where the last one ended, else the parts side by side."""
+    texts = [to_latex(part) for part in parts]
+    if not all(isinstance(part, Relation) for part in parts):
+        return ", \\quad ".join(texts)
+    text = texts[0]
+    for before, part, alone in zip(parts, parts[1:], texts[1:], strict=False):
+        right = _beside((before.left, before.right))[1].text
+        goes_on = alone.startswith(right + " ") and _beside((part.left, part.right))[0].text == right
+        text += alone[len(right) :] if goes_on else f", \\quad {alone}"
+    return text
+
+
+@dataclass(frozen=True, slots=True)
+class _Text:
+    """LaTeX, how tightly it holds, and what it would take in at its end: "function" (det A, which would take
+    the next tensor), "sum" (Σ …, which takes all that follows), "symbol" (which may take a bracket as its
+    arguments), or nothing."""
+
+    text: str
+    level: int
+    end: str = ""
+
+    def at_least(self, level: int) -> str:
+        return self.text if self.level >= level else _bracket(self.text)
+
+
+def _bracket(text: str, square: bool = False) -> str:
+    return f"\\left[{text}\\right]" if square else f"\\left({text}\\right)"
+
+
+def _print(term: Term) -> _Text:
+    match term:
+        case Number(value=value):
+            return _number(value.numerator, value.denominator)
+        case Integer(value=value):
+            simple = value.constant == 0 and [c for _, c in value.coefficients] == [1]
+            return _Text(str(value), _ATOM if simple else _SUM)
+        case Counting():
+            return _counting(term)
+        case Zero():
+            return _Text(_ZEROS.get(term.type.kind, "\\mathbf{0}"), _ATOM)
+        case Identity():
+            return _Text("\\mathbf{I}", _ATOM)
+        case DualUnit():
+            return _Text("\\varepsilon", _ATOM)
+        case TimeOperator():
+            return _Text("\\mathbf{D}", _ATOM)
+        case Symbol():
+            return _symbol(term)
+        case Derivative():
+            return _derivative(term)
+        case Power():
+            return _raised(_print(term.base), str(term.exponent))
+        case BigSum():
+            return _big_sum(term)
+        case Block():
+            rows = " \\\\ ".join(" & ".join(_entry(e) for e in row) for row in term.entries)
+            return _Text(f"\\begin{{bmatrix}} {rows} \\end{{bmatrix}}", _ATOM)
+        case Apply():
+            return _apply(term)
+    raise TypeError(f"no LaTeX for {type(term).__name__}")
+
+
+def _number(numerator: int, denominator: int) -> _Text:
+    size = abs(numerator)
+    if denominator == 1:
+        return _Text(str(numerator), _ATOM if numerator >= 0 else _SUM)
+    text = f"\\frac{{{size}}}{{{denominator}}}"
+    return _Text(text, _FACTOR) if numerator >= 0 else _Text(f"-{text}", _SUM)
+
+
+def _counting(term: Counting) -> _Text:
+    top, *lower = term.arguments
+    if term.name == "factorial":
+        simple = top.is_number or (top.constant == 0 and [c for _, c in top.coefficients] == [1])
+        return _Text(f"{top if simple else _bracket(str(top))}!", _FACTOR)
+    return _Text(f"\\binom{{{top}}}{{{','.join(map(str, lower))}}}", _FACTOR)
+
+
+def _entry(term: Term) -> str:
+    if isinstance(term, Zero):
+        return "0" if term.type.kind == "scalar" else "\\mathbf{0}"
+    return _print(term).text
+
+
+def _beside(terms: tuple[Term, ...]) -> list[_Text]:
+    """Terms that must be of one kind: a zero beside another term needs no shape."""
+    firm = any(not isinstance(t, Zero | Identity) for t in terms)
+    plain = _Text("\\mathbf{0}", _ATOM)
+    return [plain if firm and isinstance(t, Zero) and t.type.kind != "scalar" else _print(t) for t in terms]
+
+
+# symbols with their accents
+
+
+def _symbol(term: Symbol) -> _Text:
+    if term.arguments:
+        arguments = ", ".join(_print(a).text for a in term.arguments)
+        return _Text(f"{_accented(term)}{_bracket(arguments)}", _FACTOR)
+    text = _accented(term)
+    return _Text(text, _ATOM if not _has_superscript(term) else _FACTOR, "symbol")
+
+
+def _accented(term: Symbol, accents: tuple[str, ...] = ()) -> str:
+    """The symbol with accents (outermost first) over its letter alone."""
+    left, letter, right = _split(pattern_of(term.declaration))
+    for accent in reversed(accents):
+        letter = f"{accent}{{{letter}}}"
+    index = iter(term.index)
+    return "".join(str(next(index)) if c == "@" else c for c in left + letter + right)
+
+
+def _has_superscript(term: Symbol) -> bool:
+    right = _split(pattern_of(term.declaration))[2]
+    return bool(_script(right, "_")[1])
+
+
+def _split(name: str) -> tuple[str, str, str]:
+    """Left scripts, letter and right scripts of a canonical name."""
+    left = ""
+    if name.startswith("{}"):
+        left, name = "{}", name[2:]
+        for sign in "_^":
+            script, name = _script(name, sign)
+            left += script
+    depth = 0
+    for place, character in enumerate(name):
+        if depth == 0 and character in "_^":
+            return left, name[:place], name[place:]
+        depth += {"{": 1, "}": -1}.get(character, 0)
+    return left, name, ""
+
+
+def _script(text: str, sign: str) -> tuple[str, str]:
+    """A script at the beginning of the text, and what follows it."""
+    if not text.startswith(f"{sign}{{"):
+        return "", text
+    depth = 0
+    for place, character in enumerate(text):
+        depth += {"{": 1, "}": -1}.get(character, 0)
+        if depth == 0 and place > 0:
+            return text[: place + 1], text[place + 1 :]
+    raise ValueError(f"unbalanced name {text}")
+
+
+def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> _Text | None:
+    """Dots and tildes that stand directly over the letter of a symbol."""
+    match term:
+        case Symbol(arguments=()):
+            level = _FACTOR if _has_superscript(term) else _ATOM
+            return _Text(_accented(term, accents), level, "symbol")
+        case Apply(head="skew", arguments=(body,)):
+            return _under_accents(body, (*accents, "\\tilde"))
+        case Derivative(order=Linear(constant=order, coefficients=())) if order in _DOTS:
+            return _under_accents(term.body, (*accents, _DOTS[order]))
+    return None
+
+
+def _derivative(term: Derivative) -> _Text:
+    return _under_accents(term) or _raised(_print(term.body), _bracket_plain(term.order))
+
+
+def _bracket_plain(value: Linear) -> str:
+    return f"({value})"
+
+
+def _raised(base: _Text, sup: str) -> _Text:
+    bare = base.level >= _ATOM
+    return _Text(f"{base.at_least(_ATOM)}^{{{sup}}}", _FACTOR, base.end if bare else "")
+
+
+# operations
+
+
+def _big_sum(term: BigSum) -> _Text:
+    if term.lower is None:
+        bounds = f"_{{{'+'.join(term.variables)}={term.upper}}}"
+    else:
+        bounds = f"_{{{term.variables[0]}={term.lower}}}^{{{term.upper}}}"
+    return _Text(f"\\sum{bounds} {_print(term.body).at_least(_INFIX)}", _INFIX, "sum")
+
+
+def _apply(term: Apply) -> _Text:
+    head, arguments = term.head, term.arguments
+    if head in _FUNCTIONS:
+        return _function(head, arguments[0])
+    if head in _SUPERSCRIPTS:
+        return _raised(_print(arguments[0]), _SUPERSCRIPTS[head])
+    if head in _INFIXES:
+        return _infix(_INFIXES[head], *map(_print, arguments))
+    match head:
+        case "add":
+            return _add(arguments)
+        case "neg":
+            return _Text(f"-{_negated(arguments[0])}", _SUM)
+        case "mul":
+            return _mul(*arguments)
+        case "div":
+            top, bottom = (_print(a).text for a in arguments)
+            return _Text(f"\\frac{{{top}}}{{{bottom}}}", _FACTOR)
+        case "norm":
+            return _Text(f"\\left\\|{_print(arguments[0]).text}\\right\\|", _ATOM)
+        case "triple":
+            inner = ", ".join(_print(a).text for a in arguments)
+            return _Text(f"\\left\\langle {inner}\\right\\rangle", _ATOM)
+        case "skew":
+            over = _under_accents(term)
+            return over or _Text(f"\\widetilde{{{_print(arguments[0]).text}}}", _ATOM)
+    raise TypeError(f"no LaTeX for the operation {head}")
+
+
+def _function(head: str, argument: Term) -> _Text:
+    simple = _under_accents(argument)
+    if simple is not None:
+        return _Text(f"{_FUNCTIONS[head]} {simple.text}", _PRODUCT, "function")
+    return _Text(f"{_FUNCTIONS[head]}{_bracket(_print(argument).text)}", _FACTOR)
+
+
+def _negated(argument: Term) -> str:
+    """A bare number after a minus would be read as a negative number."""
+    text = _print(argument)
+    return _bracket(text.text) if isinstance(argument, Number | Integer) else text.at_least(_INFIX)
+
+
+def _add(arguments: tuple[Term, ...]) -> _Text:
+    text = ""
+    for place, (argument, printed) in enumerate(zip(arguments, _beside(arguments), strict=True)):
+        if isinstance(argument, Apply) and argument.head == "neg":
+            inner = argument.arguments[0]
+            negated = _print(inner).at_least(_INFIX) if place else _negated(inner)
+            text += f" - {negated}" if place else f"-{negated}"
+        elif place == 0:
+            negative = isinstance(argument, Number) and argument.value < 0
+            text = printed.text if negative else printed.at_least(_INFIX)
+        elif isinstance(argument, Integer) and str(argument.value).startswith("-"):
+            text += f" - {_print(integer(-argument.value)).at_least(_INFIX)}"
+        else:
+            text += f" + {printed.at_least(_INFIX)}"
+    return _Text(text, _SUM)
+
+
+def _infix(sign: str, left: _Text, right: _Text) -> _Text:
+    before = _bracket(left.text) if left.end == "sum" else left.at_least(_PRODUCT)
+    # what follows \sum is in the sum, so on the right it needs no bracket
+    after = right.text if right.end == "sum" and right.level >= _INFIX else right.at_least(_PRODUCT)
+    return _Text(f"{before} {sign} {after}", _INFIX, right.end if right.end == "sum" else "")
+
+
+def _mul(left: Term, right: Term) -> _Text:
+    first, second = _print(left), _print(right)
+    is_open = first.end in ("function", "sum") or first.level < (_PRODUCT if _is_mul(left) else _FACTOR)
+    if is_open or (isinstance(left, Number) and isinstance(right, Integer)):
+        first = _Text(_bracket(first.text), _ATOM)
+    may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= _INFIX
+    is_loose = isinstance(right, Number) or not (second.level >= _FACTOR or may_end)
+    if is_loose or (second.text.startswith("\\left(") and first.end == "symbol"):
+        second = _Text(_bracket(second.text, square=first.end == "symbol"), _ATOM)
+    return _Text(f"{first.text} {second.text}", _PRODUCT, second.end)
+
+
+def _is_mul(term: Term) -> bool:
+    return isinstance(term, Apply) and term.head == "mul"

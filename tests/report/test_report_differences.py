@@ -76,6 +76,11 @@ def test_examples(before, after, change):
     assert difference(before, after).changes == (change,)
 
 
+def test_exchanged_addends_are_named_where_they_stand():
+    found = difference("a + b", "b + a")
+    assert [(change.before, change.after) for change in found.changes] == [("a", "b"), ("b", "a")]
+
+
 def test_bold_letters_count_as_plain_ones():
     assert difference(r"\boldsymbol{\omega} + 1", r"\omega + 2").changes[0].kind == "number"
     assert len(difference(r"\boldsymbol{\omega} + 1", r"\omega + 2").changes) == 1

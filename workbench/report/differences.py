@@ -72,13 +72,11 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
     counted = [[i for i, atom in enumerate(atoms) if key(atom) is not None] for atoms in sides]
     keys = [[key(sides[side][i]) for i in counted[side]] for side in (0, 1)]
     blocks = _unequal_blocks(keys, [[sides[side][i] for i in counted[side]] for side in (0, 1)])
-    uncommon = sum(ends[1] - ends[0] + ends[3] - ends[2] for _, ends in blocks)
+    uncommon = sum(ends[1] - ends[0] + ends[3] - ends[2] for ends in blocks)
     if all(keys) and uncommon > (1 - _RECOGNISABLE) * (len(keys[0]) + len(keys[1])):
         return Difference(rewritten=True)
     changes, marked = [], (set(), set())
-    for tag, ends in blocks:
-        if tag != "replace":
-            ends = _led_by_its_sign(keys[0 if tag == "delete" else 1], tag, ends)
+    for ends in blocks:
         places = [counted[0][ends[0] : ends[1]], counted[1][ends[2] : ends[3]]]
         for side in (0, 1):
             marked[side].update(_leaves_within(sides[side], places[side]))
@@ -86,8 +84,8 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
     return Difference(tuple(changes), frozenset(marked[0]), frozenset(marked[1]))
 
 
-def _unequal_blocks(keys: list[list], atoms: list[list[Atom]]) -> list[tuple[str, list[int]]]:
-    """The cheapest way from the first to the second, as (tag, [start, end, start, end]) in order.
+def _unequal_blocks(keys: list[list], atoms: list[list[Atom]]) -> list[list[int]]:
+    """The cheapest way from the first to the second, as [start, end, start, end], in order.
 
     Replacing one atom by another of its family costs less than dropping it and adding the other.
     """
@@ -122,25 +120,11 @@ def _unequal_blocks(keys: list[list], atoms: list[list[Atom]]) -> list[tuple[str
             blocks[-1][0], blocks[-1][2] = row, column
         else:
             blocks.append([row, end[0], column, end[1]])
-    tags = {(True, False): "delete", (False, True): "insert", (True, True): "replace"}
-    return [(tags[b[0] < b[1], b[2] < b[3]], b) for b in reversed(blocks)]
+    return blocks[::-1]
 
 
 def _are_akin(first: Atom, second: Atom) -> bool:
     return first.leaf == second.leaf and first.family == second.family
-
-
-def _led_by_its_sign(keys: Sequence[str | None], tag: str, ends: list[int]) -> list[int]:
-    """A dropped or added term with the sign before it, not the one behind: `a [+ b] + c`."""
-    start, end = ends[:2] if tag == "delete" else ends[2:]
-    if (
-        start
-        and end > start + 1
-        and keys[end - 1] in ("+", "−")
-        and keys[start - 1] == keys[end - 1]
-    ):
-        return [position - 1 for position in ends]
-    return ends
 
 
 def _leaves_within(atoms: Sequence[Atom], places: Sequence[int]) -> set[int]:

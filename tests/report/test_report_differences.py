@@ -77,7 +77,7 @@ def test_examples(before, after, change):
 
 
 def test_exchanged_addends_are_named_where_they_stand():
-    found = difference("a + b", "b + a")
+    found = difference("x = (a + b)", "x = (b + a)")
     assert [(change.before, change.after) for change in found.changes] == [("a", "b"), ("b", "a")]
 
 

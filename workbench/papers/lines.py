@@ -10,6 +10,7 @@ from workbench.language.errors import place
 _LINE_ENVIRONMENTS = frozenset({"aligned", "cases", "gathered", "split", "align", "align*", "array"})
 _TOKEN = re.compile(r"\\(begin|end)\s*\{([A-Za-z]+\*?)\}|\\\\(?:[ \t]*\[[^\]\n]*\])?|\\.|[{}&]", re.DOTALL)
 _LEFT_BRACE = re.compile(r"\s*\\left\s*\\\{\s*")
+_SPACE = re.compile(r"\s*")
 _COLUMNS = re.compile(r"\s*\{[lcr|\s]*\}")
 _RIGHT_NOTHING = re.compile(r"\s*\\right\s*\.")
 _BLANK = re.compile(r"(?:\s|\\(?:quad|qquad|[,;:! ])|~)*")
@@ -41,15 +42,13 @@ def split_lines(latex: str) -> list[Line]:
     the environment (such as ", n \\geq 1") belongs to each line.
     """
     left = _LEFT_BRACE.match(latex)
-    tokens = list(_TOKEN.finditer(latex, left.end() if left else 0))
-    if not tokens or tokens[0][1] != "begin" or tokens[0][2] not in _LINE_ENVIRONMENTS:
+    opening = _TOKEN.match(latex, _SPACE.match(latex, left.end() if left else 0).end())
+    if opening is None or opening[1] != "begin" or opening[2] not in _LINE_ENVIRONMENTS:
         return [Line(latex)]
-    if latex[left.end() if left else 0 : tokens[0].start()].strip():
-        return [Line(latex)]
-    columns = _COLUMNS.match(latex, tokens[0].end()) if tokens[0][2] == "array" else None
-    depth, start = 0, columns.end() if columns else tokens[0].end()
+    columns = _COLUMNS.match(latex, opening.end()) if opening[2] == "array" else None
+    depth, start = 0, columns.end() if columns else opening.end()
     unmarked, rows = list(latex), [[]]
-    for token in tokens:
+    for token in _TOKEN.finditer(latex, opening.start()):
         if token[0] == "{" or token[1] == "begin":
             depth += 1
         elif token[0] == "}" or token[1] == "end":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -23,10 +24,10 @@ _NOTATION_KEYS = ("title", "doi", "notation", "symbols", "definitions", "motion"
 _PAPER_KEYS = (*_NOTATION_KEYS, "section", "claim")
 _FORMULA_KEYS = ("printed", "reading", "corrected", "hypothesis", "assume", "orders")
 _CLAIM_KEYS = ("id", "equation", "section", *_FORMULA_KEYS, "inherits", "statement", "theorem", "note")
+_ID = re.compile(r"[\w.+*'-]{1,80}")
 _CONTRADICTIONS = (
     ("theorem", "reading"),
     ("theorem", "assume"),
-    ("theorem", "orders"),
     ("corrected", "hypothesis"),
 )
 
@@ -151,6 +152,9 @@ class _ClaimReader:
         toml = self.file.toml
         toml.allow_keys(self.path, _CLAIM_KEYS)
         name = self._required("id")
+        if _ID.fullmatch(name) is None:
+            message = f"id: expected letters, digits and . _ - + * ' without blanks, got {name!r}"
+            raise toml.error_at_value((*self.path, "id"), message)
         self._refuse_contradictions()
         claim = Claim(
             id=name,

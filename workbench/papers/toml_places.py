@@ -17,6 +17,7 @@ KeyPath = tuple[str | int, ...]
 _BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _BARE_VALUE = re.compile(r"[^,\]}\n#]+")
+_PLAIN = re.compile(r'[^"\\]*')
 _LINE_END_ESCAPE = re.compile(r"\\[ \t]*\n[ \t\n]*")
 _ESCAPE_LENGTH = {"u": 6, "U": 10, "x": 4}
 
@@ -97,8 +98,11 @@ def string_end(text: str, start: int) -> int:
     long = text.startswith(quote * 3, start)
     closing = quote * 3 if long else quote
     position = start + len(closing)
-    while not text.startswith(closing, position):
-        position += 2 if quote == '"' and text[position] == "\\" else 1
+    if quote == "'":
+        position = text.index(closing, position)
+    else:
+        while not text.startswith(closing, position := _PLAIN.match(text, position).end()):
+            position += 2 if text[position] == "\\" else 1
     position += len(closing)
     if long:  # up to two quotes more belong to the text: they stand before the closing ones
         for _ in range(2):

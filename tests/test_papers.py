@@ -1,0 +1,267 @@
+"""Paper files: what a good one gives, and the one message that each bad one gets."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+from bad_papers import BAD_PAPERS, GOOD_CLAIM, HEAD, SYMBOL_FAULTS, BadPaper, claim
+
+from workbench.judge.verdict import Outcome
+from workbench.papers import InstalledPaper, Orders, PaperError, load_paper, merge
+from workbench.papers.lines import split_lines
+from workbench.papers.orders import orders_within
+
+PAPERS = Path(__file__).parent / "papers"
+
+
+@pytest.fixture
+def paper_of(tmp_path):
+    def load(text: str, name: str = "paper.toml"):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return load_paper(path)
+
+    return load
+
+
+def write(directory: Path, **texts: str) -> list[Path]:
+    paths = [directory / f"{name}.toml" for name in texts]
+    for path, text in zip(paths, texts.values(), strict=True):
+        path.write_text(text, encoding="utf-8")
+    return paths
+
+
+# faults
+
+
+@pytest.mark.parametrize("bad", BAD_PAPERS + SYMBOL_FAULTS, ids=lambda bad: bad.name)
+def test_a_bad_paper_gets_one_message_that_points_at_the_fault(bad: BadPaper, tmp_path):
+    path = tmp_path / "bad.toml"
+    path.write_bytes(bad.content.encode())
+    start = time.perf_counter()
+    with pytest.raises(PaperError) as caught:
+        load_paper(path)
+    assert time.perf_counter() - start < 5
+    error = caught.value
+    assert (error.line, error.column) == bad.place
+    assert str(error).startswith(f"{path}:{error.line}:{error.column}: ")
+    assert bad.says in error.message
+    assert len(str(error)) < 1000
+    assert error.__cause__ is None
+
+
+def test_bytes_that_are_not_utf8_are_placed(tmp_path):
+    path = tmp_path / "latin.toml"
+    path.write_bytes("title = 'x'\n# Müller\n".encode("latin-1"))
+    with pytest.raises(PaperError, match=r"latin\.toml:2:4: byte 0xfc is not UTF-8"):
+        load_paper(path)
+
+
+@pytest.mark.parametrize("make", [Path.mkdir, lambda path: None], ids=["a directory", "no file"])
+def test_what_is_no_file(make, tmp_path):
+    path = tmp_path / "thing.toml"
+    make(path)
+    with pytest.raises(PaperError, match=r"thing\.toml: (is a directory|no such file)"):
+        load_paper(path)
+
+
+def test_a_huge_file_is_not_read(tmp_path):
+    path = tmp_path / "huge.toml"
+    path.write_bytes(b"# " + b"x" * 5_000_000)
+    with pytest.raises(PaperError, match="larger than"):
+        load_paper(path)
+
+
+def test_a_name_with_nul_is_refused():
+    with pytest.raises(PaperError, match="cannot be read|no such file"):
+        load_paper("a\0b.toml")
+
+
+def test_notations_that_refer_to_each_other(tmp_path):
+    paper, *_ = write(
+        tmp_path,
+        paper=f"title = 'x'\nnotation = 'one.toml'\n{GOOD_CLAIM}",
+        one="notation = 'two.toml'\n",
+        two="notation = 'one.toml'\n",
+    )
+    with pytest.raises(PaperError, match=r"two\.toml:1:12: notation: one\.toml refers back to itself"):
+        load_paper(paper)
+
+
+def test_a_notation_file_holds_no_claims(tmp_path):
+    paper, _ = write(tmp_path, paper=f"title = 'x'\nnotation = 'n.toml'\n{GOOD_CLAIM}", n=HEAD + GOOD_CLAIM)
+    with pytest.raises(PaperError, match=r"n\.toml:\d+:1: unknown key 'claim'"):
+        load_paper(paper)
+
+
+def test_a_symbol_that_the_notation_declares_already(tmp_path):
+    paper, _ = write(tmp_path, paper=f"{HEAD}{GOOD_CLAIM}".replace("[sym", "notation='n.toml'\n[sym"), n=HEAD)
+    with pytest.raises(PaperError, match=r"paper\.toml:4:1: .* is declared in n\.toml too"):
+        load_paper(paper)
+
+
+def test_ids_are_unique_over_all_files(tmp_path):
+    paths = write(tmp_path, a=HEAD + GOOD_CLAIM, b=HEAD + GOOD_CLAIM)
+    with pytest.raises(PaperError, match=r"b\.toml:7:6: id '1' is used twice"):
+        merge(paths)
+
+
+# what a good file gives
+
+
+def test_the_sections_of_a_paper_share_a_notation_and_keep_their_own(tmp_path):
+    section = "notation = 'n.toml'\nsection = '{0}'\n[symbols]\n'\\alpha' = {{ kind = '{1}' }}\n[[claim]]\n"
+    section += "id = '{0}'\nprinted = '\\omega \\times \\alpha = - \\alpha \\times \\omega'\n"
+    write(tmp_path, n=HEAD)
+    paths = write(tmp_path, a=section.format("4.1", "vector"), b=section.format("4.2", "scalar"))
+    paper = merge(paths)
+    assert paper.title == "A paper" and paper.paths == tuple(paths)
+    assert [(c.id, c.section) for c in paper.claims] == [("4.1", "4.1"), ("4.2", "4.2")]
+    assert paper.claims[0].printed.statement is not None
+    assert "scalar" in paper.claims[1].printed.ill_formed
+    assert "\\alpha" not in paper.symbols.symbols
+
+
+LINES = r"""id = "1"
+inherits = ["1", "2"]
+printed = '''
+\begin{aligned}
+\omega \times \rho &= -\rho \times \omega \\
+                   &\quad + \omega - \omega, \\
+\omega \cdot \rho &= \rho \cdot \omega
+\end{aligned}'''
+[[claim]]
+id = "2"
+printed = '\omega = \omega'
+"""
+
+
+def test_each_line_of_a_formula_is_a_claim(paper_of):
+    paper = paper_of(claim(LINES))
+    assert [c.id for c in paper.claims] == ["1.1", "1.2", "2"]
+    assert paper.claims[0].inherits == ("1.1", "1.2", "2")
+    assert paper.claims[1].printed.latex == r"\omega \cdot \rho  = \rho \cdot \omega"
+    assert all(c.printed.statement is not None for c in paper.claims)
+    assert [c.line for c in paper.claims] == [5, 5, 14]
+
+
+def test_readings_and_corrections_go_line_by_line(paper_of):
+    lines = r"'\begin{aligned} a &= b \\ b &= a \end{aligned}'"
+    paper = paper_of(
+        f"title = 'x'\n[symbols]\na = {{ kind = 'vector' }}\nb = {{ kind = 'vector' }}\n[[claim]]\nid = '1'\n"
+        f"printed = {lines}\ncorrected = {lines}\n"
+    )
+    assert [c.corrected.latex for c in paper.claims] == ["a  = b", "b  = a"]
+
+
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        ("", Outcome.PROVED),
+        ("corrected = '\\omega = \\omega'", Outcome.REFUTED),
+        ("reading = '\\omega = \\omega'", Outcome.ILL_FORMED),
+        ("reading = '\\omega = \\omega'\ncorrected = '\\omega = \\omega'", Outcome.ILL_FORMED),
+        ("hypothesis = '\\omega \\neq 0'", Outcome.CONDITIONAL),
+    ],
+)
+def test_the_keys_say_what_is_expected(keys, expected, paper_of):
+    paper = paper_of(claim(f"id = 'x'\nprinted = '\\omega = 2\\omega'\n{keys}"))
+    assert paper.claims[0].expected == expected
+
+
+def test_ill_typed_as_printed_is_a_verdict_and_no_fault(paper_of):
+    paper = paper_of(claim(r"id = 'x'" "\n" r"printed = '\omega \omega = 0'"))
+    assert "juxtaposition" in paper.claims[0].printed.ill_formed
+
+
+def test_unreadable_as_printed_is_a_verdict_only_beside_a_reading(paper_of):
+    paper = paper_of(claim("id = 'x'\nprinted = '\\omega = \\psi'\nreading = '\\omega = \\omega'"))
+    assert "unknown symbol" in paper.claims[0].printed.ill_formed
+
+
+def test_theorems_come_from_the_installed_paper_alone(tmp_path, monkeypatch):
+    (path,) = write(tmp_path, p=f"{HEAD}[[claim]]\nid = 'T'\ntheorem = 'unique'\nstatement = 'There is one.'\n")
+    paper = InstalledPaper((path,), {"unique": lambda: None})
+    assert merge(paper.files, paper.theorems).claims[0].theorem == "unique"
+    with pytest.raises(PaperError, match="none is installed for this file"):
+        load_paper(path)
+
+
+# orders
+
+
+def test_orders_are_read_back():
+    for text in ("n = 1..8", "m = 1..3, n = 1..4", "k_1 = 0..2"):
+        assert str(Orders.parse(text)) == text
+
+
+def test_orders_assign_every_combination_once():
+    values = list(Orders.parse("m = 1..3, n = 0..4").assignments())
+    assert len(values) == 15 == len({tuple(v.items()) for v in values})
+    assert {v["m"] for v in values} == {1, 2, 3} and {v["n"] for v in values} == set(range(5))
+
+
+FAMILY = r"""title = 'x'
+[symbols]
+'\Phi_n' = { kind = 'tensor' }
+[[claim]]
+id = 'x'
+printed = '\operatorname{tr} \Phi_n = \operatorname{tr} \Phi_n^T, %s'
+"""
+
+
+def test_orders_that_the_formula_states_are_the_default(paper_of):
+    orders = paper_of(FAMILY % r"n \geq 2").claims[0].orders
+    assert [v["n"] for v in orders.assignments()] == [2, 3, 4, 5, 6]
+
+
+def test_orders_must_stay_in_the_stated_range(paper_of):
+    with pytest.raises(PaperError, match=r"paper\.toml:7:10: orders: n = 0\.\.3 leaves the range"):
+        paper_of(FAMILY % r"n \geq 1" + "orders = 'n = 0..3'\n")
+
+
+def test_orders_of_one_variable_bounded_by_another():
+    from workbench.language.integers import Linear
+    from workbench.language.reader import Range
+
+    stated = [Range("k", Linear(1), Linear.variable("n"))]
+    orders = orders_within(Orders.parse("k = 1..3, n = 1..3"), stated)
+    assert [(v["k"], v["n"]) for v in orders.assignments()] == [(1, 1), (1, 2), (1, 3), (2, 2), (2, 3), (3, 3)]
+    assert str(orders) == "k = 1..3, n = 1..3, k ≤ n"
+    with pytest.raises(ValueError, match="values for n"):
+        orders_within(Orders.parse("k = 1..3"), stated)
+
+
+# lines
+
+
+@pytest.mark.parametrize(
+    ("latex", "lines"),
+    [
+        ("a = b", ["a = b"]),
+        (r"\begin{aligned} a &= b \end{aligned}", [r"\begin{aligned} a &= b \end{aligned}"]),
+        (r"\begin{cases} a = b, \\ c = d. \end{cases}", ["a = b", "c = d"]),
+        (r"\begin{cases} a = b, \\ c = d \end{cases}, n \geq 1", [r"a = b, n \geq 1", r"c = d, n \geq 1"]),
+        (r"\left\{\begin{array}{l} a = b \\[2pt] + c \\ d = e \end{array}\right.", ["a = b  + c", "d = e"]),
+        (
+            r"\begin{aligned} A &= \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \\ a &= b \end{aligned}",
+            [r"A  = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", "a  = b"],
+        ),
+        (r"x = \begin{cases} a, & p = 0 \\ b, & p \neq 0 \end{cases}", None),
+        (r"\begin{aligned} a &= b \\ c", None),
+    ],
+)
+def test_lines(latex, lines):
+    assert [line.latex for line in split_lines(latex)] == (lines or [latex])
+
+
+def test_each_character_of_a_line_is_placed_in_the_formula():
+    latex = "\\begin{aligned}\n a &= b \\\\\n  c &= d\n\\end{aligned}, n \\geq 1"
+    rows = latex.split("\n")
+    for line in split_lines(latex):
+        for offset, character in enumerate(line.latex):
+            row, column = line.place(1 + line.latex.count("\n", 0, offset), offset - line.latex.rfind("\n", 0, offset))
+            whole = (rows[row - 1] + "\n")[column - 1]
+            assert whole == character or (whole == "&" and character == " ")

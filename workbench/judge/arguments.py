@@ -40,14 +40,13 @@ class Engine(StrEnum):
 
     FLINT = "polynomials over ℚ (FLINT)"
     SYMPY = "polynomials on Python integers (SymPy)"
-    JUDGE = "the exact judge, from LaTeX"
     FRACTIONS = "rational examples (Python's Fraction)"
     DRAKE = "Drake's plants, in doubles"
     FLOATS = "doubles (NumPy)"
 
 
 #: These compute with indeterminates: what they find zero is zero for all values.
-GENERIC = frozenset({Engine.FLINT, Engine.SYMPY, Engine.JUDGE})
+GENERIC = frozenset({Engine.FLINT, Engine.SYMPY})
 #: These compute at examples, without rounding.
 EXACT = GENERIC | {Engine.FRACTIONS}
 

@@ -12,7 +12,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.symbols import SymbolTable
 from workbench.papers import Claim, Formula, Notation, Orders, Paper, find_paper
-from workbench.papers.formulas import read_statement
+from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.lines import Line, split_lines
 from workbench.papers.notation import extended
 from workbench.papers.orders import orders_within
@@ -54,7 +54,7 @@ class Checked:
         return self.outcome in HOLDS
 
     def __str__(self) -> str:
-        return "\n".join(str(line) for line in claim_lines(claim_dict(self.result)))
+        return "\n".join(str(line) for line in claim_lines(claim_dict(self.result), with_expectation=False))
 
     __repr__ = __str__
 
@@ -134,7 +134,7 @@ def _formula(
     try:
         statement, ranges = read_statement(line.latex, notation, orders)
     except IllFormedAt as error:
-        return Formula(line.latex, ill_formed=str(error)), orders
+        return Formula(line.latex, ill_formed=why_ill_formed(error)), orders
     except ReadError as error:
         raise ReadError(what + error.message, *line.place(error.line, error.column)) from None
     return Formula(line.latex, statement), orders_within(orders, ranges)

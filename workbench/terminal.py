@@ -78,9 +78,10 @@ def summary_line(results: Sequence[ClaimResult]) -> Text:
     return line
 
 
-def claim_lines(claim: Mapping[str, Any]) -> Iterator[Text]:
-    """One claim of the report in full."""
-    yield Text(claim["id"], style="bold")
+def claim_lines(claim: Mapping[str, Any], with_expectation: bool = True) -> Iterator[Text]:
+    """One claim of the report in full; with its id and whether it passed, or without."""
+    if with_expectation:
+        yield Text(claim["id"], style="bold")
     yield from _field("equation", claim["equation"])
     yield from _field("section", claim["section"])
     yield from _field("statement", claim["statement"])
@@ -110,7 +111,7 @@ def claim_lines(claim: Mapping[str, Any]) -> Iterator[Text]:
         yield from _field("evidence", text)
     yield from _field("inherited by", ", ".join(claim["inherits"]))
     yield from _field("note", claim["note"])
-    if not claim["passed"]:
+    if with_expectation and not claim["passed"]:
         yield Text(f"{'NOT AS EXPECTED':>15}  {claim['why_not']}", style="bold red")
 
 

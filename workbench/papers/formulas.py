@@ -33,7 +33,7 @@ class FormulaReader:
         try:
             statement, ranges = self._read(line.latex)
         except IllFormedAt as error:
-            return Formula(line.latex, ill_formed=str(error)), self
+            return Formula(line.latex, ill_formed=why_ill_formed(error)), self
         except ReadError as error:
             if excused:
                 return Formula(line.latex, ill_formed=f"cannot be read: {error}"), self
@@ -79,6 +79,10 @@ class FormulaReader:
         inside = within.place(error.line, error.column)
         message = f"{place[0]}: {error.message}"
         raise self.toml.error_in_string((*self.path, *place), *inside, message) from None
+
+
+def why_ill_formed(error: IllFormedAt) -> str:
+    return f"{error}; likely meant: {error.intent}" if error.intent else str(error)
 
 
 def read_statement(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -37,6 +38,7 @@ def load_paper(path: Path | str) -> Paper:
     return merge([Path(path)])
 
 
+@cache
 def load_installed(name: str) -> Paper:
     """The installed paper of that name, its files merged in order. Raises PaperError if there is none."""
     paper = installed(name)

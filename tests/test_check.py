@@ -1,0 +1,97 @@
+"""`workbench.check` in Python and in notebooks."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import workbench
+from workbench import check
+from workbench.judge.verdict import Outcome
+
+AB = {"a": "vector", "b": "vector"}
+EVERY_VERDICT = Path(__file__).parent / "papers" / "every_verdict.toml"
+
+
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        (r"a \times b = -b \times a", Outcome.PROVED),
+        (r"a \times b = b \times a", Outcome.REFUTED),
+        (r"a b = b a", Outcome.ILL_FORMED),
+    ],
+)
+def test_outcomes(latex, outcome):
+    checked = check(latex, AB)
+    assert checked.outcome == outcome
+    assert checked.holds == (outcome == Outcome.PROVED)
+    assert str(outcome) in str(checked) and str(checked) == repr(checked)
+    assert str(outcome) in checked._repr_markdown_() and latex in checked._repr_markdown_()
+
+
+def test_a_refutation_shows_its_counterexample():
+    markdown = check(r"a \cdot b = 0", AB)._repr_markdown_()
+    assert "counterexample" in markdown and r"1 \neq 0" in markdown
+
+
+def test_lines_are_a_tuple_of_verdicts():
+    lines = check(r"\begin{aligned} a \cdot b &= b \cdot a \\ a \cdot b &= 0 \end{aligned}", AB)
+    assert isinstance(lines, tuple) and [line.outcome for line in lines] == [Outcome.PROVED, Outcome.REFUTED]
+    assert not lines.holds
+    assert lines._repr_markdown_().count("$$") == 4
+
+
+def test_the_notation_of_the_installed_paper_is_the_default():
+    assert check(r"\det \Phi_2 = -(\omega \times \dot{\omega})^2").holds
+
+
+def test_the_notation_of_a_paper_file_and_more_symbols():
+    checked = check(r"\Phi_1 y = \omega \times y", {"y": {"kind": "vector"}}, paper=EVERY_VERDICT)
+    assert checked.holds
+    assert checked.verdict.read_back == r"\Phi_{1} y = \omega \times y"
+
+
+def test_assumptions_and_orders():
+    assert check(r"a \cdot b = 0", AB, assume=["a = 0"]).holds
+    family = check(
+        r"\operatorname{tr} \Phi_n = \operatorname{tr} \Phi_n^T", paper=EVERY_VERDICT, orders="n = 1..3"
+    )
+    assert family.holds and family.verdict.scope
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"latex": "a = "}, "line 1, column"),
+        ({"latex": r"a = \psi"}, r"line 1, column 5: unknown symbol \psi"),
+        ({"latex": ""}, "line 1, column 1"),
+        ({"latex": "\\begin{aligned} a &= b \\\\\n a &= \\psi \\end{aligned}"}, "line 2, column 7: unknown"),
+        ({"latex": "a = b", "assume": ["a"]}, "assume: "),
+        ({"latex": "a = b", "assume": ["a b = 0"]}, "assume: "),
+        ({"latex": "a = b", "assume": [r"a \neq a"]}, "no values"),
+        ({"latex": "a = b", "orders": "n"}, "expected `n = 1..8`"),
+        ({"latex": "a = b", "symbols": {"a": "matrix"}}, "kind is 'matrix'"),
+        ({"latex": "a = b", "symbols": {"a": 3}}, "expected a table"),
+        ({"latex": "a = b", "symbols": {r"\omega": "vector"}, "paper": EVERY_VERDICT}, "already"),
+        ({"latex": "a = b", "paper": "no.toml"}, "no such file"),
+        ({"latex": "a = b", "paper": "nothing"}, "no installed paper of that name"),
+    ],
+)
+def test_bad_input_is_a_value_error_of_one_line(arguments, message):
+    with pytest.raises(ValueError) as caught:
+        check(**{"symbols": AB, **arguments})
+    assert message in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+HEAVY = ("pydrake", "sympy", "flint", "numba", "jinja2", "numpy", "lark", "rich")
+
+
+def test_import_is_light():
+    code = "import sys, workbench; print(sorted(set(sys.modules) & set(sys.argv[1:])))"
+    done = subprocess.run([sys.executable, "-c", code, *HEAVY], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+    assert workbench.__all__ == ["check"]

@@ -91,9 +91,12 @@ class DifferentialRing:
         return z, factor
 
     @property
-    def relations(self) -> list[Polynomial]:
-        """The polynomials name² − value."""
-        return [self.generators[name] ** 2 - value for name, value in self._squares.items()]
+    def squared(self) -> frozenset[str]:
+        """The generators whose squares are rewritten, and those in what they are rewritten to."""
+        bound = set(self._squares)
+        for value in self._squares.values():
+            bound |= {self.names[i] for i, degree in enumerate(value.degrees()) if degree > 0}
+        return frozenset(bound)
 
     def square_of(self, p: Polynomial) -> Polynomial:
         """p² in normal form if p is a single generator with a square relation, such as a norm; else p. Both

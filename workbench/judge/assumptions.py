@@ -1,8 +1,8 @@
 """What a claim supposes, at the instant at which it is judged: inequations and equations.
 
 An equation is supposed at the instant only, not for all times: what is proved under the weaker hypothesis
-also holds under the stronger one. A quantity that vanishes for all times is declared `constant`, or each of its
-derivatives is assumed to vanish.
+also holds under the stronger one. Of a quantity that vanishes for all times each derivative that occurs is
+assumed to vanish, too.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from workbench.judge.inventory import NotExact
-from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
 from workbench.language.terms import (
@@ -39,18 +39,17 @@ def judge_family(
     """The verdict on a statement whose integer variables are those of `orders`."""
     if orders is None:
         return _instance(judge, statement, assume, hypothesis)
-    instances = _instances(judge, statement, assume, hypothesis, orders)
-    if instances.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION):
-        return instances
     general = _for_all(judge, statement, assume, hypothesis)
-    if general is None or general.outcome != instances.outcome:
-        return instances
-    variables = ", ".join(sorted(_variables(statement)))
-    return replace(
-        general,
-        scope=f"all {variables}",
-        evidence=(*general.evidence, *(e for e in instances.evidence if e.method == "each instance")),
-    )
+    if general is None or general.outcome != Outcome.PROVED:
+        return _instances(judge, statement, assume, hypothesis, orders)
+    # the range is then a check of the argument for all n, and one engine is enough for it
+    instances = _instances(replace(judge, second_engine=False), statement, assume, hypothesis, orders)
+    if instances.outcome not in (Outcome.PROVED, Outcome.PROBABLE, Outcome.DEFINITION):
+        raise EngineDisagreement(f"proved for all n, but {instances.outcome} {instances.reason}")
+    checked = Evidence("each instance, exact ring", "residual is 0", {"orders": str(orders)})
+    scope = f"all {', '.join(sorted(_variables(statement)))}"
+    outcome = Outcome.DEFINITION if instances.outcome == Outcome.DEFINITION else general.outcome
+    return replace(general, outcome=outcome, scope=scope, evidence=(*general.evidence, checked))
 
 
 def _for_all(
@@ -85,19 +84,19 @@ def _instances(
     hypothesis: Statement | None,
     orders: OrderRanges,
 ) -> Verdict:
-    verdict, held, count = None, [], 0
+    """The worst verdict over the range: the first that fails, else one that is not a mere definition."""
+    verdict, count = None, 0
     for values in orders.assignments():
-        count += 1
         given = None if hypothesis is None else instantiate(hypothesis, values)
         supposed = tuple(instantiate(a, values) for a in assume)
-        place = ", ".join(f"{name} = {value}" for name, value in values.items())
         current = _instance(judge, instantiate(statement, values), supposed, given)
-        if current.outcome in (Outcome.REFUTED, Outcome.UNCHECKED, Outcome.PROBABLE):
+        if current.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
+            place = ", ".join(f"{name} = {value}" for name, value in values.items())
             reason = f"for {place}" + (f": {current.reason}" if current.reason else "")
-            before = Evidence("each instance", f"fails for {place}", {"held before": held})
+            before = Evidence("each instance", f"fails for {place}", {"held before": count})
             return replace(current, reason=reason, evidence=(*current.evidence, before))
-        held.append(place)
-        if verdict is None or current.outcome != Outcome.DEFINITION:
+        count += 1
+        if verdict is None or verdict.outcome == Outcome.DEFINITION:
             verdict = current
     evidence = (*verdict.evidence, Evidence("each instance", "residual is 0", {"instances": count}))
     return replace(verdict, scope=str(orders), evidence=evidence)

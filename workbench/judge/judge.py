@@ -20,7 +20,7 @@ from workbench.judge.inventory import Inventory, Lookup, NotExact, take_inventor
 from workbench.judge.jets import JetEngine
 from workbench.judge.points import Trial, counterexample, first_trial
 from workbench.judge.rings import PRIME, PointSource, ResidueRing, sample
-from workbench.judge.vanishing import ideal_of, in_ideal, same_zeros, unimplied
+from workbench.judge.vanishing import Equations, same_zeros, solve, unimplied
 from workbench.judge.verdict import Counterexample, EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.printer import to_latex
 from workbench.language.terms import (
@@ -124,6 +124,9 @@ class Judge:
         if left.operator != right.operator:
             return Verdict(Outcome.UNCHECKED, reason="an equivalence between an equation and an inequation")
         case = _Case(self, [left, right], assume)
+        verdict = same_zeros(case, left, right, both_ways, self.second_engine)
+        if verdict.outcome != Outcome.UNCHECKED:
+            return verdict
 
         def disagrees(trial: Trial) -> bool:
             if trial.differences(left) is None or trial.differences(right) is None:
@@ -132,18 +135,30 @@ class Judge:
             return (holds_left and not holds_right) or (both_ways and holds_right and not holds_left)
 
         trial = case.find(disagrees)
-        if trial is not None:
-            wrong = right if trial.holds(left) else left
-            return _refuted(trial, wrong, case.inventory)
-        return same_zeros(case, left, right, both_ways, self.second_engine)
+        if trial is None:
+            return verdict
+        return _refuted(trial, right if trial.holds(left) else left, case.inventory)
+
+
+class _NoDefinitions:
+    """Every symbol is free. What holds for any tensor at the place of Φ₄ holds for Φ₄."""
+
+    def lookup(self, symbol: Symbol) -> None:
+        return None
 
 
 class _Case:
     """The engines over the inventory of some relations and their assumptions."""
 
-    def __init__(self, judge: Judge, relations: Sequence[Relation], assume: tuple[Statement, ...]) -> None:
+    def __init__(
+        self,
+        judge: Judge,
+        relations: Sequence[Relation],
+        assume: tuple[Statement, ...],
+        definitions: Lookup | None = None,
+    ) -> None:
         self.judge = judge
-        self.definitions = judge.definitions
+        self.definitions = judge.definitions if definitions is None else definitions
         self.assumptions = Assumptions(assume)
         sides = [side for r in (*relations, *self.assumptions.relations) for side in (r.left, r.right)]
         self.inventory: Inventory = take_inventory(sides, self.definitions)
@@ -166,9 +181,16 @@ class _Case:
 class _RelationJudge(_Case):
     """One equation, with the assumptions it stands under."""
 
-    def __init__(self, judge: Judge, relation: Relation, assume: tuple[Statement, ...]) -> None:
-        super().__init__(judge, [relation], assume)
+    def __init__(
+        self,
+        judge: Judge,
+        relation: Relation,
+        assume: tuple[Statement, ...],
+        definitions: Lookup | None = None,
+    ) -> None:
+        super().__init__(judge, [relation], assume, definitions)
         self.relation = relation
+        self.assume = assume
 
     def verdict(self) -> Verdict:
         relation = self.relation
@@ -181,6 +203,21 @@ class _RelationJudge(_Case):
             return Verdict(Outcome.UNCHECKED, reason="both sides are the same term, so nothing is tested")
         if self.assumptions.relations and self.find(lambda trial: True) is None:
             raise Unsatisfiable("no values of the symbols satisfy the assumptions")
+        return self._by_names_alone() or self._by_definitions()
+
+    def _by_names_alone(self) -> Verdict | None:
+        """The proof that needs no definition, if there is one: with all defined symbols left free."""
+        try:
+            bare = _RelationJudge(self.judge, self.relation, self.assume, _NoDefinitions())
+            residuals = bare.exact.residuals(self.relation)
+            if not bare._vanishes(residuals) or unimplied(bare.exact, bare.assumptions.nonzero):
+                return None
+        except (NotExact, ZeroDivisionError):
+            return None
+        return bare._prove(residuals, bare._screen(), on_motions=self)
+
+    def _by_definitions(self) -> Verdict:
+        relation = self.relation
         screened = self._screen()
         try:
             residuals = self.exact.residuals(relation)
@@ -215,15 +252,18 @@ class _RelationJudge(_Case):
         return True
 
     @cached_property
-    def _equations(self) -> list[Polynomial]:
-        return ideal_of(self.exact, self.assumptions.equations)
+    def _equations(self) -> Equations:
+        return solve(self.exact, self.assumptions.equations)
 
     def _vanishes(self, residuals: list[Polynomial]) -> bool:
         if self.assumptions.equations:
-            return all(in_ideal(p, self._equations) for p in residuals)
+            return all(self._equations.imply(p) for p in residuals)
         return all(p == 0 for p in residuals)
 
-    def _prove(self, residuals: list[Polynomial], screened: bool | None) -> Verdict:
+    def _prove(
+        self, residuals: list[Polynomial], screened: bool | None, on_motions: _RelationJudge | None = None
+    ) -> Verdict:
+        case = on_motions or self
         figures = {"components": len(residuals), "indeterminates": len(self.exact.ring.names)}
         evidence = [Evidence("exact ring over ℚ (FLINT)", "residual is 0", figures)]
         if screened:
@@ -237,7 +277,7 @@ class _RelationJudge(_Case):
         if self.judge.motions and self.judge.motion and not self.assumptions.equations:
             from workbench.judge.motion_check import VETO, check_on_motions
 
-            checked = check_on_motions(self.relation, self.inventory, self.definitions, self.judge.motion)
+            checked = check_on_motions(case.relation, case.inventory, case.definitions, self.judge.motion)
             if checked is not None:
                 evidence.append(checked)
                 if checked.outcome == VETO:

@@ -18,6 +18,9 @@ from workbench.language.terms import Relation, Symbol
 #: Residual over scale that rounding can explain at these orders; wrong formulas leave residuals near 1.
 TOLERANCE = 1e-9
 
+#: Drake differentiates its Expressions this often at most.
+HIGHEST_ORDER = 5
+
 VETO = "residual above tolerance"
 
 
@@ -29,9 +32,17 @@ class _FloatRing(FloatRing):
 class MotionSource:
     """Bound symbols from a motion at one time, the others free."""
 
-    def __init__(self, motion: Any, time: float, bindings: Mapping[Symbol, str], free: PointSource) -> None:
+    def __init__(
+        self,
+        motion: Any,
+        time: float,
+        bindings: Mapping[Symbol, str],
+        free: PointSource,
+        moved_along: int | None = None,
+    ) -> None:
         self.ring = free.ring
         self._motion, self._time, self._bindings, self._free = motion, time, bindings, free
+        self._moved_along = moved_along
 
     def jet(self, symbol: Symbol, depth: int) -> Value:
         binding = self._bindings.get(symbol)
@@ -40,6 +51,10 @@ class MotionSource:
         jets = self._motion.jet(binding, depth, self._time).astype(object)
         if symbol.type.dual:
             return Value(list(jets[:, 0]), list(jets[:, 1]))
+        if symbol.declaration.coordinate and self._moved_along is not None:
+            step = np.zeros_like(jets)
+            step[0, self._moved_along] = 1.0
+            return Value(list(jets), list(step))
         return Value(list(jets))
 
     def circle(self, angle: Symbol) -> tuple[float, float]:
@@ -49,7 +64,8 @@ class MotionSource:
         return float(np.cos(value)), float(np.sin(value))
 
     def along(self, component: int) -> MotionSource:
-        return MotionSource(self._motion, self._time, self._bindings, self._free.along(component))
+        free = self._free.along(component)
+        return MotionSource(self._motion, self._time, self._bindings, free, component)
 
 
 def check_on_motions(
@@ -60,7 +76,7 @@ def check_on_motions(
     Scale: the largest component of either side, at least 1. The outcome is VETO above TOLERANCE.
     """
     used = {symbol: bindings[symbol] for symbol in inventory.orders if symbol in bindings}
-    if not used:
+    if not used or max(inventory.orders[symbol] for symbol in used) > HIGHEST_ORDER:
         return None
     from workbench.drake.motions import reference_motions
 

@@ -10,7 +10,6 @@ from typing import Any
 os.environ.setdefault("SYMPY_GROUND_TYPES", "python")
 
 from sympy.polys.domains import QQ
-from sympy.polys.groebnertools import groebner
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement
 from sympy.polys.rings import ring as polynomial_ring
@@ -148,7 +147,7 @@ class SympyRing:
 def recheck(
     relation: Relation, inventory: Inventory, definitions: Lookup, equations: Sequence[Relation] = ()
 ) -> bool:
-    """Whether left − right is 0 here too: modulo the equations, by SymPy's own Gröbner basis, if any."""
+    """Whether left − right is 0 here too, where the equations hold."""
     ring = SympyRing(inventory)
     engine = JetEngine(PointSource(ring, ring.point), definitions)
     differences = engine.differences(relation.left, relation.right)
@@ -156,8 +155,30 @@ def recheck(
     if not equations:
         return not any(tops)
     supposed = [ring.lift(d).top for e in equations for d in engine.differences(e.left, e.right)]
-    basis = groebner([p for p in supposed if p] + ring.relations, ring.polynomials)
-    return all(not top.rem(basis) for top in tops)
+    return not any(_eliminated(tops, [p for p in supposed if p], ring))
+
+
+def _eliminated(tops: list[PolyElement], supposed: list[PolyElement], ring: SympyRing) -> list[PolyElement]:
+    """The polynomials where the supposed ones vanish: each supposed one that is linear in an indeterminate with
+    a number as coefficient is solved for it and put in; by the others the result is divided."""
+    bound = {x for relation in ring.relations for x in ring.polynomials.gens if relation.degree(x) > 0}
+    divisors = []
+    while supposed:
+        p = supposed.pop()
+        solvable = (
+            x for x in ring.polynomials.gens if x not in bound and p.degree(x) == 1 and p.diff(x).is_ground
+        )
+        x = next(solvable, None)
+        if x is None:
+            divisors.append(p)
+            continue
+        value = x - p.quo_ground(p.diff(x).LC)
+        tops, supposed, divisors = (
+            [q.compose(x, value) if q.degree(x) > 0 else q for q in group]
+            for group in (tops, supposed, divisors)
+        )
+        supposed = [q for q in supposed if q]
+    return [top.rem(divisors) if divisors else top for top in tops]
 
 
 def recheck_division(

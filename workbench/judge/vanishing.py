@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
-
-from flint import fmpq_mpoly_vec
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.exact import ExactEngine
@@ -49,25 +48,61 @@ def _positive(p: Polynomial) -> bool:
     return constant and even
 
 
-def ideal_of(engine: ExactEngine, equations: Sequence[Relation]) -> list[Polynomial]:
-    """A Gröbner basis of the equations' residuals at the instant."""
-    residuals = [p for e in equations for p in engine.residuals(e) if p != 0]
-    if not residuals:
-        return []
-    basis = fmpq_mpoly_vec([*residuals, *engine.ring.relations], residuals[0].context())
-    return list(basis.buchberger_naive().autoreduction()) if len(residuals) else []
+@dataclass
+class Equations:
+    """The zeros of some polynomials: those that are solved for one of their generators, and the rest.
+
+    A polynomial c·x + r with a number c and no x in r holds exactly where x = −r/c, so x can be replaced by that
+    everywhere. What has no such generator is divided by, which finds some consequences and invents none.
+    """
+
+    solved: list[tuple[Polynomial, Polynomial]]
+    rest: list[Polynomial]
+
+    def imply(self, p: Polynomial) -> bool:
+        """Whether p is seen to vanish where the equations hold."""
+        for generator, value in self.solved:
+            p = _replaced(p, generator, value)
+        for divisor in self.rest:
+            p = divmod(p, divisor)[1]
+        return p == 0
 
 
-def in_ideal(p: Polynomial, basis: Sequence[Polynomial]) -> bool:
-    """Whether the remainder of p by the basis is 0."""
-    changed = True
-    while changed and p != 0:
-        changed = False
-        for divisor in basis:
-            remainder = divmod(p, divisor)[1]
-            if remainder != p:
-                p, changed = remainder, True
-    return p == 0
+def solve(engine: ExactEngine, equations: Sequence[Relation]) -> Equations:
+    """The equations' residuals, solved one after the other as far as possible."""
+    pending = [p for e in equations for p in engine.residuals(e) if p != 0]
+    found = Equations([], [])
+    while pending:
+        p = pending.pop(0)
+        pivot = _pivot(engine, p)
+        if pivot is None:
+            found.rest.append(p)
+            continue
+        generator, value = pivot
+        found.solved.append(pivot)
+        pending = [q for q in (_replaced(q, generator, value) for q in pending) if q != 0]
+        found.rest = [_replaced(q, generator, value) for q in found.rest]
+    return found
+
+
+def _pivot(engine: ExactEngine, p: Polynomial) -> tuple[Polynomial, Polynomial] | None:
+    squared = engine.ring.squared
+    for exponents, coefficient in p.terms():
+        places = [place for place, e in enumerate(exponents) if e]
+        if len(places) != 1 or exponents[places[0]] != 1:
+            continue
+        generator = p.context().gens()[places[0]]
+        if engine.ring.names[places[0]] in squared or p.degrees()[places[0]] != 1:
+            continue
+        if p.derivative(places[0]).is_constant():
+            return generator, generator - p / coefficient
+    return None
+
+
+def _replaced(p: Polynomial, generator: Polynomial, value: Polynomial) -> Polynomial:
+    context = p.context()
+    images = [value if g == generator else g for g in context.gens()]
+    return p.compose(*images, ctx=context)
 
 
 def same_zeros(case: _Case, left: Relation, right: Relation, both_ways: bool, second_engine: bool) -> Verdict:

@@ -114,7 +114,7 @@ def argue(
         for way in step.ways:
             count, fault = _examine(way)
             figures = {"checks": count}
-            evidence.append(Evidence(way.engine, fault or step.shown, figures))
+            evidence.append(Evidence(str(way.engine), fault or step.shown, figures))
             if fault:
                 why = f"step not shown: {step.shown} ({way.engine}: {fault})"
                 return Verdict(Outcome.UNCHECKED, reason=why, evidence=tuple(evidence))

@@ -1,6 +1,6 @@
 """From a statement to its verdict.
 
-One relation goes through: inventory → two random points modulo a prime → the exact ring → the second engine
+One relation goes through: inventory → a random point modulo a prime → the exact ring → the second engine
 → Drake's motions; or, where a residual is not zero, to a small rational counterexample. Numbers can veto a
 proof and never make one.
 """
@@ -209,12 +209,15 @@ class _RelationJudge(_Case):
         """The proof that needs no definition, if there is one: with all defined symbols left free."""
         try:
             bare = _RelationJudge(self.judge, self.relation, self.assume, _NoDefinitions())
+            screened = bare._screen()
+            if screened is False:
+                return None
             residuals = bare.exact.residuals(self.relation)
             if not bare._vanishes(residuals) or unimplied(bare.exact, bare.assumptions.nonzero):
                 return None
         except (NotExact, ZeroDivisionError):
             return None
-        return bare._prove(residuals, bare._screen(), on_motions=self)
+        return bare._prove(residuals, screened, on_motions=self)
 
     def _by_definitions(self) -> Verdict:
         relation = self.relation
@@ -237,19 +240,16 @@ class _RelationJudge(_Case):
         )
 
     def _screen(self) -> bool | None:
-        """Zero at two random points modulo the prime; None where the screen does not apply."""
+        """Zero at a random point modulo the prime; None where the screen does not apply."""
         if self.assumptions.equations:
             return None
-        random, ring = Random(2020), ResidueRing()
-        for _ in range(2):
-            point = sample(self.inventory, ring, random, lambda _: True)
-            engine = JetEngine(PointSource(ring, point), self.definitions)
-            try:
-                if any(engine.differences(self.relation.left, self.relation.right)):
-                    return False
-            except (NotExact, ZeroDivisionError):
-                return None
-        return True
+        ring = ResidueRing()
+        point = sample(self.inventory, ring, Random(2020), lambda _: True)
+        engine = JetEngine(PointSource(ring, point), self.definitions)
+        try:
+            return not any(engine.differences(self.relation.left, self.relation.right))
+        except (NotExact, ZeroDivisionError):
+            return None
 
     @cached_property
     def _equations(self) -> Equations:
@@ -267,7 +267,7 @@ class _RelationJudge(_Case):
         figures = {"components": len(residuals), "indeterminates": len(self.exact.ring.names)}
         evidence = [Evidence("exact ring over ℚ (FLINT)", "residual is 0", figures)]
         if screened:
-            evidence.insert(0, Evidence(f"random points modulo {PRIME}", "residual is 0", {"points": 2}))
+            evidence.insert(0, Evidence(f"random point modulo {PRIME}", "residual is 0"))
         gaps = unimplied(self.exact, self.assumptions.nonzero)
         if gaps:
             return self._conditional(gaps, evidence)

@@ -6,9 +6,9 @@ They are made by `construct.py`, which refuses what types or weights forbid. Not
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Literal
+from typing import Literal, dataclass_transform
 
 from workbench.language.integers import Linear
 from workbench.language.types import Declaration, Type, Weight
@@ -28,6 +28,7 @@ class Term:
 
     type: Type
     weight: Weight
+    _hash: int = field(default=0, init=False, repr=False, compare=False)
 
     @property
     def children(self) -> tuple[Term, ...]:
@@ -40,21 +41,36 @@ class Term:
             yield from child.walk()
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass_transform(frozen_default=True)
+def _node(cls: type) -> type:
+    """A frozen dataclass that computes its hash once: terms are keys everywhere, and deep ones are costly."""
+    cls = dataclass(frozen=True, slots=True)(cls)
+    structural = cls.__hash__
+
+    def remembered(self: Term) -> int:
+        if not self._hash:
+            object.__setattr__(self, "_hash", structural(self) or 1)
+        return self._hash
+
+    cls.__hash__ = remembered
+    return cls
+
+
+@_node
 class Number(Term):
     """A rational constant."""
 
     value: Fraction
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Integer(Term):
     """An integer expression used as a scalar, such as the n in n ω."""
 
     value: Linear
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Counting(Term):
     """factorial(n), binomial(n, k) or multinomial(n; k₁, …) as a scalar."""
 
@@ -62,27 +78,27 @@ class Counting(Term):
     arguments: tuple[Linear, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Zero(Term):
     """0 of any type."""
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Identity(Term):
     """The unit tensor I, the unit block matrix, or the unit operator, by its type."""
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class DualUnit(Term):
     """ε with ε² = 0."""
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class TimeOperator(Term):
     """D = d/dt as an operator."""
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Symbol(Term):
     """A declared symbol, one member of a family (index), a function symbol applied (arguments)."""
 
@@ -95,7 +111,7 @@ class Symbol(Term):
         return self.arguments
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Apply(Term):
     """The operation `head` on its arguments; SIGNATURES in `signatures.py` lists the heads."""
 
@@ -107,7 +123,7 @@ class Apply(Term):
         return self.arguments
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Derivative(Term):
     """The time derivative of order `order` (a linear integer expression) of `body`."""
 
@@ -119,7 +135,7 @@ class Derivative(Term):
         return (self.body,)
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Power(Term):
     """base^exponent; for a vector x² is x·x, for a tensor or an operator the repeated product."""
 
@@ -131,7 +147,7 @@ class Power(Term):
         return (self.base,)
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class BigSum(Term):
     """Σ of `body` for `variables`: one variable from `lower` to `upper`; or, if `lower` is None,
     all non-negative values of the variables whose sum is `upper`."""
@@ -146,7 +162,7 @@ class BigSum(Term):
         return (self.body,)
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Block(Term):
     """A matrix of blocks, row by row."""
 

@@ -12,7 +12,7 @@ Each theorem is proved twice over polynomials, from two different descriptions o
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from math import factorial
 from typing import Any
 
@@ -59,19 +59,6 @@ def closed_form_3c() -> Verdict:
 def _closed_form(
     joints: int, formulas: TwistDerivatives, latex: Callable[[bool], tuple[str, ...]]
 ) -> Verdict:
-    def printed_ways(expanded: bool) -> list[Way]:
-        return [
-            Way(
-                engine,
-                vanishing(lambda: printed(joints, latex(expanded), formulas)),
-                but_not=vanishing(lambda: printed(joints, latex(expanded), _misprinted(formulas))),
-            )
-            for engine, printed in (
-                (Engine.FLINT, _printed_in_flint),
-                (Engine.SYMPY, _printed_in_sympy),
-            )
-        ]
-
     name = f"the {joints}C manipulator"
     return argue(
         [
@@ -83,8 +70,14 @@ def _closed_form(
                 f"{name}: Eq. (133) nested gives the same to order 4",
                 *_ways(joints, twist_derivatives, entries=5),
             ),
-            Step(f"{name}: the printed products say the same", *printed_ways(False)),
-            Step(f"{name}: expanded as in (147), they say the same", *printed_ways(True)),
+            Step(
+                f"{name}: the printed products say the same",
+                *_printed_ways(joints, latex(False), formulas),
+            ),
+            Step(
+                f"{name}: expanded as in (147), they say the same",
+                *_printed_ways(joints, latex(True), formulas),
+            ),
         ]
     )
 
@@ -94,14 +87,28 @@ def _ways(joints: int, formulas: TwistDerivatives, entries: int) -> list[Way]:
     ways = [
         Way(
             engine,
-            vanishing(lambda chain=chain: chain(joints, entries).residuals(formulas)),
-            but_not=vanishing(lambda chain=chain: chain(joints, entries).residuals(wrong)),
+            vanishing(partial(chain(joints, entries).residuals, formulas)),
+            but_not=vanishing(partial(chain(joints, entries).residuals, wrong)),
         )
         for engine, chain in ((Engine.FLINT, FlintChain), (Engine.SYMPY, SympyChain))
     ]
-    check = vanishing_to(DRAKE_TOLERANCE, lambda: _drake_residuals(joints, formulas, entries))
-    but_not = vanishing_to(DRAKE_TOLERANCE, lambda: _drake_residuals(joints, wrong, entries))
+    check = vanishing_to(DRAKE_TOLERANCE, partial(_drake_residuals, joints, formulas, entries))
+    but_not = vanishing_to(DRAKE_TOLERANCE, partial(_drake_residuals, joints, wrong, entries))
     return [*ways, Way(Engine.DRAKE, check, but_not)]
+
+
+def _printed_ways(
+    joints: int, latex: Sequence[str], formulas: TwistDerivatives
+) -> Iterator[Way]:
+    for engine, printed in (
+        (Engine.FLINT, _printed_in_flint),
+        (Engine.SYMPY, _printed_in_sympy),
+    ):
+        yield Way(
+            engine,
+            vanishing(partial(printed, joints, latex, formulas)),
+            but_not=vanishing(partial(printed, joints, latex, _misprinted(formulas))),
+        )
 
 
 def _misprinted(formulas: TwistDerivatives) -> TwistDerivatives:

@@ -69,13 +69,17 @@ class Elaborator:
         yield
         self.variables = outer
 
-    def term(self, node: Node) -> Term:
+    @contextmanager
+    def nested(self, at: int):
         self.depth += 1
         if self.depth > DEEPEST_TERM:
-            raise Fault(f"the formula nests deeper than {DEEPEST_TERM}", node.at)
-        result = self._term(node)
+            raise Fault(f"the formula nests deeper than {DEEPEST_TERM}", at)
+        yield
         self.depth -= 1
-        return result
+
+    def term(self, node: Node) -> Term:
+        with self.nested(node.at):
+            return self._term(node)
 
     def _term(self, node: Node) -> Term:
         value = self.integer_expression(node)
@@ -88,7 +92,11 @@ class Elaborator:
                 return product(self, node.items)
             case Leaf(kind="NUMBER"):
                 return self.number(node)
-            case Leaf(kind="FUNCTION") | Scripted(nucleus=Leaf(kind="FUNCTION")) | Summation():
+            case (
+                Leaf(kind="FUNCTION")
+                | Scripted(nucleus=Leaf(kind="FUNCTION") | Group(parts=()))
+                | Summation()
+            ):
                 return product(self, (node,))
             case Leaf() | Styled() | Accented() | Scripted():
                 return named(self, node)
@@ -206,9 +214,10 @@ class Elaborator:
                 raise Fault("the sum has no upper bound", node.at)
             names, start, end = [single], self.integer(right), self.upper_bound(node.upper)
         else:
+            names, start = self.parts_of(left), None
             if node.upper is not None:
                 raise Fault("a sum over k_1 + k_2 + … = k has no upper bound", node.upper.at)
-            names, start, end = self.parts_of(left), None, self.integer(right)
+            end = self.integer(right)
         with self.bound(names, node.at):
             term = body()
         return self.build(node.at, construct.big_sum, names, start, end, term)

@@ -24,7 +24,7 @@ from workbench.language.syntax import (
     Styled,
     Summation,
 )
-from workbench.language.terms import IllFormed, Integer, Number, Term
+from workbench.language.terms import IllFormed, Integer, Number, Term, TimeOperator
 
 if TYPE_CHECKING:
     from workbench.language.elaborate import Elaborator
@@ -106,7 +106,8 @@ class _Row:
     def factor(self, place: int) -> _Factor:
         """The factor that begins at an item: read once, however often it is looked at."""
         if place not in self.known:
-            self.known[place] = self._factor(place)
+            with self.reader.nested(self.items[place].at):
+                self.known[place] = self._factor(place)
         return self.known[place]
 
     def _factor(self, place: int) -> _Factor:
@@ -141,7 +142,7 @@ class _Row:
         return self.name(place + 1, self.items[place + 1], Scripts(left.sub, left.sup))
 
     def name(self, place: int, item: Node, scripts: Scripts) -> _Factor:
-        """A symbol; if it is a function symbol, with its arguments. x(t) is x."""
+        """A symbol; if it is a function symbol, with its arguments. x(t) is x, P(D) is P."""
         reader = self.reader
         following = self.items[place + 1] if place + 1 < len(self.items) else None
         bracket = following.nucleus if isinstance(following, Scripted) else following
@@ -152,7 +153,7 @@ class _Row:
             return _Factor(value, item.at, place + 1, item)
         term, sup, takes_bracket = letter(reader, item, scripts, bracket)
         end = place + 1
-        if takes_bracket or (bracket is not None and self.is_time(bracket)):
+        if takes_bracket or (bracket is not None and self.is_own_variable(bracket, term)):
             if isinstance(following, Scripted):
                 raise Fault("scripts on the argument of a function; bracket the whole", following.at)
             end += 1
@@ -160,9 +161,14 @@ class _Row:
             term = raised(reader, term, sup)
         return _Factor(term, item.at, end, item)
 
-    def is_time(self, bracket: Bracket) -> bool:
-        (part, *others) = bracket.parts
-        is_t = isinstance(part, Leaf) and part.text == "t" and not others
+    def is_own_variable(self, bracket: Bracket, term: Term) -> bool:
+        """Whether the bracket says only what the symbol depends on: x(t), and P(D) for an operator."""
+        if len(bracket.parts) != 1:
+            return False
+        (part,) = bracket.parts
+        if term.type.kind == "operator":
+            return isinstance(part, Styled) and isinstance(self.reader.term(part), TimeOperator)
+        is_t = isinstance(part, Leaf) and part.text == "t"
         return is_t and "t" not in self.reader.table.symbols and "t" not in self.reader.variables
 
     def function(self, place: int) -> _Factor:

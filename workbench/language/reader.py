@@ -43,6 +43,10 @@ def _placed(latex: str, make: Callable[[Lines], Result]) -> Result:
     try:
         return make(parse(latex))
     except Fault as fault:
-        raise ReadError(str(fault), *place(latex, fault.at)) from None
+        raise ReadError(_short(str(fault)), *place(latex, fault.at)) from None
     except Misfit as misfit:
         raise IllFormedAt(misfit.fault, *place(latex, misfit.at)) from None
+
+
+def _short(message: str) -> str:
+    return message if len(message) <= 200 else f"{message[:199]}…"

@@ -18,6 +18,7 @@ from workbench.language.syntax import (
     Leaf,
     Lines,
     Node,
+    Product,
     Scripted,
     Styled,
     Sum,
@@ -181,6 +182,8 @@ def _set_name(node: Node) -> str:
             letter = letter.body
         else:
             letter = letter.parts[0]
+    if isinstance(letter, Product) and all(isinstance(item, Leaf) for item in letter.items):
+        letter = Leaf(letter.at, "LETTER", "".join(item.text for item in letter.items))  # SO
     scripts = Scripts(sub=scripted.sub, sup=scripted.sup)
     pieces = None
     if isinstance(letter, Leaf):

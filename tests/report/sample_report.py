@@ -184,6 +184,15 @@ CLAIMS = [
         r" \underline{\Phi}_{k_{p-1}}(\underline{\omega}_{p-1}) \underline{\omega}_p^{[n-k]}, \end{aligned}",
     ),
     claim(
+        "134", "134", SECTION_7, "refuted",
+        printed=r"\Phi_4 = a + b + c + d + e + f + g + h + k + l + m + n + o + \rho_1 \times \rho_2",
+        corrected={
+            "latex": r"\Phi_4 = a + b + c + d + e + f + g + h + k + l + m + n + o + (\omega \times \rho_3) \cdot"
+            r" \frac{3 \dot{\omega} \times \ddot{\omega} + 2 \omega^2 \dot{\omega}}{(\omega \times \dot{\omega})^2}",
+            "verdict": "proved",
+        },
+    ),
+    claim(
         "L", "Lemma", SECTION_7, "ill-formed", printed=r"\underline{\omega} = \mystery{x} \cos",
         reading={"latex": r"\underline{\omega} = \cos x", "verdict": "definition"},
     ),

@@ -10,7 +10,7 @@ pytestmark = pytest.mark.skipif(EXECUTABLE is None, reason="no Chromium is insta
 
 VISIBLE = "[...document.querySelectorAll('{}')].filter(e => e.checkVisibility()).map(e => e.id)"
 OVERFLOWING = """[...document.querySelectorAll('body *')]
-  .filter(e => !e.parentElement.closest('.scroll') && !e.closest('.skip, .visually-hidden'))
+  .filter(e => !e.parentElement.closest('.scroll, .wrong, p') && !e.closest('.skip, .visually-hidden'))
   .filter(e => e.getBoundingClientRect().right > innerWidth + 1).map(e => e.outerHTML.slice(0, 80))"""
 MATCHES_FILTER = """[...document.querySelectorAll('.claim')]
   .every(e => e.checkVisibility() == e.matches('.%s'))"""

@@ -225,7 +225,7 @@ def test_counts_on_the_first_screen(texts):
         )
     )
     assert tiles == {
-        "numbered equations": "12", "hold as printed": "6", "false as printed": "2", "garbled": "2",
+        "numbered equations": "13", "hold as printed": "6", "false as printed": "3", "garbled": "2",
         "need a hypothesis": "0", "not settled": "2",
     }  # fmt: skip
 
@@ -280,7 +280,9 @@ def test_evidence_says_which_form_it_is_about(texts):
 
 def test_counterexample_is_exact_and_complete(texts):
     entry = texts["report.html"].split('id="claim-61.det"')[1].split("</article>")[0]
-    alternatives = re.findall(r'alttext="(.*?)"', entry.split('class="pencil"')[1].split("</table>")[0])
+    alternatives = re.findall(
+        r'alttext="(.*?)"', entry.split('class="pencil"')[1].split("</table>")[0]
+    )
     assert alternatives == [
         r"\omega", r"( 1 ,\; 0 ,\; 0 )", r"\dot{\omega}", r"( 0 ,\; 1 ,\; 0 )",
         r"\ddot{\omega}", r"( 0 ,\; 0 ,\; 1 )", r"-\frac{13}{4}", r"\frac{1}{4}", r"-\frac{7}{2}",
@@ -304,6 +306,11 @@ def test_markdown_escapes_headings_and_text(nasty):
     heading = nasty["report.md"].splitlines()[0]
     assert heading.startswith(r"# \<script\>alert\(1\)\</script\> \& ")
     assert r"\$x\_1\$" in heading
+
+
+def test_markdown_shows_what_it_cannot_typeset_as_source(nasty):
+    assert "\n$$\n" not in nasty["report.md"]
+    assert r"`a\\&b`" in nasty["report.md"]
 
 
 def test_markdown_mathematics_is_one_line_between_dollars(texts):

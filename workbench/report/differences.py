@@ -69,50 +69,85 @@ def _without_final_stop(atoms: list[Atom]) -> list[Atom]:
 
 def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
     sides = (first, second)
-    counted = [[i for i, atom in enumerate(atoms) if key(atom) is not None] for atoms in sides]
-    keys = [[key(sides[side][i]) for i in counted[side]] for side in (0, 1)]
-    blocks = _unequal_blocks(keys, [[sides[side][i] for i in counted[side]] for side in (0, 1)])
-    uncommon = sum(ends[1] - ends[0] + ends[3] - ends[2] for ends in blocks)
-    if all(keys) and uncommon > (1 - _RECOGNISABLE) * (len(keys[0]) + len(keys[1])):
-        return Difference(rewritten=True)
+    units = [_units(atoms, key) for atoms in sides]
+    keys = [[_keys(sides[side][slice(*unit)], key) for unit in units[side]] for side in (0, 1)]
+    blocks = _unequal_blocks(*keys)
     changes, marked = [], (set(), set())
     for ends in blocks:
-        places = [counted[0][ends[0] : ends[1]], counted[1][ends[2] : ends[3]]]
-        for side in (0, 1):
-            marked[side].update(_leaves_within(sides[side], places[side]))
-        changes.append(_change(sides, places, _preceding(second, counted[1], ends[2])))
+        spans = [_span(units[0][ends[0] : ends[1]]), _span(units[1][ends[2] : ends[3]])]
+        for side, leaves in enumerate(_leaves_that_differ(sides, spans, key)):
+            marked[side].update(leaves)
+        start = units[1][ends[2]][0] if ends[2] < len(units[1]) else len(second)
+        parts = [sides[side][slice(*spans[side])] for side in (0, 1)]
+        changes.append(
+            Change(_kind(*parts), *(_fragment(part) for part in parts), _preceding(second, start))
+        )
+    leaves = sum(atom.leaf for atom in (*first, *second))
+    if all(keys) and len(marked[0]) + len(marked[1]) > (1 - _RECOGNISABLE) * leaves:
+        return Difference(rewritten=True)
     return Difference(tuple(changes), frozenset(marked[0]), frozenset(marked[1]))
 
 
-def _unequal_blocks(keys: list[list], atoms: list[list[Atom]]) -> list[list[int]]:
-    """The cheapest way from the first to the second, as [start, end, start, end], in order.
+def _units(atoms: Sequence[Atom], key: _Key) -> list[tuple[int, int]]:
+    """What is compared as one: a symbol or bracket with its marks, exponents and indices."""
+    units, place = [], 0
+    while place < len(atoms):
+        start, atom = place, atoms[place]
+        has_content = atom.is_accent or atom.is_script
+        place = (_closing_of(atoms, place) if has_content else place) + 1
+        if atom.leaf or atom.is_accent or atom.identity in _CLOSING:
+            while place < len(atoms) and atoms[place].is_script:
+                place = _closing_of(atoms, place) + 1
+        if _keys(atoms[start:place], key):
+            units.append((start, place))
+    return units
 
-    Replacing one atom by another of its family costs less than dropping it and adding the other.
-    """
-    rows, columns = len(keys[0]), len(keys[1])
 
-    def across(row: int, column: int) -> float:
-        if keys[0][row] == keys[1][column]:
-            return 0.0
-        return 1.5 if _are_akin(atoms[0][row], atoms[1][column]) else 2.0
+def _keys(atoms: Sequence[Atom], key: _Key) -> tuple[str, ...]:
+    return tuple(found for atom in atoms if (found := key(atom)) is not None)
 
-    cost = [[float(row + column) for column in range(columns + 1)] for row in range(rows + 1)]
+
+def _span(units: Sequence[tuple[int, int]]) -> tuple[int, int]:
+    return (units[0][0], units[-1][1]) if units else (0, 0)
+
+
+def _leaves_that_differ(
+    sides: _Sides, spans: Sequence[tuple[int, int]], key: _Key
+) -> tuple[set[int], set[int]]:
+    """The leaves to mark in two unequal stretches: those not common to both, or all if all are common."""
+    places = [
+        [i for i in range(*spans[side]) if key(sides[side][i]) is not None] for side in (0, 1)
+    ]
+    leaves = (set(), set())
+    for ends in _unequal_blocks(*([key(sides[side][i]) for i in places[side]] for side in (0, 1))):
+        for side in (0, 1):
+            leaves[side].update(
+                _leaves_within(sides[side], places[side][ends[2 * side] : ends[2 * side + 1]])
+            )
+    return tuple(
+        found or {i for i in range(*spans[side]) if sides[side][i].leaf}
+        for side, found in enumerate(leaves)
+    )
+
+
+def _unequal_blocks(first: list[str | None], second: list[str | None]) -> list[list[int]]:
+    """Where two sequences differ outside a longest common subsequence: [start, end, start, end], in order."""
+    rows, columns = len(first), len(second)
+    common = [[0] * (columns + 1) for _ in range(rows + 1)]
     for row in range(rows):
         for column in range(columns):
-            cost[row + 1][column + 1] = min(
-                cost[row][column] + across(row, column),
-                cost[row][column + 1] + 1,
-                cost[row + 1][column] + 1,
-            )
+            if first[row] == second[column]:
+                common[row + 1][column + 1] = common[row][column] + 1
+            else:
+                common[row + 1][column + 1] = max(common[row][column + 1], common[row + 1][column])
     blocks: list[list[int]] = []
     row, column = rows, columns
     while row or column:
-        here, end = cost[row][column], (row, column)
-        if row and column and here == cost[row - 1][column - 1] + across(row - 1, column - 1):
+        end = (row, column)
+        if row and column and first[row - 1] == second[column - 1]:
             row, column = row - 1, column - 1
-            if keys[0][row] == keys[1][column]:
-                continue
-        elif row and here == cost[row - 1][column] + 1:
+            continue
+        if row and common[row][column] == common[row - 1][column]:
             row -= 1
         else:
             column -= 1
@@ -121,10 +156,6 @@ def _unequal_blocks(keys: list[list], atoms: list[list[Atom]]) -> list[list[int]
         else:
             blocks.append([row, end[0], column, end[1]])
     return blocks[::-1]
-
-
-def _are_akin(first: Atom, second: Atom) -> bool:
-    return first.leaf == second.leaf and first.family == second.family
 
 
 def _leaves_within(atoms: Sequence[Atom], places: Sequence[int]) -> set[int]:
@@ -145,27 +176,8 @@ def _closing_of(atoms: Sequence[Atom], opening: int) -> int:
     return len(atoms) - 1
 
 
-def _change(sides: _Sides, places: list[list[int]], following: str | None) -> Change:
-    before, after = (_fragment(sides[side], places[side]) for side in (0, 1))
-    if not (places[0] and places[1]) and all(
-        sides[side][place].is_accent for side in (0, 1) for place in places[side]
-    ):
-        bare = _fragment(*_content_of(sides[0], places[0]) or _content_of(sides[1], places[1]))
-        return Change("mark", before or bare, after or bare, following)
-    kind = _kind(*([sides[side][i] for i in places[side]] for side in (0, 1)))
-    return Change(kind, before, after, following)
-
-
-def _content_of(atoms: Sequence[Atom], openings: Sequence[int]) -> tuple | None:
-    """What stands under the marks that open at the places."""
-    if not openings:
-        return None
-    return atoms, range(openings[-1] + 1, _closing_of(atoms, openings[-1]))
-
-
-def _preceding(atoms: Sequence[Atom], counted: Sequence[int], position: int) -> str | None:
+def _preceding(atoms: Sequence[Atom], end: int) -> str | None:
     """The symbol or bracket before a place, with its exponents and indices."""
-    end = counted[position] if position < len(counted) else len(atoms)
     braces = brackets = 0
     for start in range(end - 1, -1, -1):
         atom = atoms[start]
@@ -187,19 +199,32 @@ def _kind(before: Sequence[Atom], after: Sequence[Atom]) -> str:
         return "operator"
     if all(atom.latex.isdigit() for atom in either):
         return "number"
-    if len(before) == len(after) == 1 and before[0].leaf and after[0].leaf:
-        letters = [re.sub(_MARK_NAMES, "", atom.shape or "") for atom in either]
-        return "mark" if letters[0] == letters[1] else "symbol"
-    return "part"
+    bases = [[atom.shape for atom in part if not atom.is_script][:1] for part in (before, after)]
+    scripts = [[atom.shape for atom in part][1:] for part in (before, after)]
+    if before and after and bases[0] == bases[1] and scripts[0] != scripts[1]:
+        openers = {atom.latex for atom in either if atom.is_script}
+        return (
+            {"^{": "exponent", "_{": "index"}.get(*openers, "part") if len(openers) == 1 else "part"
+        )
+    letters = [
+        [
+            re.sub(_MARK_NAMES, "", atom.shape or "")
+            for atom in part
+            if atom.shape and not atom.is_accent
+        ]
+        for part in (before, after)
+    ]
+    if letters[0] == letters[1]:
+        return "mark"
+    begin_with_symbols = before and after and before[0].leaf and after[0].leaf
+    rest = [[atom.shape for atom in part[1:]] for part in (before, after)]
+    return "symbol" if begin_with_symbols and rest[0] == rest[1] else "part"
 
 
-def _fragment(atoms: Sequence[Atom], places: Sequence[int]) -> str | None:
-    """LaTeX from the first to the last of the places, completed to the end of what opens there."""
-    if not places:
-        return None
-    end = max(_closing_of(atoms, place) if _opens(atoms[place]) > 0 else place for place in places)
-    text = latex_of(atoms[places[0] : end + 1])
-    return "{}" + text if text.startswith(("^", "_")) else text
+def _fragment(atoms: Sequence[Atom]) -> str | None:
+    """LaTeX of a stretch, None if it is empty; a script without a base gets an empty one."""
+    text = latex_of(atoms)
+    return "{}" + text if text.startswith(("^", "_")) else text or None
 
 
 def _opens(atom: Atom) -> int:

@@ -41,6 +41,11 @@ class Atom:
         """A mark over (or under) several symbols, opening."""
         return not self.leaf and self.latex[:-1] in table.ACCENTS
 
+    @property
+    def is_script(self) -> bool:
+        """The opening of an exponent or index."""
+        return self.latex in ("^{", "_{")
+
 
 def atoms_of(latex: str) -> list[Atom]:
     """The atoms of a formula. Raises LatexNotTypesettable, naming what is unknown or unbalanced."""

@@ -12,6 +12,7 @@ from typing import Any
 from workbench.report.differences import Change, Difference
 
 _INLINE_MATH = re.compile(r"\$([^$\n]+)\$")
+_LISTED = 8
 _RATIONAL = re.compile(r"-?\d+(/[1-9]\d*)?")
 
 
@@ -57,7 +58,11 @@ def difference_runs(difference: Difference | None, second_is: str) -> list[list[
         return [[text("The two forms have little in common; compare them as a whole.")]]
     if not difference.changes:
         return [[text("The two forms differ only in grouping or spacing.")]]
-    return [change_runs(change, second_is) for change in difference.changes]
+    sentences = [change_runs(change, second_is) for change in difference.changes]
+    if len(sentences) > _LISTED:
+        rest = f"And {len(sentences) - _LISTED} more places, marked in the formulas."
+        sentences[_LISTED:] = [[text(rest)]]
+    return sentences
 
 
 def value_latex(entries: Sequence[str] | str) -> str | None:
@@ -91,6 +96,8 @@ def plain_value(value: Any) -> str:
     """A figure of the evidence as text."""
     if isinstance(value, str):
         return value
+    if isinstance(value, list | tuple) and all(isinstance(item, str) for item in value):
+        return ", ".join(value)
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 

@@ -71,6 +71,11 @@ EXAMPLES = [
     (r"\frac{1}{2} a", r"\frac{3}{2} a", Change("number", "1", "3", None)),
     (r"a x^2 + y", r"a x^3 + y", Change("exponent", "x ^{ 2 }", "x ^{ 3 }", "a")),
     (r"a - \phi_n", r"a - \Phi_n", Change("symbol", r"\phi _{ n }", r"\Phi _{ n }", "-")),
+    (
+        r"x \left[ a + b \right] + y",
+        r"x \left[ a + b \right) + y",
+        Change("bracket", "]", ")", "b"),
+    ),
     (r"a + x", r"a + x_c", Change("index", "x", "x _{ c }", "+")),
     (
         r"\tilde{S}_3 t_3 + a + b",

@@ -21,7 +21,8 @@ _Key = Callable[[Atom], str | None]
 
 @dataclass(frozen=True)
 class Change:
-    """One place where two formulas differ. kind: sign, number, mark, symbol, part.
+    """One place where two formulas differ. kind: sign, operator, bracket, number,
+    exponent, index, mark, symbol, part.
 
     before: what the first formula has there (LaTeX, None if nothing); after: what the second has.
     following: the atom that stands before the place, None at the beginning.
@@ -197,6 +198,8 @@ def _kind(before: Sequence[Atom], after: Sequence[Atom]) -> str:
         return "sign"
     if all(atom.leaf and atom.family in ("bin", "rel") for atom in either):
         return "operator"
+    if all(atom.identity in _OPENING | _CLOSING for atom in either):
+        return "bracket"
     if all(atom.latex.isdigit() for atom in either):
         return "number"
     bases = [[atom.shape for atom in part if not atom.is_script][:1] for part in (before, after)]
@@ -224,6 +227,10 @@ def _kind(before: Sequence[Atom], after: Sequence[Atom]) -> str:
 def _fragment(atoms: Sequence[Atom]) -> str | None:
     """LaTeX of a stretch, None if it is empty; a script without a base gets an empty one."""
     text = latex_of(atoms)
+    try:
+        atoms_of(text)
+    except LatexNotTypesettable:  # half of a left-right pair: a plain bracket
+        text = re.sub(r"\\(left|right)\s*(?=\\?[^A-Za-z\s.]|\\[lr]angle)", "", text)
     return "{}" + text if text.startswith(("^", "_")) else text or None
 
 

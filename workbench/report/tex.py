@@ -24,6 +24,7 @@ _MATH_CHARACTERS = {
 }
 # The last of two commands for one character would win; these are the plain ones.
 _MATH_CHARACTERS |= {"→": r"\to", "≠": r"\neq", "≤": r"\leq", "≥": r"\geq", "−": "-", "²": "^2"}
+_LONG = 40
 _COMMANDS_OF_FAMILY = {"ord": r"\Changed", "bin": r"\ChangedBin", "rel": r"\ChangedRel"}
 
 
@@ -49,10 +50,14 @@ def source(latex: str) -> str:
 
 
 def inline_math(latex: str) -> str:
+    """A formula within a line, or on a line of its own where it is too long to be broken well."""
     try:
-        return rf"\({latex_of(atoms_of(latex))}\)"
+        atoms = atoms_of(latex)
     except LatexNotTypesettable:
         return source(latex)
+    if sum(len(atom.glyphs) for atom in atoms) > _LONG:
+        return display_math(latex)
+    return rf"\({latex_of(atoms)}\)"
 
 
 def display_math(latex: str, marked: frozenset[int] = frozenset()) -> str:

@@ -226,9 +226,9 @@ def _guesses(
     if all(d.name in table.zeros for d in bases.values()):
         yield from ((type_, None) for type_ in (TENSOR, VECTOR, SCALAR))
         return
-    types = [declaration.type]
+    types = [declaration.type, declaration.type.with_dual(True)]
     if declaration.type.kind == "tensor":
-        types.append(OPERATOR.with_dual(declaration.type.dual))  # a tensor is an operator of degree 0
+        types += [OPERATOR.with_dual(type_.dual) for type_ in types]  # a tensor is an operator of degree 0
     if declaration.weight is not None:
         for slope in _SLOPES:
             weight = Linear.variable("@0") * slope + (declaration.weight - first[0] * slope)

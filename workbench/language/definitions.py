@@ -52,7 +52,9 @@ class Definitions:
         exact = self._exact.get(spelled(symbol.declaration.name, symbol.index))
         if exact is not None:
             body = _with_arguments(exact.body, exact, symbol)
-            return replace(body, type=symbol.type) if isinstance(body, Zero | Identity) else body
+            if isinstance(body, Zero | Identity):
+                return replace(body, type=symbol.type.with_dual(False))
+            return body
         for definition in self._of[symbol.declaration.name]:
             values = solve(definition.index, symbol.index)
             if values is None:

@@ -107,7 +107,7 @@ class Elaborator:
             case Bracket():
                 return self.bracket(node)
             case Fraction():
-                return self.fraction(node)
+                return product(self, (node,))
             case Binomial():
                 return self.combinations(node.top, node.bottom)
             case Matrix():

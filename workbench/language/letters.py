@@ -167,6 +167,8 @@ class _Lettering:
 
     def factorial(self, node: Scripted) -> Term:
         argument = node.nucleus if node.sub is None else Scripted(node.at, node.nucleus, node.sub)
+        if isinstance(argument, Bracket) and len(argument.parts) == 1:
+            (argument,) = argument.parts
         if node.sup is not None or node.primes:
             raise Fault("the factorial of what? bracket it", node.at)
         return construct.counting("factorial", self.reader.integer(argument))

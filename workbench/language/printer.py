@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from workbench.language.construct import integer
@@ -96,8 +97,28 @@ class _Text:
         return self.text if self.level >= level else _bracket(self.text)
 
 
-def _bracket(text: str, square: bool = False) -> str:
-    return f"\\left[{text}\\right]" if square else f"\\left({text}\\right)"
+def _bracket(text: str) -> str:
+    return f"\\left({text}\\right)"
+
+
+def _square(text: str) -> str:
+    """The text with the bracket that it begins with made square: after a symbol a round one may be its
+    arguments."""
+    if not text.startswith("\\left("):
+        return text
+    depth = 0
+    for match in re.finditer(r"\\(left|right)(?![a-z])", text):
+        depth += 1 if match[1] == "left" else -1
+        if depth == 0:
+            return f"\\left[{text[6 : match.end()]}]{text[match.end() + 1 :]}"
+    raise ValueError(f"unbalanced brackets in {text}")
+
+
+def _integer(value: Linear) -> str:
+    """n−k+1 rather than −k+n+1."""
+    rising = tuple((name, size) for name, size in value.coefficients if size > 0)
+    falling = tuple((name, size) for name, size in value.coefficients if size < 0)
+    return str(Linear(value.constant, rising + falling))
 
 
 def _print(term: Term) -> _Text:
@@ -106,7 +127,7 @@ def _print(term: Term) -> _Text:
             return _number(value.numerator, value.denominator)
         case Integer(value=value):
             simple = value.constant == 0 and [c for _, c in value.coefficients] == [1]
-            return _Text(str(value), _ATOM if simple else _SUM)
+            return _Text(_integer(value), _ATOM if simple else _SUM)
         case Counting():
             return _counting(term)
         case Zero():
@@ -122,7 +143,7 @@ def _print(term: Term) -> _Text:
         case Derivative():
             return _derivative(term)
         case Power():
-            return _raised(_print(term.base), str(term.exponent))
+            return _raised(_print(term.base), _integer(term.exponent))
         case BigSum():
             return _big_sum(term)
         case Block():
@@ -142,11 +163,11 @@ def _number(numerator: int, denominator: int) -> _Text:
 
 
 def _counting(term: Counting) -> _Text:
-    top, *lower = term.arguments
+    top, *lower = map(_integer, term.arguments)
     if term.name == "factorial":
-        simple = top.is_number or (top.constant == 0 and [c for _, c in top.coefficients] == [1])
-        return _Text(f"{top if simple else _bracket(str(top))}!", _FACTOR)
-    return _Text(f"\\binom{{{top}}}{{{','.join(map(str, lower))}}}", _FACTOR)
+        simple = re.fullmatch(r"[0-9]+|[A-Za-z](_[0-9]|_\{[0-9]+\})?", top)
+        return _Text(f"{top if simple else _bracket(top)}!", _FACTOR)
+    return _Text(f"\\binom{{{top}}}{{{','.join(lower)}}}", _FACTOR)
 
 
 def _entry(term: Term) -> str:
@@ -179,7 +200,7 @@ def _accented(term: Symbol, accents: tuple[str, ...] = ()) -> str:
     for accent in reversed(accents):
         letter = f"{accent}{{{letter}}}"
     index = iter(term.index)
-    return "".join(str(next(index)) if c == "@" else c for c in left + letter + right)
+    return "".join(_integer(next(index)) if c == "@" else c for c in left + letter + right)
 
 
 def _has_superscript(term: Symbol) -> bool:
@@ -229,11 +250,7 @@ def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> _Text | None:
 
 
 def _derivative(term: Derivative) -> _Text:
-    return _under_accents(term) or _raised(_print(term.body), _bracket_plain(term.order))
-
-
-def _bracket_plain(value: Linear) -> str:
-    return f"({value})"
+    return _under_accents(term) or _raised(_print(term.body), f"({_integer(term.order)})")
 
 
 def _raised(base: _Text, sup: str) -> _Text:
@@ -246,9 +263,9 @@ def _raised(base: _Text, sup: str) -> _Text:
 
 def _big_sum(term: BigSum) -> _Text:
     if term.lower is None:
-        bounds = f"_{{{'+'.join(term.variables)}={term.upper}}}"
+        bounds = f"_{{{'+'.join(term.variables)}={_integer(term.upper)}}}"
     else:
-        bounds = f"_{{{term.variables[0]}={term.lower}}}^{{{term.upper}}}"
+        bounds = f"_{{{term.variables[0]}={_integer(term.lower)}}}^{{{_integer(term.upper)}}}"
     return _Text(f"\\sum{bounds} {_print(term.body).at_least(_INFIX)}", _INFIX, "sum")
 
 
@@ -304,7 +321,7 @@ def _add(arguments: tuple[Term, ...]) -> _Text:
         elif place == 0:
             negative = isinstance(argument, Number) and argument.value < 0
             text = printed.text if negative else printed.at_least(_INFIX)
-        elif isinstance(argument, Integer) and str(argument.value).startswith("-"):
+        elif isinstance(argument, Integer) and _integer(argument.value).startswith("-"):
             text += f" - {_print(integer(-argument.value)).at_least(_INFIX)}"
         else:
             text += f" + {printed.at_least(_INFIX)}"
@@ -324,9 +341,10 @@ def _mul(left: Term, right: Term) -> _Text:
     if is_open or (isinstance(left, Number) and isinstance(right, Integer)):
         first = _Text(_bracket(first.text), _ATOM)
     may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= _INFIX
-    is_loose = isinstance(right, Number) or not (second.level >= _FACTOR or may_end)
-    if is_loose or (second.text.startswith("\\left(") and first.end == "symbol"):
-        second = _Text(_bracket(second.text, square=first.end == "symbol"), _ATOM)
+    if isinstance(right, Number) or not (second.level >= _FACTOR or may_end):
+        second = _Text(_bracket(second.text), _ATOM)
+    if first.end == "symbol":
+        second = _Text(_square(second.text), second.level, second.end)
     return _Text(f"{first.text} {second.text}", _PRODUCT, second.end)
 
 

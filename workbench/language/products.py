@@ -120,8 +120,11 @@ class _Row:
                 raise Fault("the sum has no body", item.at)
             case Leaf(kind="FUNCTION") | Scripted(nucleus=Leaf(kind="FUNCTION")):
                 return self.function(place)
-            case Fraction() if (order := self.rate(item)) is not None:
-                return self.derivative(place, order)
+            case Fraction():
+                rate = self.rate(item)
+                if rate is not None:
+                    return self.derivative(place, rate)
+                return _Factor(self.reader.fraction(item), item.at, place + 1, item)
             case Scripted(nucleus=Group(parts=())):
                 return self.with_left_scripts(place)
             case Leaf(kind="LETTER") | Styled() | Accented() | Scripted():

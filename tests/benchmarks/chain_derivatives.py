@@ -62,7 +62,7 @@ def make_peak_meter():
     """A function that returns the GFLOP/s of sixteen independent chains a·x + b in registers."""
     from numba import njit
 
-    from workbench.kinematics.chain_kernel import WIDTH, load, spread, store
+    from workbench.kinematics.lanes import WIDTH, load, spread, store
 
     @njit("void(int64, int64)", fastmath={"contract"})
     def spin(memory, rounds):

@@ -1,5 +1,7 @@
 """Serial chains: laws over many random chains, exact rational references, Drake, and bad input."""
 
+import subprocess
+import sys
 from math import comb, factorial
 
 import numpy as np
@@ -8,6 +10,7 @@ import pytest
 from workbench.kinematics import chain_engine
 from workbench.kinematics.chain import Joint, SerialChain
 
+IS_SMALL = chain_engine.Engine._is_small
 MOVING = ("revolute", "prismatic", "cylindrical", "helical")
 
 
@@ -206,6 +209,79 @@ def test_a_longer_series_begins_with_the_shorter_one():
         close(shorter, longer[: n + 1], 13)
 
 
+# -- the two implementations -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("states", [1, 7, 8, 9, 33])
+@pytest.mark.parametrize("count", [1, 2, 5])
+def test_the_kernel_equals_numpy_for_every_size_of_state_and_block(states, count):
+    rng = np.random.default_rng(states)
+    for n in range(12):
+        chain = SerialChain(random_joints(rng, count))
+        q = rng.normal(size=(states, chain.dof, n + 2))
+        V = chain.twist_derivatives(q)
+        plain = chain._of_derivatives._in_numpy(q)
+        for k in range(n + 1):
+            close(V[:, k], plain[:, k], 13)
+
+
+def test_any_array_of_numbers_will_do():
+    rng = np.random.default_rng(6)
+    chain = SerialChain(random_joints(rng, 3))
+    q = rng.integers(-3, 4, size=(4, chain.dof, 5))
+    V = chain.twist_derivatives(q.astype(float))
+    read_only = q.astype(float)
+    read_only.flags.writeable = False
+    for same in (q, q.tolist(), q.astype(np.float32), read_only, np.asfortranarray(q * 1.0)):
+        np.testing.assert_array_equal(chain.twist_derivatives(same), V)
+    for state, expected in zip(read_only, V, strict=True):
+        close(chain.twist_derivatives(state), expected, 13)
+        close(chain.twist_derivatives(state.tolist()), expected, 13)
+    every_other = np.repeat(q * 1.0, 2, axis=0)[::2]
+    np.testing.assert_array_equal(chain.twist_derivatives(every_other), V)
+    out = np.empty_like(V)
+    assert chain.twist_derivatives(q, out) is out
+    np.testing.assert_array_equal(out, V)
+    first = np.empty_like(V[0])
+    assert chain.twist_derivatives(q[0] * 1.0, first) is first
+    close(first, V[0], 13)
+
+
+def test_not_a_number_stays_in_its_state():
+    chain = SerialChain(random_joints(np.random.default_rng(7), 3))
+    q = np.ones((10, chain.dof, 4))
+    expected = chain.twist_derivatives(q)
+    q[3] = np.nan
+    V = chain.twist_derivatives(q)
+    assert np.isnan(V[3]).any()
+    close(np.delete(V, 3, axis=0), np.delete(expected, 3, axis=0), 14)
+
+
+def test_small_tasks_are_done_without_numba():
+    program = """
+import sys
+import numpy as np
+from workbench.kinematics.chain import Joint, SerialChain
+chain = SerialChain([Joint.revolute([0, 0, 1]), Joint.revolute([1, 0, 0])])
+chain.twist_derivatives(np.ones((2, 6)))
+chain.twist_derivatives(np.ones((32, 2, 3)))
+assert "numba" not in sys.modules and "pydrake" not in sys.modules
+chain.twist_derivatives(np.ones((2, 7)))
+assert "numba" in sys.modules
+"""
+    subprocess.run([sys.executable, "-c", program], check=True)
+
+
+def test_many_small_tasks_load_the_kernel(monkeypatch):
+    monkeypatch.setattr(chain_engine, "_twist_kernel", None)
+    monkeypatch.setattr(chain_engine.Engine, "_is_small", IS_SMALL)
+    monkeypatch.setattr(chain_engine, "_plain_tasks_left", 2)
+    chain = SerialChain([Joint.revolute([0, 0, 1])])
+    for expected in (True, True, False):
+        chain.twist_derivatives(np.ones((1, 4)))
+        assert (chain_engine._twist_kernel is None) == expected
+
+
 # -- what bad input gets ---------------------------------------------------------------------------
 
 
@@ -239,6 +315,8 @@ def test_bad_derivatives_are_named():
         chain.twist_derivatives(np.zeros((2, 1)))
     with pytest.raises(ValueError, match="expected real joint derivatives"):
         chain.twist_derivatives(np.zeros((2, 4), dtype=complex))
+    with pytest.raises(ValueError, match=r"out: expected a contiguous .* shape \(3, 6\), got"):
+        chain.twist_derivatives(np.zeros((2, 4)), np.zeros((2, 6)))
     with pytest.raises(ValueError, match="at most 170, got 171; use twist_taylor"):
         chain.twist_derivatives(np.zeros((2, 173)))
     with pytest.raises(ValueError, match=r"coordinates of shape \(\.\.\., 2\), got \(3,\)"):

@@ -1,228 +1,26 @@
-"""The Taylor recursion of a serial chain, compiled: eight states at a time, one in each lane.
+"""The Taylor recursion of a serial chain, compiled once for all chains and orders."""
 
-Sections: the number type `lanes`; the trigonometry; the recursion; the kernel. (One file, because
-Numba's cache on disk watches only the file of the kernel.)
-"""
-
-import operator
+from pathlib import Path
 
 import numpy as np
-from llvmlite import ir
-from numba import njit, types
-from numba.core import cgutils
-from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
-from numba.extending import intrinsic, lower_builtin, models, register_model
+from numba import njit
 
-# -- eight doubles as one number ------------------------------------------------------------------
-# LLVM keeps them in one AVX-512 register, or in several smaller ones. `memory` is the address of an
-# array of such numbers.
+from workbench.kinematics import lanes
+from workbench.kinematics.lanes import (
+    WIDTH,
+    fused_multiply_add,
+    load,
+    load_states,
+    number,
+    set_number,
+    spread,
+    store,
+    store_states,
+    turned_by_quarters,
+)
 
-WIDTH = 8
-DOUBLE, INT32, INT64 = ir.DoubleType(), ir.IntType(32), ir.IntType(64)
-HALF, VECTOR = ir.VectorType(DOUBLE, WIDTH // 2), ir.VectorType(DOUBLE, WIDTH)
-
-
-class Lanes(types.Type):
-    def __init__(self):
-        super().__init__(name="lanes")
-
-
-lanes = Lanes()
-
-
-@register_model(Lanes)
-class LanesModel(models.PrimitiveModel):
-    def __init__(self, manager, numba_type):
-        super().__init__(manager, numba_type, VECTOR)
-
-
-def _shuffle(builder, first, second, indices):
-    mask = ir.Constant(ir.VectorType(INT32, len(indices)), indices)
-    return builder.shuffle_vector(first, second, mask)
-
-
-def _spread(builder, value):
-    undefined = ir.Constant(VECTOR, ir.Undefined)
-    first = builder.insert_element(undefined, value, INT32(0))
-    return _shuffle(builder, first, undefined, [0] * WIDTH)
-
-
-def _define_arithmetic(python_operator, instruction):
-    @infer_global(python_operator)
-    class Arithmetic(ConcreteTemplate):
-        cases = (signature(lanes, lanes, lanes), signature(lanes, types.float64, lanes))
-
-    @lower_builtin(python_operator, lanes, lanes)
-    def lanes_with_lanes(context, builder, sig, args):
-        return getattr(builder, instruction)(*args)
-
-    @lower_builtin(python_operator, types.float64, lanes)
-    def number_with_lanes(context, builder, sig, args):
-        return getattr(builder, instruction)(_spread(builder, args[0]), args[1])
-
-
-_define_arithmetic(operator.add, "fadd")
-_define_arithmetic(operator.sub, "fsub")
-_define_arithmetic(operator.mul, "fmul")
-
-
-def _call(builder, name, args):
-    function_type = ir.FunctionType(VECTOR, [VECTOR] * len(args))
-    return builder.call(cgutils.get_or_insert_function(builder.module, function_type, name), args)
-
-
-def _pointer(builder, memory, index):
-    first = builder.inttoptr(memory, VECTOR.as_pointer())
-    return builder.gep(first, [index], source_etype=VECTOR)
-
-
-@intrinsic
-def load(typing_context, memory, index):
-    def generate(context, builder, sig, args):
-        return builder.load(_pointer(builder, *args), align=64, typ=VECTOR)
-
-    return lanes(types.int64, types.int64), generate
-
-
-@intrinsic
-def store(typing_context, memory, index, value):
-    def generate(context, builder, sig, args):
-        builder.store(args[2], _pointer(builder, args[0], args[1]), align=64)
-        return context.get_dummy_value()
-
-    return types.void(types.int64, types.int64, lanes), generate
-
-
-@intrinsic
-def spread(typing_context, value):
-    def generate(context, builder, sig, args):
-        return _spread(builder, args[0])
-
-    return lanes(types.float64), generate
-
-
-@intrinsic
-def fused_multiply_add(typing_context, a, b, c):
-    """a·b + c with one rounding, on any machine."""
-
-    def generate(context, builder, sig, args):
-        return _call(builder, "llvm.fma.v8f64", args)
-
-    return lanes(lanes, lanes, lanes), generate
-
-
-@intrinsic
-def floor(typing_context, value):
-    def generate(context, builder, sig, args):
-        return _call(builder, "llvm.floor.v8f64", args)
-
-    return lanes(lanes), generate
-
-
-@intrinsic
-def where_positive(typing_context, condition, chosen, otherwise):
-    def generate(context, builder, sig, args):
-        positive = builder.fcmp_ordered(">", args[0], _spread(builder, DOUBLE(0.0)))
-        return builder.select(positive, args[1], args[2])
-
-    return lanes(lanes, lanes, lanes), generate
-
-
-def _exchange(builder, rows, span):
-    """One of the three stages (span 1, 2, 4) of the transposition of eight rows of eight."""
-    low = [e if not e & span else WIDTH + e - span for e in range(WIDTH)]
-    high = [e + span if not e & span else WIDTH + e for e in range(WIDTH)]
-    for i in range(WIDTH):
-        if not i & span:
-            pair = rows[i], rows[i + span]
-            rows[i], rows[i + span] = (_shuffle(builder, *pair, order) for order in (low, high))
-
-
-def _half_rows(builder, first, stride, last):
-    """Pointers to the two halves of each of eight rows; rows beyond the `last` repeat it."""
-    halves = []
-    for lane in range(WIDTH):
-        lane = INT64(lane)
-        row = builder.select(builder.icmp_signed("<", lane, last), lane, last)
-        address = builder.add(first, builder.mul(stride, row))
-        half = builder.inttoptr(address, HALF.as_pointer())
-        halves.append((half, builder.gep(half, [INT64(1)], source_etype=HALF)))
-    return halves
-
-
-@intrinsic
-def load_states(typing_context, source, stride, last, factors, memory, index):
-    """Eight doubles of each of eight states, `stride` bytes apart, times eight factors, into
-    memory[index : index + 8]. States beyond the `last` (0 to 7) repeat it."""
-
-    def generate(context, builder, sig, args):
-        source, stride, last, factors, memory, index = args
-        halves = _half_rows(builder, source, stride, last)
-        factor = builder.inttoptr(factors, HALF.as_pointer())
-        rows = []
-        for half in (0, 1):
-            pointer = builder.gep(factor, [INT64(half)], source_etype=HALF)
-            four = builder.load(pointer, align=8, typ=HALF)
-            twice = _shuffle(builder, four, four, [0, 1, 2, 3] * 2)
-            for i in range(4):
-                pair = [builder.load(halves[lane][half], align=8, typ=HALF) for lane in (i, i + 4)]
-                rows.append(builder.fmul(_shuffle(builder, *pair, list(range(8))), twice))
-        for span in (1, 2):
-            _exchange(builder, rows, span)
-        first = _pointer(builder, memory, index)
-        for i, row in enumerate(rows):
-            builder.store(row, builder.gep(first, [INT64(i)], source_etype=VECTOR), align=64)
-        return context.get_dummy_value()
-
-    return types.void(*[types.int64] * 6), generate
-
-
-@intrinsic
-def store_states(typing_context, memory, index, target, stride):
-    """memory[index : index + 8] into eight doubles of each of eight states, in their order."""
-
-    def generate(context, builder, sig, args):
-        memory, index, target, stride = args
-        first = _pointer(builder, memory, index)
-        rows = []
-        for i in range(WIDTH):
-            pointer = builder.gep(first, [INT64(i)], source_etype=VECTOR)
-            rows.append(builder.load(pointer, align=64, typ=VECTOR))
-        for span in (1, 2):
-            _exchange(builder, rows, span)
-        halves = _half_rows(builder, target, stride, INT64(WIDTH - 1))
-        for lane in range(WIDTH):
-            four = [e % 4 + lane // 4 * 4 for e in range(4)]
-            for half in (0, 1):
-                part = _shuffle(builder, rows[lane % 4 + 4 * half], rows[0], four)
-                builder.store(part, halves[lane][half], align=8)
-        return context.get_dummy_value()
-
-    return types.void(*[types.int64] * 4), generate
-
-
-@intrinsic
-def number(typing_context, memory, index):
-    """One double of an array of doubles."""
-
-    def generate(context, builder, sig, args):
-        pointer = builder.inttoptr(args[0], DOUBLE.as_pointer())
-        return builder.load(builder.gep(pointer, [args[1]], source_etype=DOUBLE), typ=DOUBLE)
-
-    return types.float64(types.int64, types.int64), generate
-
-
-@intrinsic
-def set_number(typing_context, memory, index, value):
-    def generate(context, builder, sig, args):
-        pointer = builder.inttoptr(args[0], DOUBLE.as_pointer())
-        builder.store(args[2], builder.gep(pointer, [args[1]], source_etype=DOUBLE))
-        return context.get_dummy_value()
-
-    return types.void(types.int64, types.int64, types.float64), generate
-
-
-compiled = njit(fastmath={"contract"}, error_model="numpy")  # contract: a·b + c in one instruction
+OPTIONS = {"fastmath": {"contract"}, "error_model": "numpy"}  # contract: a·b + c at once
+compiled = njit(**OPTIONS)
 
 # -- trigonometry ---------------------------------------------------------------------------------
 
@@ -230,10 +28,14 @@ LARGEST_ANGLE = 2.0**50  # radians; beyond it the nearest multiple of π/2 is no
 HALF_PI = (1.5707963267948966, 6.123233995736766e-17)  # π/2 as a sum of two doubles
 
 
+ROUNDING = 1.5 * 2.0**52  # adding it rounds to a whole number, which the last bits then hold
+
+
 @compiled
 def cosine_and_sine(x):
     """Within 2^-52 of the values, by reduction to |r| ≤ π/4 and Taylor's polynomials there."""
-    n = floor(0.6366197723675814 * x + spread(0.5))
+    shifted = 0.6366197723675814 * x + spread(ROUNDING)
+    n = shifted - spread(ROUNDING)
     r = fused_multiply_add(n, spread(-HALF_PI[0]), x)
     r = fused_multiply_add(n, spread(-HALF_PI[1]), r)
     square = r * r
@@ -255,10 +57,7 @@ def cosine_and_sine(x):
     s = s * square + spread(1 / 120)
     s = s * square - spread(1 / 6)
     s = s * (square * r) + r
-    half = floor(0.5 * n)
-    odd = n - 2.0 * half
-    sign = spread(1.0) - 2.0 * (half - 2.0 * floor(0.5 * half))
-    return sign * where_positive(odd, spread(0.0) - s, c), sign * where_positive(odd, c, s)
+    return turned_by_quarters(shifted, c, s)
 
 
 # -- the recursion --------------------------------------------------------------------------------
@@ -310,6 +109,19 @@ def step(V, k, x, y, vx, vy, z, vz, link):
     store(V, 6 * k + 3, vy1 + offset * x)
     store(V, 6 * k + 4, z1)
     store(V, 6 * k + 5, vz1)
+
+
+@compiled
+def step_along(V, k, z, vz, link):
+    """`step` for a twist along the joint axis."""
+    cosine, sine, a, b, offset = link
+    y1, z1 = spread(0.0) - sine * z, cosine * z
+    store(V, 6 * k, spread(0.0))
+    store(V, 6 * k + 1, y1)
+    store(V, 6 * k + 2, b * z1 - offset * y1)
+    store(V, 6 * k + 3, spread(0.0) - sine * vz - a * z1)
+    store(V, 6 * k + 4, z1)
+    store(V, 6 * k + 5, cosine * vz + a * y1)
 
 
 @compiled
@@ -394,19 +206,20 @@ HEADER, ROW = 5, 10  # numbers before the factors, and for each joint, in the pl
 
 
 @compiled
-def twist_of_block(Q, E, V, W, D, plan, joints, terms, output_factors, reciprocals, rows):
+def twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, reciprocals, rows):
     """From Q[i (n + 2) + k], coordinate i and its scaled rates, to the scaled twist
-    W[6 k + (0 … 5)] = k-th coefficient of (ω; v). True if an angle was too large."""
+    W[6 k + (0 … 5)] = k-th coefficient of (ω; v). Adds the squares of the angles to
+    `sizes`."""
     columns = terms + 1
     zero = spread(0.0)
-    too_large = zero
+    squares = load(sizes, 0)
     for joint in range(joints - 1):
         row = rows + 8 * ROW * joint
         angle = int(number(row, 0))
         if angle >= 0:
             E_joint = E + 128 * terms * joint
             alpha = load(Q, angle * columns)
-            too_large = where_positive(alpha * alpha - spread(LARGEST_ANGLE**2), spread(1.0), too_large)
+            squares = squares + alpha * alpha
             c, s = cosine_and_sine(alpha)
             store(E_joint, 0, number(row, 8) * c - number(row, 9) * s)
             store(E_joint, 1, number(row, 8) * s + number(row, 9) * c)
@@ -432,7 +245,7 @@ def twist_of_block(Q, E, V, W, D, plan, joints, terms, output_factors, reciproca
             for k in range(terms):
                 z = load(rate, k) if angle >= 0 else zero
                 vz = pitch * load(slide_rate, k) if sliding >= 0 else zero
-                step(W, k, zero, zero, zero, zero, z, vz, link)
+                step_along(W, k, z, vz, link)
         else:
             if angle >= 0:
                 still = (spread(1.0), zero, zero, zero, zero)
@@ -454,7 +267,7 @@ def twist_of_block(Q, E, V, W, D, plan, joints, terms, output_factors, reciproca
             store(W, 6 * k + 3 * part, c * x - s * y)
             store(W, 6 * k + 3 * part + 1, s * x + c * y)
             store(W, 6 * k + 3 * part + 2, factor * load(V, 6 * k + 4 + part))
-    store(D, 0, too_large)
+    store(sizes, 0, squares)
     return W
 
 
@@ -470,13 +283,15 @@ def _twists_of_states(q, plan_array, out):
     output_factors = factors + 8 * padded
     reciprocals = output_factors + 8 * terms
     rows = reciprocals + 8 * terms
-    workspace = np.empty(WIDTH * (padded + 2 * terms * joints + 13 * terms + row + 1))
+    workspace = np.empty(WIDTH * (padded + 2 * terms * joints + 13 * terms + row + 2))
     Q = (workspace.ctypes.data + 63) // 64 * 64
     E = Q + 64 * padded
     V = E + 128 * terms * joints
     W = V + 384 * terms
     D = W + 384 * terms
-    spare = D + 64 * terms
+    sizes = D + 64 * terms
+    spare = sizes + 64
+    store(sizes, 0, spread(0.0))
     for first in range(0, states, WIDTH):
         here = min(WIDTH, states - first)
         source, stride = q.ctypes.data + 8 * inputs * first, 8 * inputs
@@ -488,10 +303,7 @@ def _twists_of_states(q, plan_array, out):
         for i in range(0, inputs, WIDTH):
             i = max(0, min(i, inputs - WIDTH))
             load_states(source + 8 * i, stride, here - 1, factors + 8 * i, Q, i)
-        result = twist_of_block(Q, E, V, W, D, plan, joints, terms, output_factors, reciprocals, rows)
-        for lane in range(here):
-            if number(D, lane) > 0:
-                return False
+        result = twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, reciprocals, rows)
         target, row_bytes = out.ctypes.data + 8 * outputs * first, 8 * outputs
         direct = here == WIDTH and (first + here - 1) * outputs + row <= states * outputs
         if not direct:
@@ -504,16 +316,25 @@ def _twists_of_states(q, plan_array, out):
             for lane in range(here):
                 for i in range(outputs):
                     set_number(target, outputs * lane + i, number(spare, row * lane + i))
-    return True
+    largest = 0.0
+    for lane in range(WIDTH):
+        largest = max(largest, number(sizes, lane))
+    return largest <= LARGEST_ANGLE**2
 
 
 def _compile():
-    argument_types = "boolean(float64[:,::1], float64[::1], float64[:,::1])"
-    options = {"fastmath": {"contract"}, "error_model": "numpy"}
+    """The kernel, kept on disk if there is a place for it. Numba would not notice that lanes.py has
+    changed since, so what is older than that file is removed first."""
     try:
-        return njit(argument_types, cache=True, **options)(_twists_of_states)
-    except RuntimeError:  # no directory to keep the cache in
-        return njit(argument_types, **options)(_twists_of_states)
+        kernel = njit(cache=True, **OPTIONS)(_twists_of_states)
+        for index in Path(kernel.stats.cache_path).glob("chain_kernel._twists_of_states*.nbi"):
+            if index.stat().st_mtime < Path(lanes.__file__).stat().st_mtime:
+                index.unlink(missing_ok=True)
+    except (RuntimeError, OSError):
+        kernel = njit(**OPTIONS)(_twists_of_states)
+    kernel.compile("boolean(float64[:,::1], float64[::1], float64[:,::1])")
+    kernel.disable_compile()
+    return kernel
 
 
 twist_kernel = _compile()

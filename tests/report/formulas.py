@@ -1,4 +1,3 @@
-# ruff: noqa: E501 (formulas stand on one line)
 """Formulas for the report's tests: typical ones by hand, and any number more from a grammar."""
 
 from __future__ import annotations

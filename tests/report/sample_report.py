@@ -1,4 +1,3 @@
-# ruff: noqa: E501 (formulas stand on one line where they can)
 """A sample report with every verdict. Its formulas are typical of the field; its verdicts are made up."""
 
 from __future__ import annotations

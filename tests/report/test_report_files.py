@@ -12,12 +12,12 @@ from itertools import pairwise
 import pytest
 from sample_report import CLAIMS, claim, report_of, sample
 
-from workbench.report import render, write_report
+from workbench.report import render, tex, write_report
 from workbench.report.structure import VERDICTS, ReportError
 
 NASTY = (
     "<script>alert(1)</script> & \"quotes' $x_1$ #1 100% a_b ~ ^ "
-    "\\input{/etc/passwd} `code` *b* | [l](u) é ω ⃛"
+    "\\input{/etc/passwd} `code` *b* | [l](u) éçØł ω ⃛ ω̇ ₄ ℝ ą đ 漢"
 )
 
 
@@ -317,6 +317,22 @@ def test_markdown_mathematics_is_one_line_between_dollars(texts):
     blocks = re.findall(r"^\$\$\n(.*?)\n\$\$$", texts["report.md"], re.DOTALL | re.MULTILINE)
     assert len(blocks) > 20
     assert not [block for block in blocks if "\n" in block or "$" in block]
+
+
+@pytest.mark.parametrize(
+    ("plain", "latex"),
+    [
+        ("Φ₄ = ω²", r"\ensuremath{\Phi}\textsubscript{4} = \ensuremath{\omega}\textsuperscript{2}"),
+        ("ω̃̇x", r"\ensuremath{\tilde{\omega}}[U+0307]x"),
+        ("ω̈ v̇", r"\ensuremath{\ddot{\omega}} \ensuremath{\dot{v}}"),
+        ("a_b & 5%", r"a\_b \& 5\%"),
+        ("\\input{x}", r"\textbackslash{}input\{x\}"),
+        ("éçłă – ſ漢", "éçł[U+0103] -- [U+017F][U+6F22]"),
+        ("ℝ ⊗", r"{R} \ensuremath{\otimes}"),
+    ],
+)
+def test_text_of_the_erratum_note(plain, latex):
+    assert tex.escaped(plain) == latex
 
 
 @pytest.mark.parametrize("name", ["texts", "nasty"])

@@ -320,7 +320,10 @@ def _forms(claim: Mapping[str, Any]) -> tuple[tuple[Form, ...], tuple[tuple[Run,
     for index, (_, is_what) in list(enumerate(steps))[1:]:
         before, after = forms[index - 1 : index + 1]
         found = difference(before.latex, after.latex)
-        wrong.extend(tuple(runs) for runs in difference_runs(found, is_what))
+        wrong.extend(
+            tuple(runs)
+            for runs in difference_runs(found, "read" if index > 1 else "printed", is_what)
+        )
         if found:
             forms[index - 1] = replace(before, marked=before.marked | found.marked_before)
             forms[index] = replace(after, marked=found.marked_after)

@@ -38,19 +38,21 @@ def runs_of(prose: str) -> list[Run]:
     return [Run(piece, is_math=bool(i % 2)) for i, piece in enumerate(pieces) if piece]
 
 
-def change_runs(change: Change, second_is: str) -> list[Run]:
-    """One change as a sentence; `second_is` says what the second formula is: "right" or "meant"."""
+def change_runs(change: Change, first_is: str, second_is: str) -> list[Run]:
+    """One change as a sentence; what the first formula is (printed, read) and the second (meant, right)."""
     runs = [text(f"{change.kind.capitalize()}: ")]
     place = [text(" after "), formula(change.following)] if change.following else []
     if change.before is None:
         return [*runs, formula(change.after or ""), text(" is missing"), *place, text(".")]
-    runs += [formula(change.before), text(" is printed")]
+    runs += [formula(change.before), text(f" is {first_is}")]
     if change.after is None:
         return [*runs, *place, text("; it should not be there.")]
     return [*runs, *place, text("; "), formula(change.after), text(f" is {second_is}.")]
 
 
-def difference_runs(difference: Difference | None, second_is: str) -> list[list[Run]]:
+def difference_runs(
+    difference: Difference | None, first_is: str, second_is: str
+) -> list[list[Run]]:
     """The changes, a sentence each; or one sentence where there is no list of changes."""
     if difference is None:
         return [[text("One of the two forms cannot be taken apart; compare them as they stand.")]]
@@ -58,7 +60,7 @@ def difference_runs(difference: Difference | None, second_is: str) -> list[list[
         return [[text("The two forms have little in common; compare them as a whole.")]]
     if not difference.changes:
         return [[text("The two forms differ only in grouping or spacing.")]]
-    sentences = [change_runs(change, second_is) for change in difference.changes]
+    sentences = [change_runs(change, first_is, second_is) for change in difference.changes]
     if len(sentences) > _LISTED:
         rest = f"And {len(sentences) - _LISTED} more places, marked in the formulas."
         sentences[_LISTED:] = [[text(rest)]]

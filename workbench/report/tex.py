@@ -23,14 +23,37 @@ _MATH_CHARACTERS = {
     if command.startswith("\\") and len(glyph) == 1 and not glyph.isascii()
 }
 # The last of two commands for one character would win; these are the plain ones.
-_MATH_CHARACTERS |= {"→": r"\to", "≠": r"\neq", "≤": r"\leq", "≥": r"\geq", "−": "-", "²": "^2"}
+_MATH_CHARACTERS |= {"→": r"\to", "≠": r"\neq", "≤": r"\leq", "≥": r"\geq", "−": "-"}
+_COMBINING = {
+    "\u0307": r"\dot", "\u0308": r"\ddot", "\u20db": r"\dddot", "\u20dc": r"\ddddot",
+    "\u0303": r"\tilde", "\u0332": r"\underline",
+}  # fmt: skip
+_RAISED = {"<sub>": r"\textsubscript", "<super>": r"\textsuperscript", "<font>": ""}
+_KNOWN = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ+=()−") | set(
+    _MATH_CHARACTERS
+)
+_LATIN = frozenset("ßæÆøØœŒłŁ")
+_ACCENTS_OF_TEXT = frozenset("\u0300\u0301\u0302\u0303\u0308\u030a\u030c\u0327")
 _LONG = 40
 _COMMANDS_OF_FAMILY = {"ord": r"\Changed", "bin": r"\ChangedBin", "rel": r"\ChangedRel"}
 
 
 def escaped(plain: str) -> str:
     """Text for pdfLaTeX: specials escaped, Greek and signs as mathematics, the rest by code point."""
-    return "".join(_character(c) for c in " ".join(unicodedata.normalize("NFC", plain).split()))
+    pieces: list[str] = []
+    base = ""
+    for character in " ".join(unicodedata.normalize("NFC", plain).split()):
+        if character in _COMBINING and base.strip():
+            mark = _COMBINING[character]
+            pieces[-1] = rf"\ensuremath{{{mark}{{{_MATH_CHARACTERS.get(base, base)}}}}}"
+        else:
+            pieces.append(_character(character))
+        base = (
+            character
+            if character in _MATH_CHARACTERS or (character.isascii() and character.isalnum())
+            else ""
+        )
+    return "".join(pieces)
 
 
 def _character(character: str) -> str:
@@ -40,8 +63,11 @@ def _character(character: str) -> str:
         return rf"\ensuremath{{{_MATH_CHARACTERS[character]}}}"
     if character.isascii():
         return character if character.isprintable() else f"[U+{ord(character):04X}]"
-    if "LATIN" in unicodedata.name(character, "") and ord(character) < 0x180:
+    if character in _LATIN or unicodedata.normalize("NFD", character)[1:] in _ACCENTS_OF_TEXT:
         return character
+    kind, _, plain = unicodedata.decomposition(character).partition(" ")
+    if kind in _RAISED and len(plain) == 4 and (shown := chr(int(plain, 16))) in _KNOWN:
+        return rf"{_RAISED[kind]}{{{_character(shown)}}}"
     return f"[U+{ord(character):04X}]"
 
 

@@ -15,11 +15,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cache
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 Polynomial = fmpq_mpoly
-Derivation = Callable[["DifferentialRing"], Polynomial]
 
 
 class DifferentialRing:
@@ -32,7 +32,7 @@ class DifferentialRing:
         self.generators = dict(zip(names, self._context.gens(), strict=True))
         self.zero = self._context.constant(0)
         self.one = self._context.constant(1)
-        self._rates: dict[int, Polynomial] = {}
+        self._rates: dict[int, Callable[[], Polynomial]] = {}
         self._places = {name: place for place, name in enumerate(names)}
         self._squares: dict[str, Polynomial] = {}
         self._reciprocals: list[tuple[str, Polynomial]] = []
@@ -43,7 +43,11 @@ class DifferentialRing:
 
     def derive_as(self, name: str, rate: Polynomial) -> None:
         """The time derivative of a generator; a generator without one must not be differentiated."""
-        self._rates[self._places[name]] = rate
+        self._rates[self._places[name]] = lambda: rate
+
+    def derive_by(self, name: str, compute: Callable[[], Polynomial]) -> None:
+        """The same, computed when it is first needed."""
+        self._rates[self._places[name]] = cache(compute)
 
     def square_as(self, name: str, value: Polynomial) -> None:
         """name² = value. `value` must not hold `name` and its generators must rank below it."""
@@ -56,7 +60,7 @@ class DifferentialRing:
             if degree > 0:
                 if place not in self._rates:
                     raise ValueError(f"{self.names[place]} was not given a time derivative")
-                rate = rate + p.derivative(place) * self._rates[place]
+                rate = rate + p.derivative(place) * self._rates[place]()
         return self.reduce(rate)
 
     def reduce(self, p: Polynomial) -> Polynomial:
@@ -86,8 +90,7 @@ class DifferentialRing:
         name = spare[len(self._reciprocals)]
         self._reciprocals.append((name, monic))
         z = self.generators[name]
-        if all(place in self._rates for place, degree in enumerate(monic.degrees()) if degree > 0):
-            self.derive_as(name, -(z**2) * self.derive(monic))
+        self.derive_by(name, lambda: -(z**2) * self.derive(monic))
         return z, factor
 
     @property
@@ -99,8 +102,7 @@ class DifferentialRing:
         return frozenset(bound)
 
     def square_of(self, p: Polynomial) -> Polynomial:
-        """p² in normal form if p is a single generator with a square relation, such as a norm; else p. Both
-        vanish at the same points."""
+        """p² in normal form if p is a single generator with a square relation, such as a norm; else p."""
         for name, value in self._squares.items():
             if p == self.generators[name]:
                 return value
@@ -113,7 +115,7 @@ class DifferentialRing:
 
     def clear(self, p: Polynomial) -> Polynomial:
         """p times powers of the denominators so that no reciprocal is left: 0 exactly if p is, where no
-        denominator vanishes. Later reciprocals can hold earlier ones in their denominator: last goes first."""
+        denominator vanishes. A later reciprocal can hold earlier ones below: the last one goes first."""
         for name, d in reversed(self._reciprocals):
             place = self._places[name]
             height = p.degrees()[place]

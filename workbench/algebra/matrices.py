@@ -1,6 +1,6 @@
 """Matrices of ring elements as tuples of rows: 3-vectors are columns, tensors are 3×3.
 
-Entries need +, − and ×, and division by 2 for the symmetric part: polynomials, dual numbers over them, numbers.
+Entries need +, − and ×, and division by 2 for the symmetric part: polynomials, or dual numbers over them.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from workbench.judge.inventory import NotExact
-from workbench.language.terms import Conjunction, Derivative, Relation, Statement, Symbol, Zero
+from workbench.language.terms import Conjunction, Relation, Statement
 
 
 class Unsatisfiable(ValueError):
@@ -24,20 +24,6 @@ class Assumptions:
         self.relations = [relation for s in statements for relation in _relations(s)]
         self.nonzero = [r for r in self.relations if r.operator == "≠"]
         self.equations = [r for r in self.relations if r.operator == "="]
-
-    @property
-    def pinned(self) -> frozenset[tuple[Symbol, int]]:
-        """(symbol, order of derivative) that an equation `x = 0` puts to zero: a help for choosing points."""
-        pinned = set()
-        for relation in self.equations:
-            match relation.left:
-                case Symbol() if isinstance(relation.right, Zero):
-                    pinned.add((relation.left, 0))
-                case Derivative(body=Symbol() as x, order=order) if (
-                    isinstance(relation.right, Zero) and order.is_number
-                ):
-                    pinned.add((x, order.constant))
-        return frozenset(pinned)
 
 
 def _relations(statement: Statement) -> list[Relation]:

@@ -1,7 +1,7 @@
 """Drake's polynomials as a further ring of the second engine, where their double coefficients are exact.
 
-Sums and products of integers, and of fractions with a power of two below, are exact in doubles as long as they
-stay below 2⁵³. Where they would not, Drake is not asked; see `MOST_INDETERMINATES` and `constant`.
+Sums and products of integers, and of fractions with a power of two below, are exact in doubles as long as
+they stay below 2⁵³. Where they would not, Drake is not asked; see `MOST_INDETERMINATES` and `constant`.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class DrakeRing:
 
 
 def recheck_by_drake(relation: Relation, inventory: Inventory, definitions: Lookup) -> bool | None:
-    """Whether left − right expands to 0 in Drake; None where doubles would not be exact or it takes too long."""
+    """Whether left − right expands to 0 in Drake; None where doubles are not exact or it takes too long."""
     try:
         ring = DrakeRing(inventory)
         engine = JetEngine(PointSource(ring, ring.point), definitions)

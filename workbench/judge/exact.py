@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import reduce as fold
+from math import isqrt
 
 from workbench.algebra.differential_ring import DifferentialRing, Polynomial
 from workbench.algebra.dual import Dual
@@ -92,6 +93,10 @@ class ExactEngine:
     def at(self, p: Polynomial, point: dict[Parameter, Fraction]) -> Fraction:
         """The value of a polynomial without reciprocals or norms at a point of the parameters."""
         return self.ring.at(p, {self._named[q]: value for q, value in point.items() if q in self._named})
+
+    def parameter_of(self, generator: Polynomial) -> Parameter:
+        """The parameter that a generator of the ring stands for."""
+        return next(p for p, name in self._named.items() if name == str(generator))
 
     # --- terms ----------------------------------------------------------------------------------
 
@@ -239,8 +244,20 @@ class ExactEngine:
         return ((Dual(norm, mixed * self._inverse_entry(norm)),),)
 
     def _root(self, square: Polynomial) -> Polynomial:
-        if square.is_constant() and square == self.ring.one:
-            return self.ring.one
+        """The indeterminate N with N² = square, where squares of numbers are taken out: |−2x| is 2|x|."""
+        if square == 0:
+            raise NotExact("the norm of zero")
+        factor = square.leading_coefficient()
+        p, q = isqrt(abs(int(factor.p))), isqrt(int(factor.q))
+        if factor == 0 or Fraction(p * p, q * q) != Fraction(int(factor.p), int(factor.q)):
+            p = q = 1
+        outside = self._constant(Fraction(p, q))
+        square = square / (outside * outside).leading_coefficient()
+        if square == self.ring.one:
+            return outside
+        return outside * self._root_generator(square)
+
+    def _root_generator(self, square: Polynomial) -> Polynomial:
         for name, known in self._norms:
             if known == square:
                 return self.ring.generators[name]
@@ -248,13 +265,8 @@ class ExactEngine:
         self._norms.append((name, square))
         self.ring.square_as(name, square)
         norm = self.ring.generators[name]
-        reciprocal = self._inverse_entry(norm)
-        try:
-            rate = self._constant(Fraction(1, 2)) * self.ring.derive(square) * reciprocal
-        except ValueError:  # not differentiated anywhere: the inventory gave no further derivative
-            return norm
-        self.ring.derive_as(name, rate)
-        self.ring.derive_as(str(reciprocal), -(reciprocal**2) * rate)
+        half = self._constant(Fraction(1, 2))
+        self.ring.derive_by(name, lambda: half * self.ring.derive(square) * self._inverse_entry(norm))
         return norm
 
     def _triple(self, term: Apply) -> Matrix:

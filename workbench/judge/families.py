@@ -28,6 +28,8 @@ from workbench.language.terms import (
 if TYPE_CHECKING:
     from workbench.judge.judge import Judge, OrderRanges
 
+SAME_TERM = "both sides are the same term, so nothing is tested"
+
 
 def judge_family(
     judge: Judge,
@@ -90,6 +92,8 @@ def _instances(
         given = None if hypothesis is None else instantiate(hypothesis, values)
         supposed = tuple(instantiate(a, values) for a in assume)
         current = _instance(judge, instantiate(statement, values), supposed, given)
+        if current.reason == SAME_TERM:
+            continue
         if current.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
             place = ", ".join(f"{name} = {value}" for name, value in values.items())
             reason = f"for {place}" + (f": {current.reason}" if current.reason else "")
@@ -98,6 +102,8 @@ def _instances(
         count += 1
         if verdict is None or verdict.outcome == Outcome.DEFINITION:
             verdict = current
+    if verdict is None:
+        return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
     evidence = (*verdict.evidence, Evidence("each instance", "residual is 0", {"instances": count}))
     return replace(verdict, scope=str(orders), evidence=evidence)
 

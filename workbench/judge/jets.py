@@ -382,6 +382,9 @@ class JetEngine:
             case Symbol():
                 body = self._definitions.lookup(angle)
                 return self._free_circle(angle, depth) if body is None else self._circle(body, depth)
+            case Apply(head="re", arguments=(inner,)):
+                cosine, sine = self._circle(inner, depth)
+                return Value(cosine.re), Value(sine.re)
             case Apply(head="neg", arguments=(inner,)):
                 cosine, sine = self._circle(inner, depth)
                 return cosine, sine.map(lambda x: -x)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cached_property
 from random import Random
 from typing import Protocol
@@ -16,8 +17,10 @@ from typing import Protocol
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.assumptions import Assumptions, Unsatisfiable
 from workbench.judge.exact import ExactEngine
+from workbench.judge.families import SAME_TERM, judge_family
 from workbench.judge.inventory import Inventory, Lookup, NotExact, take_inventory
 from workbench.judge.jets import JetEngine
+from workbench.judge.parameters import Parameter
 from workbench.judge.points import Trial, counterexample, first_trial
 from workbench.judge.rings import PRIME, PointSource, ResidueRing, sample
 from workbench.judge.vanishing import Equations, same_zeros, solve, unimplied
@@ -66,8 +69,6 @@ class Judge:
         needs it. orders: the integer variables of a family.
         Raises Unsatisfiable if nothing satisfies the assumptions, EngineDisagreement if the engines differ.
         """
-        from workbench.judge.families import judge_family
-
         judged = judge_family(self, statement, tuple(assume), hypothesis, orders)
         return replace(judged, read_back=to_latex(statement))
 
@@ -174,8 +175,21 @@ class _Case:
             self.inventory,
             self.definitions,
             lambda t: all(t.holds(r) for r in supposed) and accept(t),
-            self.assumptions.pinned,
+            self._completed,
         )
+
+    def _completed(self, point: dict[Parameter, Fraction]) -> dict[Parameter, Fraction]:
+        """The point with the parameters that the equations are solved for put to what the others make them."""
+        if not self.assumptions.equations:
+            return point
+        point = dict(point)
+        for generator, value in reversed(self._equations.solved):
+            point[self.exact.parameter_of(generator)] = self.exact.at(value, point)
+        return point
+
+    @cached_property
+    def _equations(self) -> Equations:
+        return solve(self.exact, self.assumptions.equations)
 
 
 class _RelationJudge(_Case):
@@ -200,7 +214,7 @@ class _RelationJudge(_Case):
         ):
             return self._definition()
         if relation.left == relation.right:
-            return Verdict(Outcome.UNCHECKED, reason="both sides are the same term, so nothing is tested")
+            return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
         if self.assumptions.relations and self.find(lambda trial: True) is None:
             raise Unsatisfiable("no values of the symbols satisfy the assumptions")
         return self._by_names_alone() or self._by_definitions()
@@ -250,10 +264,6 @@ class _RelationJudge(_Case):
             return not any(engine.differences(self.relation.left, self.relation.right))
         except (NotExact, ZeroDivisionError):
             return None
-
-    @cached_property
-    def _equations(self) -> Equations:
-        return solve(self.exact, self.assumptions.equations)
 
     def _vanishes(self, residuals: list[Polynomial]) -> bool:
         if self.assumptions.equations:

@@ -15,14 +15,14 @@ from workbench.judge.rings import PointSource, RationalRing, sample
 from workbench.judge.verdict import Counterexample
 from workbench.language.construct import derivative
 from workbench.language.printer import to_latex
-from workbench.language.terms import Relation, Symbol, Term
+from workbench.language.terms import Relation, Term
 
 #: Entries to draw from, and how many points to try with them.
 STAGES = (((-1, 0, 1), 240), ((-2, -1, 0, 1, 2), 160), ((-3, -2, -1, 1, 2, 3), 120))
 
 
-#: (symbol, order of derivative) that are to be zero.
-Pinned = frozenset[tuple[Symbol, int]]
+#: Completes a point: gives the parameters that the assumed equations determine their values.
+Completion = Callable[[dict[Parameter, Fraction]], dict[Parameter, Fraction]]
 
 
 @dataclass(frozen=True)
@@ -52,28 +52,28 @@ class Trial:
         return any(differences) == (relation.operator == "≠")
 
 
-def trials(inventory: Inventory, definitions: Lookup, pinned: Pinned = frozenset()) -> Iterator[Trial]:
+def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> Iterator[Trial]:
     """Random points, simple ones first; in each stage a parameter is non-zero with growing probability."""
     random = Random(0)
     for entries, count in STAGES:
         ring = RationalRing(entries)
         for i in range(count):
             density = 0.3 + 0.7 * i / count
+            point = sample(inventory, ring, random, lambda _, d=density: random.random() < d)
+            yield _trial(complete(point), definitions)
 
-            def keep(parameter: Parameter, density: float = density) -> bool:
-                return (parameter.symbol, parameter.order) not in pinned and random.random() < density
 
-            point = sample(inventory, ring, random, keep)
-            yield Trial(point, JetEngine(PointSource(ring, point), definitions))
+def _trial(point: dict[Parameter, Fraction], definitions: Lookup) -> Trial:
+    return Trial(point, JetEngine(PointSource(RationalRing(), point), definitions))
 
 
 def first_trial(
-    inventory: Inventory, definitions: Lookup, accept: Callable[[Trial], bool], pinned: Pinned = frozenset()
+    inventory: Inventory, definitions: Lookup, accept: Callable[[Trial], bool], complete: Completion
 ) -> Trial | None:
     """The first point that is accepted, made simpler as long as it still is; None if there is none."""
-    for trial in trials(inventory, definitions, pinned):
+    for trial in trials(inventory, definitions, complete):
         if _accepted(trial, accept):
-            return _simplified(trial, definitions, accept)
+            return _simplified(trial, definitions, accept, complete)
     return None
 
 
@@ -84,16 +84,20 @@ def _accepted(trial: Trial, accept: Callable[[Trial], bool]) -> bool:
         return False
 
 
-def _simplified(trial: Trial, definitions: Lookup, accept: Callable[[Trial], bool]) -> Trial:
-    """Puts entries to 0, one by one and highest derivatives first, where the point stays accepted."""
-    ring = RationalRing()
+def _simplified(
+    trial: Trial, definitions: Lookup, accept: Callable[[Trial], bool], complete: Completion
+) -> Trial:
+    """Puts entries to 0 or makes them positive, highest derivatives first, while the point is accepted."""
     for parameter in sorted(trial.point, key=lambda p: -p.order):
-        if parameter.part in SPHERES or not trial.point[parameter]:
+        if parameter.part in SPHERES:
             continue
-        point = {**trial.point, parameter: Fraction(0)}
-        candidate = Trial(point, JetEngine(PointSource(ring, point), definitions))
-        if _accepted(candidate, accept):
-            trial = candidate
+        for simpler in (Fraction(0), abs(trial.point[parameter])):
+            if simpler == trial.point[parameter]:
+                break
+            candidate = _trial(complete({**trial.point, parameter: simpler}), definitions)
+            if _accepted(candidate, accept):
+                trial = candidate
+                break
     return trial
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 os.environ.setdefault("SYMPY_GROUND_TYPES", "python")
 
+from sympy import integer_nthroot
 from sympy.polys.domains import QQ
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement
@@ -137,11 +138,21 @@ class SympyRing:
         square = self.lift(square)
         if square.below:
             raise NotExact("the norm of a quotient")
-        if square.top not in self._root_squares:
+        if not square:
+            raise NotExact("the norm of zero")
+        leading = square.top.LC
+        outside = leading**0
+        if leading > 0 and (exact := integer_nthroot(leading.numerator * leading.denominator, 2))[1]:
+            outside = QQ(exact[0], leading.denominator)
+        top = square.top.quo_ground(outside**2)
+        if top == 1:
+            return Ratio(self, self.polynomials.ground_new(outside), {})
+        if top not in self._root_squares:
             generator = self._root_generators[len(self._root_squares)]
-            self._root_squares.append(square.top)
-            self.relations.insert(0, generator**2 - square.top)
-        return Ratio(self, self._root_generators[self._root_squares.index(square.top)], {})
+            self._root_squares.append(top)
+            self.relations.insert(0, generator**2 - top)
+        generator = self._root_generators[self._root_squares.index(top)]
+        return Ratio(self, generator.mul_ground(outside), {})
 
 
 def recheck(
@@ -159,8 +170,8 @@ def recheck(
 
 
 def _eliminated(tops: list[PolyElement], supposed: list[PolyElement], ring: SympyRing) -> list[PolyElement]:
-    """The polynomials where the supposed ones vanish: each supposed one that is linear in an indeterminate with
-    a number as coefficient is solved for it and put in; by the others the result is divided."""
+    """The polynomials where the supposed ones vanish. A supposed one that is linear in an indeterminate, with
+    a number as coefficient, is solved for it and put in; by the others the result is divided."""
     bound = {x for relation in ring.relations for x in ring.polynomials.gens if relation.degree(x) > 0}
     divisors = []
     while supposed:

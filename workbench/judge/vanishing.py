@@ -52,8 +52,8 @@ def _positive(p: Polynomial) -> bool:
 class Equations:
     """The zeros of some polynomials: those that are solved for one of their generators, and the rest.
 
-    A polynomial c·x + r with a number c and no x in r holds exactly where x = −r/c, so x can be replaced by that
-    everywhere. What has no such generator is divided by, which finds some consequences and invents none.
+    A polynomial c·x + r with a number c and no x in r is zero exactly where x = −r/c, so x can be replaced by
+    that everywhere. By a polynomial without such x is divided: that finds some consequences and invents none.
     """
 
     solved: list[tuple[Polynomial, Polynomial]]
@@ -108,8 +108,8 @@ def _replaced(p: Polynomial, generator: Polynomial, value: Polynomial) -> Polyno
 def same_zeros(case: _Case, left: Relation, right: Relation, both_ways: bool, second_engine: bool) -> Verdict:
     """left ≠ 0 ⇔ right ≠ 0 (or ⇒), proved by factors.
 
-    A vector x vanishes exactly where x·x does. If every irreducible factor of the one scalar divides the other,
-    the other vanishes wherever the one does. The second engine checks the division that says so.
+    A vector x vanishes exactly where x·x does. If every irreducible factor of the one scalar divides the
+    other, the other vanishes wherever the one does. The second engine checks the division that says so.
     """
     p, q = (_scalar(case, relation) for relation in (left, right))
     if unimplied(case.exact, case.assumptions.nonzero) or case.assumptions.equations:

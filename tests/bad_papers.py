@@ -135,8 +135,10 @@ BAD_PAPERS = [
         claim("id = 'x'\ntheorem = «'os.system'\nstatement = 's'"),
         "no proof called 'os.system'",
     ),
-    BadPaper("theorem without statement", HEAD + "«[[claim]]\nid='x'\ntheorem='t'\n", "missing key 'statement'"),
-    BadPaper("statement without theorem", HEAD + "«[[claim]]\nid='x'\nstatement='s'\n", "missing key 'theorem'"),
+    BadPaper(
+        "theorem without statement", HEAD + "«[[claim]]\nid='x'\ntheorem='t'\n", "missing key 'statement'"
+    ),
+    BadPaper("only a statement", HEAD + "«[[claim]]\nid='x'\nstatement='s'\n", "missing key 'printed'"),
     # formulas
     BadPaper("an unknown symbol", claim("id = 'x'\nprinted = '\\omega = «\\psi'"), "\\psi"),
     BadPaper("an unknown command", claim("id = 'x'\nprinted = '\\omega = «\\foo{1}'"), "\\foo"),
@@ -148,10 +150,15 @@ BAD_PAPERS = [
     BadPaper("a bad correction", claim(PRINTED + 'corrected = "\\\\omega = «\\\\psi"'), "corrected: "),
     BadPaper("an unequal weight", claim(PRINTED + "corrected = '\\omega «= \\dot{\\omega}'"), "weight"),
     BadPaper("a bad hypothesis", claim(PRINTED + "hypothesis = '\\omega \\neq «\\psi'"), "hypothesis: "),
-    BadPaper("a bad assumption", claim(PRINTED + "assume = ['\\omega \\neq 0', '\\omega = «\\psi']"), "assume: "),
+    BadPaper(
+        "a bad assumption", claim(PRINTED + "assume = ['\\omega \\neq 0', '\\omega = «\\psi']"), "assume: "
+    ),
     BadPaper(
         "a fault in the second line of a formula",
-        claim("id = 'x'\nprinted = '''\n\\begin{aligned}\n\\omega &= \\omega \\\\\n  \\omega &= «\\psi\n\\end{aligned}'''"),
+        claim(
+            "id = 'x'\nprinted = '''\n\\begin{aligned}\n\\omega &= \\omega \\\\\n"
+            "  \\omega &= «\\psi\n\\end{aligned}'''"
+        ),
         "\\psi",
     ),
     BadPaper(
@@ -162,31 +169,73 @@ BAD_PAPERS = [
         ),
         "expected 2 lines, as printed has, got 1",
     ),
-    BadPaper("a megabyte of braces", claim("id = 'x'\nprinted = '" + "{" * 50_000 + "«" + "{" * 950_000 + "'"), "printed"),
-    BadPaper("deeply nested braces", claim("id = 'x'\nprinted = '" + "{" * 40 + "«" + "{" * 460 + "x" + "}" * 500 + "'"), "deep"),
+    BadPaper(
+        "a megabyte of braces",
+        claim("id = 'x'\nprinted = '" + "{" * 50_000 + "«" + "{" * 950_000 + "'"),
+        "printed",
+    ),
+    BadPaper(
+        "deeply nested braces",
+        claim("id = 'x'\nprinted = '" + "{" * 40 + "«" + "{" * 460 + "x" + "}" * 500 + "'"),
+        "deep",
+    ),
     BadPaper("a formula that looks like code", claim("id = 'x'\nprinted = '__import__(«\"os\")'"), "printed"),
 ]
 SYMBOL_FAULTS = [
     BadPaper("a symbol of no kind", "title = 'x'\n[symbols]\n«'a' = { weight = 1 }\n" + GOOD_CLAIM, "kind"),
-    BadPaper("a symbol of unknown kind", "title='x'\n[symbols]\n«'a' = { kind = 'matrix' }\n" + GOOD_CLAIM, "kind"),
+    BadPaper(
+        "a symbol of unknown kind", "title='x'\n[symbols]\n«'a' = { kind = 'matrix' }\n" + GOOD_CLAIM, "kind"
+    ),
     BadPaper("a symbol that is a string", "title='x'\n[symbols]\n'a' = «'vector'\n" + GOOD_CLAIM, "table"),
-    BadPaper("an unknown key of a symbol", "title='x'\n[symbols]\n«'a' = { kind = 'vector', wieght = 1 }\n" + GOOD_CLAIM, "wieght"),
-    BadPaper("a weight that is text", "title='x'\n[symbols]\n«'a' = { kind='vector', weight='one two' }\n" + GOOD_CLAIM, "weight"),
-    BadPaper("an alias used twice", HEAD + "«'\\xi' = { kind = 'vector', aliases = ['\\omega'] }\n" + GOOD_CLAIM, "\\omega"),
+    BadPaper(
+        "an unknown key of a symbol",
+        "title='x'\n[symbols]\n«'a' = { kind = 'vector', wieght = 1 }\n" + GOOD_CLAIM,
+        "wieght",
+    ),
+    BadPaper(
+        "a weight that is text",
+        "title='x'\n[symbols]\n«'a' = { kind='vector', weight='one two' }\n" + GOOD_CLAIM,
+        "weight",
+    ),
+    BadPaper(
+        "an alias used twice",
+        HEAD + "«'\\xi' = { kind = 'vector', aliases = ['\\omega'] }\n" + GOOD_CLAIM,
+        "\\omega",
+    ),
     BadPaper("a symbol that is no symbol", HEAD + "«'a + b' = { kind = 'vector' }\n" + GOOD_CLAIM, "a + b"),
     BadPaper("a unit tensor", HEAD + "«'\\xi' = { kind = 'tensor', unit = true }\n" + GOOD_CLAIM, "unit"),
-    BadPaper("a definition that is a number", HEAD + "[definitions]\n'\\xi' = «1\n" + GOOD_CLAIM, "expected a string"),
-    BadPaper("a definition of unknown symbols", HEAD + "[definitions]\n'\\xi' = '\\omega + «\\psi'\n" + GOOD_CLAIM, "\\psi"),
-    BadPaper("an ill-typed definition", HEAD + "[definitions]\n'\\xi' = '\\omega«\\omega'\n" + GOOD_CLAIM, "juxtaposition"),
-    BadPaper("a definition in terms of itself", HEAD + "[definitions]\n'\\xi' = '\\omega + «\\xi'\n" + GOOD_CLAIM, "\\xi"),
+    BadPaper(
+        "a definition that is a number",
+        HEAD + "[definitions]\n'\\xi' = «1\n" + GOOD_CLAIM,
+        "expected a string",
+    ),
+    BadPaper(
+        "a definition of unknown symbols",
+        HEAD + "[definitions]\n'\\xi' = '\\omega + «\\psi'\n" + GOOD_CLAIM,
+        "\\psi",
+    ),
+    BadPaper(
+        "an ill-typed definition",
+        HEAD + "[definitions]\n'\\xi' = '\\omega«\\omega'\n" + GOOD_CLAIM,
+        "juxtaposition",
+    ),
+    BadPaper(
+        "a definition in terms of itself",
+        HEAD + "[definitions]\n'\\xi' = '\\omega + «\\xi'\n" + GOOD_CLAIM,
+        "\\xi",
+    ),
     BadPaper(
         "definitions in a circle",
         HEAD + "[definitions]\n'\\xi' = '\\omega + «\\chi'\n'\\chi' = '\\omega - \\xi'\n" + GOOD_CLAIM,
         "\\chi",
     ),
     BadPaper("motion of an unknown symbol", HEAD + "[motion]\n'«\\psi' = 'w_WB'\n" + GOOD_CLAIM, "\\psi"),
-    BadPaper("motion by an unknown name", HEAD + "[motion]\n'\\omega' = «'omega_WB'\n" + GOOD_CLAIM, "omega_WB"),
+    BadPaper(
+        "motion by an unknown name", HEAD + "[motion]\n'\\omega' = «'omega_WB'\n" + GOOD_CLAIM, "omega_WB"
+    ),
     BadPaper("motion of the wrong type", HEAD + "[motion]\n'\\omega' = «'R_WB'\n" + GOOD_CLAIM, "R_WB"),
     BadPaper("motion of the wrong weight", HEAD + "[motion]\n'\\omega' = «'p_WP'\n" + GOOD_CLAIM, "weight"),
-    BadPaper("motion that is a number", HEAD + "[motion]\n'\\omega' = «1\n" + GOOD_CLAIM, "expected a string"),
+    BadPaper(
+        "motion that is a number", HEAD + "[motion]\n'\\omega' = «1\n" + GOOD_CLAIM, "expected a string"
+    ),
 ]

@@ -1,5 +1,5 @@
 """The command line. Exit status: 0 as expected (check: all proved), 1 not so, 2 the input cannot be used,
-3 a defect of the workbench."""
+3 a defect of the workbench, 130 interrupted."""
 
 from __future__ import annotations
 
@@ -18,6 +18,12 @@ import click
 if TYPE_CHECKING:
     from workbench.papers import Paper
     from workbench.verify import ClaimResult
+
+INTERRUPTED = 130
+
+#: Of a robot's motion: beyond it Drake's numbers, in doubles, have no correct digit left to compare with.
+HIGHEST_ORDER = 20
+
 
 class Unusable(click.ClickException):
     """Input that cannot be used: one message on standard error, exit status 2."""
@@ -44,6 +50,9 @@ def _reports_faults(command: Callable[..., None]) -> Callable[..., None]:
             command(*arguments, **options)
         except (PaperError, SelectError) as error:
             raise Unusable(str(error)) from None
+        except KeyboardInterrupt:
+            click.echo("interrupted", err=True)
+            sys.exit(INTERRUPTED)
         except EngineDisagreement as error:
             raise Defect(f"the engines disagree, so no verdict is given: {error}") from error
 
@@ -60,7 +69,9 @@ _paper_option = click.option(
 _json_flag = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 _engines = [
     click.option(
-        "--second-engine/--no-second-engine", default=True, help="Recheck every proof by the second engine."
+        "--second-engine/--no-second-engine",
+        default=True,
+        help="Recheck every proof by the second engine; without it, nothing counts as proved.",
     ),
     click.option("--motions/--no-motions", default=True, help="Evaluate claims on Drake's motions too."),
 ]
@@ -76,6 +87,8 @@ def _engine_options(command: Callable[..., None]) -> Callable[..., None]:
 @click.version_option(package_name="kinematics-workbench", prog_name="workbench")
 def main() -> None:
     """Checks the printed formulas of kinematics papers: LaTeX in, exact verdict and evidence out."""
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="backslashreplace")  # where the locale has no Φ
 
 
 @main.command("list")
@@ -217,7 +230,13 @@ def report(
 @main.command()
 @click.argument("urdf", type=click.Path(path_type=Path))
 @click.option("--body", required=True, help="The body B.")
-@click.option("--order", default=4, show_default=True, help="1 velocity, 2 acceleration, 3 jerk, ...")
+@click.option(
+    "--order",
+    type=click.IntRange(1, HIGHEST_ORDER),
+    default=4,
+    show_default=True,
+    help="1 velocity, 2 acceleration, 3 jerk, ...",
+)
 @click.option("--point", default="0,0,0", show_default=True, metavar="X,Y,Z", help="p_BoP_B in m.")
 @click.option("--at", default=0.0, show_default=True, help="The time in s.")
 @click.option(
@@ -229,17 +248,21 @@ def report(
     "if none is named, all follow sines.",
 )
 @_json_flag
+@_reports_faults
 def motion(
     urdf: Path, body: str, order: int, point: str, at: float, joints: Sequence[str], as_json: bool
 ) -> None:
     """Higher-order kinematics of a body of a real robot: acceleration tensors, invariant vectors, centres,
     beside Drake's own numbers. Exit status 1 if they disagree."""
+    import numpy as np
+
     from workbench.kinematics.robot import motion_report
     from workbench.terminal import console, motion_lines
 
     try:
         path = dict(_joint_polynomial(text) for text in joints) or None
-        report = motion_report(urdf, body, _numbers(point, "point", 3), order, at, path)
+        with np.errstate(all="ignore"):  # an overflow ends in a message of its own
+            report = motion_report(urdf, body, _numbers(point, "point", 3), order, at, path)
     except ValueError as error:
         raise Unusable(str(error)) from None
     data = report.to_dict()

@@ -71,11 +71,14 @@ class ClaimItem(pytest.Item):
             raise NotAsExpected(result)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: object = None) -> object:
-        if not isinstance(excinfo.value, NotAsExpected):
-            return super().repr_failure(excinfo, style)
+        from workbench.papers import PaperError
         from workbench.results import claim_dict
         from workbench.terminal import claim_lines
 
+        if isinstance(excinfo.value, PaperError):
+            return str(excinfo.value)
+        if not isinstance(excinfo.value, NotAsExpected):
+            return super().repr_failure(excinfo, style)
         place = f"{self.claim.file}:{self.claim.line}: claim {self.claim.id}"
         lines = [str(line) for line in claim_lines(claim_dict(excinfo.value.result))]
         return "\n".join([place, str(excinfo.value), *lines])

@@ -138,9 +138,7 @@ def motion_lines(report: Mapping[str, Any]) -> Iterator[Text]:
         drake = order["drake"]
         agreement = "agrees with Drake" if drake["agrees"] else "DISAGREES with Drake"
         figures = f"residual {drake['residual']:.2g}, error {drake['error']:.2g}, by {drake['method']}"
-        yield Text(
-            f"{'':>22}  {agreement}: {figures}", style="green" if drake["agrees"] else "bold red"
-        )
+        yield Text(f"{'':>22}  {agreement}: {figures}", style="green" if drake["agrees"] else "bold red")
 
 
 def _vector(values: Sequence[float]) -> str:

@@ -68,9 +68,7 @@ class PaperJudge:
 
     def _judge(self, notation: Notation) -> Judge:
         if id(notation) not in self._judges:
-            self._judges[id(notation)] = Judge(
-                notation.definitions, motion=notation.motion, **self.options
-            )
+            self._judges[id(notation)] = Judge(notation.definitions, motion=notation.motion, **self.options)
         return self._judges[id(notation)]
 
 

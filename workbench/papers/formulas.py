@@ -92,4 +92,3 @@ def read_statement(
     reading = read_formula(latex, notation.symbols, orders.variables if orders else ())
     statements = reading.statements
     return statements[0] if len(statements) == 1 else Conjunction(statements), reading.ranges
-

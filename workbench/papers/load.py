@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from workbench.papers.formulas import FormulaReader
-from workbench.papers.installed import DEFAULT, installed, theorems_for
+from workbench.papers.installed import DEFAULT, installed, installed_names, theorems_for
 from workbench.papers.lines import Line, split_lines
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
 from workbench.papers.notation import notation_of
@@ -51,6 +51,8 @@ def find_paper(name: Path | str | None = None) -> Paper:
     """The paper of the file `name`, or the installed paper of that name. Raises PaperError."""
     if name is None:
         return load_installed(DEFAULT)
+    if str(name) in installed_names() and not Path(name).is_file():
+        return load_installed(str(name))
     path = Path(name)
     if path.exists() or path.suffix == ".toml" or path.name != str(name):
         return load_paper(path)
@@ -172,7 +174,7 @@ class _ClaimReader:
             file=toml.path,
             line=toml.places.of_key(self.path)[0],
         )
-        claims = [self._theorem(claim)] if claim.theorem or claim.statement else self._lines(claim)
+        claims = [self._theorem(claim)] if claim.theorem else self._lines(claim)
         for part in claims:
             if part.id in self.owners:
                 raise toml.error_at_value((*self.path, "id"), f"id {part.id!r} is used twice")
@@ -180,7 +182,6 @@ class _ClaimReader:
         return claims
 
     def _theorem(self, claim: Claim) -> Claim:
-        self._required("theorem")
         self._required("statement")
         if claim.theorem not in self.theorems:
             known = ", ".join(sorted(self.theorems)) or "none is installed for this file"

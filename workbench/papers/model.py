@@ -20,9 +20,7 @@ if TYPE_CHECKING:
 class PaperError(ValueError):
     """A paper that cannot be used: the file and, where the fault has one, the line and column, from 1."""
 
-    def __init__(
-        self, file: Path | str | None, line: int | None, column: int | None, message: str
-    ) -> None:
+    def __init__(self, file: Path | str | None, line: int | None, column: int | None, message: str) -> None:
         place = ":".join(str(part) for part in (file, line, column) if part is not None)
         super().__init__(f"{place}: {message}" if place else message)
         self.file, self.line, self.column, self.message = file, line, column, message

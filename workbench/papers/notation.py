@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any
 
@@ -39,8 +40,8 @@ def extended(notation: Notation, specs: Mapping[str, Any]) -> Notation:
     for name in more.symbols:
         if name in known:
             raise SpecError("the paper's notation has this symbol already", name)
-    table = SymbolTable({**notation.symbols.symbols, **more.symbols}, notation.symbols.functions)
-    return Notation(table, notation.definitions, notation.motion)
+    table = replace(notation.symbols, symbols={**notation.symbols.symbols, **more.symbols})
+    return replace(notation, symbols=table)
 
 
 def _table(files: Sequence[TomlFile]) -> SymbolTable:
@@ -69,9 +70,7 @@ def _entries(files: Sequence[TomlFile], table: str) -> Iterator[tuple[TomlFile, 
             yield file, key, file.text((table, key))
 
 
-def _definition(
-    file: TomlFile, key: str, body: str, table: SymbolTable
-) -> tuple[Definition, SymbolTable]:
+def _definition(file: TomlFile, key: str, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
     path = ("definitions", key)
     try:
         return read_definition(key, body, table)

@@ -93,20 +93,7 @@ class TomlFile:
         return PaperError(self.path, *self.places.in_key(path, line, column), message)
 
     def _text(self) -> str:
-        try:
-            if self.path.is_dir():
-                raise PaperError(self.path, None, None, "is a directory; expected a TOML file")
-            if self.path.exists() and not self.path.is_file():
-                raise PaperError(self.path, None, None, "is not a regular file; expected a TOML file")
-            with self.path.open("rb") as stream:
-                raw = stream.read(MOST_BYTES + 1)
-        except FileNotFoundError:
-            raise PaperError(self.path, None, None, "no such file") from None
-        except (OSError, ValueError) as error:
-            reason = getattr(error, "strerror", None) or str(error)
-            raise PaperError(self.path, None, None, f"cannot be read: {reason}") from None
-        if len(raw) > MOST_BYTES:
-            raise PaperError(self.path, None, None, f"is larger than {MOST_BYTES:,} bytes")
+        raw = self._bytes()
         try:
             text = raw.decode("utf-8")
         except UnicodeDecodeError as error:
@@ -119,6 +106,25 @@ class TomlFile:
         if not text.strip():
             raise PaperError(self.path, 1, 1, "is empty; expected a paper file with [[claim]] tables")
         return text
+
+    def _bytes(self) -> bytes:
+        fault = None
+        try:
+            if self.path.is_dir():
+                fault = "is a directory; expected a TOML file"
+            elif self.path.exists() and not self.path.is_file():
+                fault = "is not a regular file; expected a TOML file"
+            else:
+                with self.path.open("rb") as stream:
+                    raw = stream.read(MOST_BYTES + 1)
+                if len(raw) <= MOST_BYTES:
+                    return raw
+                fault = f"is larger than {MOST_BYTES:,} bytes"
+        except FileNotFoundError:
+            fault = "no such file"
+        except (OSError, ValueError) as error:  # ValueError: a NUL in the name
+            fault = f"cannot be read: {getattr(error, 'strerror', None) or error}"
+        raise PaperError(self.path, None, None, fault)
 
     def _syntax_error(self, error: tomllib.TOMLDecodeError, text: str) -> PaperError:
         message, line, column = str(error), None, None

@@ -1,0 +1,94 @@
+"""Laws of reading and printing: read ∘ print is the identity, and printing does not change with spelling."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+from tests.language.generated import TABLE, VARIABLES, terms
+from workbench.language.printer import to_latex
+from workbench.language.reader import read_term
+from workbench.language.terms import Term
+
+_NO_CHECKS = list(HealthCheck)
+
+
+@settings(max_examples=600, deadline=None, suppress_health_check=_NO_CHECKS)
+@given(terms)
+def test_what_is_printed_reads_as_the_same_term(term: Term) -> None:
+    assert read_term(to_latex(term), TABLE, VARIABLES) == term
+
+
+@pytest.mark.slow
+@settings(max_examples=30_000, deadline=None, suppress_health_check=_NO_CHECKS)
+@given(terms)
+def test_what_is_printed_reads_as_the_same_term_many_times(term: Term) -> None:
+    assert read_term(to_latex(term), TABLE, VARIABLES) == term
+
+
+# spellings of one term
+SAME = [
+    (r"\dot{\omega}", r"\dot\omega", r"\boldsymbol{\dot\omega}", r"\frac{d}{dt} \omega", r"\frac{d\omega}{dt}"),
+    (r"\tilde\omega", r"\widetilde{\omega}", r"{\tilde\omega}", r"\tilde{\boldsymbol{\omega}}"),
+    (r"\frac{1}{2} \omega", r"\tfrac12 \omega", r"\frac12\omega", r"\dfrac{1}{2}\,\omega", r"0.5 \omega"),
+    (r"\omega \cdot \mathbf{v}", r"(\omega) \cdot (\mathbf{v})", r"\left[\omega\right] \cdot \{\mathbf{v}\}"),
+    (r"\Phi_2^T", r"\Phi_2^\top", r"\Phi^T_{2}", r"{\Phi_2}^{T}", r"(\Phi_2)^\intercal"),
+    (r"\det \Phi_2", r"\det\left(\Phi_2\right)", r"\operatorname{det} \Phi_2", r"\mathrm{det}[\Phi_2]"),
+    (r"\operatorname{trace} \Phi_2", r"\text{tr} \Phi_2", r"\operatorname{tr}(\Phi_2)", r"\mathrm{Tr}\Phi_2"),
+    (r"\operatorname{vect} \Phi_1 \Phi_2", r"\text{vect}(\Phi_1 \Phi_2)", r"\mathrm{vect}\{\Phi_1 \cdot \Phi_2\}"),
+    (r"(\omega, \mathbf{v}, \omega)", r"\langle \omega, \mathbf{v}, \omega \rangle"),
+    (r"\|\omega\|", r"|\omega|", r"\left\|\omega\right\|", r"\lVert\omega\rVert", r"\bigl|\omega\bigr|"),
+    (r"||\omega| \omega|", r"\left|\,|\omega| \omega\right|"),
+    (r"C_n^m", r"\mathbf{C}_n^m", r"\binom{n}{m}", r"C^{m}_{n}"),
+    (r"\exp(\alpha \mathbf{S})", r"e^{\alpha \mathbf{S}}", r"\mathrm{e}^{\alpha \mathbf{S}}"),
+    (r"\omega^{(n+1)}", r"\frac{d^{n+1}}{dt^{n+1}} \omega", r"\frac{\mathrm{d}^{1+n} \omega}{\mathrm{d}t^{n+1}}"),
+    (r"\sin^2 \alpha", r"(\sin \alpha)^2", r"\sin(\alpha)\sin\alpha".replace(r"\sin(\alpha)\sin\alpha", r"{\sin \alpha}^2")),
+    (r"2 n \omega", r"(2n) \omega", r"\left(n+n\right) \omega"),
+    (r"\dot{\mathbf{a}}_\rho^{[n]}", r"\frac{d}{dt} \mathbf{a}^{[n]}_{\rho}", r"{\dot{\mathbf{a}}_\rho}^{[n]}"),
+    (r"\omega(t)", r"\omega"),
+    (r"\mathbf{P}_n(\mathbf{D}) \omega", r"\mathbf{P}_n \omega"),
+    (r"\mathbf{D}", r"\frac{d}{dt}"),
+    (r"-\frac{1}{2}", r"\frac{-1}{2}", r"-0.5"),
+]
+
+
+@pytest.mark.parametrize("spellings", SAME, ids=[s[0] for s in SAME])
+def test_spellings_of_one_term(spellings: tuple[str, ...]) -> None:
+    terms_read = [read_term(latex, TABLE, VARIABLES) for latex in spellings]
+    assert terms_read == [terms_read[0]] * len(spellings)
+
+
+# pairs that look alike and differ
+DIFFERENT = [
+    (r"\dot{\tilde\omega}", r"\tilde{\dot\omega}"),
+    (r"\tilde\omega^2 \mathbf{v}", r"\widetilde{\omega \times \mathbf{v}}"),
+    (r"\ddot\omega", r"\dot{\dot\omega}"),
+    (r"\mathbf{v}'", r"\mathbf{v}"),
+    (r"\alpha", r"\underline{\alpha}"),
+    (r"\mathbf{a}^*", r"\mathbf{S}^*"),
+    (r"\Phi_n", r"\Phi_n(\omega)"),
+    (r"\mathbf{S} \Phi_1 \omega", r"\mathbf{S} (\Phi_1 \omega)"),
+    (r"\alpha - \lambda_{1,2}", r"\alpha + \lambda_{1,2}"),
+    (r"\det \mathbf{S} \Phi_1", r"(\det \mathbf{S}) \Phi_1"),
+    (r"\alpha^2 x", r"\alpha^{2 }(x)^{2}"),
+]
+
+
+@pytest.mark.parametrize(("one", "other"), DIFFERENT)
+def test_what_looks_alike_may_differ(one: str, other: str) -> None:
+    assert read_term(one, TABLE, VARIABLES) != read_term(other, TABLE, VARIABLES)
+
+
+def test_the_dot_over_a_family_member_is_on_the_member() -> None:
+    term = read_term(r"\dot{\Phi}_{n+1}", TABLE, VARIABLES)
+    assert to_latex(term) == r"\dot{\Phi}_{n+1}"
+    assert to_latex(term.body) == r"\Phi_{n+1}"
+
+
+def test_the_reader_loads_on_use() -> None:
+    code = "import sys, workbench.language; print(sorted(m for m in ('lark', 'sympy', 'pydrake') if m in sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

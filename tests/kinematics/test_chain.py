@@ -168,15 +168,19 @@ def test_composite_joints_are_products_of_simple_ones(seed):
 @pytest.mark.parametrize("tilt", [0, 1e-300, 1e-17, 1e-15, 1e-12, 1e-8, 1e-3, 0.09, 0.11])
 @pytest.mark.parametrize("apart", [0, 1e-12, 1])
 def test_neighbouring_axes_may_be_nearly_parallel_coincident_or_intersecting(tilt, apart):
-    """Against the two-joint closed form V = S₁ q̇₁ + Ad(e^{S₁q₁}) S₂ q̇₂."""
-    first = Joint.revolute([0, 0, 1], [0.1, 0.2, 0.3])
-    second = Joint.revolute([tilt, 0, 1], [0.1, 0.2 + apart, 5])
-    chain = SerialChain([first, second])
-    q = np.array([[0.7, 1.1], [0.4, -0.6]])
-    inner = SerialChain([first])
-    screw = np.concatenate([second.axis, np.cross(second.point, second.axis)])
-    expected = inner.twist_derivatives(q[:1])[0] + adjoint(inner.pose(q[:1, 0])) @ screw * q[1, 1]
-    close(chain.twist_derivatives(q)[0], expected, 14)
+    """Against Eq. (119) for three joints, no derivative taken."""
+    joints = [
+        Joint.revolute([0, 0, 1], [0.1, 0.2, 0.3]),
+        Joint.revolute([tilt, 0, 1], [0.1 + apart, 0.2 + 2 * apart, 5]),
+        Joint.revolute([1, 2, 3], [0.5, -0.4, 0.3]),
+    ]
+    q = np.array([[0.7, 1.1], [0.4, -0.6], [0.2, 0.9]])
+    expected, X = np.zeros(6), np.eye(4)
+    for joint, (angle, rate) in zip(joints, q, strict=True):
+        screw = np.concatenate([joint.axis, np.cross(joint.point, joint.axis)])
+        expected += adjoint(X) @ screw * rate
+        X = X @ SerialChain([joint]).pose([angle])
+    close(SerialChain(joints).twist_derivatives(q)[0], expected, 14)
 
 
 @pytest.mark.parametrize("states", [(1,), (5,), (8,), (19,), (2, 3), (0,)])

@@ -149,7 +149,10 @@ REAL = Part(
             r"\boldsymbol{\varepsilon}^{[n]} = \text{vect} \left\{ \Phi_n - \Phi_{n-1} \Phi_1 - \sum_{k=1}^{n-2}"
             r" \left[ \frac{d^k}{dt^k} (\Phi_{n-k-1} \Phi_1) \right] \right\}, n \geq 3",
         ),
-        ("22.def", r"\boldsymbol{\varepsilon}^{[n]} \stackrel{\text{def}}{=} \frac{d^{n-1}}{dt^{n-1}} \omega"),
+        (
+            "22.def",
+            r"\boldsymbol{\varepsilon}^{[n]} \stackrel{\text{def}}{=} \frac{d^{n-1}}{dt^{n-1}} \omega",
+        ),
         ("22.skew", r"\tilde{\boldsymbol{\varepsilon}}^{[n]} = \frac{d^{n-1}}{dt^{n-1}} \boldsymbol{\Phi}_1"),
         ("23", r"g = \begin{bmatrix} \mathbf{R} & \mathbf{w} \\ \mathbf{0} & 1 \end{bmatrix}"),
         (
@@ -392,8 +395,14 @@ DUAL = Part(
             r" \underline{\mathbf{T}} \underline{\mathbf{v}}_3 \rangle = \det \underline{\mathbf{T}} \langle"
             r" \underline{\mathbf{v}}_1, \underline{\mathbf{v}}_2, \underline{\mathbf{v}}_3 \rangle.",
         ),
-        ("77.cond", r"\text{Re} \langle \underline{\mathbf{a}}, \underline{\mathbf{b}}, \underline{\mathbf{c}} \rangle \neq 0"),
-        ("78", r"\underline{\mathbf{R}} \underline{\mathbf{R}}^T = \underline{\mathbf{I}}, \det \underline{\mathbf{R}} = 1"),
+        (
+            "77.cond",
+            r"\text{Re} \langle \underline{\mathbf{a}}, \underline{\mathbf{b}}, \underline{\mathbf{c}} \rangle \neq 0",
+        ),
+        (
+            "78",
+            r"\underline{\mathbf{R}} \underline{\mathbf{R}}^T = \underline{\mathbf{I}}, \det \underline{\mathbf{R}} = 1",
+        ),
         ("79", r"\underline{\mathbf{R}} = (\mathbf{I} + \varepsilon \tilde{\rho}) \mathbf{R}"),
         (
             "80",
@@ -418,13 +427,25 @@ DUAL = Part(
             r" \underline{\mathbf{R}}(\underline{\mathbf{a}}) \times \underline{\mathbf{R}}(\underline{\mathbf{b}}), \forall"
             r" \underline{\mathbf{a}}, \underline{\mathbf{b}} \in \underline{\mathbf{V}}_3\end{aligned}",
         ),
-        ("89", r"\underline{\boldsymbol{\omega}} = \text{vect}\dot{\underline{\mathbf{R}}}\underline{\mathbf{R}}^T"),
+        (
+            "89",
+            r"\underline{\boldsymbol{\omega}} = \text{vect}\dot{\underline{\mathbf{R}}}\underline{\mathbf{R}}^T",
+        ),
         ("90", r"\underline{\boldsymbol{\omega}} = \boldsymbol{\omega} + \varepsilon \mathbf{v}"),
         ("92", r"\mathbf{v} = \dot{\boldsymbol{\rho}} - \boldsymbol{\omega} \times \boldsymbol{\rho}"),
         ("93", r"\underline{\mathbf{V}}_\rho = \boldsymbol{\omega} + \varepsilon \mathbf{v}_\rho"),
-        ("94", r"e^{\varepsilon \tilde{\boldsymbol{\rho}}} = \mathbf{I} + \varepsilon \tilde{\boldsymbol{\rho}}"),
-        ("95", r"e^{\varepsilon \tilde{\boldsymbol{\rho}}}\underline{\mathbf{V}}_\rho = \underline{\boldsymbol{\omega}}"),
-        ("97", r"\underline{\mathbf{V}}_P = e^{\varepsilon (\tilde{\rho}_Q - \tilde{\rho}_P)} \underline{\mathbf{V}}_Q"),
+        (
+            "94",
+            r"e^{\varepsilon \tilde{\boldsymbol{\rho}}} = \mathbf{I} + \varepsilon \tilde{\boldsymbol{\rho}}",
+        ),
+        (
+            "95",
+            r"e^{\varepsilon \tilde{\boldsymbol{\rho}}}\underline{\mathbf{V}}_\rho = \underline{\boldsymbol{\omega}}",
+        ),
+        (
+            "97",
+            r"\underline{\mathbf{V}}_P = e^{\varepsilon (\tilde{\rho}_Q - \tilde{\rho}_P)} \underline{\mathbf{V}}_Q",
+        ),
         (
             "98",
             r"\begin{aligned} e^{\varepsilon \tilde{\rho}} \underline{\mathbf{A}}_\rho &= \underline{\dot{\omega}},"
@@ -501,9 +522,15 @@ CHAIN = Part(
         r"\mathbf{p}_n(x)": r"\sum_{k=0}^n C_n^k \underline{\Phi}_{n-k}(x) \mathbf{D}^{[k]}",
     },
     formulas=(
-        ("117", r"\underline{\mathbf{R}} = {}^0\underline{\mathbf{R}}_1 \cdot {}^1\underline{\mathbf{R}}_2 \cdot"
-         r" {}^{2}\underline{\mathbf{R}}_3"),
-        ("118", r"{}_0\underline{\boldsymbol{\omega}}_m = \text{vect} \underline{\dot{\mathbf{R}}}\underline{\mathbf{R}}^T"),
+        (
+            "117",
+            r"\underline{\mathbf{R}} = {}^0\underline{\mathbf{R}}_1 \cdot {}^1\underline{\mathbf{R}}_2 \cdot"
+            r" {}^{2}\underline{\mathbf{R}}_3",
+        ),
+        (
+            "118",
+            r"{}_0\underline{\boldsymbol{\omega}}_m = \text{vect} \underline{\dot{\mathbf{R}}}\underline{\mathbf{R}}^T",
+        ),
         (
             "119",
             r"{}_0\underline{\omega}_3 = \underline{\Omega}_1 + {}^0\underline{\mathbf{R}}_1 \underline{\Omega}_2 +"
@@ -525,7 +552,10 @@ CHAIN = Part(
             r"\mathbf{p}_n(\underline{\omega}) = \sum_{k=0}^n C_n^k \underline{\Phi}_{n-k}(\underline{\omega})"
             r" \mathbf{D}^{[k]},",
         ),
-        ("125", r"\underline{\Phi}_p = \underline{\mathbf{R}}^{(p)} \cdot \underline{\mathbf{R}}^T, p = \overline{0, n}"),
+        (
+            "125",
+            r"\underline{\Phi}_p = \underline{\mathbf{R}}^{(p)} \cdot \underline{\mathbf{R}}^T, p = \overline{0, n}",
+        ),
         (
             "126",
             r"\begin{cases} \underline{\Phi}_{p+1} = \dot{\underline{\Phi}}_p + \underline{\Phi}_p"
@@ -583,7 +613,10 @@ MANIPULATOR = Part(
     definitions={},
     formulas=(
         ("136", r"{}^0\underline{\mathbf{R}}_2 = {}^0\underline{\mathbf{R}}_1 {}^1\underline{\mathbf{R}}_2"),
-        ("137", r"{}^0\underline{\mathbf{R}}_1 = e^{\underline{\alpha}_1(t) {}_0\tilde{\underline{\mathbf{u}}}_1}"),
+        (
+            "137",
+            r"{}^0\underline{\mathbf{R}}_1 = e^{\underline{\alpha}_1(t) {}_0\tilde{\underline{\mathbf{u}}}_1}",
+        ),
         (
             "140",
             r"\underline{\mathbf{u}}_2 = \left(\mathbf{I} + \sin \underline{\alpha}_1 {}_0\tilde{\underline{\mathbf{u}}}_1 +"

@@ -37,7 +37,13 @@ def test_read_and_read_back(part: str, equation: str, latex: str, tables: dict[s
 
 def test_one_statement_a_line(tables: dict[str, SymbolTable]) -> None:
     latex = dict(PARTS["real"].formulas)
-    assert [len(read(latex[e], tables["real"], "nm")) for e in ("2", "18", "20", "40", "53")] == [2, 2, 4, 3, 2]
+    assert [len(read(latex[e], tables["real"], "nm")) for e in ("2", "18", "20", "40", "53")] == [
+        2,
+        2,
+        4,
+        3,
+        2,
+    ]
 
 
 def test_shapes_of_statements(tables: dict[str, SymbolTable]) -> None:
@@ -56,18 +62,45 @@ def test_ranges_are_returned(tables: dict[str, SymbolTable]) -> None:
 
 # the printed forms whose types or weights do not fit, and the column of the fault
 PRINTED = [
-    ("53", r"\Phi^* = \mathbf{S}^* - \tilde{\mathbf{S}}\mathbf{t} + \mathbf{t} \otimes \mathbf{t}", r"\tilde", "tilde"),
-    ("53", r"\det \Phi = \det \mathbf{S} + \mathbf{t}\mathbf{S}\mathbf{t}", r"\mathbf{S}\mathbf{t}", "vector and a tensor"),
-    ("10", r"\Phi_2 = \widetilde{\boldsymbol{\omega}^2} \boldsymbol{\varepsilon}", r"\widetilde", "got a scalar"),
-    ("58", r"\Phi_2^* = -\tilde{\omega}^2 \dot{\omega} + \dot{\omega} \otimes \dot{\omega}", r"+", "differ in type"),
-    ("61", r"4 \det \Phi_3 = (\mathbf{t}_3 \times \dot{\omega})(\omega \times \mathbf{t}_3)", r"(\omega \t", "vector and a vector"),
+    (
+        "53",
+        r"\Phi^* = \mathbf{S}^* - \tilde{\mathbf{S}}\mathbf{t} + \mathbf{t} \otimes \mathbf{t}",
+        r"\tilde",
+        "tilde",
+    ),
+    (
+        "53",
+        r"\det \Phi = \det \mathbf{S} + \mathbf{t}\mathbf{S}\mathbf{t}",
+        r"\mathbf{S}\mathbf{t}",
+        "vector and a tensor",
+    ),
+    (
+        "10",
+        r"\Phi_2 = \widetilde{\boldsymbol{\omega}^2} \boldsymbol{\varepsilon}",
+        r"\widetilde",
+        "got a scalar",
+    ),
+    (
+        "58",
+        r"\Phi_2^* = -\tilde{\omega}^2 \dot{\omega} + \dot{\omega} \otimes \dot{\omega}",
+        r"+",
+        "differ in type",
+    ),
+    (
+        "61",
+        r"4 \det \Phi_3 = (\mathbf{t}_3 \times \dot{\omega})(\omega \times \mathbf{t}_3)",
+        r"(\omega \t",
+        "vector and a vector",
+    ),
     ("67", r"\alpha = \omega^4 - 2\dot{\omega}^2 - 2\omega \cdot \dot{\omega}", r"- 2\omega \cdot", "weight"),
     ("21", r"\Phi_4 = \frac{d^2}{dt^3} \Phi_2", r"\frac", "order 2 above and 3 below"),
     ("70", r"2\ddot{\omega} + 2\dot{\omega} \times \omega - 4\omega^2 \dot{\omega} = 0", "- 4", "weight"),
 ]
 
 
-@pytest.mark.parametrize(("equation", "latex", "at", "part"), PRINTED, ids=[f"{p[0]}-{p[3]}" for p in PRINTED])
+@pytest.mark.parametrize(
+    ("equation", "latex", "at", "part"), PRINTED, ids=[f"{p[0]}-{p[3]}" for p in PRINTED]
+)
 def test_printed_forms_that_do_not_fit(
     equation: str, latex: str, at: str, part: str, tables: dict[str, SymbolTable]
 ) -> None:

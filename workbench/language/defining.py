@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from workbench.language import construct
 from workbench.language.definitions import Definitions, solve
@@ -13,7 +13,7 @@ from workbench.language.names import candidates, names_of_key
 from workbench.language.reader import read_term
 from workbench.language.symbols import SymbolTable, index_in, key_pieces
 from workbench.language.syntax import Bracket, Node, Product, Scripted, parse
-from workbench.language.terms import Definition, IllFormed, Symbol, Term, Zero
+from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
 from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
 
 #: How the weight of Φ_n may grow with n, in the order in which it is tried.
@@ -172,8 +172,9 @@ def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition,
     declaration = _declaration(head, term.type, weight)
     table = table.with_symbol(declaration, head.formals)
     table = replace(table, introduced=table.introduced | {declaration.name})
-    if isinstance(term, Zero):
-        table = replace(table, zeros=table.zeros | {declaration.name})
+    if isinstance(term, Zero | Identity):
+        types = (TENSOR, VECTOR, SCALAR) if isinstance(term, Zero) else (TENSOR, OPERATOR)
+        table = replace(table, untyped={**table.untyped, declaration.name: types})
     return Definition(declaration, index, head.formals, term), table
 
 
@@ -196,46 +197,75 @@ def _recurrence(
         raise SpecError("declare the whole family in [symbols]: kind, and weight in its index", head.key)
     rest = {pattern: d for pattern, d in symbols.items() if pattern not in bases}
     outer = replace(table, **{"functions" if head.formals else "symbols": rest})
-    faults: list[IllFormedAt] = []
-    for type_, weight in _guesses({bases[name]: d for name, d in declared.items()}, table):
-        family = _declaration(head, type_, weight)
-        widened = outer.with_symbol(family, head.formals)
-        for place in bases.values():
-            widened = _with_member(widened, family, place)
-        try:
-            inside = _inside(head, widened, (family, head.own[1]))
-            definition = _defined(head, (family, head.own[1]), inside, body)
-        except IllFormedAt as fault:
-            faults.append(fault)
-            continue
-        if weight is None and definition.body.weight is not None:
-            shift = {n: Linear.variable("@0") - p.constant for p in head.own[1] for n in p.variables}
-            fitted = replace(family, weight=definition.body.weight.substitute(shift))
-            widened = widened.with_symbol(fitted, head.formals)
-            known = (fitted, head.own[1])
-            definition = _defined(head, known, _inside(head, widened, known), body)
-        return definition, widened
-    raise faults[0]
+    step = _Step(head, body, outer, {bases[name]: d for name, d in declared.items()})
+    first = next(iter(declared.values()))
+    untyped = table.untyped.get(first.name)
+    found = []
+    for type_ in untyped or (first.type, OPERATOR):  # a tensor is an operator of degree 0
+        fit = step.fit(type_)
+        if fit is not None:
+            found.append(fit)
+            if untyped is None:
+                break
+    if not found:
+        raise step.faults[0]
+    if len(found) > 1:
+        kinds = " or ".join(str(definition.declaration.type) for definition, _ in found)
+        raise SpecError(f"the family may be {kinds}; declare it in [symbols]", head.key)
+    return found[0]
 
 
-def _guesses(
-    bases: Mapping[tuple[Linear, ...], Declaration], table: SymbolTable
-) -> Iterator[tuple[Type, Linear | None]]:
-    """Types and weights that a family with these bases may have; a bare 0 has no type of its own."""
-    (first, declaration), *_ = bases.items()
-    if all(d.name in table.zeros for d in bases.values()):
-        yield from ((type_, None) for type_ in (TENSOR, VECTOR, SCALAR))
-        return
-    types = [declaration.type, declaration.type.with_dual(True)]
-    if declaration.type.kind == "tensor":
-        types += [OPERATOR.with_dual(type_.dual) for type_ in types]  # a tensor is an operator of degree 0
-    if declaration.weight is not None:
+@dataclass
+class _Step:
+    """A recurrence step whose family is still to be typed and weighed."""
+
+    head: _Head
+    body: str
+    table: SymbolTable
+    bases: Mapping[tuple[Linear, ...], Declaration]
+    faults: list[IllFormedAt] = field(default_factory=list)
+
+    def fit(self, type_: Type) -> tuple[Definition, SymbolTable] | None:
+        """The definition of a family of this type, real or else dual, with the weight that fits."""
+        for dual in dict.fromkeys((type_.dual, True)):
+            for weight in self.weights():
+                try:
+                    definition, table = self.attempt(type_.with_dual(dual), weight)
+                except IllFormedAt as fault:
+                    self.faults.append(fault)
+                    continue
+                if definition.body.type.kind != type_.kind:
+                    continue
+                if definition.body.weight == definition.declaration.weight is None:
+                    return definition, table
+                return self.attempt(type_.with_dual(dual), self.of_members(definition.body.weight))
+        return None
+
+    def attempt(self, type_: Type, weight: Linear | None) -> tuple[Definition, SymbolTable]:
+        family = _declaration(self.head, type_, weight)
+        table = self.table.with_symbol(family, self.head.formals)
+        for place in self.bases:
+            table = _with_member(table, family, place)
+        known = (family, self.head.own[1])
+        return _defined(self.head, known, _inside(self.head, table, known), self.body), table
+
+    def weights(self) -> Iterator[Linear | None]:
+        """Weights linear in the index that agree with the bases; None if these have none."""
+        (first, declaration), *_ = self.bases.items()
+        if declaration.weight is None:
+            yield None
+            return
         for slope in _SLOPES:
             weight = Linear.variable("@0") * slope + (declaration.weight - first[0] * slope)
-            if all(d.weight == weight.substitute({"@0": place[0]}) for place, d in bases.items()):
-                yield from ((type_, weight) for type_ in types)
-        return
-    yield from ((type_, None) for type_ in types)
+            if all(d.weight == weight.substitute({"@0": place[0]}) for place, d in self.bases.items()):
+                yield weight
+
+    def of_members(self, weight: Linear | None) -> Linear | None:
+        """The weight of Φ_n from that of Φ_{n+1}."""
+        (place,) = self.head.own[1]
+        ((letter, _),) = place.coefficients
+        shift = {letter: Linear.variable("@0") - place.constant}
+        return None if weight is None else weight.substitute(shift)
 
 
 # circles

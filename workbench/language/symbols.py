@@ -48,8 +48,8 @@ class SymbolTable:
     #: the indices (1, or n+1) at which each name is defined, and the names that only definitions introduce
     defined: Mapping[str, tuple[tuple[Linear, ...], ...]] = field(default_factory=dict)
     introduced: frozenset[str] = frozenset()
-    #: of those, the names defined as a bare 0, which has no type of its own
-    zeros: frozenset[str] = frozenset()
+    #: of those, the names defined as a bare 0 or I, and the types that they may have
+    untyped: Mapping[str, tuple[Type, ...]] = field(default_factory=dict)
     #: what definitions use although nothing defines it: it must stay primitive
     primitive: frozenset[tuple[str, tuple[Linear, ...]]] = frozenset()
 
@@ -124,7 +124,11 @@ class SymbolTable:
         text = literal(pieces)
         for pattern, index in candidates(pieces):
             declaration = self.symbols.get(pattern) or self.functions.get(pattern)
-            if declaration is not None and declaration.indices == len(index):
+            if (
+                declaration is not None
+                and declaration.name in self.introduced
+                and len(index) == declaration.indices
+            ):
                 known = (spelled(declaration.name, member) for member in self.defined[declaration.name])
                 return f"{text} is not defined; defined before it: {', '.join(known)}"
         names = sorted({d.name for d in (*self.symbols.values(), *self.functions.values())})

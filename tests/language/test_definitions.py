@@ -1,0 +1,219 @@
+"""[definitions]: inferred types and weights, recurrences, function symbols, and what a circle gets."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench.language.defining import read_definition, read_definitions
+from workbench.language.definitions import Definitions, expand
+from workbench.language.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.instances import instantiate
+from workbench.language.printer import to_latex
+from workbench.language.reader import read_term
+from workbench.language.symbols import SymbolTable
+from workbench.language.terms import IllFormed, Symbol, Term
+
+TABLE = SymbolTable.build(
+    {
+        r"\omega": {"kind": "vector", "weight": 1},
+        r"\mathbf{v}": {"kind": "vector", "weight": 1},
+        r"\mathbf{w}": {"kind": "vector", "weight": 2},
+        r"\mathbf{R}": {"kind": "rotation", "weight": 0},
+        r"\mathbf{c}_n": {"kind": "vector", "weight": "n"},
+        r"x": {"kind": "vector", "weight": 1},
+        r"\mathbf{P}_n": {"kind": "operator", "weight": "n-1"},
+        r"\mathbf{T}": {"kind": "tensor"},
+    }
+)
+TENSORS = {
+    r"\Phi_1": r"\tilde{\omega}",
+    r"\Phi_{n+1}": r"\dot{\Phi}_n + \Phi_n \Phi_1",
+    r"\mathbf{S}_1": r"\mathbf{0}",
+    r"\mathbf{S}_{n+1}": r"\dot{\mathbf{S}}_n + \operatorname{sym}(\Phi_n \tilde{\omega})",
+    r"\mathbf{t}_1": r"\omega",
+    r"\mathbf{t}_{n+1}": r"\dot{\mathbf{t}}_n + \frac12 [(\operatorname{trace} \Phi_n) \mathbf{I} - \Phi_n^T] \omega",
+    r"\mathbf{P}_1": r"\mathbf{I}",
+    r"\mathbf{P}_{n+1}": r"\mathbf{D} \mathbf{P}_n + \mathbf{P}_n(\tilde{\omega})",
+    r"\Psi_n": r"\mathbf{R}^{(n)} \mathbf{R}^T",
+    r"\Theta_1(x)": r"\tilde{x}",
+    r"\Theta_{n+1}(x)": r"\dot{\Theta}_n(x) + \Theta_n(x) \Theta_1(x)",
+    r"\alpha": r"\omega^4 - 2 \dot{\omega}^2",
+    r"\beta": r"\alpha^2 + \dot{\omega}^4",
+}
+
+
+def looked_up(latex: str, definitions: Definitions, table: SymbolTable) -> str:
+    term = read_term(latex, table, {"n"})
+    assert isinstance(term, Symbol)
+    body = definitions.lookup(term)
+    return "primitive" if body is None else to_latex(body)
+
+
+@pytest.mark.parametrize(
+    ("latex", "kind", "weight"),
+    [
+        (r"\Phi_3", "tensor", "3"),
+        (r"\mathbf{S}_n", "tensor", "n"),
+        (r"\mathbf{t}_{n+1}", "vector", "n+1"),
+        (r"\mathbf{P}_3", "operator", "2"),
+        (r"\Psi_n", "tensor", "n"),
+        (r"\Theta_2(\mathbf{v})", "tensor", "2"),
+        (r"\alpha", "scalar", "4"),
+        (r"\beta", "scalar", "8"),
+    ],
+)
+def test_types_and_weights_are_inferred(latex: str, kind: str, weight: str) -> None:
+    table = read_definitions(TENSORS, TABLE)[1] if latex != r"\beta" else None
+    if table is None:
+        entries = {**TENSORS, r"\beta": r"\alpha^2 + \dot{\omega}^2 \omega^4"}
+        table = read_definitions(entries, TABLE)[1]
+    term = read_term(latex, table, {"n"})
+    assert (term.type.kind, str(term.weight)) == (kind, weight)
+
+
+def test_a_body_of_another_weight_in_a_sum_is_refused_with_its_place() -> None:
+    with pytest.raises(IllFormedAt, match="8 and 4"):
+        read_definitions({**TENSORS, r"\gamma": r"\alpha^2 + \dot{\omega}^2"}, TABLE)
+
+
+ENTRIES = {key: body for key, body in TENSORS.items() if key != r"\beta"}
+
+
+@pytest.mark.parametrize(
+    ("latex", "body"),
+    [
+        (r"\omega", "primitive"),
+        (r"\Phi_1", r"\tilde{\omega}"),
+        (r"\Phi_3", r"\dot{\Phi}_{2} + \Phi_{2} \Phi_{1}"),
+        (r"\Phi_n", "primitive"),
+        (r"\Phi_{n+1}", r"\dot{\Phi}_{n} + \Phi_{n} \Phi_{1}"),
+        (r"\Phi_{n+2}", r"\dot{\Phi}_{n+1} + \Phi_{n+1} \Phi_{1}"),
+        (r"\mathbf{S}_1", r"\mathbf{0}_{3 \times 3}"),
+        (r"\mathbf{P}_2", r"\mathbf{D} \mathbf{P}_{1} + \mathbf{P}_{1} \tilde{\omega}"),
+        (r"\Psi_2", r"\ddot{\mathbf{R}} \mathbf{R}^{T}"),
+        (r"\Psi_{n+3}", r"\mathbf{R}^{(n+3)} \mathbf{R}^{T}"),
+        (r"\Theta_1(\mathbf{v})", r"\tilde{\mathbf{v}}"),
+        (r"\Theta_1(\omega + \mathbf{v})", r"\widetilde{\omega + \mathbf{v}}"),
+    ],
+)
+def test_lookup_takes_one_step(latex: str, body: str) -> None:
+    definitions, table = read_definitions(ENTRIES, TABLE)
+    assert looked_up(latex, definitions, table) == body
+
+
+def test_lookup_gives_the_same_object_again() -> None:
+    definitions, table = read_definitions(ENTRIES, TABLE)
+    symbol = read_term(r"\Phi_5", table)
+    assert definitions.lookup(symbol) is definitions.lookup(read_term(r"\Phi_5", table))
+
+
+def test_lookup_below_the_base_is_an_error() -> None:
+    definitions, table = read_definitions(ENTRIES, TABLE)
+    member = instantiate(read_term(r"\Phi_n", table, {"n"}), {"n": 0})
+    with pytest.raises(IllFormed, match="recurrence starts at 1"):
+        definitions.lookup(member)
+    with pytest.raises(ReadError, match=r"\\Phi_\{0\} is not defined; defined before it: \\Phi_\{1\}"):
+        read_term(r"\Phi_0", table)
+
+
+@pytest.mark.parametrize("order", [1, 2, 4])
+def test_expand_agrees_with_steps_by_hand(order: int) -> None:
+    """Φ_{n+1} expanded is (Φ_n expanded)' + (Φ_n expanded) ω̃."""
+    definitions, table = read_definitions(ENTRIES, TABLE)
+    lower, upper = (expand(read_term(rf"\Phi_{n}", table), definitions) for n in (order, order + 1))
+    assert upper == read_term(
+        f"({to_latex(lower)})^{{(1)}} + ({to_latex(lower)}) \\tilde{{\\omega}}", table
+    ) or (order == 1 and to_latex(upper) == r"\dot{\tilde{\omega}} + \tilde{\omega} \tilde{\omega}")
+
+
+def test_expansion_of_a_deep_recurrence_shares_its_parts() -> None:
+    definitions, table = read_definitions(ENTRIES, TABLE)
+    seen: set[int] = set()
+
+    def visit(term: Term) -> None:
+        if id(term) not in seen:
+            seen.add(id(term))
+            for child in term.children:
+                visit(child)
+
+    visit(expand(read_term(r"\Phi_{40}", table), definitions))
+    assert len(seen) < 200
+
+
+# entries, the error, a part of its message
+BAD = [
+    ({r"\gamma": r"\delta"}, ReadError, r"unknown symbol \delta"),
+    ({r"\gamma": r"\dot{\gamma}"}, ReadError, r"unknown symbol \gamma"),
+    ({r"\gamma": r"\delta", r"\delta": "1"}, ReadError, r"unknown symbol \delta"),
+    ({r"\mathbf{v}": r"\mathbf{v}"}, SpecError, "uses the symbol itself"),
+    ({r"\mathbf{v}": r"x", "x": r"\mathbf{v}"}, SpecError, "used above its definition"),
+    ({r"\Phi_{n+1}": r"\dot{\Phi}_n"}, ReadError, r"unknown symbol \Phi"),
+    (
+        {r"\Phi_1": r"\tilde\omega", r"\Phi_{n+1}": r"\Phi_{n+1} + \dot\Phi_n"},
+        SpecError,
+        "uses the symbol itself",
+    ),
+    ({r"\Phi_1": r"\tilde\omega", r"\Phi_{n+1}": r"\Phi_{n+2} + \ddot\Phi_{n}"}, IllFormedAt, "weight"),
+    ({r"\mathbf{c}_n": r"\mathbf{c}_n"}, SpecError, "uses the symbol itself"),
+    ({r"\mathbf{c}_n": r"\dot{\mathbf{c}}_{n}"}, IllFormedAt, "differ in weight"),
+    ({r"\gamma": "1", r"{\gamma}": "2"}, SpecError, "defined already"),
+    ({r"a_1": r"\omega", r"a_{1}": r"\omega"}, SpecError, "defined already"),
+    ({r"\mathbf{v}": r"\tilde{\omega}"}, IllFormedAt, "differ in type"),
+    ({r"\mathbf{v}": r"\dot{\omega}"}, IllFormedAt, "differ in weight"),
+    ({r"\mathbf{v}": r"\omega + \varepsilon \omega"}, IllFormedAt, "real, its definition is dual"),
+    ({r"\Phi_{2n}": "1"}, SpecError, "one letter plus a number"),
+    ({r"\Phi_{n,n}": "1"}, SpecError, "a letter of its own"),
+    ({r"\gamma + \delta": "1"}, SpecError, "expected one symbol"),
+    ({"": "1"}, SpecError, "expected one symbol"),
+    ({r"\gamma": ""}, ReadError, "nothing"),
+    ({r"\gamma": r"\omega = x"}, ReadError, "relation"),
+    ({r"\gamma": r"1 \\ 2"}, ReadError, "several"),
+    ({r"f(y)": "1"}, SpecError, "formal argument"),
+    ({r"f(x, x)": "1"}, SpecError, "must differ"),
+    ({r"f(\dot{x})": "1"}, SpecError, "formal argument"),
+    ({r"f(x)": r"\tilde{x}", r"\gamma": r"f(\dot\omega)"}, IllFormedAt, "argument of weight 1, got 2"),
+    ({r"f(x)": r"\tilde{x}", r"\gamma": r"f(3)"}, IllFormedAt, "takes a vector, got a scalar"),
+    ({r"f(x)": r"\tilde{x}", r"\gamma": r"f(x, x)"}, IllFormedAt, "arguments"),
+    ({r"a_1": r"\omega", r"b": "a_2"}, ReadError, "unknown symbol a_{2}"),
+    (
+        {r"\gamma_1": r"\omega^2", r"\gamma_{n+1}": r"\gamma_n \gamma_n + \dot{\gamma}_n"},
+        IllFormedAt,
+        "differ in weight",
+    ),
+    ({r"\gamma": "{"}, ReadError, "never closed"),
+    ({r"\gamma}": "1"}, SpecError, "closes nothing"),
+]
+
+
+@pytest.mark.parametrize(("entries", "error", "part"), BAD, ids=[str(e)[:50] for e, _, _ in BAD])
+def test_bad_definitions(entries: dict[str, str], error: type[Exception], part: str) -> None:
+    with pytest.raises(error) as caught:
+        read_definitions(entries, TABLE)
+    assert part in str(caught.value)
+
+
+def test_a_family_that_may_be_of_two_kinds_must_be_declared() -> None:
+    entries = {r"Q_1": r"\mathbf{I}", r"Q_{n+1}": r"\mathbf{D} Q_n + Q_n \tilde{\omega}"}
+    with pytest.raises(SpecError, match="may be tensor or operator; declare it"):
+        read_definitions(entries, TABLE)
+
+
+def test_a_recurrence_with_a_factor_of_no_weight_has_no_weight() -> None:
+    entries = {r"A_1": r"\tilde{\omega}", r"A_{n+1}": r"\mathbf{T} A_n"}
+    table = read_definitions(entries, TABLE)[1]
+    assert read_term("A_3", table).weight is None
+
+
+def test_numbered_symbols_without_a_recurrence_keep_their_own_types() -> None:
+    table = read_definitions({r"a_1": r"\omega", r"a_2": r"\tilde{\omega}"}, TABLE)[1]
+    assert [read_term(f"a_{n}", table).type.kind for n in (1, 2)] == ["vector", "tensor"]
+
+
+def test_one_definition_at_a_time_gives_what_all_together_give() -> None:
+    table, alone = TABLE, []
+    for key, body in ENTRIES.items():
+        definition, table = read_definition(key, body, table)
+        alone.append(definition)
+    together, final = read_definitions(ENTRIES, TABLE)
+    assert tuple(together) == tuple(alone)
+    assert final == table

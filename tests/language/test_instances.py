@@ -1,0 +1,131 @@
+"""Formulas at given integers: sums written out against sums by hand, and the laws of substitution."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import comb, factorial
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.language.generated import TABLE, VARIABLES, terms
+from workbench.language.instances import instantiate
+from workbench.language.integers import Linear
+from workbench.language.printer import to_latex
+from workbench.language.reader import read, read_term
+from workbench.language.terms import BigSum, Counting, IllFormed, Integer, Number, Term, Zero
+
+
+def at(latex: str, **values: int) -> str:
+    return to_latex(instantiate(read_term(latex, TABLE, VARIABLES), values))
+
+
+@pytest.mark.parametrize(
+    ("latex", "n", "expected"),
+    [
+        (r"\Phi_{n+1}", 2, r"\Phi_{3}"),
+        (r"\omega^{(n)}", 0, r"\omega"),
+        (r"\omega^{(n)}", 3, r"\dddot{\omega}"),
+        (r"\mathbf{S}^n", 1, r"\mathbf{S}"),
+        (r"\mathbf{S}^n", 0, r"\mathbf{I}"),
+        (r"\alpha^n", 0, "1"),
+        (r"n \omega", 3, r"3 \omega"),
+        (r"(-1)^n", 3, r"\left(-1\right)^{3}"),
+        (r"\sum_{k=1}^{n} \Phi_k", 3, r"\Phi_{1} + \Phi_{2} + \Phi_{3}"),
+        (r"\sum_{k=1}^{n} \Phi_k", 1, r"\Phi_{1}"),
+        (r"\sum_{k=1}^{n-2} \Phi_k", 2, r"\mathbf{0}_{3 \times 3}"),
+        (r"\sum_{k=1}^{n-2} \omega", 1, r"\mathbf{0}"),
+        (
+            r"\sum_{k=0}^{n} C_n^k \omega^{(k)} \times \mathbf{v}^{(n-k)}",
+            2,
+            r"1 \omega \times \ddot{\mathbf{v}} + 2 \dot{\omega} \times \dot{\mathbf{v}} + 1 \ddot{\omega} \times \mathbf{v}",
+        ),
+        (
+            r"\sum_{p_1+p_2=n} C_n^{p_1,p_2} \Phi_{p_1} \Phi_{p_2}",
+            2,
+            r"1 \Phi_{0} \Phi_{2} + 2 \Phi_{1} \Phi_{1} + 1 \Phi_{2} \Phi_{0}",
+        ),
+        (
+            r"\sum_{k=1}^{n} \sum_{j=1}^{k} \lambda_{k,j}",
+            2,
+            r"\lambda_{1,1} + \left(\lambda_{2,1} + \lambda_{2,2}\right)",
+        ),
+    ],
+)
+def test_written_out(latex: str, n: int, expected: str) -> None:
+    assert at(latex, n=n) == expected
+
+
+@pytest.mark.parametrize(
+    ("latex", "part"),
+    [
+        (r"\Phi_{n-3}", "negative index -1"),
+        (r"\omega^{(n-3)}", "negative order -1"),
+        (r"\mathbf{S}^{n-3}", "negative exponent -1"),
+        (r"(n-3)!", "negative number -1"),
+        (r"\sum_{k=0}^{1000 n} \omega", "at most 2000"),
+        (r"\sum_{p_1+p_2+p_3=100n} \omega", "at most 2000"),
+        (r"(1000n+1)!", "at most 2000"),
+        (r"C_n^{m,m}", "add up to 2"),
+    ],
+)
+def test_what_has_no_value(latex: str, part: str) -> None:
+    with pytest.raises(IllFormed, match=part):
+        instantiate(read_term(latex, TABLE, VARIABLES), {"n": 2, "m": 2})
+
+
+@given(n=st.integers(0, 12), k=st.integers(0, 12))
+def test_counting_coefficients_are_numbers(n: int, k: int) -> None:
+    values = {"n": n, "m": k}
+    assert instantiate(read_term("n!", TABLE, VARIABLES), values).value == factorial(n)
+    binomial = instantiate(read_term("C_n^m", TABLE, VARIABLES), values)
+    assert isinstance(binomial, Zero) if k > n else binomial.value == comb(n, k)
+    multinomial = read_term("C_{n+m}^{n,m}", TABLE, VARIABLES)
+    assert instantiate(multinomial, values).value == Fraction(comb(n + k, k))
+
+
+@settings(max_examples=200, deadline=None)
+@given(terms)
+def test_no_integer_is_left(term: Term) -> None:
+    try:
+        instance = instantiate(term, {"n": 2, "m": 1, "k_1": 3})
+    except IllFormed:
+        return
+    assert not any(isinstance(t, Integer | BigSum | Counting) for t in instance.walk())
+
+
+@settings(max_examples=200, deadline=None)
+@given(terms)
+def test_first_n_to_m_plus_1_then_m_to_2_is_n_to_3(term: Term) -> None:
+    m = Linear.variable("m")
+    try:
+        two_steps = instantiate(instantiate(term, {"n": m + 1}), {"m": 2, "k_1": 1})
+        one_step = instantiate(term, {"n": 3, "m": 2, "k_1": 1})
+    except IllFormed:
+        return
+    assert two_steps == one_step
+
+
+def test_a_bound_variable_is_renamed_rather_than_captured() -> None:
+    term = read_term(r"\sum_{k=0}^{n} \lambda_{k,n}", TABLE, {"n"})
+    moved = instantiate(term, {"n": Linear.variable("k")})
+    assert instantiate(moved, {"k": 2}) == instantiate(term, {"n": 2})
+
+
+def test_what_does_not_change_stays_the_same_object() -> None:
+    term = read_term(r"\mathbf{S} \omega + \Phi_n \omega", TABLE, {"n"})
+    assert instantiate(term, {"n": 2}).arguments[0] is term.arguments[0]
+    assert instantiate(term, {"m": 2}) is term
+
+
+def test_statements_are_instantiated_side_by_side() -> None:
+    (statement,) = read(r"\Phi_n = \mathbf{S}^n \Rightarrow \omega^{(n)} = \mathbf{0}", TABLE, {"n"})
+    assert to_latex(instantiate(statement, {"n": 2})) == (
+        r"\Phi_{2} = \mathbf{S}^{2} \Rightarrow \ddot{\omega} = \mathbf{0}"
+    )
+
+
+def test_a_number_is_exact() -> None:
+    term = instantiate(read_term(r"\frac{1}{3} \alpha", TABLE), {})
+    assert isinstance(term.arguments[0], Number) and term.arguments[0].value == Fraction(1, 3)

@@ -1,0 +1,125 @@
+"""[symbols]: which name a spelling means, families and their weights, and what a bad entry gets."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench.language.errors import ReadError, SpecError
+from workbench.language.reader import read_term
+from workbench.language.symbols import SymbolTable
+from workbench.language.terms import Apply, DualUnit, Identity, Symbol
+
+
+def test_an_exact_name_goes_before_a_member_of_a_family() -> None:
+    table = SymbolTable.build({r"a_n": {"kind": "vector"}, r"a_0": {"kind": "scalar"}})
+    assert read_term("a_0", table).declaration.name == "a_{0}"
+    member = read_term("a_1", table)
+    assert (member.declaration.name, str(member.index[0])) == ("a_{@}", "1")
+
+
+@pytest.mark.parametrize(
+    ("key", "use", "index"),
+    [
+        (r"\Phi_n", r"\Phi_{n+1}", ["n+1"]),
+        (r"\mathbf{K}_{m,n}", r"\mathbf{K}_{2,n}", ["2", "n"]),
+        (r"\mathbf{a}_\rho^{[n]}", r"\mathbf{a}^{[3]}_{\rho}", ["3"]),
+        (r"\rho_{G_n}", r"\rho_{G_4}", ["4"]),
+        (r"{}_0\underline{\omega}_m", r"{}_0\underline{\omega}_2", ["2"]),
+        (r"{}^{k-1}\underline{\mathbf{R}}_k", r"{}^0\underline{\mathbf{R}}_1", ["0", "1"]),
+        (r"\underline{\mathbf{R}}_k", r"\mathbf{\underline{R}}_{n-1}", ["n-1"]),
+    ],
+)
+def test_families(key: str, use: str, index: list[str]) -> None:
+    term = read_term(use, SymbolTable.build({key: {"kind": "vector"}}), {"n"})
+    assert [str(i) for i in term.index] == index
+
+
+@pytest.mark.parametrize(
+    ("key", "weight", "use", "expected"),
+    [
+        (r"\Phi_n", "n", r"\Phi_3", "3"),
+        (r"\Phi_n", "2n+1", r"\Phi_{n+1}", "2n+3"),
+        (r"\mathbf{K}_{m,n}", "m", r"\mathbf{K}_{5,n}", "5"),
+        (r"{}^{k-1}R_k", "k", r"{}^{2}R_{3}", "3"),
+        (r"x_{n+1}", "n", r"x_4", "3"),
+        (r"x", 2, "x", "2"),
+        (r"x_n", -1, "x_7", "-1"),
+    ],
+)
+def test_weights_of_members(key: str, weight: int | str, use: str, expected: str) -> None:
+    table = SymbolTable.build({key: {"kind": "vector", "weight": weight}})
+    assert str(read_term(use, table, {"n"}).weight) == expected
+
+
+def test_fonts_are_symbols_of_their_own_unless_aliased() -> None:
+    table = SymbolTable.build({r"\omega": {"kind": "vector", "aliases": [r"\boldsymbol{\omega}"]}})
+    assert read_term(r"\boldsymbol{\omega}", table) == read_term(r"\omega", table)
+    with pytest.raises(ReadError, match="unknown symbol"):
+        read_term(r"\underline{\omega}", table)
+
+
+def test_a_star_is_the_adjugate_unless_the_name_has_it() -> None:
+    table = SymbolTable.build({r"\mathbf{a}^*": {"kind": "vector"}, r"\mathbf{S}": {"kind": "tensor"}})
+    assert isinstance(read_term(r"\mathbf{a}^*", table), Symbol)
+    adjugate = read_term(r"\mathbf{S}^*", table)
+    assert isinstance(adjugate, Apply) and adjugate.head == "adjugate"
+
+
+def test_built_in_symbols_give_way_to_declared_ones() -> None:
+    assert isinstance(read_term(r"\varepsilon", SymbolTable()), DualUnit)
+    assert isinstance(read_term(r"\mathbf{I}", SymbolTable()), Identity)
+    table = SymbolTable.build({r"\varepsilon": {"kind": "scalar"}, r"\mathbf{I}": {"kind": "vector"}})
+    assert isinstance(read_term(r"\varepsilon", table), Symbol)
+    assert isinstance(read_term(r"\mathbf{I}", table), Symbol)
+
+
+def test_a_table_is_never_changed() -> None:
+    table = SymbolTable.build({"x": {"kind": "scalar"}})
+    wider = table.with_specs({"y": {"kind": "vector"}})
+    assert set(table.symbols) == {"x"}
+    assert set(wider.symbols) == {"x", "y"}
+
+
+BAD_SPECS = [
+    ({"x": {}}, "kind is None; expected scalar | vector"),
+    ({"x": {"kind": "vectr"}}, "kind is 'vectr'"),
+    ({"x": {"kind": "real vector"}}, "kind is 'real vector'"),
+    ({"x": {"kind": 3}}, "kind is 3"),
+    ({"x": "vector"}, "expected a table"),
+    ({"x": {"kind": "vector", "wieght": 1}}, "unknown key 'wieght'; allowed: kind, weight"),
+    ({"x": {"kind": "vector", "weight": "n"}}, "weight is 'n'; expected an integer"),
+    ({"x_n": {"kind": "vector", "weight": "m"}}, "expected an integer or a string linear in n"),
+    ({"x_n": {"kind": "vector", "weight": "n^2"}}, "weight is 'n^2'"),
+    ({"x_n": {"kind": "vector", "weight": ""}}, "weight is ''"),
+    ({"x": {"kind": "vector", "weight": 1.5}}, "weight is 1.5"),
+    ({"x": {"kind": "vector", "weight": True}}, "weight is True"),
+    ({"x": {"kind": "scalar", "unit": True}}, "unit is for a vector"),
+    ({"x": {"kind": "tensor", "coordinate": True}}, "coordinate is for a vector"),
+    ({"x": {"kind": "vector", "constant": "yes"}}, "expected true or false"),
+    ({"x": {"kind": "vector", "aliases": "y"}}, "aliases is 'y'"),
+    ({"x": {"kind": "vector", "aliases": ["x"]}}, "declared twice"),
+    ({"x": {"kind": "vector"}, "y": {"kind": "vector", "aliases": ["x"]}}, "declared twice"),
+    ({"x_n": {"kind": "vector"}, "x_m": {"kind": "vector"}}, "declared twice"),
+    ({"x_n": {"kind": "vector", "aliases": ["y"]}}, "index places"),
+    ({"": {"kind": "vector"}}, "expected one symbol"),
+    ({"a b": {"kind": "vector"}}, "expected one symbol"),
+    ({"a = b": {"kind": "vector"}}, "expected one symbol"),
+    ({r"\dot{x}": {"kind": "vector"}}, "expected one symbol"),
+    ({r"\tilde{\omega}": {"kind": "tensor"}}, "expected one symbol"),
+    ({"x^T": {"kind": "tensor"}}, "the transpose"),
+    ({"x^2": {"kind": "scalar"}}, "a power"),
+    ({"x^n": {"kind": "scalar"}}, "a power"),
+    ({"{x": {"kind": "scalar"}}, "column 1: { is never closed"),
+    ({r"\foo": {"kind": "scalar"}}, "unknown command"),
+    ({"3": {"kind": "scalar"}}, "expected a letter"),
+    ({r"\det": {"kind": "scalar"}}, "expected a letter"),
+    ({"x!": {"kind": "scalar"}}, "expected"),
+]
+
+
+@pytest.mark.parametrize(("specs", "part"), BAD_SPECS, ids=[str(s)[:40] for s, _ in BAD_SPECS])
+def test_bad_entries(specs: dict, part: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        SymbolTable.build(specs)
+    assert part in str(caught.value)
+    assert caught.value.key in specs

@@ -110,6 +110,3 @@ def _differs(what: str, expected: Outcome, verdict: Verdict) -> Iterable[str]:
         return
     reason = f" ({verdict.reason})" if verdict.reason else ""
     yield f"{what}: expected {expected}, got {got}{reason}"
-
-
-__all__ = ["ClaimResult", "PaperJudge", "judge_paper"]

@@ -165,6 +165,11 @@ def test_the_sections_of_a_paper_share_a_notation_and_keep_their_own(tmp_path):
     assert paper.claims[0].printed.statement is not None
     assert "scalar" in paper.claims[1].printed.ill_formed
     assert "\\alpha" not in paper.symbols.symbols
+    (alone,) = write(
+        tmp_path,
+        c="title = 'x'\n[symbols]\na = { kind = 'vector' }\n" + "[[claim]]\nid='c'\nprinted='a = a'\n",
+    )
+    assert merge([alone, *paths]).symbols == paper.symbols
 
 
 LINES = r"""id = "1"

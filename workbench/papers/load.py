@@ -84,8 +84,9 @@ def merge(paths: Sequence[Path], theorems: Mapping[str, Callable[[], Verdict]] |
         for claim in claims
     ]
     first = files[0]
-    shared = first.shared_notation if len(files) > 1 and first.shared_notation else first.notation
-    return Paper(first.title, first.doi, tuple(paths), shared, tuple(claims), dict(theorems))
+    shared = (file.shared_notation for file in files if file.shared_notation is not None)
+    notation = first.notation if len(files) == 1 else next(shared, first.notation)
+    return Paper(first.title, first.doi, tuple(paths), notation, tuple(claims), dict(theorems))
 
 
 @dataclass

@@ -81,8 +81,11 @@ class Claim:
 
 @dataclass(frozen=True)
 class Paper:
-    """A paper and its claims in reading order. `notation` is what its files share, or that of its first file;
-    each claim carries its own. `theorems`: name → proof."""
+    """A paper and its claims in reading order.
+
+    notation: that of its one file; of several files, the first notation file that one of them names, or else
+    that of the first. Each claim carries its own.   theorems: name → proof.
+    """
 
     title: str
     doi: str | None

@@ -6,16 +6,21 @@ them holds whatever the n-th members are; so it holds for every n from which the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import Protocol
 
 from workbench.judge.inventory import NotExact
+from workbench.judge.symbolic_orders import freed, symbolic_orders
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.language.construct import relation
+from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
 from workbench.language.terms import (
     Conjunction,
+    Derivative,
     Equivalence,
     IllFormed,
     Implication,
@@ -25,14 +30,29 @@ from workbench.language.terms import (
     Term,
 )
 
-if TYPE_CHECKING:
-    from workbench.judge.judge import Judge, OrderRanges
+
+class OrderRanges(Protocol):
+    """The values of a family's integer variables, such as `papers.Orders`."""
+
+    def assignments(self) -> Iterator[dict[str, int]]: ...
+
+
+class InstanceJudge(Protocol):
+    """A judge of statements without integer variables; a frozen dataclass, so that it can be made lighter."""
+
+    definitions: Definitions
+    second_engine: bool
+
+    def judge_instance(
+        self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    ) -> Verdict: ...
+
 
 SAME_TERM = "both sides are the same term, so nothing is tested"
 
 
 def judge_family(
-    judge: Judge,
+    judge: InstanceJudge,
     statement: Statement,
     assume: tuple[Statement, ...],
     hypothesis: Statement | None,
@@ -43,44 +63,80 @@ def judge_family(
         return _instance(judge, statement, assume, hypothesis)
     general = _for_all(judge, statement, assume, hypothesis)
     if general is None or general.outcome != Outcome.PROVED:
-        return _instances(judge, statement, assume, hypothesis, orders)
+        verdict = _instances(judge, statement, assume, hypothesis, orders)
+        return replace(verdict, scope=_scope(statement)) if _defines(judge, statement) else verdict
     # the range is then a check of the argument for all n, and one engine is enough for it
     instances = _instances(replace(judge, second_engine=False), statement, assume, hypothesis, orders)
     if instances.outcome not in (Outcome.PROVED, Outcome.PROBABLE, Outcome.DEFINITION):
         raise EngineDisagreement(f"proved for all n, but {instances.outcome} {instances.reason}")
     checked = Evidence("each instance, exact ring", "residual is 0", {"orders": str(orders)})
-    scope = f"all {', '.join(sorted(_variables(statement)))}"
     outcome = Outcome.DEFINITION if instances.outcome == Outcome.DEFINITION else general.outcome
-    return replace(general, outcome=outcome, scope=scope, evidence=(*general.evidence, checked))
+    return replace(general, outcome=outcome, scope=_scope(statement), evidence=(*general.evidence, checked))
+
+
+def _defines(judge: InstanceJudge, statement: Statement) -> bool:
+    """Whether the statement is a definition in force for every n."""
+    match statement:
+        case Relation(operator="=", left=Symbol() as symbol):
+            return judge.definitions.lookup(symbol) == statement.right
+    return False
+
+
+def _scope(statement: Statement) -> str:
+    return f"all {', '.join(sorted(_variables(statement)))}"
 
 
 def _for_all(
-    judge: Judge, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    judge: InstanceJudge, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
 ) -> Verdict | None:
     """With the lowest member of each family free; None where the statement is not of that form."""
-    lowest: dict[str, int] = {}
-    for term in _terms(statement):
-        for part in term.walk():
-            if isinstance(part, Symbol):
-                for index in part.index:
-                    for name in index.variables:
-                        if index.coefficients != ((name, 1),):
-                            return None
-                        lowest[name] = min(lowest.get(name, 0), index.constant)
-    shift = {name: Linear.variable(name) - low for name, low in lowest.items()}
+    statements = (statement, *assume, *([] if hypothesis is None else [hypothesis]))
     try:
-        shifted = instantiate(statement, shift)
-        supposed = tuple(instantiate(a, shift) for a in assume)
-        given = None if hypothesis is None else instantiate(hypothesis, shift)
+        statements = _from_lowest(statements, _indices(statements))
+        method = "the n-th members are free functions, the next ones by recurrence"
+        expanded = tuple(_mapped(s, partial(_expanded, judge)) for s in statements)
+        if orders := symbolic_orders(_all_terms(expanded)):
+            lowest = _indices(expanded, orders)
+            expanded = _from_lowest(expanded, lowest)
+            statements = tuple(_mapped(s, freed) for s in expanded)
+            method = "the n-th derivatives and the n-th members are free functions"
+        shifted, *others = statements
+        supposed = tuple(others[: len(assume)])
+        given = None if hypothesis is None else others[-1]
         verdict = judge.judge_instance(shifted, supposed, given)
     except (NotExact, IllFormed):
         return None
-    free = Evidence("all n at once", "the n-th members are free functions, the next ones by recurrence")
-    return replace(verdict, evidence=(*verdict.evidence, free))
+    return replace(verdict, evidence=(*verdict.evidence, Evidence("all n at once", method)))
+
+
+def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> list[Linear]:
+    """The indices of all symbols that hold an integer variable, and the orders of derivatives that do."""
+    indices = [
+        index
+        for term in _all_terms(statements)
+        for part in term.walk()
+        if isinstance(part, Symbol)
+        for index in part.index
+        if not index.is_number
+    ]
+    return [*indices, *orders]
+
+
+def _from_lowest(statements: Sequence[Statement], indices: Sequence[Linear]) -> tuple[Statement, ...]:
+    """The statements with n shifted so that no index n + c has a negative c. Raises NotExact for other
+    indices."""
+    shift: dict[str, Linear] = {}
+    for index in indices:
+        ((name, coefficient), *others) = index.coefficients
+        if others or coefficient != 1:
+            raise NotExact(f"the index {index}")
+        least = shift.get(name, Linear.variable(name))
+        shift[name] = max(least, Linear.variable(name) - index.constant, key=lambda s: s.constant)
+    return tuple(instantiate(s, shift) for s in statements)
 
 
 def _instances(
-    judge: Judge,
+    judge: InstanceJudge,
     statement: Statement,
     assume: tuple[Statement, ...],
     hypothesis: Statement | None,
@@ -109,7 +165,7 @@ def _instances(
 
 
 def _instance(
-    judge: Judge, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    judge: InstanceJudge, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
 ) -> Verdict:
     try:
         return judge.judge_instance(statement, assume, hypothesis)
@@ -123,7 +179,28 @@ def _variables(statement: Statement) -> set[str]:
         for part in term.walk():
             if isinstance(part, Symbol):
                 names |= {name for index in part.index for name in index.variables}
+            elif isinstance(part, Derivative):
+                names |= part.order.variables
     return names
+
+
+def _all_terms(statements: Iterable[Statement]) -> Iterator[Term]:
+    for statement in statements:
+        yield from _terms(statement)
+
+
+def _expanded(judge: InstanceJudge, statement: Relation) -> Relation:
+    left, right = (expand(side, judge.definitions) for side in (statement.left, statement.right))
+    return relation(statement.operator, left, right)
+
+
+def _mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Statement:
+    match statement:
+        case Relation():
+            return of(statement)
+        case Equivalence() | Implication():
+            return type(statement)(_mapped(statement.left, of), _mapped(statement.right, of))
+    return Conjunction(tuple(_mapped(part, of) for part in statement.parts))
 
 
 def _terms(statement: Statement) -> Iterator[Term]:

@@ -1,18 +1,13 @@
-"""Zeros of polynomials: membership in an ideal, factors that must not vanish, equal zero sets."""
+"""Zeros of polynomials: factors that must not vanish, and what equations imply."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.exact import ExactEngine
-from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.terms import Relation
-
-if TYPE_CHECKING:
-    from workbench.judge.judge import _Case
 
 
 def unimplied(engine: ExactEngine, nonzero: Sequence[Relation]) -> list[Polynomial]:
@@ -103,37 +98,3 @@ def _replaced(p: Polynomial, generator: Polynomial, value: Polynomial) -> Polyno
     context = p.context()
     images = [value if g == generator else g for g in context.gens()]
     return p.compose(*images, ctx=context)
-
-
-def same_zeros(case: _Case, left: Relation, right: Relation, both_ways: bool, second_engine: bool) -> Verdict:
-    """left ≠ 0 ⇔ right ≠ 0 (or ⇒), proved by factors.
-
-    A vector x vanishes exactly where x·x does. If every irreducible factor of the one scalar divides the
-    other, the other vanishes wherever the one does. The second engine checks the division that says so.
-    """
-    p, q = (_scalar(case, relation) for relation in (left, right))
-    if unimplied(case.exact, case.assumptions.nonzero) or case.assumptions.equations:
-        return Verdict(Outcome.UNCHECKED, reason="an equivalence with denominators, or under an equation")
-    needed = [(q, p)] if left.operator == "≠" else [(p, q)]
-    if both_ways:
-        needed = [(p, q), (q, p)]
-    for of, divides in needed:
-        if any(divmod(divides, factor)[1] != 0 for factor, _ in of.factor()[1]):
-            reason = "the factors of the two sides differ, and no point tells them apart"
-            return Verdict(Outcome.UNCHECKED, reason=reason)
-    evidence = [Evidence("exact ring over ℚ (FLINT)", "the two sides have the same irreducible factors")]
-    if not second_engine:
-        return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=tuple(evidence))
-    from workbench.judge.sympy_ring import recheck_division
-
-    if not recheck_division(left, right, both_ways, case.inventory, case.definitions):
-        raise EngineDisagreement("FLINT and SymPy differ on the factors of an equivalence")
-    evidence.append(Evidence("SymPy PolyRing on Python integers", "each side divides a power of the other"))
-    return Verdict(Outcome.PROVED, evidence=tuple(evidence))
-
-
-def _scalar(case: _Case, relation: Relation) -> Polynomial:
-    residuals = case.exact.residuals(relation)
-    if len(residuals) == 1:
-        return residuals[0]
-    return case.exact.ring.reduce(sum((p * p for p in residuals), case.exact.ring.zero))

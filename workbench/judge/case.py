@@ -1,0 +1,89 @@
+"""One claim made ready for the engines: what it is about, what it supposes, where a point can be found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+from workbench.judge.assumptions import Assumptions
+from workbench.judge.exact import ExactEngine
+from workbench.judge.inventory import Inventory, Lookup, take_inventory
+from workbench.judge.parameters import Parameter
+from workbench.judge.points import Trial, counterexample, first_trial
+from workbench.judge.vanishing import Equations, solve
+from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.language.terms import Relation, Statement, Symbol
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What all claims of a paper share.
+
+    motion: what symbols are on Drake's reference motions (symbol → binding).
+    second_engine, motions: whether proofs are rechecked by SymPy and on Drake's motions. Without the second
+    engine no outcome is `proved`, since one engine alone proves nothing here: it is `probable`.
+    """
+
+    definitions: Lookup
+    motion: Mapping[Symbol, str] | None = None
+    second_engine: bool = True
+    motions: bool = True
+
+
+class NoDefinitions:
+    """Every symbol is free. What holds for any tensor at the place of Φ₄ holds for Φ₄."""
+
+    def lookup(self, symbol: Symbol) -> None:
+        return None
+
+
+class Case:
+    """The engines over the inventory of some relations and their assumptions."""
+
+    def __init__(
+        self,
+        setting: Setting,
+        relations: Sequence[Relation],
+        assume: tuple[Statement, ...],
+        definitions: Lookup | None = None,
+    ) -> None:
+        self.setting = setting
+        self.definitions = setting.definitions if definitions is None else definitions
+        self.assumptions = Assumptions(assume)
+        sides = [side for r in (*relations, *self.assumptions.relations) for side in (r.left, r.right)]
+        self.inventory: Inventory = take_inventory(sides, self.definitions)
+
+    @cached_property
+    def exact(self) -> ExactEngine:
+        return ExactEngine(self.inventory, self.definitions)
+
+    def find(self, accept: Callable[[Trial], bool]) -> Trial | None:
+        """A small point that satisfies the assumptions and is accepted."""
+        supposed = self.assumptions.relations
+        return first_trial(
+            self.inventory,
+            self.definitions,
+            lambda t: all(t.holds(r) for r in supposed) and accept(t),
+            self._completed,
+        )
+
+    def _completed(self, point: dict[Parameter, Fraction]) -> dict[Parameter, Fraction]:
+        """The point with the parameters for which the equations are solved put to their values."""
+        if not self.assumptions.equations:
+            return point
+        point = dict(point)
+        for generator, value in reversed(self.solved.solved):
+            point[self.exact.parameter_of(generator)] = self.exact.at(value, point)
+        return point
+
+    @cached_property
+    def solved(self) -> Equations:
+        return solve(self.exact, self.assumptions.equations)
+
+    def refuted(self, trial: Trial, relation: Relation) -> Verdict:
+        """The verdict that the relation, or the statement it is part of, fails at the trial's point."""
+        example = counterexample(trial, relation, self.inventory)
+        evidence = Evidence("rational point, exact arithmetic", "the two sides differ")
+        return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))

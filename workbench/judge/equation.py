@@ -1,0 +1,177 @@
+"""The verdict on one equation.
+
+Inventory → a random point modulo a prime → the exact ring → the second engine → Drake's motions; or, where
+the residual is not zero, a small rational counterexample. Numbers can veto a proof and never make one.
+"""
+
+from __future__ import annotations
+
+from random import Random
+
+from workbench.algebra.differential_ring import Polynomial
+from workbench.judge.assumptions import Unsatisfiable
+from workbench.judge.case import Case, NoDefinitions, Setting
+from workbench.judge.families import SAME_TERM
+from workbench.judge.inventory import Lookup, NotExact
+from workbench.judge.jets import JetEngine
+from workbench.judge.points import Trial, counterexample
+from workbench.judge.rings import PRIME, PointSource, ResidueRing, sample
+from workbench.judge.vanishing import unimplied
+from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.language.printer import to_latex
+from workbench.language.terms import Relation, Statement, Symbol
+
+
+class Equation(Case):
+    """One equation, with the assumptions it stands under."""
+
+    def __init__(
+        self,
+        setting: Setting,
+        relation: Relation,
+        assume: tuple[Statement, ...],
+        definitions: Lookup | None = None,
+    ) -> None:
+        super().__init__(setting, [relation], assume, definitions)
+        self.relation = relation
+        self.assume = assume
+
+    def verdict(self) -> Verdict:
+        relation = self.relation
+        if (
+            isinstance(relation.left, Symbol)
+            and self.setting.definitions.lookup(relation.left) == relation.right
+        ):
+            return self._definition()
+        if relation.left == relation.right:
+            return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
+        if self.assumptions.relations and self.find(lambda trial: True) is None:
+            raise Unsatisfiable("no values of the symbols satisfy the assumptions")
+        return self._by_names_alone() or self._by_definitions()
+
+    def _by_names_alone(self) -> Verdict | None:
+        """The proof that needs no definition, if there is one: with all defined symbols left free."""
+        try:
+            bare = Equation(self.setting, self.relation, self.assume, NoDefinitions())
+            screened = bare._screen()
+            if screened is False:
+                return None
+            residuals = bare.exact.residuals(self.relation)
+            if not bare._vanishes(residuals) or unimplied(bare.exact, bare.assumptions.nonzero):
+                return None
+        except (NotExact, ZeroDivisionError):
+            return None
+        return bare._prove(residuals, screened, on_motions=self)
+
+    def _by_definitions(self) -> Verdict:
+        relation = self.relation
+        screened = self._screen()
+        try:
+            residuals = self.exact.residuals(relation)
+        except ZeroDivisionError:
+            return Verdict(Outcome.UNCHECKED, reason="a denominator is identically zero")
+        vanishes = self._vanishes(residuals)
+        if screened is False and vanishes and not self.assumptions.equations:
+            raise EngineDisagreement(f"zero in the exact ring, not modulo {PRIME}: {to_latex(relation)}")
+        if not vanishes:
+            return self._refute(residuals)
+        return self._prove(residuals, screened)
+
+    def _definition(self) -> Verdict:
+        self.exact.value(self.relation.right)
+        return Verdict(
+            Outcome.DEFINITION, evidence=(Evidence("definitions", "well-formed, and the one in force"),)
+        )
+
+    def _screen(self) -> bool | None:
+        """Zero at a random point modulo the prime; None where the screen does not apply."""
+        if self.assumptions.equations:
+            return None
+        ring = ResidueRing()
+        point = sample(self.inventory, ring, Random(2020), lambda _: True)
+        engine = JetEngine(PointSource(ring, point), self.definitions)
+        try:
+            return not any(engine.differences(self.relation.left, self.relation.right))
+        except (NotExact, ZeroDivisionError):
+            return None
+
+    def _vanishes(self, residuals: list[Polynomial]) -> bool:
+        if self.assumptions.equations:
+            return all(self.solved.imply(p) for p in residuals)
+        return all(p == 0 for p in residuals)
+
+    def _prove(
+        self, residuals: list[Polynomial], screened: bool | None, on_motions: Equation | None = None
+    ) -> Verdict:
+        case = on_motions or self
+        figures = {"components": len(residuals), "indeterminates": len(self.exact.ring.names)}
+        evidence = [Evidence("exact ring over ℚ (FLINT)", "residual is 0", figures)]
+        if screened:
+            evidence.insert(0, Evidence(f"random point modulo {PRIME}", "residual is 0"))
+        gaps = unimplied(self.exact, self.assumptions.nonzero)
+        if gaps:
+            return self._conditional(gaps, evidence)
+        if not self.setting.second_engine:
+            return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=tuple(evidence))
+        evidence += self._recheck()
+        if self.setting.motions and self.setting.motion and not self.assumptions.equations:
+            from workbench.judge.motion_check import VETO, check_on_motions
+
+            checked = check_on_motions(case.relation, case.inventory, case.definitions, self.setting.motion)
+            if checked is not None:
+                evidence.append(checked)
+                if checked.outcome == VETO:
+                    reason = "proved, but Drake's motions contradict it: a binding or the workbench is wrong"
+                    return Verdict(Outcome.UNCHECKED, reason=reason, evidence=tuple(evidence))
+        return Verdict(Outcome.PROVED, evidence=tuple(evidence))
+
+    def _recheck(self) -> list[Evidence]:
+        from workbench.judge.drake_ring import recheck_by_drake
+        from workbench.judge.sympy_ring import recheck
+
+        equations = self.assumptions.equations
+        if not recheck(self.relation, self.inventory, self.definitions, equations):
+            raise EngineDisagreement(f"zero in FLINT's ring, not in SymPy's: {to_latex(self.relation)}")
+        evidence = [Evidence("SymPy PolyRing on Python integers, Leibniz jets", "residual is 0")]
+        by_drake = None if equations else recheck_by_drake(self.relation, self.inventory, self.definitions)
+        if by_drake is False:
+            raise EngineDisagreement(f"zero in FLINT's ring, not in Drake's: {to_latex(self.relation)}")
+        if by_drake:
+            evidence.append(Evidence("Drake symbolic Polynomial, Leibniz jets", "residual is 0"))
+        return evidence
+
+    def _conditional(self, gaps: list[Polynomial], evidence: list[Evidence]) -> Verdict:
+        relation = self.relation
+        trial = self.find(lambda t: t.differences(relation) is None)
+        return Verdict(
+            Outcome.CONDITIONAL,
+            reason="a denominator can vanish, and nothing that the claim assumes excludes it",
+            counterexample=None if trial is None else counterexample(trial, relation, self.inventory),
+            evidence=(
+                *evidence,
+                Evidence("denominators", "not excluded by the assumptions", {"count": len(gaps)}),
+            ),
+        )
+
+    def _refute(self, residuals: list[Polynomial]) -> Verdict:
+        relation = self.relation
+
+        def fails(trial: Trial) -> bool:
+            differences = trial.differences(relation)
+            return differences is not None and any(differences)
+
+        trial = self.find(fails)
+        if trial is None:
+            return Verdict(
+                Outcome.UNCHECKED,
+                reason="the residual is not 0 in the exact ring, but no small counterexample was found",
+            )
+        self._confirm(trial, residuals)
+        return self.refuted(trial, relation)
+
+    def _confirm(self, trial: Trial, residuals: list[Polynomial]) -> None:
+        """The first engine must see the counterexample too; norms have no value there as polynomials."""
+        if self.inventory.norms or self.assumptions.equations:
+            return
+        if not any(self.exact.at(p, trial.point) for p in residuals):
+            raise EngineDisagreement(f"a counterexample of one engine only: {to_latex(self.relation)}")

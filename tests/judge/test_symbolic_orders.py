@@ -1,0 +1,98 @@
+"""Derivatives of symbolic order: what is proved for all n holds for each n, and no more is proved."""
+
+import pytest
+
+from workbench import check
+from workbench.judge.inventory import NotExact
+from workbench.judge.symbolic_orders import symbolic_orders, with_free_derivatives
+from workbench.judge.verdict import Outcome
+from workbench.language.instances import instantiate
+from workbench.language.reader import read_term
+from workbench.language.symbols import SymbolTable
+from workbench.language.terms import Derivative
+
+SYMBOLS = {
+    "x": {"kind": "vector", "weight": 0},
+    "y": {"kind": "vector", "weight": 0},
+    "T": {"kind": "tensor", "weight": 0},
+    "c": {"kind": "vector", "weight": 0, "constant": True},
+    "C": {"kind": "tensor", "weight": 0, "constant": True},
+    r"\mathbf{R}": {"kind": "rotation", "weight": 0},
+}
+
+ALL_N = [
+    r"(x + 2 y)^{(n)} = x^{(n)} + 2 y^{(n)}",
+    r"(x - C y)^{(n)} = x^{(n)} - C y^{(n)}",
+    r"(T c)^{(n)} = T^{(n)} c",
+    r"(c \times x)^{(n)} = c \times x^{(n)}",
+    r"(c \cdot x)^{(n)} = x^{(n)} \cdot c",
+    r"\tilde{x}^{(n)} = \widetilde{x^{(n)}}",
+    r"(T^T)^{(n)} = (T^{(n)})^T",
+    r"\operatorname{trace} T^{(n)} = (\operatorname{trace} T)^{(n)}",
+    r"\dot{x}^{(n)} = x^{(n+1)}",
+    r"\frac{d}{dt}(T^{(n)} \mathbf{R}^T) = T^{(n+1)} \mathbf{R}^T + T^{(n)} \dot{\mathbf{R}}^T",
+    r"(x + c)^{(n+1)} = \dot{x}^{(n)}",
+    r"\frac{d^{n-1}}{dt^{n-1}} \dot{x} = x^{(n)}",
+]
+
+NOT_ALL_N = [
+    r"(T x)^{(n)} = T^{(n)} x",
+    r"(x \times y)^{(n)} = x^{(n)} \times y^{(n)}",
+    r"(x + c)^{(n)} = x^{(n)}",
+    r"x^{(n+1)} = x^{(n)}",
+    r"\mathbf{R}^{(n)} \mathbf{R}^T = \mathbf{R}^T \mathbf{R}^{(n)}",
+]
+
+
+@pytest.mark.parametrize("latex", ALL_N)
+def test_linear_laws_hold_for_all_n(latex):
+    found = check(latex, symbols=SYMBOLS, orders="n = 1..4")
+    assert found.outcome == Outcome.PROVED
+    assert found.verdict.scope == "all n"
+
+
+@pytest.mark.parametrize("latex", NOT_ALL_N)
+def test_what_fails_for_some_n_is_refuted(latex):
+    """Each holds for n = 0, or at least at some points."""
+    found = check(latex, symbols=SYMBOLS | {"x": {"kind": "vector"}}, orders="n = 0..2")
+    assert found.outcome == Outcome.REFUTED
+
+
+def test_what_needs_the_rule_of_leibniz_is_proved_for_a_range_only():
+    found = check(
+        r"(x \times y)^{(n+1)} = (\dot{x} \times y + x \times \dot{y})^{(n)}",
+        symbols=SYMBOLS,
+        orders="n = 0..3",
+    )
+    assert (found.outcome, found.verdict.scope) == (Outcome.PROVED, "n = 0..3")
+
+
+def _read(latex):
+    return read_term(latex, SymbolTable.build(SYMBOLS), frozenset({"n", "k"}))
+
+
+@pytest.mark.parametrize("latex", [side for law in ALL_N[:-1] for side in law.split(" = ")])
+def test_type_and_weight_stay_and_no_symbolic_order_is_left(latex):
+    term = _read(latex)
+    free = with_free_derivatives(term)
+    assert (free.type, free.weight) == (term.type, term.weight)
+    assert not [t for t in free.walk() if isinstance(t, Derivative) and not t.order.is_number]
+    assert symbolic_orders([term]) and not symbolic_orders([free])
+
+
+def test_a_constant_vanishes_from_the_first_derivative_on_only():
+    with pytest.raises(NotExact, match="of a constant"):
+        with_free_derivatives(_read("c^{(n)}"))
+    assert with_free_derivatives(_read("c^{(n+1)}")).type == instantiate(_read("c^{(n+1)}"), {"n": 0}).type
+
+
+@pytest.mark.parametrize("order", ["n+k", "2n", "n-k"])
+def test_other_orders_are_left_to_the_range(order):
+    with pytest.raises(NotExact, match="of order"):
+        symbolic_orders([_read(f"x^{{({order})}}")])
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
+def test_a_scalar_product_can_be_differentiated_often(order):
+    found = check(rf"(c \cdot x)^{{({order})}} = c \cdot x^{{({order})}}", symbols=SYMBOLS)
+    assert found.outcome == Outcome.PROVED

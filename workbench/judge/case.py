@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from workbench.judge.assumptions import Assumptions
+from workbench.judge.assumptions import Assumptions, Unsatisfiable
 from workbench.judge.exact import ExactEngine
 from workbench.judge.inventory import Inventory, Lookup, take_inventory
 from workbench.judge.parameters import Parameter
@@ -58,6 +58,11 @@ class Case:
     @cached_property
     def exact(self) -> ExactEngine:
         return ExactEngine(self.inventory, self.definitions)
+
+    def require_satisfiable(self) -> None:
+        """Raises Unsatisfiable if no point satisfies the assumptions: under them anything would be proved."""
+        if self.assumptions.relations and self.find(lambda trial: True) is None:
+            raise Unsatisfiable("no values of the symbols satisfy the assumptions")
 
     def find(self, accept: Callable[[Trial], bool]) -> Trial | None:
         """A small point that satisfies the assumptions and is accepted."""

@@ -9,7 +9,6 @@ from __future__ import annotations
 from random import Random
 
 from workbench.algebra.differential_ring import Polynomial
-from workbench.judge.assumptions import Unsatisfiable
 from workbench.judge.case import Case, NoDefinitions, Setting
 from workbench.judge.families import SAME_TERM
 from workbench.judge.inventory import Lookup, NotExact
@@ -45,8 +44,7 @@ class Equation(Case):
             return self._definition()
         if relation.left == relation.right:
             return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
-        if self.assumptions.relations and self.find(lambda trial: True) is None:
-            raise Unsatisfiable("no values of the symbols satisfy the assumptions")
+        self.require_satisfiable()
         return self._by_names_alone() or self._by_definitions()
 
     def _by_names_alone(self) -> Verdict | None:
@@ -143,14 +141,15 @@ class Equation(Case):
     def _conditional(self, gaps: list[Polynomial], evidence: list[Evidence]) -> Verdict:
         relation = self.relation
         trial = self.find(lambda t: t.differences(relation) is None)
+        gap = Evidence("denominators", "not excluded by the assumptions", {"factors": len(gaps)})
+        if trial is None:
+            reason = "a denominator is not seen to be non-zero, and no point was found where it vanishes"
+            return Verdict(Outcome.UNCHECKED, reason=reason, evidence=(*evidence, gap))
         return Verdict(
             Outcome.CONDITIONAL,
             reason="a denominator can vanish, and nothing that the claim assumes excludes it",
-            counterexample=None if trial is None else counterexample(trial, relation, self.inventory),
-            evidence=(
-                *evidence,
-                Evidence("denominators", "not excluded by the assumptions", {"count": len(gaps)}),
-            ),
+            counterexample=counterexample(trial, relation, self.inventory),
+            evidence=(*evidence, gap),
         )
 
     def _refute(self, residuals: list[Polynomial]) -> Verdict:

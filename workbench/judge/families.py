@@ -62,28 +62,20 @@ def judge_family(
     if orders is None:
         return _instance(judge, statement, assume, hypothesis)
     general = _for_all(judge, statement, assume, hypothesis)
-    if general is None or general.outcome != Outcome.PROVED:
-        verdict = _instances(judge, statement, assume, hypothesis, orders)
-        return replace(verdict, scope=_scope(statement)) if _defines(judge, statement) else verdict
-    # the range is then a check of the argument for all n, and one engine is enough for it
-    instances = _instances(replace(judge, second_engine=False), statement, assume, hypothesis, orders)
-    if instances.outcome not in (Outcome.PROVED, Outcome.PROBABLE, Outcome.DEFINITION):
+    scope = f"all {', '.join(sorted(_variables(statement)))}"
+    if general is None or general.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION):
+        return _instances(judge, statement, assume, hypothesis, orders)
+    if general.outcome == Outcome.DEFINITION:
+        return replace(general, scope=scope)
+    # the range is then a check of the argument for all n; for a proof one engine is enough there
+    light = judge if general.outcome == Outcome.CONDITIONAL else replace(judge, second_engine=False)
+    instances = _instances(light, statement, assume, hypothesis, orders)
+    if general.outcome == Outcome.CONDITIONAL and instances.outcome != Outcome.CONDITIONAL:
+        return instances
+    if instances.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
         raise EngineDisagreement(f"proved for all n, but {instances.outcome} {instances.reason}")
     checked = Evidence("each instance, exact ring", "residual is 0", {"orders": str(orders)})
-    outcome = Outcome.DEFINITION if instances.outcome == Outcome.DEFINITION else general.outcome
-    return replace(general, outcome=outcome, scope=_scope(statement), evidence=(*general.evidence, checked))
-
-
-def _defines(judge: InstanceJudge, statement: Statement) -> bool:
-    """Whether the statement is a definition in force for every n."""
-    match statement:
-        case Relation(operator="=", left=Symbol() as symbol):
-            return judge.definitions.lookup(symbol) == statement.right
-    return False
-
-
-def _scope(statement: Statement) -> str:
-    return f"all {', '.join(sorted(_variables(statement)))}"
+    return replace(general, scope=scope, evidence=(*general.evidence, checked))
 
 
 def _for_all(

@@ -44,7 +44,11 @@ class Judge(Setting):
             return verdict
         under = self._judge(statement, (*assume, hypothesis))
         if under.outcome != Outcome.PROVED:
-            return under if under.outcome == Outcome.REFUTED else replace(under, reason=under.reason)
+            return under
+        if verdict.counterexample is None:
+            return replace(
+                under, outcome=Outcome.UNCHECKED, reason="no witness against the bare statement was found"
+            )
         witness = Evidence("witness against the bare statement", verdict.reason or "a point where it fails")
         return Verdict(
             Outcome.CONDITIONAL,

@@ -31,6 +31,7 @@ def judge_zeros(
     if left.operator != right.operator:
         return Verdict(Outcome.UNCHECKED, reason="an equivalence between an equation and an inequation")
     case = Case(setting, [left, right], assume)
+    case.require_satisfiable()
     verdict = _same_zeros(case, left, right, both_ways, setting.second_engine)
     if verdict.outcome != Outcome.UNCHECKED:
         return verdict

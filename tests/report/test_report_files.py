@@ -13,6 +13,7 @@ import pytest
 from sample_report import CLAIMS, claim, report_of, sample
 
 from workbench.report import render, tex, write_report
+from workbench.report.document import document_of
 from workbench.report.structure import VERDICTS, ReportError
 
 NASTY = (
@@ -225,7 +226,7 @@ def test_counts_on_the_first_screen(texts):
         )
     )
     assert tiles == {
-        "numbered equations": "13", "hold as printed": "6", "false as printed": "3", "garbled": "2",
+        "numbered equations": "13", "hold as printed": "6", "are false": "3", "are only garbled": "2",
         "need a hypothesis": "0", "not settled": "2",
     }  # fmt: skip
 
@@ -382,3 +383,13 @@ def test_package_loads_without_the_rendering_libraries():
     )
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
     assert run.stdout.strip() == "[]"
+
+
+def test_a_garbled_formula_that_is_false_as_meant_counts_as_false():
+    report = sample()
+    claim = next(c for c in report["claims"] if c["verdict"] == "ill-formed" and c["reading"])
+    before = document_of(report)
+    claim["reading"]["verdict"] = "refuted"
+    after = document_of(report)
+    technical = [[e.id for e in d.errata if e.erratum_type == "Technical"] for d in (before, after)]
+    assert claim["id"] not in technical[0] and claim["id"] in technical[1]

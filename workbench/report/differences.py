@@ -80,9 +80,7 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
             marked[side].update(leaves)
         start = units[1][ends[2]][0] if ends[2] < len(units[1]) else len(second)
         parts = [sides[side][slice(*spans[side])] for side in (0, 1)]
-        changes.append(
-            Change(_kind(*parts), *(_fragment(part) for part in parts), _preceding(second, start))
-        )
+        changes.append(Change(_kind(*parts), *(_fragment(part) for part in parts), _preceding(second, start)))
     leaves = sum(atom.leaf for atom in (*first, *second))
     if all(keys) and len(marked[0]) + len(marked[1]) > (1 - _RECOGNISABLE) * leaves:
         return Difference(rewritten=True)
@@ -116,9 +114,7 @@ def _leaves_that_differ(
     sides: _Sides, spans: Sequence[tuple[int, int]], key: _Key
 ) -> tuple[set[int], set[int]]:
     """The leaves to mark in two unequal stretches: those not common to both, or all if all are common."""
-    places = [
-        [i for i in range(*spans[side]) if key(sides[side][i]) is not None] for side in (0, 1)
-    ]
+    places = [[i for i in range(*spans[side]) if key(sides[side][i]) is not None] for side in (0, 1)]
     leaves = (set(), set())
     for ends in _unequal_blocks(*([key(sides[side][i]) for i in places[side]] for side in (0, 1))):
         for side in (0, 1):
@@ -126,8 +122,7 @@ def _leaves_that_differ(
                 _leaves_within(sides[side], places[side][ends[2 * side] : ends[2 * side + 1]])
             )
     return tuple(
-        found or {i for i in range(*spans[side]) if sides[side][i].leaf}
-        for side, found in enumerate(leaves)
+        found or {i for i in range(*spans[side]) if sides[side][i].leaf} for side, found in enumerate(leaves)
     )
 
 
@@ -206,15 +201,9 @@ def _kind(before: Sequence[Atom], after: Sequence[Atom]) -> str:
     scripts = [[atom.shape for atom in part][1:] for part in (before, after)]
     if before and after and bases[0] == bases[1] and scripts[0] != scripts[1]:
         openers = {atom.latex for atom in either if atom.is_script}
-        return (
-            {"^{": "exponent", "_{": "index"}.get(*openers, "part") if len(openers) == 1 else "part"
-        )
+        return {"^{": "exponent", "_{": "index"}.get(*openers, "part") if len(openers) == 1 else "part"
     letters = [
-        [
-            re.sub(_MARK_NAMES, "", atom.shape or "")
-            for atom in part
-            if atom.shape and not atom.is_accent
-        ]
+        [re.sub(_MARK_NAMES, "", atom.shape or "") for atom in part if atom.shape and not atom.is_accent]
         for part in (before, after)
     ]
     if letters[0] == letters[1]:

@@ -40,11 +40,9 @@ KINDS = {
             "definition",
             "nothing to prove; it agrees with what stands before it",
         ),
-        Kind("refuted", "✗", "false as printed", "a counterexample can be checked by hand"),
+        Kind("refuted", "✗", "false", "as printed, or garbled and false as meant: a counterexample shows it"),
         Kind("ill-formed", "G", "garbled", "types or time weights do not fit as printed"),
-        Kind(
-            "conditional", "H", "needs a hypothesis", "proved under a condition the text leaves out"
-        ),
+        Kind("conditional", "H", "needs a hypothesis", "proved under a condition the text leaves out"),
         Kind("probable", "≈", "probable, not proved", "random points only"),
         Kind("unchecked", "?", "not checked", "never counted as passed"),
     )
@@ -55,8 +53,8 @@ _WORST_FIRST = (
 )  # fmt: skip
 _TILES = (
     ("hold as printed", "proved", ("proved", "definition")),
-    ("false as printed", "refuted", ("refuted",)),
-    ("garbled", "ill-formed", ("ill-formed",)),
+    ("are false", "refuted", ("refuted",)),
+    ("are only garbled", "ill-formed", ("ill-formed",)),
     ("need a hypothesis", "conditional", ("conditional",)),
     ("not settled", "unchecked", ("probable", "unchecked")),
 )
@@ -100,6 +98,7 @@ class Entry:
     anchor: str
     place: str
     kind: Kind
+    gravest: Kind
     erratum_type: str | None
     scope: str | None
     statement: tuple[Run, ...]
@@ -263,9 +262,7 @@ def _slug(name: str) -> str:
 
 def _equation(claims: Sequence[Mapping[str, Any]], places, anchors: _Anchors) -> Equation:
     entries = tuple(_entry(claim, places, anchors) for claim in claims)
-    worst = min(
-        (entry.kind for entry in entries), key=lambda kind: _WORST_FIRST.index(kind.verdict)
-    )
+    worst = min((entry.gravest for entry in entries), key=lambda kind: _WORST_FIRST.index(kind.verdict))
     first = claims[0]
     return Equation(
         name=first["equation"] or first["id"],
@@ -284,7 +281,8 @@ def _entry(claim: Mapping[str, Any], places, anchors: _Anchors) -> Entry:
         anchor=anchors.claim(claim),
         place=_heading(claim),
         kind=KINDS[claim["verdict"]],
-        erratum_type=ERRATUM_TYPES.get(claim["verdict"]),
+        gravest=_gravest(claim),
+        erratum_type=ERRATUM_TYPES.get(_gravest(claim).verdict),
         scope=claim["scope"],
         statement=tuple(runs_of(claim.get("statement") or "")),
         reason=tuple(runs_of(claim.get("reason") or "")),
@@ -300,6 +298,13 @@ def _entry(claim: Mapping[str, Any], places, anchors: _Anchors) -> Entry:
         evidence=_evidence(claim),
         inherits=tuple(places.get(heir, (heir, None)) for heir in claim["inherits"]),
     )
+
+
+def _gravest(claim: Mapping[str, Any]) -> Kind:
+    """A garbled formula that is false even as it was meant counts as false."""
+    if claim["verdict"] == "ill-formed" and (claim["reading"] or {}).get("verdict") == "refuted":
+        return KINDS["refuted"]
+    return KINDS[claim["verdict"]]
 
 
 def _forms(claim: Mapping[str, Any]) -> tuple[tuple[Form, ...], tuple[tuple[Run, ...], ...]]:
@@ -321,8 +326,7 @@ def _forms(claim: Mapping[str, Any]) -> tuple[tuple[Form, ...], tuple[tuple[Run,
         before, after = forms[index - 1 : index + 1]
         found = difference(before.latex, after.latex)
         wrong.extend(
-            tuple(runs)
-            for runs in difference_runs(found, "read" if index > 1 else "printed", is_what)
+            tuple(runs) for runs in difference_runs(found, "read" if index > 1 else "printed", is_what)
         )
         if found:
             forms[index - 1] = replace(before, marked=before.marked | found.marked_before)
@@ -334,9 +338,7 @@ def _counterexample(claim: Mapping[str, Any]) -> Counterexample | None:
     example = claim["counterexample"]
     if example is None:
         return None
-    caption = (
-        "Where the hypothesis fails" if claim["verdict"] == "conditional" else "Counterexample"
-    )
+    caption = "Where the hypothesis fails" if claim["verdict"] == "conditional" else "Counterexample"
     if claim["verdict"] == "ill-formed":
         caption = "Counterexample to the reading"
     rows = [(formula(symbol), _value(entries)) for symbol, entries in example["values"].items()]
@@ -359,9 +361,7 @@ def _evidence(claim: Mapping[str, Any]) -> tuple[Evidence, ...]:
     about = [("printed", claim["evidence"])]
     about += [(key, (claim[key] or {}).get("evidence", ())) for key in ("reading", "corrected")]
     return tuple(
-        Evidence(of, item["method"], item["outcome"], _figures(item))
-        for of, items in about
-        for item in items
+        Evidence(of, item["method"], item["outcome"], _figures(item)) for of, items in about for item in items
     )
 
 

@@ -40,8 +40,7 @@ ORDINARY = {
 }  # fmt: skip
 
 FUNCTION_NAMES = {
-    "\\" + name: name
-    for name in ("sin", "cos", "tan", "exp", "log", "ln", "det", "min", "max", "dim", "ker")
+    "\\" + name: name for name in ("sin", "cos", "tan", "exp", "log", "ln", "det", "min", "max", "dim", "ker")
 }
 
 SYMBOLS = GREEK | BINARY_OPERATORS | RELATIONS | ORDINARY | FUNCTION_NAMES

@@ -40,9 +40,7 @@ def runs(sentence: Iterable[Run]) -> str:
             pieces.append(inline_math(run.content))
         else:
             lead, trail = run.content[:1].isspace(), run.content[-1:].isspace()
-            pieces.append(
-                " " * lead + escaped(run.content) + " " * (trail and bool(run.content.strip()))
-            )
+            pieces.append(" " * lead + escaped(run.content) + " " * (trail and bool(run.content.strip())))
     return "".join(pieces).strip()
 
 

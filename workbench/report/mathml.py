@@ -43,9 +43,7 @@ def mathml(latex: str, display: bool = False, marked: frozenset[int] = frozenset
         return None
 
 
-def mathml_of_atoms(
-    atoms: Sequence[Atom], display: bool, marked: Collection[int], alternative: str
-) -> str:
+def mathml_of_atoms(atoms: Sequence[Atom], display: bool, marked: Collection[int], alternative: str) -> str:
     """MathML of atoms. Raises LatexNotTypesettable where the result lacks or adds a character."""
     source = latex_of(
         [_for_converter(atom) for atom in atoms],
@@ -195,15 +193,11 @@ def _characters(text: str) -> Counter[str]:
     return Counter(c for c in unicodedata.normalize("NFKC", text) if not c.isspace())
 
 
-def _require_same_characters(
-    tree: ElementTree.Element, atoms: Sequence[Atom], alternative: str
-) -> None:
+def _require_same_characters(tree: ElementTree.Element, atoms: Sequence[Atom], alternative: str) -> None:
     shown = _characters("".join(tree.itertext()))
     meant = _characters("".join(atom.glyphs for atom in atoms))
     if shown != meant:
-        raise LatexNotTypesettable(
-            f"MathML of {alternative!r} differs: {shown - meant}, {meant - shown}"
-        )
+        raise LatexNotTypesettable(f"MathML of {alternative!r} differs: {shown - meant}, {meant - shown}")
 
 
 def _require_same_marks(

@@ -50,9 +50,7 @@ def change_runs(change: Change, first_is: str, second_is: str) -> list[Run]:
     return [*runs, *place, text("; "), formula(change.after), text(f" is {second_is}.")]
 
 
-def difference_runs(
-    difference: Difference | None, first_is: str, second_is: str
-) -> list[list[Run]]:
+def difference_runs(difference: Difference | None, first_is: str, second_is: str) -> list[list[Run]]:
     """The changes, a sentence each; or one sentence where there is no list of changes."""
     if difference is None:
         return [[text("One of the two forms cannot be taken apart; compare them as they stand.")]]

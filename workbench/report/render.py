@@ -61,15 +61,13 @@ def _html_math(latex: str, marked: frozenset[int] = frozenset(), display: bool =
     converted = mathml(latex, display, marked)
     if converted is not None:
         return Markup(converted)
-    return Markup(
-        '<code class="source" title="{}">{}</code><span class="source-sign">{}</span>'
-    ).format(_MATH_FAILED, latex, " (LaTeX source)")
+    return Markup('<code class="source" title="{}">{}</code><span class="source-sign">{}</span>').format(
+        _MATH_FAILED, latex, " (LaTeX source)"
+    )
 
 
 def _html_runs(runs: tuple[Run, ...] | list[Run]) -> Markup:
-    return Markup("").join(
-        _html_math(run.content) if run.is_math else escape(run.content) for run in runs
-    )
+    return Markup("").join(_html_math(run.content) if run.is_math else escape(run.content) for run in runs)
 
 
 _HTML_FILTERS = {"math": _html_math, "runs": _html_runs}

@@ -49,8 +49,7 @@ def canonical(report: Mapping[str, Any]) -> dict[str, Any]:
     _text(report["paper"]["doi"], "paper.doi", nullable=True)
     _mapping(report["versions"], "versions")
     claims = [
-        _claim(claim, f"claims[{index}]")
-        for index, claim in enumerate(_list(report["claims"], "claims"))
+        _claim(claim, f"claims[{index}]") for index, claim in enumerate(_list(report["claims"], "claims"))
     ]
     _unique_ids(claims)
     return {
@@ -132,9 +131,7 @@ def _unique_ids(claims: Sequence[Mapping[str, Any]]) -> None:
         raise ReportError(f"claims: expected every id once, got {', '.join(twice)} more than once")
 
 
-def _keys(
-    value: Any, known: Sequence[str], place: str, optional: frozenset[str] = frozenset()
-) -> None:
+def _keys(value: Any, known: Sequence[str], place: str, optional: frozenset[str] = frozenset()) -> None:
     _mapping(value, place)
     missing = [key for key in known if key not in value and key not in optional]
     unknown = [str(key) for key in value if key not in known]

@@ -244,6 +244,14 @@ def test_vector_beside_vector_offers_the_scalar_product() -> None:
     assert r"\cdot" in caught.value.intent
 
 
+def test_a_function_name_that_is_also_a_product_is_refused() -> None:
+    table = SymbolTable.build({"t": {"kind": "scalar"}, "r": {"kind": "scalar"}, "A": {"kind": "tensor"}})
+    with pytest.raises(ReadError, match="a function and a product of symbols"):
+        read_term("tr A", table)
+    assert read_term(r"\operatorname{tr} A", table) == read_term("trace A", table)
+    assert read_term("t r A", table) != read_term("trace A", table)
+
+
 def test_the_integer_that_is_also_a_symbol_is_refused() -> None:
     table = SymbolTable.build({"n": {"kind": "scalar"}})
     with pytest.raises(ReadError, match="integer variable and a declared symbol"):

@@ -179,6 +179,11 @@ class _Row:
         item = self.items[place]
         leaf = item.nucleus if isinstance(item, Scripted) else item
         head = leaf.text
+        if leaf.bare and all(letter in self.reader.table.symbols for letter in leaf.bare):
+            message = (
+                f"{leaf.bare} is a function and a product of symbols; write \\operatorname{{{leaf.bare}}}"
+            )
+            raise Fault(message, leaf.at)
         if place + 1 == len(self.items):
             raise Fault(f"{_NAMES.get(head, head)} of nothing", leaf.at)
         argument, end = self.argument(head, leaf, place + 1)

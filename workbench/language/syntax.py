@@ -13,6 +13,7 @@ from lark.lexer import Lexer
 
 from workbench.language.errors import Fault
 from workbench.language.tokens import tokenize
+from workbench.language.vocabulary import FUNCTIONS
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,10 +25,12 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Leaf(Node):
-    """A letter, a number, a function name, or a mark (T, *, ∞)."""
+    """A letter, a number, a function (its head), or a mark (T, *, ∞). `bare`: the letters of a function name
+    that stands without a command, which may also be a product."""
 
     kind: str
     text: str
+    bare: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,6 +213,9 @@ class _Builder(Transformer):
 
     def leaf(self, children):
         token = children[0]
+        if token.type == "FUNCTION":
+            name = token.removeprefix("\\")
+            return Leaf(token.start_pos, token.type, FUNCTIONS[name], name if name == token else "")
         return Leaf(token.start_pos, token.type, str(token))
 
     def group(self, children):

@@ -103,7 +103,7 @@ class _Tokenizer:
                 self.emit("NUMBER", text, at)
             case "letters":
                 if text in FUNCTIONS:
-                    self.emit("FUNCTION", FUNCTIONS[text], at)
+                    self.emit("FUNCTION", text, at)
                 else:
                     for i, letter in enumerate(text):
                         self.emit("LETTER", letter, at + i)
@@ -116,7 +116,7 @@ class _Tokenizer:
     def words(self, text: str, words: str, at: int) -> None:
         plain = " ".join(words.replace(",", " ").split()).rstrip(".")
         if plain in FUNCTIONS:
-            self.emit("FUNCTION", FUNCTIONS[plain], at)
+            self.emit("FUNCTION", f"\\{plain}", at)
         elif plain in WORDS:
             kind = WORDS[plain]
             if kind == "IMPLICATION":

@@ -34,7 +34,7 @@ _SPACING = "quad qquad displaystyle textstyle limits nolimits nonumber notag , ;
 COMMANDS: dict[str, tuple[str, str]] = {
     **{name: ("LETTER", f"\\{name}") for name in _LETTERS.split()},
     **{name: ("STYLE", f"\\{name}") for name in _STYLES.split()},
-    **{name: ("FUNCTION", FUNCTIONS[name]) for name in ("det", "sin", "cos", "exp", "Re")},
+    **{name: ("FUNCTION", f"\\{name}") for name in ("det", "sin", "cos", "exp", "Re")},
     "bm": ("STYLE", "\\boldsymbol"),
     "dot": ("ACCENT", "1"),
     "ddot": ("ACCENT", "2"),

@@ -6,7 +6,7 @@ them holds whatever the n-th members are; so it holds for every n from which the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Protocol
@@ -60,7 +60,7 @@ def judge_family(
 ) -> Verdict:
     """The verdict on a statement whose integer variables are those of `orders`."""
     if orders is None:
-        return _instance(judge, statement, assume, hypothesis)
+        return _instance_for(judge, statement, assume, hypothesis, {})
     general = _for_all(judge, statement, assume, hypothesis)
     scope = f"all {', '.join(sorted(_variables(statement)))}"
     if general is None or general.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION):
@@ -137,9 +137,7 @@ def _instances(
     """The worst verdict over the range: the first that fails, else one that is not a mere definition."""
     verdict, count = None, 0
     for values in orders.assignments():
-        given = None if hypothesis is None else instantiate(hypothesis, values)
-        supposed = tuple(instantiate(a, values) for a in assume)
-        current = _instance(judge, instantiate(statement, values), supposed, given)
+        current = _instance_for(judge, statement, assume, hypothesis, values)
         if current.reason == SAME_TERM:
             continue
         if current.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
@@ -156,11 +154,18 @@ def _instances(
     return replace(verdict, scope=str(orders), evidence=evidence)
 
 
-def _instance(
-    judge: InstanceJudge, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+def _instance_for(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    values: Mapping[str, int],
 ) -> Verdict:
+    """The verdict with the integer variables put to these values and the sums written out."""
     try:
-        return judge.judge_instance(statement, assume, hypothesis)
+        supposed = tuple(instantiate(a, values) for a in assume)
+        given = None if hypothesis is None else instantiate(hypothesis, values)
+        return judge.judge_instance(instantiate(statement, values), supposed, given)
     except (NotExact, IllFormed) as outside:
         return Verdict(Outcome.UNCHECKED, reason=str(outside))
 

@@ -166,6 +166,13 @@ class Worker:
         self.start()
         return "failed", reason
 
+    def must(self, *request, timeout):
+        """The answer without its heading; the program ends if there is none."""
+        heading, *answer = self.ask(*request, timeout=timeout)
+        if heading == "failed":
+            raise SystemExit(f"{self.name}, {request[0]}: {answer[0]}")
+        return answer
+
     def stop(self):
         self.process.kill()
         self.process.join()
@@ -194,12 +201,12 @@ def compare(name, ours, theirs, case, options):
     for which, count in (("single", 1), ("batch", len(case.batch))):
         times, ratios = [], []
         for _ in range(options.rounds):
-            mine = ours.ask("time", which, options.budget, timeout=60)
-            other = theirs.ask("time", which, options.budget, timeout=60)
-            if other[0] == "failed" or mine[0] == "failed":
-                return row | {"skipped": other[1] if other[0] == "failed" else mine[1]}
-            times.append(other[1] / count)
-            ratios.append(other[1] / mine[1])
+            (mine,) = ours.must("time", which, options.budget, timeout=60)
+            heading, other = theirs.ask("time", which, options.budget, timeout=60)
+            if heading == "failed":
+                return row | {"skipped": f"{which} call: {other}"}
+            times.append(other / count)
+            ratios.append(other / mine)
         row[which] = min(times)
         row[f"{which} ratio"] = statistics.median(ratios)
     return row
@@ -207,16 +214,14 @@ def compare(name, ours, theirs, case, options):
 
 def measure_case(joints, order, ours, workers, hopeless, options):
     case = problem(joints, order, options.states)
-    answer = ours.ask("build", case, timeout=options.build_limit)
-    if answer[0] == "failed":
-        raise SystemExit(f"workbench, m = {joints}, n = {order}: {answer[1]}")
-    _, build, memory, *options.reference = answer
+    build, memory, *options.reference = ours.must("build", case, timeout=options.build_limit)
     own = {"peer": "workbench", "build": build, "memory": memory, "deviation": 0.0}
     rounds = []
     for _ in range(max(3, options.rounds)):
-        peak = ours.ask("peak", timeout=60)[1]
-        single = ours.ask("time", "single", options.budget, timeout=60)[1]
-        batch = ours.ask("time", "batch", options.budget, timeout=60)[1] / options.states
+        (peak,) = ours.must("peak", timeout=60)
+        (single,) = ours.must("time", "single", options.budget, timeout=60)
+        (batch,) = ours.must("time", "batch", options.budget, timeout=60)
+        batch /= options.states
         rounds.append((single, batch, operations(joints, order) / batch / 1e9 / peak, peak))
     own["single"], own["batch"] = min(r[0] for r in rounds), min(r[1] for r in rounds)
     own["of peak"] = statistics.median(r[2] for r in rounds)

@@ -108,9 +108,12 @@ class Workbench(Peer):
         joints = [joint for C in problem.links for joint in (Joint.fixed(C), Joint.revolute([0, 0, 1]))]
         self.chain, self.problem = SerialChain(joints), problem
         self.out = np.empty((len(problem.batch), problem.order + 1, 6))
+        self.single_out = np.empty((problem.order + 1, 6))
+        self.bound = self.chain.bind(problem.q, self.single_out)
 
     def run_single(self):
-        return self.chain.twist_derivatives(self.problem.q)
+        self.bound()
+        return self.single_out
 
     def run_batch(self):
         return self.chain.twist_derivatives(self.problem.batch, self.out)

@@ -49,7 +49,9 @@ def sympy_residual(n):
     t = sympy.Symbol("t")
     functions = [sympy.Function(f"w{i}")(t) for i in range(3)]
     names = {sympy.diff(f, t, k) if k else f: omegas[k][i] for i, f in enumerate(functions) for k in range(n)}
-    skew = sympy.Matrix([[0, -functions[2], functions[1]], [functions[2], 0, -functions[0]], [-functions[1], functions[0], 0]])
+    skew = sympy.Matrix(
+        [[0, -functions[2], functions[1]], [functions[2], 0, -functions[0]], [-functions[1], functions[0], 0]]
+    )
     phi = skew
     for _ in range(n - 1):
         phi = (sympy.diff(phi, t) + phi * skew).expand()
@@ -65,7 +67,9 @@ def main() -> None:
     parser.add_argument("--largest", type=int, default=5, help="largest order n (SymPy's expand stops at 4)")
     largest = parser.parse_args().largest
     definitions, table = acceleration_tensors()
-    print(f"{'n':>2} {'terms':>7} {'FLINT s':>9} {'PolyRing':>9} {'Drake':>9} {'expand':>9}   as multiples of FLINT")
+    print(
+        f"{'n':>2} {'terms':>7} {'FLINT s':>9} {'PolyRing':>9} {'Drake':>9} {'expand':>9}   as multiples of FLINT"
+    )
     for n in range(2, largest + 1):
         (statement,) = read(
             rf"\det \Phi_{n} = \det \operatorname{{sym}} \Phi_{n} + \operatorname{{vect}} \Phi_{n} \cdot "

@@ -251,6 +251,25 @@ def test_any_array_of_numbers_will_do():
     close(first, V[0], 13)
 
 
+def test_a_bound_call_follows_what_is_in_its_arrays():
+    rng = np.random.default_rng(8)
+    chain = SerialChain(random_joints(rng, 3))
+    for states in ((), (11,)):
+        q, out = np.empty((*states, chain.dof, 6)), np.empty((*states, 5, 6))
+        update = chain.bind(q, out)
+        for _ in range(3):
+            q[...] = rng.normal(size=q.shape)
+            assert update()
+            close(out, chain.twist_derivatives(q), 13)
+    q[..., 0] = 1e17
+    if any(joint.kind != "prismatic" for joint in chain.joints[:-1]):
+        assert not update()
+    with pytest.raises(ValueError, match="q: expected a contiguous, writable array of doubles"):
+        chain.bind(q[::2], out)
+    with pytest.raises(ValueError, match="out: expected a contiguous array"):
+        chain.bind(q, out[:, :4])
+
+
 def test_not_a_number_stays_in_its_state():
     chain = SerialChain(random_joints(np.random.default_rng(7), 3))
     q = np.ones((10, chain.dof, 4))

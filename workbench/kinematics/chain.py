@@ -16,7 +16,7 @@ Conventions: radian, metre, second. A twist is (ω; v), six numbers in base coor
 velocity of the body point that is at the base origin at that instant (the chapter's dual part).
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -67,6 +67,15 @@ class SerialChain:
         q: (..., dof, n + 2). Returns (..., n + 1, 6): entry k is (1/k!) d^k/dt^k (ω; v).
         """
         return self._of_taylor.twist(q, out)
+
+    def bind(self, q: np.ndarray, out: np.ndarray) -> Callable[[], bool]:
+        """`twist_derivatives` for a control loop: a call without arguments that reads the arrays q
+        (..., dof, n + 2) and writes out (..., n + 1, 6) anew each time, in place.
+
+        It returns False, with `out` unusable, if an angle exceeds 2⁵⁰ rad. Raises ValueError unless
+        both are contiguous arrays of doubles of the right shapes.
+        """
+        return self._of_derivatives.bind(q, out)
 
     def pose(self, q: ArrayLike) -> np.ndarray:
         """The pose of the last body in the base frame, Eq. (117).

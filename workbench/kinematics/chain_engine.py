@@ -6,6 +6,8 @@ these add up to about what loading costs, or a task is large, the kernel is load
 same recursion and differ by rounding only.
 """
 
+from collections.abc import Callable
+from functools import partial
 from math import factorial
 
 import numpy as np
@@ -40,38 +42,61 @@ class Engine:
     def __init__(self, links: Links, *, taylor: bool):
         self.links = links
         self.taylor = taylor
-        self._plans: dict[tuple[int, int], tuple] = {}  # shape of a state → plan, shape of its result
+        self._plans: dict[tuple[int, int], tuple] = {}  # shape of a state → see _address_of_plan
 
     def twist(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """(..., dof, n + 2) → (..., n + 1, 6). Raises ValueError for what the chain cannot take."""
-        try:
-            plan, shape = self._plans[q.shape]  # one state of a shape seen before: nothing to check
-            result = empty(shape)
-            if out is None and _twist_kernel(q, plan, result):
-                return result
-        except (AttributeError, KeyError, TypeError):
-            pass
-        q = self._checked(q)
-        result_shape = (*q.shape[:-2], q.shape[-1] - 1, 6)
         if out is None:
-            out = empty(result_shape)
-        elif out.shape != result_shape or out.dtype != np.float64 or not out.flags.c_contiguous:
-            raise ValueError(
-                f"out: expected a contiguous array of doubles of shape {result_shape}, "
-                f"got {out.dtype} of shape {out.shape}"
-            )
+            try:
+                address, shape, _ = self._plans[q.shape]  # a state as before: nothing to check
+                result = empty(shape)
+                if _twist_kernel(q, address, result):
+                    return result
+            except (AttributeError, KeyError, TypeError):
+                pass
+        q = self._checked(q)
+        out = self._checked_result(q, out)
         if _twist_kernel is None:
             if self._is_small(q):
                 out[...] = self._in_numpy(q)
                 return out
             load_kernel()
-        shape = q.shape[-2:]
-        if shape not in self._plans:
-            self._plans[shape] = self._plan(shape[1] - 1), result_shape[-2:]
-        rows = np.require(q.reshape(-1, shape[1]), requirements=["C", "W"])
-        within_range = _twist_kernel(rows, self._plans[shape][0], out.reshape(-1, 6))
+        address = self._address_of_plan(q.shape[-2:])
+        rows, results = q.reshape(-1, q.shape[-1]), out.reshape(-1, 6)
+        try:
+            within_range = _twist_kernel(rows, address, results)
+        except TypeError:  # it takes contiguous, writable arrays
+            within_range = _twist_kernel(np.array(rows, order="C"), address, results)
         if not within_range:
             out[...] = self._in_numpy(q)
+        return out
+
+    def bind(self, q: np.ndarray, out: np.ndarray) -> Callable[[], bool]:
+        """A call that computes `out` from what is then in `q`, with no checks and no new memory."""
+        if type(q) is not np.ndarray or q.dtype != np.float64 or not q.flags.carray:
+            raise ValueError("q: expected a contiguous, writable array of doubles")
+        self._checked_result(self._checked(q), out)
+        load_kernel()
+        address = self._address_of_plan(q.shape[-2:])
+        rows, results = q.reshape(-1, q.shape[-1]), out.reshape(-1, 6)
+        return partial(_twist_kernel, rows, address, results)
+
+    def _address_of_plan(self, shape):
+        if shape not in self._plans:
+            plan = self._plan(shape[1] - 1)
+            self._plans[shape] = plan.ctypes.data, (shape[1] - 1, 6), plan
+        return self._plans[shape][0]
+
+    @staticmethod
+    def _checked_result(q, out):
+        shape = (*q.shape[:-2], q.shape[-1] - 1, 6)
+        if out is None:
+            return empty(shape)
+        if out.shape != shape or out.dtype != np.float64 or not out.flags.carray:
+            raise ValueError(
+                f"out: expected a contiguous array of doubles of shape {shape}, "
+                f"got {out.dtype} of shape {out.shape}"
+            )
         return out
 
     def _checked(self, q):
@@ -106,7 +131,9 @@ class Engine:
         base's turn (cos, sin); the factors of the n + 2 derivatives of each coordinate (at least
         eight numbers, the kernel's width); those of the twist; 0, 1, 1/2, 1/3, …; then for each
         joint its angle, slide, pitch, twist angle (cos, sin), shift, the offset along the axis
-        before, its turn (cos, sin)."""
+        before, its turn (cos, sin); the kernel's workspace."""
+        from workbench.kinematics.chain_kernel import workspace_size
+
         links = self.links
         rate_factors, twist_factors = self._factors(terms)
         input_factors = np.tile([1.0, *rate_factors], links.dof)
@@ -129,6 +156,7 @@ class Engine:
                 [0.0],
                 1 / np.arange(1.0, terms),
                 joints.ravel(),
+                np.zeros(workspace_size(links.dof, len(joints), terms)),
             ]
         )
 

@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-import numpy as np
 from numba import njit
 
 from workbench.kinematics import lanes
@@ -271,10 +270,18 @@ def twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, re
     return W
 
 
-def _twists_of_states(q, plan_array, out):
-    """q (states · dof, n + 2) → out (states · (n + 1), 6), scaled by the plan's factors.
-    Returns False, with `out` unusable, if an angle exceeds LARGEST_ANGLE."""
-    plan = plan_array.ctypes.data
+def workspace_size(dof, joints, terms):
+    """Doubles to leave at the end of a plan."""
+    inputs_and_spare = max(dof * (terms + 1), WIDTH) + max(6 * terms, WIDTH)
+    return WIDTH * (inputs_and_spare + 2 * terms * joints + 13 * terms + 2)
+
+
+def _twists_of_states(q, plan, out):
+    """q (states · dof, n + 2) → out (states · (n + 1), 6), scaled by the factors of the plan, given
+    by its address. Returns False, with `out` unusable, if an angle exceeds LARGEST_ANGLE.
+
+    The workspace is the end of the plan: two calls cannot meet there, for Python's global lock is
+    held throughout."""
     joints, dof, terms = int(number(plan, 0)), int(number(plan, 1)), int(number(plan, 2))
     inputs, outputs = dof * (terms + 1), 6 * terms
     padded, row = max(inputs, WIDTH), max(outputs, WIDTH)
@@ -283,8 +290,7 @@ def _twists_of_states(q, plan_array, out):
     output_factors = factors + 8 * padded
     reciprocals = output_factors + 8 * terms
     rows = reciprocals + 8 * terms
-    workspace = np.empty(WIDTH * (padded + 2 * terms * joints + 13 * terms + row + 2))
-    Q = (workspace.ctypes.data + 63) // 64 * 64
+    Q = (rows + 8 * ROW * joints + 63) // 64 * 64
     E = Q + 64 * padded
     V = E + 128 * terms * joints
     W = V + 384 * terms
@@ -332,7 +338,7 @@ def _compile():
                 index.unlink(missing_ok=True)
     except (RuntimeError, OSError):
         kernel = njit(**OPTIONS)(_twists_of_states)
-    kernel.compile("boolean(float64[:,::1], float64[::1], float64[:,::1])")
+    kernel.compile("boolean(float64[:,::1], int64, float64[:,::1])")
     kernel.disable_compile()
     return kernel
 

@@ -10,6 +10,8 @@ from workbench.language.instances import instantiate
 from workbench.language.reader import read_term
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Derivative
+from workbench.papers import load_paper
+from workbench.verify import judge_paper
 
 SYMBOLS = {
     "x": {"kind": "vector", "weight": 0},
@@ -96,3 +98,29 @@ def test_other_orders_are_left_to_the_range(order):
 def test_a_scalar_product_can_be_differentiated_often(order):
     found = check(rf"(c \cdot x)^{{({order})}} = c \cdot x^{{({order})}}", symbols=SYMBOLS)
     assert found.outcome == Outcome.PROVED
+
+
+def test_a_definition_by_a_symbolic_order_is_one_for_all_n(tmp_path):
+    paper = tmp_path / "paper.toml"
+    paper.write_text(
+        """title = "Derivatives"
+[symbols]
+'x' = { kind = "vector", weight = 0 }
+[definitions]
+'a_n' = 'x^{(n)}'
+[[claim]]
+id = "definition"
+printed = 'a_n = x^{(n)}'
+orders = "n = 1..3"
+[[claim]]
+id = "step"
+printed = 'a_{n+1} = \\dot{a}_n'
+orders = "n = 1..3"
+""",
+        encoding="utf-8",
+    )
+    verdicts = [result.verdict for result in judge_paper(load_paper(paper))]
+    assert [(v.outcome, v.scope) for v in verdicts] == [
+        (Outcome.DEFINITION, "all n"),
+        (Outcome.PROVED, "all n"),
+    ]

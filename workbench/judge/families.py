@@ -61,8 +61,10 @@ def judge_family(
     """The verdict on a statement whose integer variables are those of `orders`."""
     if orders is None:
         return _instance_for(judge, statement, assume, hypothesis, {})
-    general = _for_all(judge, statement, assume, hypothesis)
     scope = f"all {', '.join(sorted(_variables(statement)))}"
+    if _defines(judge, statement):
+        return replace(_instances(judge, statement, assume, hypothesis, orders), scope=scope)
+    general = _for_all(judge, statement, assume, hypothesis)
     if general is None or general.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION):
         return _instances(judge, statement, assume, hypothesis, orders)
     if general.outcome == Outcome.DEFINITION:
@@ -76,6 +78,14 @@ def judge_family(
         raise EngineDisagreement(f"proved for all n, but {instances.outcome} {instances.reason}")
     checked = Evidence("each instance, exact ring", "residual is 0", {"orders": str(orders)})
     return replace(general, scope=scope, evidence=(*general.evidence, checked))
+
+
+def _defines(judge: InstanceJudge, statement: Statement) -> bool:
+    """Whether the statement is the definition in force of its left side, for every n."""
+    match statement:
+        case Relation(operator="=", left=Symbol() as symbol):
+            return judge.definitions.lookup(symbol) == statement.right
+    return False
 
 
 def _for_all(

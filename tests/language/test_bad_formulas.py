@@ -293,3 +293,9 @@ def test_huge_input_gets_an_error_at_once(latex: str) -> None:
     assert caught.value.line == 1
     assert caught.value.column >= 1
     assert len(caught.value.message) < 300
+
+
+def test_the_bound_on_brackets_is_named_where_it_is_crossed() -> None:
+    with pytest.raises(ReadError, match="nested deeper than 40") as caught:
+        read("(" * 41, TABLE)
+    assert caught.value.column == 41

@@ -129,3 +129,15 @@ def test_statements_are_instantiated_side_by_side() -> None:
 def test_a_number_is_exact() -> None:
     term = instantiate(read_term(r"\frac{1}{3} \alpha", TABLE), {})
     assert isinstance(term.arguments[0], Number) and term.arguments[0].value == Fraction(1, 3)
+
+
+def test_a_value_for_a_bound_variable_changes_nothing() -> None:
+    term = read_term(r"\sum_{k=0}^{n} \lambda_{k,n}", TABLE, {"n"})
+    assert instantiate(term, {"k": 5}) == term
+
+
+def test_two_bound_variables_are_renamed_apart() -> None:
+    term = read_term(r"\sum_{p_1+p_2=n} \lambda_{p_1,p_2} \lambda_{n,n}", TABLE, {"n"})
+    both = Linear.variable("p_1") + Linear.variable("p_2")
+    moved = instantiate(term, {"n": both})
+    assert instantiate(moved, {"p_1": 1, "p_2": 1}) == instantiate(term, {"n": 2})

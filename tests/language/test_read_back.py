@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 
 from tests.language.generated import TABLE, VARIABLES, terms
 from workbench.language.printer import to_latex
-from workbench.language.reader import read_term
+from workbench.language.reader import read, read_formula, read_term
 from workbench.language.terms import Term
 
 _NO_CHECKS = list(HealthCheck)
@@ -114,3 +114,34 @@ def test_the_reader_loads_on_use() -> None:
     code = "import sys, workbench.language; print(sorted(m for m in ('lark', 'sympy', 'pydrake') if m in sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_a_bracket_after_a_family_member_is_a_product_if_it_is_square() -> None:
+    product = read_term(r"\Phi_n [\omega + \mathbf{v}]", TABLE, VARIABLES)
+    assert (product.type.kind, to_latex(product)) == ("vector", r"\Phi_{n} \left[\omega + \mathbf{v}\right]")
+    applied = read_term(r"\Phi_n (\omega + \mathbf{v})", TABLE, VARIABLES)
+    assert applied.type.kind == "tensor"
+
+
+def test_words_between_statements() -> None:
+    (implied,) = read(r"\omega = \mathbf{v} \text{ if } \alpha \neq 0", TABLE)
+    assert to_latex(implied) == r"\alpha \neq 0 \Rightarrow \omega = \mathbf{v}"
+    (both,) = read(r"\omega = \mathbf{v} \text{ if and only if } \alpha \neq 0", TABLE)
+    assert to_latex(both) == r"\omega = \mathbf{v} \Leftrightarrow \alpha \neq 0"
+    assert len(read(r"\omega = \mathbf{v} \text{ and } \alpha \neq 0", TABLE)) == 2
+
+
+@pytest.mark.parametrize(
+    ("stated", "lower", "upper"),
+    [
+        (r"n \geq 2", 2, None),
+        ("n > 2", 3, None),
+        (r"n \in \mathbb{N}", 0, None),
+        (r"\forall n \in \mathbb{N}^*", 1, None),
+        (r"n = \overline{1, 5}", 1, 5),
+    ],
+)
+def test_ranges(stated: str, lower: int, upper: int | None) -> None:
+    (only,) = read_formula(rf"\Phi_n \omega = \mathbf{{v}}, {stated}", TABLE).ranges
+    assert (only.variable, int(only.lower)) == ("n", lower)
+    assert (None if only.upper is None else int(only.upper)) == upper

@@ -24,7 +24,7 @@ from workbench.language.syntax import (
     Styled,
     Summation,
 )
-from workbench.language.terms import IllFormed, Integer, Number, Term, TimeOperator
+from workbench.language.terms import Apply, IllFormed, Integer, Number, Term, TimeOperator
 
 if TYPE_CHECKING:
     from workbench.language.elaborate import Elaborator
@@ -50,7 +50,18 @@ def product(reader: Elaborator, items: Sequence[Node]) -> Term:
             rows[-1].append(item)
     if not rows[-1]:
         raise Fault(f"nothing after {signs[-1].operator}", signs[-1].at)
-    return _infix(reader, [_Row(reader, row).term() for row in rows], signs)
+    operands = [_Row(reader, row).term() for row in rows]
+    while signs and _is_vect_of_product(rows[0], operands, signs[0]):
+        inside = reader.apply(signs[0].at, "mul", *operands[0].children, operands.pop(1))
+        operands[0] = reader.apply(signs.pop(0).at, "vect", inside)
+    return _infix(reader, operands, signs)
+
+
+def _is_vect_of_product(row: Sequence[Node], operands: Sequence[Term], sign: Infix) -> bool:
+    """Whether vect A · B is meant as vect (A · B): with a tensor B it has no other meaning."""
+    unbracketed = isinstance(row[0], Leaf) and row[0].text == "vect" and not isinstance(row[1], Bracket)
+    is_vect = isinstance(operands[0], Apply) and operands[0].head == "vect"
+    return unbracketed and is_vect and sign.operator == "·" and operands[1].type.kind == "tensor"
 
 
 def _infix(reader: Elaborator, operands: list[Term], signs: list[Infix]) -> Term:

@@ -61,6 +61,8 @@ class _Survey:
             return {term: 0} if body is None else self.orders(body)
         if isinstance(term, BigSum):
             raise NotExact("a sum whose bounds are not numbers")
+        if isinstance(term, Power) and not term.exponent.is_number:
+            raise NotExact(f"a power with the exponent {term.exponent}")
         shift = 0
         if isinstance(term, Derivative):
             if not term.order.is_number:

@@ -58,8 +58,8 @@ def operations(joints, order):
     return (joints - 1) * (exponential + product + step) + tip_and_base + joints * terms
 
 
-def make_peak_meter():
-    """A function that returns the GFLOP/s of sixteen independent chains a·x + b in registers."""
+def make_peak_work():
+    """Sixteen independent chains a·x + b in registers: a function and its operations a call."""
     from numba import njit
 
     from workbench.kinematics.lanes import WIDTH, load, spread, store
@@ -82,13 +82,8 @@ def make_peak_meter():
     room = np.arange(18.0 * WIDTH)
     memory = (room.ctypes.data + 63) // 64 * 64
 
-    def measure():
-        rounds = 20_000
-        start = time.perf_counter()
-        spin(memory, rounds)
-        return rounds * 16 * WIDTH * 2 / (time.perf_counter() - start) / 1e9
-
-    return measure
+    rounds = 1000
+    return lambda: spin(memory, rounds), rounds * 16 * WIDTH * 2
 
 
 # -- one process a tool ------------------------------------------------------------------------
@@ -121,7 +116,7 @@ def resident_megabytes():
 
 def serve(name, connection):
     """Answer the requests of the parent process: build a problem, time it."""
-    peer = meter = None
+    peer = peak_work = None
     while True:
         request, *details = connection.recv()
         try:
@@ -136,8 +131,9 @@ def serve(name, connection):
                 run = peer.run_single if which == "single" else peer.run_batch
                 connection.send(("timed", seconds_per_call(run, budget)))
             elif request == "peak":
-                meter = meter or make_peak_meter()
-                connection.send(("peak", max(meter() for _ in range(20))))
+                peak_work = peak_work or make_peak_work()
+                seconds = seconds_per_call(peak_work[0], *details)
+                connection.send(("peak", peak_work[1] / seconds / 1e9))
         except Exception as error:
             connection.send(("failed", f"{type(error).__name__}: {error}"))
 
@@ -218,7 +214,7 @@ def measure_case(joints, order, ours, workers, hopeless, options):
     own = {"peer": "workbench", "build": build, "memory": memory, "deviation": 0.0}
     rounds = []
     for _ in range(max(3, options.rounds)):
-        (peak,) = ours.must("peak", timeout=60)
+        (peak,) = ours.must("peak", options.budget, timeout=60)
         (single,) = ours.must("time", "single", options.budget, timeout=60)
         (batch,) = ours.must("time", "batch", options.budget, timeout=60)
         batch /= options.states

@@ -2,12 +2,8 @@
 
 from pathlib import Path
 
+from proofs.theorems import dual, dual_rotations, fields, kinds_of_displacement, polynomials, screws
 from proofs.theorems.adjugate import adjugate_is_unique
-from proofs.theorems.fields import (
-    acceleration_field_is_affine,
-    rigid_motions_are_a_group,
-    unrolled_recurrence,
-)
 from workbench.papers import InstalledPaper
 
 _CHAPTER = Path(__file__).parent / "chapter"
@@ -17,12 +13,20 @@ chapter = InstalledPaper(
     files=(
         _CHAPTER / "02_rigid_motion.toml",
         _CHAPTER / "03_nth_order_fields.toml",
+        _CHAPTER / "04_operator_polynomials.toml",
         _CHAPTER / "04_1_centres_and_adjugates.toml",
+        _CHAPTER / "05_1_dual_numbers.toml",
+        _CHAPTER / "05_2_dual_vectors_and_tensors.toml",
+        _CHAPTER / "05_3_screws.toml",
+        _CHAPTER / "05_4_isomorphism.toml",
     ),
     theorems={
-        "acceleration_field_is_affine": acceleration_field_is_affine,
-        "unrolled_recurrence": unrolled_recurrence,
-        "rigid_motions_are_a_group": rigid_motions_are_a_group,
+        **fields.THEOREMS,
+        **polynomials.THEOREMS,
         "adjugate_is_unique": adjugate_is_unique,
+        **dual.THEOREMS,
+        **dual_rotations.THEOREMS,
+        **screws.THEOREMS,
+        **kinds_of_displacement.THEOREMS,
     },
 )

@@ -1,5 +1,4 @@
-"""Section 3: the field of n-th order accelerations is affine; (21), (22), (31) for every n; the group SE(3).
-"""
+"""Section 3: the field of n-th order accelerations is affine; (21), (22), (31) for all n; the group SE(3)."""
 
 from __future__ import annotations
 
@@ -231,3 +230,9 @@ def rigid_motions_are_a_group() -> Verdict:
             ),
         ],
     )
+
+
+THEOREMS = {
+    theorem.__name__: theorem
+    for theorem in (acceleration_field_is_affine, unrolled_recurrence, rigid_motions_are_a_group)
+}

@@ -26,6 +26,7 @@ _PAPER_KEYS = (*_NOTATION_KEYS, "section", "claim")
 _FORMULA_KEYS = ("printed", "reading", "corrected", "hypothesis", "assume", "orders")
 _CLAIM_KEYS = ("id", "equation", "section", *_FORMULA_KEYS, "inherits", "statement", "theorem", "note")
 _ID = re.compile(r"[\w.+*'-]{1,80}")
+_WORDS = re.compile(r"\\text\{[^{}\\]+\}")
 _CONTRADICTIONS = (
     ("theorem", "reading"),
     ("theorem", "assume"),
@@ -189,9 +190,14 @@ class _ClaimReader:
             message = f"theorem: no proof called {claim.theorem!r} (known: {known})"
             raise self.file.toml.error_at_value((*self.path, "theorem"), message)
         reader = self._reader(claim)
-        return replace(
-            claim, corrected=reader.intended("corrected"), hypothesis=reader.intended("hypothesis")
-        )
+        return replace(claim, corrected=reader.intended("corrected"), hypothesis=self._condition(reader))
+
+    def _condition(self, reader: FormulaReader) -> Formula | None:
+        """The hypothesis of a theorem: a formula, or words as \\text{…}, since only its proof uses it."""
+        text = self._text("hypothesis")
+        if text is not None and _WORDS.fullmatch(text):
+            return Formula(text)
+        return reader.intended("hypothesis")
 
     def _lines(self, claim: Claim) -> list[Claim]:
         """The claim, or one claim for each line of its printed formula."""

@@ -1,0 +1,107 @@
+"""Sections 3 and 4: the arguments for all n, what they notice, and their counterexamples by other means."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from proofs.theorems import fields, polynomials
+from workbench.judge.formula_steps import Letters
+from workbench.judge.verdict import Outcome
+from workbench.kinematics.fields import acceleration_tensors, homogeneous_tensors, invariant_vectors
+from workbench.kinematics.operators import P
+from workbench.kinematics.tensors import skew
+
+THEOREMS = fields.THEOREMS | polynomials.THEOREMS
+NOT_PROVED = {
+    "twist_operator_is_not_unique": Outcome.REFUTED,
+    "no_operator_for_n_0": Outcome.REFUTED,
+    "twist_operator_begins_at_1": Outcome.REFUTED,
+    "operator_polynomial_is_unique": Outcome.CONDITIONAL,
+}
+
+
+@pytest.fixture(autouse=True)
+def fresh():
+    fields.unrolled_recurrence.cache_clear()
+    yield
+    fields.unrolled_recurrence.cache_clear()
+
+
+@pytest.mark.parametrize("name", THEOREMS)
+def test_outcomes(name):
+    verdict = THEOREMS[name]()
+    assert verdict.outcome == NOT_PROVED.get(name, Outcome.PROVED)
+    assert verdict.evidence
+
+
+def _count_steps(theorem, monkeypatch) -> int:
+    made = []
+    step = Letters.step
+    monkeypatch.setattr(Letters, "step", lambda self, *a, **k: made.append(a[0]) or step(self, *a, **k))
+    theorem()
+    monkeypatch.undo()
+    return len(made)
+
+
+@pytest.mark.parametrize("name", THEOREMS)
+def test_a_false_formula_in_any_step_leaves_the_theorem_open(name, monkeypatch):
+    """The control of each step in turn is put among the formulas that the step says."""
+    step = Letters.step
+    for wrong in range(_count_steps(THEOREMS[name], monkeypatch)):
+        fields.unrolled_recurrence.cache_clear()
+        made = []
+
+        def damaged(self, shown, *formulas, but_not, orders=None, wrong=wrong, made=made):
+            made.append(shown)
+            said = (*formulas, but_not) if len(made) == wrong + 1 else formulas
+            return step(self, shown, *said, but_not=but_not, orders=orders)
+
+        monkeypatch.setattr(Letters, "step", damaged)
+        verdict = THEOREMS[name]()
+        assert verdict.outcome == Outcome.UNCHECKED, made[wrong]
+        assert made[wrong] in verdict.reason
+
+
+def _numbers(strings):
+    return np.array([float(s) for s in strings])
+
+
+def test_the_second_polynomial_of_theorem_2():
+    example = polynomials.twist_operator_is_not_unique().counterexample
+    values = {name: _numbers(entries) for name, entries in example.values.items()}
+    phi = acceleration_tensors(values[r"\omega"][None])
+    a = invariant_vectors(values[r"\omega"][None], values[r"\mathbf{v}"][None])
+    twist = homogeneous_tensors(phi, a)[1]
+    first, second = (_numbers(side).reshape(4, 4) for side in (example.left, example.right))
+    assert not np.array_equal(first, second)
+    for unit in (first, second):
+        np.testing.assert_array_equal(unit @ twist, twist)
+
+
+def test_the_second_polynomial_of_theorem_3():
+    example = polynomials.operator_polynomial_is_unique().counterexample
+    values = {name: _numbers(entries) for name, entries in example.values.items()}
+    omega = np.array([values[r"\omega"], values[r"\dot{\omega}"]])
+    v = np.array([values[r"\mathbf{v}"], values[r"\dot{\mathbf{v}}"]])
+    A, B = _numbers(example.left).reshape(2, 3, 3)
+    assert not np.array_equal(A, np.eye(3)) and B.any()
+    np.testing.assert_array_equal(A @ v[0] + B @ v[1], v[0])
+    np.testing.assert_array_equal(A @ skew(omega[0]) + B @ skew(omega[1]), skew(omega[0]))
+
+
+def test_the_index_of_37_in_the_library():
+    """P₁ = D + Ψ₁, which P₀ = I would make, gives the acceleration of a steady rotation for its velocity."""
+    example = polynomials.twist_operator_begins_at_1().counterexample
+    omega = np.zeros((2, 3))
+    omega[0] = _numbers(example.values[r"\omega"])
+    psi = homogeneous_tensors(acceleration_tensors(omega), invariant_vectors(omega, 0 * omega))
+    np.testing.assert_array_equal(_numbers(example.left).reshape(4, 4), psi[1])
+    np.testing.assert_array_equal(_numbers(example.right).reshape(4, 4), psi[2])
+
+
+@pytest.mark.parametrize("n", range(1, 8))
+def test_the_polynomials_of_39_give_the_field_of_random_twists(n):
+    omega, v = np.random.default_rng(n).normal(size=(2, 8, 3))
+    np.testing.assert_allclose(P(n).apply(omega, v), invariant_vectors(omega, v)[n], rtol=1e-9)
+    np.testing.assert_allclose(P(n).apply(omega, skew(omega)), acceleration_tensors(omega)[n], rtol=1e-9)

@@ -13,6 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 from pydrake.multibody.plant import MultibodyPlant
+from pydrake.multibody.tree import BodyIndex, SpatialInertia_, UnitInertia_
 from pydrake.symbolic import Expression, Variable
 
 from workbench.drake.joint_paths import JointPath
@@ -51,6 +52,7 @@ class SymbolicMotion:
     def __init__(self, plant: MultibodyPlant, path: JointPath, t: Variable):
         self.plant = plant.ToSymbolic()
         self.context = self.plant.CreateDefaultContext()
+        self._give_every_body_mass()
         self._time = t
         self.q = expanded(path(Expression(t)))
         self.plant.SetPositions(self.context, self.q)
@@ -58,6 +60,14 @@ class SymbolicMotion:
         v = expanded(np.ravel(self.plant.MapQDotToVelocity(self.context, qdot)))
         set_state(self.plant, self.context, self.q, v)
         self._A = self.plant.CalcSpatialAccelerationsFromVdot(self.context, self.rate(v))
+
+    def _give_every_body_mass(self) -> None:
+        """Kinematics is the same for any masses, but Drake divides by them, and a link may have none."""
+        one, zero = Expression(1.0), Expression(0.0)
+        inertia = UnitInertia_[Expression](one, one, one)
+        unit = SpatialInertia_[Expression](one, np.array([zero] * 3), inertia)
+        for index in range(1, self.plant.num_bodies()):
+            self.plant.get_body(BodyIndex(index)).SetSpatialInertiaInBodyFrame(self.context, unit)
 
     def rate(self, quantity: np.ndarray) -> np.ndarray:
         return rate(quantity, self._time)

@@ -83,7 +83,12 @@ def make_peak_work():
     memory = (room.ctypes.data + 63) // 64 * 64
 
     rounds = 1000
-    return lambda: spin(memory, rounds), rounds * 16 * WIDTH * 2
+
+    def work():
+        spin(memory, rounds)
+
+    work.room = room  # what the address points to must live as long
+    return work, rounds * 16 * WIDTH * 2
 
 
 # -- one process a tool ------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 """Serial chains: laws over many random chains, exact rational references, Drake, and bad input."""
 
+import gc
 import subprocess
 import sys
 from math import comb, factorial
@@ -268,6 +269,20 @@ def test_a_bound_call_follows_what_is_in_its_arrays():
         chain.bind(q[::2], out)
     with pytest.raises(ValueError, match="out: expected a contiguous array"):
         chain.bind(q, out[:, :4])
+
+
+def test_a_bound_call_outlives_its_chain():
+    joints = random_joints(np.random.default_rng(9), 3)
+    chain = SerialChain(joints)
+    q, out = np.ones((chain.dof, 40)), np.empty((39, 6))
+    expected = chain.twist_taylor(q / [1.0 * factorial(k) for k in range(40)])
+    plans = chain._of_derivatives._plans
+    update = chain.bind(q, out)
+    (plan,) = [entry for shape, entry in plans.items() if shape == q.shape]
+    del chain, plans
+    assert any(held is plan for held in gc.get_referents(vars(update)))
+    assert update()
+    close(out, expected * [[1.0 * factorial(k)] for k in range(39)], 11)
 
 
 def test_not_a_number_stays_in_its_state():

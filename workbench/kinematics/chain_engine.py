@@ -79,7 +79,9 @@ class Engine:
         load_kernel()
         address = self._address_of_plan(q.shape[-2:])
         rows, results = q.reshape(-1, q.shape[-1]), out.reshape(-1, 6)
-        return partial(_twist_kernel, rows, address, results)
+        call = partial(_twist_kernel, rows, address, results)
+        call.plan = self._plans[q.shape[-2:]]  # what the address points to must live as long
+        return call
 
     def _address_of_plan(self, shape):
         if shape not in self._plans:

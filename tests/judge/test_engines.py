@@ -6,6 +6,7 @@ from random import Random
 import pytest
 from judge.random_terms import random_term
 
+from workbench import check
 from workbench.judge.exact import ExactEngine
 from workbench.judge.inventory import NotExact, take_inventory
 from workbench.judge.jets import JetEngine
@@ -135,3 +136,21 @@ def test_points_lie_on_their_spheres():
                 key = (parameter.symbol, parameter.part)
                 squares[key] = squares.get(key, ring.constant(0, 1)) + value * value
         assert squares and all(total == 1 for total in squares.values())
+
+
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        (
+            r"\mathbf{D} \begin{bmatrix} T & x \end{bmatrix} = \begin{bmatrix} \dot{T} & \dot{x} \end{bmatrix}",
+            "proved",
+        ),
+        (
+            r"\mathbf{D} \begin{bmatrix} T & x \\ \mathbf{0} & 0 \end{bmatrix}"
+            r" = \begin{bmatrix} \dot{T} & \dot{x} \\ \mathbf{0} & 0 \end{bmatrix}",
+            "unchecked",
+        ),
+    ],
+)
+def test_an_operator_acts_on_blocks_of_three_rows_only(latex, outcome):
+    assert check(latex, {"T": "tensor", "x": "vector"}).outcome == outcome

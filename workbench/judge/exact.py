@@ -192,6 +192,8 @@ class ExactEngine:
         return total
 
     def _act(self, operator: Operator, value: Matrix) -> Matrix:
+        if len(value) != 3:
+            raise NotExact("an operator with 3×3 coefficients on a block matrix of other rows")
         total = product(operator[0], value)
         for coefficient in operator[1:]:
             value = self._map(self.ring.derive, value)

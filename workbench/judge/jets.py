@@ -283,6 +283,8 @@ class JetEngine:
 
     def _juxtaposition(self, left: Term, right: Term, depth: int) -> Value:
         if left.type.kind == "operator":
+            if right.type.kind == "block" and sum(right.type.rows) != 3:
+                raise NotExact("an operator with 3×3 coefficients on a block matrix of other rows")
             total = None
             for power, coefficient in enumerate(self.operator(left, depth)):
                 operand = self.value(right, depth + power).cut(power, power + depth)

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from proofs.theorems import dual, dual_rotations, fields, kinds_of_displacement, polynomials, screws
+from proofs.theorems import dual, dual_rotations, fields, kinds_of_displacement, polynomials, screws, twist
 from proofs.theorems.adjugate import adjugate_is_unique
 from workbench.papers import InstalledPaper
 
@@ -19,6 +19,7 @@ chapter = InstalledPaper(
         _CHAPTER / "05_2_dual_vectors_and_tensors.toml",
         _CHAPTER / "05_3_screws.toml",
         _CHAPTER / "05_4_isomorphism.toml",
+        _CHAPTER / "06_1_dual_twist.toml",
     ),
     theorems={
         **fields.THEOREMS,
@@ -28,5 +29,6 @@ chapter = InstalledPaper(
         **dual_rotations.THEOREMS,
         **screws.THEOREMS,
         **kinds_of_displacement.THEOREMS,
+        **twist.THEOREMS,
     },
 )

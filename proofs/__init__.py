@@ -2,7 +2,16 @@
 
 from pathlib import Path
 
-from proofs.theorems import dual, dual_rotations, fields, kinds_of_displacement, polynomials, screws, twist
+from proofs.theorems import (
+    dual,
+    dual_rotations,
+    fields,
+    kinds_of_displacement,
+    least_accelerations,
+    polynomials,
+    screws,
+    twist,
+)
 from proofs.theorems.adjugate import adjugate_is_unique
 from workbench.papers import InstalledPaper
 
@@ -20,6 +29,7 @@ chapter = InstalledPaper(
         _CHAPTER / "05_3_screws.toml",
         _CHAPTER / "05_4_isomorphism.toml",
         _CHAPTER / "06_1_dual_twist.toml",
+        _CHAPTER / "06_2_reduced_accelerations.toml",
     ),
     theorems={
         **fields.THEOREMS,
@@ -30,5 +40,6 @@ chapter = InstalledPaper(
         **screws.THEOREMS,
         **kinds_of_displacement.THEOREMS,
         **twist.THEOREMS,
+        **least_accelerations.THEOREMS,
     },
 )

@@ -107,7 +107,8 @@ def twist_and_velocity_field() -> Verdict:
                 but_not=r"\dot{P} = v",
             ),
             _LETTERS.step(
-                "the field v + x × y has the value v at the origin, and its linear part is x̃, whose vector is x",
+                "the field v + x × y has the value v at the origin, and its linear part is x̃, whose"
+                " vector is x",
                 r"\operatorname{vect} \tilde{x} = x",
                 r"\tilde{x} y = x \times y",
                 but_not=r"\operatorname{vect} \tilde{x} = 2 x",

@@ -40,13 +40,14 @@ class Engine(StrEnum):
 
     FLINT = "polynomials over ℚ (FLINT)"
     SYMPY = "polynomials on Python integers (SymPy)"
+    WORDS = "noncommutative polynomials over ℤ (Python)"
     FRACTIONS = "rational examples (Python's Fraction)"
     DRAKE = "Drake's plants, in doubles"
     FLOATS = "doubles (NumPy)"
 
 
 #: These compute with indeterminates: what they find zero is zero for all values.
-GENERIC = frozenset({Engine.FLINT, Engine.SYMPY})
+GENERIC = frozenset({Engine.FLINT, Engine.SYMPY, Engine.WORDS})
 #: These compute at examples, without rounding.
 EXACT = GENERIC | {Engine.FRACTIONS}
 

@@ -8,7 +8,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from itertools import product
@@ -63,6 +63,13 @@ class Letters:
             ),
         )
 
+    def refutation(self, shown: str, formula: str, but_not: str) -> Step:
+        """The step that the equation does not hold for all values; its control is one that does."""
+        said, true = (list(self._relations(f, None)) for f in (formula, but_not))
+        engines = ((Engine.FLINT, _by_flint), (Engine.SYMPY, _by_sympy))
+        checks = [(engine, partial(_differs, residuals, self)) for engine, residuals in engines]
+        return Step(shown, *(Way(engine, partial(f, said), partial(f, true)) for engine, f in checks))
+
     def counterexample(self, formula: str) -> Counterexample:
         """Small rational values for which the equation is false. Raises ValueError if none is found."""
         verdict = Judge(self._notation[0], motions=False).judge(*self._relations(formula, None))
@@ -75,6 +82,14 @@ class Letters:
         for statement in read_formula(formula, self._notation[1], orders).statements:
             for values in product(*orders.values()):
                 yield from _equations(instantiate(statement, dict(zip(orders, values, strict=True))))
+
+
+def _differs(
+    residuals: Callable[[Letters, Iterable[Relation]], Iterator[Any]],
+    letters: Letters,
+    relations: Iterable[Relation],
+) -> Iterator[bool]:
+    yield not all(vanishing(partial(residuals, letters, relations))())
 
 
 def _equations(statement: Statement) -> Iterator[Relation]:

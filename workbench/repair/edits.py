@@ -10,9 +10,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from workbench.language.printer import to_latex
-from workbench.language.terms import Conjunction, Equivalence, IllFormed, Implication, Statement, Term
-from workbench.repair.places import Place, places, replaced
-from workbench.repair.variants import Said, atoms_of, variants
+from workbench.language.terms import Apply, Conjunction, Equivalence, IllFormed, Implication, Statement, Term
+from workbench.repair.places import Place, places, replaced, subterm
+from workbench.repair.variants import Said, atoms_of, sum_of, variants
 
 #: The kinds of edit, likeliest misprint first.
 KINDS = (
@@ -54,18 +54,28 @@ class Edit:
 
 
 def edits(
-    statement: Statement, replacements: Sequence[Term] = (), addends: Sequence[Term] = ()
+    statement: Statement,
+    replacements: Sequence[Term] = (),
+    addends: Sequence[Term] = (),
+    within: Place = (),
 ) -> Iterator[Edit]:
     """All one-place edits of a statement, place by place, none twice.
 
     replacements: terms that may stand for a symbol beside those of the statement itself; only those of its
     type and weight are tried. addends: terms that may be missing from a sum of their type and weight.
+    within: only edits at this place and below.
     """
     seen = {statement}
+    of_sums: set[int] = set()  # the addends met so far
     atoms = tuple(dict.fromkeys((*atoms_of(statement), *replacements)))
     for place, term in places(statement):
-        is_side = len(place) == _depth_of_sides(statement, place)
-        for kind, said, make in variants(term, is_side, atoms, addends):
+        is_addend = len(place) == _depth_of_sides(statement, place) or id(term) in of_sums
+        if isinstance(term, Apply) and term.head == "add":
+            of_sums.update(map(id, term.arguments))
+        if place[: len(within)] != within:
+            continue
+        missing = () if id(term) in of_sums else addends
+        for kind, said, make in variants(term, is_addend, atoms, missing):
             new = None
             try:
                 new = make()
@@ -86,3 +96,15 @@ def _depth_of_sides(statement: Statement, place: Place) -> int:
         node = parts[place[depth]]
         depth += 1
     return depth + 1
+
+
+def without(statement: Statement, place: Place) -> Statement | None:
+    """The statement without the addend at the place; None where that is a whole side."""
+    for length in range(len(place) - 1, 0, -1):
+        parent = subterm(statement, place[:length])
+        if isinstance(parent, Apply) and parent.head == "add":
+            rest = parent.arguments[: place[length]] + parent.arguments[place[length] + 1 :]
+            return replaced(statement, place[:length], sum_of(rest))
+        if not isinstance(parent, Apply) or parent.head not in ("neg", "mul"):
+            return None
+    return None

@@ -161,13 +161,16 @@ class Screen:
                 engine.forget_candidate()
         return tuple(found)
 
-    def components(self, term: Term) -> tuple[int, ...] | None:
-        """The term at all points."""
+    def components(self, term: Term, shape: Term) -> tuple[int, ...] | None:
+        """The term at all points, with as many components as `shape` has: dual parts and coefficients of an
+        operator that the term lacks are 0."""
         found: list[int] = []
         for values, engine in self._at:
             try:
-                found += map(int, engine.components(instantiate(term, values) if values else term))
-            except (ZeroDivisionError, NotExact, IllFormed):
+                known, other = (instantiate(t, values) if values else t for t in (term, shape))
+                filled = zip(engine.differences(known, other), engine.components(other), strict=True)
+                found += [int(x + y) for x, y in filled]
+            except (ZeroDivisionError, NotExact, IllFormed, ValueError):
                 return None
             finally:
                 engine.forget_candidate()

@@ -56,10 +56,10 @@ def atoms_of(statement: Statement) -> Iterator[Term]:
 
 
 def variants(
-    term: Term, is_side: bool, atoms: Sequence[Term] = (), addends: Sequence[Term] = ()
+    term: Term, is_addend: bool, atoms: Sequence[Term] = (), addends: Sequence[Term] = ()
 ) -> Iterator[Variant]:
-    """The variants of a term. is_side: it is a whole side of a relation, so it has a sign of its own."""
-    if is_side and not isinstance(term, Zero):
+    """The variants of a term. is_addend: it is an addend or a whole side, so it has a sign of its own."""
+    if is_addend and not isinstance(term, Zero):
         yield from _sign_and_factor(term)
     match term:
         case Number():
@@ -78,11 +78,12 @@ def variants(
         case Apply(head="add"):
             yield from _sums(term)
         case Apply():
-            yield from _operations(term)
+            yield from _operations(term, is_addend)
     yield from _dots(term)
     yield from _marks_added(term)
     yield from _other_symbols(term, atoms)
-    if is_side or (isinstance(term, Apply) and term.head == "add"):
+    is_sum = isinstance(term, Apply) and term.head == "add"
+    if is_sum or (is_addend and addends):
         yield from _missing(term, addends)
 
 
@@ -108,20 +109,24 @@ def coefficient(term: Term) -> Fraction:
 
 
 def times(factor: Fraction | int, term: Term) -> Term:
-    """factor·term, with the number where it is printed: in front of the whole product."""
+    """factor·term as one would print it: the sign before the addend, the number in front of the product."""
     factor = Fraction(factor)
     if isinstance(term, Number):
         return number(factor * term.value)
+    if isinstance(term, Apply) and term.head == "neg":
+        return times(-factor, term.arguments[0])
+    if factor < 0:
+        return apply("neg", times(-factor, term))
     if factor == 1:
         return term
-    if isinstance(term, Apply) and term.head == "neg":
-        return apply("neg", times(factor, term.arguments[0]))
-    if isinstance(term, Apply) and term.head == "mul" and coefficient(term) != 1:
+    if isinstance(term, Apply) and term.head in ("mul", "dot", "cross", "outer") and coefficient(term) != 1:
         left, right = term.arguments
-        if isinstance(left, Number):
+        if isinstance(left, Number) and term.head == "mul":
             scaled = factor * left.value
             return right if scaled == 1 else apply("mul", number(scaled), right)
-        return apply("mul", times(factor, left), right)
+        return apply(term.head, times(factor, left), right)
+    if isinstance(term, Apply) and term.head == "div" and coefficient(term) != 1:
+        return apply("div", times(factor, term.arguments[0]), term.arguments[1])
     return apply("mul", number(factor), term)
 
 
@@ -142,16 +147,8 @@ def _countings(term: Counting) -> Iterator[Variant]:
 
 
 def _sums(term: Apply) -> Iterator[Variant]:
-    """Each addend with another sign or factor, and each dropped."""
-
-    def with_addend(place: int, make: Callable[[], Term]) -> Term:
-        changed = list(term.arguments)
-        changed[place] = make()
-        return apply("add", *changed)
-
+    """Each addend dropped."""
     for place, addend in enumerate(term.arguments):
-        for kind, said, make in _sign_and_factor(addend):
-            yield kind, said, partial(with_addend, place, make)
         rest = term.arguments[:place] + term.arguments[place + 1 :]
         yield "addend dropped", ("the addend {} is dropped", addend), partial(sum_of, rest)
 
@@ -160,11 +157,16 @@ def sum_of(addends: Sequence[Term]) -> Term:
     return addends[0] if len(addends) == 1 else apply("add", *addends)
 
 
-def _missing(term: Term, addends: Sequence[Term]) -> Iterator[Variant]:
+def with_addend(term: Term, addend: Term) -> Term:
+    """term + addend as one sum."""
     present = term.arguments if isinstance(term, Apply) and term.head == "add" else (term,)
+    return apply("add", *(t for t in present if not isinstance(t, Zero)), addend)
+
+
+def _missing(term: Term, addends: Sequence[Term]) -> Iterator[Variant]:
     for addend in addends:
         if addend.type.kind == term.type.kind and addend.weight == term.weight:
-            yield "addend added", ("the addend {} is added", addend), partial(apply, "add", *present, addend)
+            yield "addend added", ("the addend {} is added", addend), partial(with_addend, term, addend)
 
 
 def _bounds(term: BigSum) -> Iterator[Variant]:
@@ -221,12 +223,12 @@ def differentiated(body: Term, order: Linear) -> Term:
 # operations
 
 
-def _operations(term: Apply) -> Iterator[Variant]:
+def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
     head, arguments = term.head, term.arguments
     match head:
         case "skew":
             yield from _tilde_moved(arguments[0])
-        case "neg":
+        case "neg" if not is_addend:
             yield "sign", ("the minus sign before {} is dropped", arguments[0]), lambda: arguments[0]
         case "transpose":
             yield "transpose", ("the transpose of {} is dropped", arguments[0]), lambda: arguments[0]

@@ -1,0 +1,175 @@
+"""Untyped formulas as trees: subtrees by identity, one put for another, and back to LaTeX.
+
+An ill-typed formula has no term, so its edits are made on what the parser saw.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, replace
+from typing import Any
+
+from workbench.language.syntax import (
+    Accented,
+    Binomial,
+    Bracket,
+    Chain,
+    Conditional,
+    Fraction,
+    Group,
+    Infix,
+    Leaf,
+    Lines,
+    Matrix,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    Summation,
+)
+
+_ACCENTS = {"1": "\\dot", "2": "\\ddot", "3": "\\dddot", "4": "\\ddddot"}
+_INFIXES = {"·": "\\cdot", "×": "\\times", "⊗": "\\otimes", "∘": "\\circ"}
+_RELATIONS = {"=": "=", "≠": "\\neq", "≥": "\\geq", ">": ">", "∈": "\\in"}
+_IMPLICATIONS = {"⇔": "\\Leftrightarrow", "⇒": "\\Rightarrow", "⇐": "\\text{ if }"}
+_CLOSING = {"(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
+_FUNCTIONS = {
+    "det": "\\det",
+    "sin": "\\sin",
+    "cos": "\\cos",
+    "exp": "\\exp",
+    "trace": "\\operatorname{trace}",
+    "symmetric": "\\operatorname{sym}",
+    "skew": "\\operatorname{skew}",
+    "vect": "\\operatorname{vect}",
+    "adjugate": "\\operatorname{adj}",
+    "re": "\\operatorname{Re}",
+    "du": "\\operatorname{Du}",
+    "divergence": "\\operatorname{div}",
+    "curl": "\\operatorname{curl}",
+}
+_MARKS = {"T": "T", "*": "*", "∞": "\\infty"}
+
+
+def below(node: Node) -> Iterator[Node]:
+    """The node and all that is in it, outer ones first."""
+    yield node
+    for child in children(node):
+        yield from below(child)
+
+
+def children(node: Node) -> Iterator[Node]:
+    for field in fields(node):
+        yield from _nodes_in(getattr(node, field.name))
+
+
+def _nodes_in(value: Any) -> Iterator[Node]:
+    if isinstance(value, Node):
+        yield value
+    elif isinstance(value, tuple):
+        for part in value:
+            yield from _nodes_in(part)
+
+
+def exchanged(node: Node, new: Mapping[int, Node]) -> Node:
+    """The tree with the nodes of these ids exchanged; what holds none of them stays the same object."""
+    if id(node) in new:
+        return new[id(node)]
+    changed = {}
+    for field in fields(node):
+        value = getattr(node, field.name)
+        other = _exchanged_in(value, new)
+        if other is not value:
+            changed[field.name] = other
+    return replace(node, **changed) if changed else node
+
+
+def _exchanged_in(value: Any, new: Mapping[int, Node]) -> Any:
+    if isinstance(value, Node):
+        return exchanged(value, new)
+    if isinstance(value, tuple):
+        parts = tuple(_exchanged_in(part, new) for part in value)
+        return value if all(a is b for a, b in zip(parts, value, strict=True)) else parts
+    return value
+
+
+def latex_of(node: Node) -> str:
+    """The tree as LaTeX, spelled as it was."""
+    match node:
+        case Leaf(kind="FUNCTION", text=text):
+            return _FUNCTIONS.get(text, f"\\operatorname{{{text}}}")
+        case Leaf(kind="MARK", text=text):
+            return _MARKS[text]
+        case Leaf(text=text):
+            return text
+        case Group(parts=(Styled() | Leaf() as letter,)):
+            return latex_of(letter)
+        case Group(parts=parts):
+            return _braced(", ".join(map(latex_of, parts)))
+        case Bracket(kind=kind, parts=parts):
+            return f"\\left{kind} {', '.join(map(latex_of, parts))} \\right{_CLOSING[kind]}"
+        case Styled(style=style, body=body):
+            return f"{style}{_argument(body)}"
+        case Accented(accent="~", body=body):
+            letter = body.parts[0] if isinstance(body, Group) and len(body.parts) == 1 else body
+            accent = "\\widetilde" if isinstance(letter, Product | Sum | Bracket) else "\\tilde"
+            return accent + _argument(body)
+        case Accented(accent=accent, body=body):
+            return f"{_ACCENTS[accent]}{_argument(body)}"
+        case Scripted():
+            return _scripted(node)
+        case Fraction(numerator=top, denominator=bottom):
+            return f"\\frac{_argument(top)}{_argument(bottom)}"
+        case Binomial(top=top, bottom=bottom):
+            return f"\\binom{_argument(top)}{_argument(bottom)}"
+        case Infix(operator=operator):
+            return _INFIXES[operator]
+        case Product(items=items):
+            return " ".join(map(latex_of, items))
+        case Sum(addends=addends):
+            signed = (f" {sign} {latex_of(a)}" if sign else latex_of(a) for sign, _, a in addends)
+            return "".join(signed).strip()
+        case Summation(lower=lower, upper=upper):
+            bounds = "".join(f"{s}{_argument(b)}" for s, b in (("_", lower), ("^", upper)) if b is not None)
+            return f"\\sum{bounds}"
+        case Matrix(rows=rows):
+            inside = " \\\\ ".join(" & ".join(map(latex_of, row)) for row in rows)
+            return f"\\begin{{matrix}} {inside} \\end{{matrix}}"
+        case Chain():
+            return _chain(node)
+        case Conditional(statements=statements, signs=signs):
+            text = latex_of(statements[0])
+            for (sign, _), statement in zip(signs, statements[1:], strict=True):
+                text += f" {_IMPLICATIONS[sign]} {latex_of(statement)}"
+            return text
+        case Lines(lines=lines):
+            rows = [", \\quad ".join(map(latex_of, line)) for line in lines]
+            inside = " \\\\ ".join(rows)
+            return rows[0] if len(rows) == 1 else f"\\begin{{aligned}} {inside} \\end{{aligned}}"
+    raise TypeError(f"no LaTeX for {type(node).__name__}")
+
+
+def _braced(text: str) -> str:
+    return f"{{{text}}}"
+
+
+def _argument(node: Node) -> str:
+    return _braced(", ".join(map(latex_of, node.parts)) if isinstance(node, Group) else latex_of(node))
+
+
+def _scripted(node: Scripted) -> str:
+    text = latex_of(node.nucleus)
+    if node.sub is not None:
+        text += f"_{_argument(node.sub)}"
+    text += "'" * node.primes
+    if node.sup is not None:
+        text += f"^{_argument(node.sup)}"
+    return text + "!" * node.factorial
+
+
+def _chain(node: Chain) -> str:
+    text = "\\forall " * node.universal + latex_of(node.sides[0])
+    for (sign, _), side in zip(node.relations, node.sides[1:], strict=True):
+        text += f" {_RELATIONS[sign]} {latex_of(side)}"
+    return text

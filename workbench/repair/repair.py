@@ -1,0 +1,214 @@
+"""What the right form of a claim is, from its printed form alone; nothing is proposed that is not proved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from time import monotonic
+from typing import Any
+
+from workbench.judge.assumptions import Unsatisfiable
+from workbench.judge.inventory import NotExact
+from workbench.judge.judge import Judge
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.printer import to_latex
+from workbench.language.terms import IllFormed, Statement
+from workbench.papers.model import Claim
+from workbench.repair.edits import edits
+from workbench.repair.readings import Readings
+from workbench.repair.screen import Screen
+from workbench.repair.search import Candidate, Change, Neighbourhood, cost
+
+_PROVED = (Outcome.PROVED, Outcome.DEFINITION)
+
+
+@dataclass(frozen=True)
+class Limits:
+    """seconds: of wall time for one claim. proposals: at most so many are made. judged: how many candidates of
+    one stage are given to the judge. readings: of how many readings of an ill-formed claim the neighbourhoods
+    are searched."""
+
+    seconds: float = 30.0
+    proposals: int = 3
+    judged: int = 150
+    readings: int = 24
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """A proved form, as LaTeX, and what is different in it."""
+
+    latex: str
+    statement: Statement
+    changes: tuple[Change, ...]
+    verdict: Verdict
+
+    @property
+    def edit(self) -> str:
+        """The changes as a person would say them."""
+        return "; ".join(change.description for change in self.changes)
+
+    def to_dict(self) -> dict[str, Any]:
+        return {"latex": self.latex, "edit": self.edit, "verdict": str(self.verdict.outcome)}
+
+
+@dataclass
+class Repair:
+    """What was found. `candidates`: how many were looked at; `complete`: the search came to its end."""
+
+    claim: Claim
+    proposals: list[Proposal] = field(default_factory=list)
+    candidates: int = 0
+    seconds: float = 0.0
+    complete: bool = False
+
+
+def repair(
+    claim: Claim,
+    limits: Limits = Limits(),
+    progress: Callable[[Repair], None] = lambda found: None,
+    judge: Judge | None = None,
+) -> Repair:
+    """Proposals for a claim, fewest changes first. Its `reading` and `corrected` are not looked at.
+
+    Ctrl-C ends the search and keeps what was found, and so does the limit on time.
+    """
+    judge = judge or Judge(claim.notation.definitions, motion=claim.notation.motion)
+    found = Repair(claim)
+    bench = _Bench(claim, judge, limits, found, progress)
+    start = monotonic()
+    with suppress(KeyboardInterrupt, _OutOfTime):
+        bench.run()
+    found.seconds = monotonic() - start
+    return found
+
+
+class _OutOfTime(Exception):
+    """The limit on time is reached."""
+
+
+class _Bench:
+    """One claim under repair."""
+
+    def __init__(
+        self, claim: Claim, judge: Judge, limits: Limits, found: Repair, progress: Callable[[Repair], None]
+    ) -> None:
+        self.claim, self.judge, self.limits, self.found, self.progress = claim, judge, limits, found, progress
+        self.end = monotonic() + limits.seconds
+        self.assume = tuple(a.statement for a in claim.assume if a.statement is not None)
+        assignments = list(claim.orders.assignments()) if claim.orders else [{}]
+        self.instances = assignments
+        self.seen: set[Statement] = set()
+
+    def run(self) -> None:
+        if self.claim.theorem is not None:
+            self.found.complete = True
+            return
+        printed = self.claim.printed.statement
+        if printed is not None:
+            self._repair_false([Candidate(printed, ())])
+        else:
+            self._repair_ill_formed()
+        self.found.complete = True
+
+    def _repair_ill_formed(self) -> None:
+        """The readings that hold; if none of them is proved, the neighbours of the likeliest readings."""
+        readings = Readings(self.claim, self._screen(), self._tick)
+        if self._offer(readings.that_hold()):
+            return
+        likeliest = list(readings.likeliest(self.limits.readings))
+        if self._screen() is None or not self._is_equation(likeliest):
+            self._offer(iter(likeliest))
+        else:
+            self._repair_false(likeliest)
+
+    def _is_equation(self, read: Sequence[Candidate]) -> bool:
+        screen = self._screen()
+        return any(screen.residual(candidate.statement) is not None for candidate in read)
+
+    def _repair_false(self, read: Sequence[Candidate]) -> None:
+        """One stage of the search after another, each for all readings."""
+        screen = self._screen()
+        if screen is None:
+            for candidate in read:
+                self._offer(_unscreened(candidate))
+            return
+        second = self._second_screens()
+        stages = []
+        for candidate in read:
+            screen = self._screen()
+            neighbourhood = Neighbourhood(candidate.statement, screen, second, tick=self._tick)
+            stages.append((candidate, neighbourhood, neighbourhood.stages()))
+        while stages:
+            for entry in list(stages):
+                before, neighbourhood, rest = entry
+                stage = next(rest, None)
+                if stage is None:
+                    stages.remove(entry)
+                    continue
+                counted = neighbourhood.counted
+                found = self._offer(
+                    Candidate(c.statement, (*before.changes, *c.changes)) for c in stage
+                )
+                self.found.candidates += neighbourhood.counted - counted
+                if found:
+                    return
+
+    def _screen(self) -> Screen | None:
+        """Several points, at values of the integers that are neither the first nor all the same."""
+        some = self.instances[1:4] or self.instances[:1]
+        try:
+            return Screen(self.judge.definitions, self.assume, (some * 4)[:3] if len(some) > 1 else some * 3)
+        except NotExact:
+            return None
+
+    def _second_screens(self) -> list[Screen]:
+        some = [self.instances[0], self.instances[-1]] if len(self.instances) > 1 else self.instances
+        try:
+            return [Screen(self.judge.definitions, self.assume, some, seed=77)]
+        except NotExact:
+            return []
+
+    def _offer(self, candidates: Iterator[Candidate]) -> bool:
+        """Judges candidates until those with more changes come than the first that was proved has. Whether
+        any was proved."""
+        proposals = self.found.proposals
+        for judged, candidate in enumerate(self._new(candidates)):
+            if proposals and len(candidate.changes) > len(proposals[0].changes):
+                break
+            if judged == self.limits.judged:
+                break
+            verdict = self._verdict(candidate.statement)
+            if verdict is not None and verdict.outcome in _PROVED:
+                latex = candidate.latex or to_latex(candidate.statement)
+                proposals.append(Proposal(latex, candidate.statement, candidate.changes, verdict))
+                if len(proposals) >= self.limits.proposals:
+                    break
+        return bool(proposals)
+
+    def _new(self, candidates: Iterator[Candidate]) -> Iterator[Candidate]:
+        for candidate in candidates:
+            self._tick()
+            if candidate.statement not in self.seen:
+                self.seen.add(candidate.statement)
+                yield candidate
+
+    def _tick(self) -> None:
+        self.progress(self.found)
+        if monotonic() > self.end:
+            raise _OutOfTime
+
+    def _verdict(self, statement: Statement) -> Verdict | None:
+        try:
+            return self.judge.judge(statement, assume=self.assume, orders=self.claim.orders)
+        except (Unsatisfiable, IllFormed, NotExact):
+            return None
+
+
+def _unscreened(printed: Candidate) -> Iterator[Candidate]:
+    """One-place edits of what cannot be screened."""
+    for edit in sorted(edits(printed.statement), key=cost):
+        if edit.statement is not None:
+            change = Change(edit.kind, edit.description)
+            yield Candidate(edit.statement, (*printed.changes, change))

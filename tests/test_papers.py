@@ -239,6 +239,20 @@ def test_theorems_come_from_the_installed_paper_alone(tmp_path, monkeypatch):
         load_paper(path)
 
 
+@pytest.mark.parametrize("words", [r"\text{for every v}", r"\omega \neq \mathbf{0}"])
+def test_a_theorem_may_have_its_hypothesis_in_words(tmp_path, words):
+    text = f"{HEAD}[[claim]]\nid = 'T'\ntheorem = 'unique'\nstatement = 'One.'\nhypothesis = '{words}'\n"
+    (path,) = write(tmp_path, p=text)
+    read = merge((path,), {"unique": lambda: None}).claims[0]
+    assert (read.hypothesis.latex, read.expected) == (words, Outcome.CONDITIONAL)
+    assert (read.hypothesis.statement is None) == words.startswith(r"\text")
+
+
+def test_the_hypothesis_of_a_formula_is_a_formula(paper_of):
+    with pytest.raises(PaperError, match="hypothesis"):
+        paper_of(claim("id = 'x'\nprinted = '\\omega = \\omega'\nhypothesis = '\\text{always}'"))
+
+
 # orders
 
 

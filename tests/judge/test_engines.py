@@ -154,3 +154,10 @@ def test_points_lie_on_their_spheres():
 )
 def test_an_operator_acts_on_blocks_of_three_rows_only(latex, outcome):
     assert check(latex, {"T": "tensor", "x": "vector"}).outcome == outcome
+
+
+def test_the_inverse_of_a_block_matrix_can_be_multiplied():
+    block = r"\begin{bmatrix} \mathbf{R} & x \\ \mathbf{0} & 1 \end{bmatrix}"
+    symbols = {"\\mathbf{R}": "rotation", "x": "vector"}
+    assert check(rf"{block}^{{-1}} {block} = \mathbf{{I}}", symbols).outcome == "proved"
+    assert check(rf"{block} {block}^{{-1}} = {block}", symbols).outcome == "refuted"

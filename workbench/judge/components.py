@@ -121,11 +121,11 @@ def entry(a: Value, place: int | tuple[int, int]) -> Value:
 
 def stack(values: list[Value]) -> Value:
     dual = any(v.du is not None for v in values)
-    re = [np.array([v.re[k] for v in values], dtype=object) for k in range(values[0].depth + 1)]
+    re = [np.stack([v.re[k] for v in values]) for k in range(values[0].depth + 1)]
     if not dual:
         return Value(re)
-    full = [[0 * x for x in v.re] if v.du is None else v.du for v in values]
-    return Value(re, [np.array([jet[k] for jet in full], dtype=object) for k in range(len(re))])
+    full = [Value([0 * x for x in v.re] if v.du is None else v.du).re for v in values]
+    return Value(re, [np.stack([jet[k] for jet in full]) for k in range(len(re))])
 
 
 def vanishes(value: Value) -> bool:

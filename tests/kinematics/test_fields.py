@@ -50,9 +50,7 @@ class Scalars:
     def of(self, numbers: np.ndarray) -> np.ndarray:
         if self.name == "float":
             return numbers.astype(float)
-        convert = {"Fraction": Fraction, "fmpq": self._fmpq, "Expression": self._variable}[
-            self.name
-        ]
+        convert = {"Fraction": Fraction, "fmpq": self._fmpq, "Expression": self._variable}[self.name]
         return np.vectorize(convert, otypes=[object])(numbers)
 
     def _fmpq(self, x: Fraction) -> fmpq:
@@ -175,9 +173,7 @@ def test_equivariance_under_change_of_origin(seed):
     moved = frames.about_origin(Phi, a, p_WO)
     assert (fields.invariant_vectors(omega, v + cross(omega, p_WO))[1:] == moved[1][1:]).all()
     rho = rationals(seed + 51, 3)
-    assert (
-        fields.acceleration(*moved, rho - p_WO)[1:] == fields.acceleration(Phi, a, rho)[1:]
-    ).all()
+    assert (fields.acceleration(*moved, rho - p_WO)[1:] == fields.acceleration(Phi, a, rho)[1:]).all()
 
 
 @pytest.mark.parametrize("factor", [Fraction(-1), Fraction(2), Fraction(-3, 7)])
@@ -202,9 +198,7 @@ def test_recurrence_by_drakes_own_derivatives():
         return np.array(x)
 
     omega, v = map(jet, coefficients)
-    Psi = fields.homogeneous_tensors(
-        fields.acceleration_tensors(omega), fields.invariant_vectors(omega, v)
-    )
+    Psi = fields.homogeneous_tensors(fields.acceleration_tensors(omega), fields.invariant_vectors(omega, v))
     rate = np.vectorize(lambda e: e.Differentiate(time), otypes=[object])(Psi)
     for instant in (0.0, 0.3, -0.7):
         at = np.vectorize(lambda e: e.Evaluate({time: instant}), otypes=[float])  # noqa: B023
@@ -335,9 +329,7 @@ def test_rotation_at_constant_speed_about_an_axis():
     accelerations = fields.acceleration(Phi, a, rho)
     np.testing.assert_allclose(accelerations[1], (0, 6, 0))
     np.testing.assert_allclose(accelerations[2], (-12, 0, 0))
-    np.testing.assert_allclose(
-        np.linalg.norm(accelerations[1:], axis=1), 3 * 2.0 ** np.arange(1, 7)
-    )
+    np.testing.assert_allclose(np.linalg.norm(accelerations[1:], axis=1), 3 * 2.0 ** np.arange(1, 7))
 
 
 def test_printed_values_of_the_second_order():

@@ -76,9 +76,7 @@ def test_field_is_equivariant_under_displacements(scalars, rng):
     omega_n, rho = scalars.vector(rng), scalars.real_vector(rng)
     displacement = screws.from_rodrigues_vector(scalars.vector(rng))
     R, shift = screws.structural_invariants(displacement)
-    moved_screw = Dual(
-        R @ omega_n.re, R @ omega_n.du + cross(shift, R @ omega_n.re)
-    )
+    moved_screw = Dual(R @ omega_n.re, R @ omega_n.du + cross(shift, R @ omega_n.re))
     moved = reduced.field(moved_screw, R @ rho + shift)
     still = reduced.field(omega_n, rho)
     assert scalars.vanishes(moved - Dual(R @ still.re, R @ still.du))
@@ -116,8 +114,7 @@ def test_reduced_accelerations_of_points_of_a_drake_motion(order):
     twists = []
     for n in range(order + 1):  # Ṙ̲ = ω̲̃ R̲, so ω̲⁽ⁿ⁾ = vect Σ C(n, k) R̲⁽ᵏ⁺¹⁾ (R̲ᵀ)⁽ⁿ⁻ᵏ⁾
         terms = [
-            math.comb(n, k) * reduced.dual_angular_velocity(duals[n - k], duals[k + 1])
-            for k in range(n + 1)
+            math.comb(n, k) * reduced.dual_angular_velocity(duals[n - k], duals[k + 1]) for k in range(n + 1)
         ]
         twists.append(sum(terms[1:], terms[0]))
     rng = np.random.default_rng(8)

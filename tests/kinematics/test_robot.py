@@ -18,10 +18,7 @@ from workbench.kinematics.robot import motion_report, robot_motion
 # Drake keeps Expressions as NaNs with a payload, which NumPy takes for invalid operations.
 pytestmark = pytest.mark.filterwarnings("ignore:invalid value:RuntimeWarning")
 
-INERTIAL = (
-    '<inertial><mass value="1"/>'
-    '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
-)
+INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 JOINTS = (
     ("turn", "revolute", "base", "column", "0.1 -0.2 0.3", "0.2 0.1 -0.4", "0 0 1"),
     ("slide", "prismatic", "column", "carriage", "0 0.3 0.1", "0.5 0 0.3", "0.6 0 0.8"),
@@ -167,13 +164,9 @@ def test_translation_on_a_circle(tmp_path):
     """Two parallel axes turn against each other: only rounding is left of Φₙ, and no point rests."""
     axis, R = np.array([0.6, 0.48, 0.64]), RotationMatrix(RollPitchYaw(0.3, 0.2, 0.1)).matrix()
     first, second = (" ".join(map(repr, x.tolist())) for x in (axis, R.T @ axis))
-    links = "".join(
-        f'<link name="{name}">{INERTIAL}</link>' for name in ("base", "crank", "coupler")
-    )
+    links = "".join(f'<link name="{name}">{INERTIAL}</link>' for name in ("base", "crank", "coupler"))
     joints = joint_xml("out", "revolute", "base", "crank", "0.1 0.2 0.3", "0 0 0", first)
-    joints += joint_xml(
-        "back", "revolute", "crank", "coupler", "0.7 -0.4 0.2", "0.3 0.2 0.1", second
-    )
+    joints += joint_xml("back", "revolute", "crank", "coupler", "0.7 -0.4 0.2", "0.3 0.2 0.1", second)
     path = tmp_path / "parallel.urdf"
     path.write_text(f'<robot name="parallel">{links}{joints}</robot>')
     for angle in np.linspace(-2, 2, 9):
@@ -194,9 +187,7 @@ def test_edge_cases_of_robots(name):
 
 
 def test_report(arm):
-    report = motion_report(
-        arm, "tool", (0, 0, 0.1), 3, 0.5, {"turn": [0.1, 1.0], "wrist": [0.0, 0.5, 0.2]}
-    )
+    report = motion_report(arm, "tool", (0, 0, 0.1), 3, 0.5, {"turn": [0.1, 1.0], "wrist": [0.0, 0.5, 0.2]})
     assert report.joints == ("turn", "slide", "wrist")
     data = json.loads(json.dumps(report.to_dict(), allow_nan=False))
     assert data["joint_coefficients"] == {

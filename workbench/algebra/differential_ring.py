@@ -15,11 +15,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 Polynomial = fmpq_mpoly
+Derivation = Callable[[Polynomial], Polynomial]
 
 
 class DifferentialRing:
@@ -32,10 +33,12 @@ class DifferentialRing:
         self.generators = dict(zip(names, self._context.gens(), strict=True))
         self.zero = self._context.constant(0)
         self.one = self._context.constant(1)
-        self._rates: dict[int, Callable[[], Polynomial]] = {}
+        self._rates: dict[int, Polynomial] = {}
+        self._followers: dict[int, Callable[[Derivation], Polynomial]] = {}
         self._places = {name: place for place, name in enumerate(names)}
         self._squares: dict[str, Polynomial] = {}
         self._reciprocals: list[tuple[str, Polynomial]] = []
+        self._partials = {name: partial(self.partial, name=name) for name in names}
 
     def constant(self, value: Fraction | int) -> Polynomial:
         value = Fraction(value)
@@ -43,11 +46,11 @@ class DifferentialRing:
 
     def derive_as(self, name: str, rate: Polynomial) -> None:
         """The time derivative of a generator; a generator without one must not be differentiated."""
-        self._rates[self._places[name]] = lambda: rate
+        self._rates[self._places[name]] = rate
 
-    def derive_by(self, name: str, compute: Callable[[], Polynomial]) -> None:
-        """The same, computed when it is first needed."""
-        self._rates[self._places[name]] = cache(compute)
+    def derive_by(self, name: str, chain: Callable[[Derivation], Polynomial]) -> None:
+        """The derivative of a generator that stands for a function of others, by any derivation of these."""
+        self._followers[self._places[name]] = cache(chain)
 
     def square_as(self, name: str, value: Polynomial) -> None:
         """name² = value. `value` must not hold `name` and its generators must rank below it."""
@@ -58,9 +61,21 @@ class DifferentialRing:
         rate = self.zero
         for place, degree in enumerate(p.degrees()):
             if degree > 0:
-                if place not in self._rates:
+                if place in self._followers:
+                    follows = self._followers[place](self.derive)
+                elif place in self._rates:
+                    follows = self._rates[place]
+                else:
                     raise ValueError(f"{self.names[place]} was not given a time derivative")
-                rate = rate + p.derivative(place) * self._rates[place]()
+                rate = rate + p.derivative(place) * follows
+        return self.reduce(rate)
+
+    def partial(self, p: Polynomial, name: str) -> Polynomial:
+        """∂p/∂name, where norms and reciprocals follow; `name` must be free of square relations."""
+        rate = p.derivative(self._places[name])
+        for place, chain in tuple(self._followers.items()):
+            if p.degrees()[place] > 0:
+                rate = rate + p.derivative(place) * chain(self._partials[name])
         return self.reduce(rate)
 
     def reduce(self, p: Polynomial) -> Polynomial:
@@ -90,7 +105,7 @@ class DifferentialRing:
         name = spare[len(self._reciprocals)]
         self._reciprocals.append((name, monic))
         z = self.generators[name]
-        self.derive_by(name, lambda: -(z**2) * self.derive(monic))
+        self.derive_by(name, lambda derivation: -(z**2) * derivation(monic))
         return z, factor
 
     @property

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from workbench.judge.assumptions import Assumptions, Unsatisfiable
 from workbench.judge.exact import ExactEngine
-from workbench.judge.inventory import Inventory, Lookup, take_inventory
+from workbench.judge.inventory import Inventory, Lookup, NotExact, take_inventory
 from workbench.judge.parameters import Parameter
 from workbench.judge.points import Trial, counterexample, first_trial
 from workbench.judge.vanishing import Equations, solve
@@ -52,17 +52,22 @@ class Case:
         self.setting = setting
         self.definitions = setting.definitions if definitions is None else definitions
         self.assumptions = Assumptions(assume)
-        sides = [side for r in (*relations, *self.assumptions.relations) for side in (r.left, r.right)]
-        self.inventory: Inventory = take_inventory(sides, self.definitions)
+        self.sides = [side for r in (*relations, *self.assumptions.relations) for side in (r.left, r.right)]
+        self.inventory: Inventory = take_inventory(self.sides, self.definitions)
 
     @cached_property
     def exact(self) -> ExactEngine:
         return ExactEngine(self.inventory, self.definitions)
 
     def require_satisfiable(self) -> None:
-        """Raises Unsatisfiable if no point satisfies the assumptions: under them anything would be proved."""
-        if self.assumptions.relations and self.find(lambda trial: True) is None:
+        """Raises Unsatisfiable if no point satisfies the assumptions: under them anything would be proved;
+        NotExact where that cannot be told."""
+        if not self.assumptions.relations or self.find(lambda trial: True) is not None:
+            return
+        if not self.measured_angles:
             raise Unsatisfiable("no values of the symbols satisfy the assumptions")
+        if self.assumptions.equations:
+            raise NotExact("an equation under which an angle stands beside its sine or cosine")
 
     def find(self, accept: Callable[[Trial], bool]) -> Trial | None:
         """A small point that satisfies the assumptions and is accepted."""
@@ -70,7 +75,7 @@ class Case:
         return first_trial(
             self.inventory,
             self.definitions,
-            lambda t: all(t.holds(r) for r in supposed) and accept(t),
+            lambda t: self._is_real(t) and all(t.holds(r) for r in supposed) and accept(t),
             self._completed,
         )
 
@@ -84,6 +89,21 @@ class Case:
         return point
 
     @cached_property
+    def measured_angles(self) -> list[Symbol]:
+        """The angles that stand beside their sines and cosines, as in sin α = α: no rational point but
+        α = 0 is one of theirs."""
+        try:
+            return [a for a in self.inventory.angles if self.exact.depends(self.sides, _angle(a))]
+        except ZeroDivisionError:
+            return list(self.inventory.angles)
+
+    def _is_real(self, trial: Trial) -> bool:
+        return all(
+            not trial.point[_angle(angle)] and trial.engine.circle(angle)[0] == 1
+            for angle in self.measured_angles
+        )
+
+    @cached_property
     def solved(self) -> Equations:
         return solve(self.exact, self.assumptions.equations)
 
@@ -92,3 +112,7 @@ class Case:
         example = counterexample(trial, relation, self.inventory)
         evidence = Evidence("rational point, exact arithmetic", "the two sides differ")
         return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))
+
+
+def _angle(angle: Symbol) -> Parameter:
+    return Parameter(angle, "value", 0, 0)

@@ -145,6 +145,9 @@ class Equation(Case):
         if trial is None:
             reason = "a denominator is not seen to be non-zero, and no point was found where it vanishes"
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=(*evidence, gap))
+        if self.assumptions.equations and self.find(lambda t: t.holds(relation)) is None:
+            reason = "no point was found where the assumptions hold and no denominator vanishes"
+            return Verdict(Outcome.UNCHECKED, reason=reason, evidence=(*evidence, gap))
         return Verdict(
             Outcome.CONDITIONAL,
             reason="a denominator can vanish, and nothing that the claim assumes excludes it",

@@ -6,6 +6,7 @@ product throughout. Dual entries are `Dual` numbers over the ring. An operator Î
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce as fold
 from math import isqrt
@@ -97,6 +98,13 @@ class ExactEngine:
     def parameter_of(self, generator: Polynomial) -> Parameter:
         """The parameter that a generator of the ring stands for."""
         return next(p for p, name in self._named.items() if name == str(generator))
+
+    def depends(self, terms: Iterable[Term], parameter: Parameter) -> bool:
+        """Whether the parameter occurs in the terms' values, in what they divide by or take roots of."""
+        place = self.ring.names.index(self._named[parameter])
+        values = [p for term in terms for p in self.parts(self.value(term))]
+        values += [*self.ring.denominators, *(square for _, square in self._norms)]
+        return any(p.degrees()[place] > 0 for p in values)
 
     # --- terms ----------------------------------------------------------------------------------
 
@@ -240,7 +248,7 @@ class ExactEngine:
         real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
         square = self.ring.reduce(sum((x * x for x in real), self.ring.zero))
         norm = self._root(square)
-        if not term.type.dual:
+        if not any(isinstance(entry, Dual) for entry in entries):
             return ((norm,),)
         mixed = sum((e.re * e.du for e in entries if isinstance(e, Dual)), self.ring.zero)
         return ((Dual(norm, mixed * self._inverse_entry(norm)),),)
@@ -268,7 +276,7 @@ class ExactEngine:
         self.ring.square_as(name, square)
         norm = self.ring.generators[name]
         half = self._constant(Fraction(1, 2))
-        self.ring.derive_by(name, lambda: half * self.ring.derive(square) * self._inverse_entry(norm))
+        self.ring.derive_by(name, lambda derivation: half * derivation(square) * self._inverse_entry(norm))
         return norm
 
     def _triple(self, term: Apply) -> Matrix:
@@ -299,7 +307,8 @@ class ExactEngine:
         if len(places) == 1 and exponents[places[0]] == 1 and coefficient.q == 1:
             name = self.ring.names[places[0]]
             for parameter, known in self._named.items():
-                if known == name and parameter.part == "value" and parameter.order == 0:
+                is_angle = Parameter(parameter.symbol, "circle", 0, 0) in self._named
+                if known == name and is_angle and parameter.part == "value" and parameter.order == 0:
                     return parameter
         raise NotExact("the sine or cosine of anything but an integer combination of angles")
 
@@ -338,8 +347,8 @@ class ExactEngine:
         coordinates = [s for s in self._values if isinstance(s, Symbol) and s.declaration.coordinate]
         if len(coordinates) != 1:
             raise NotExact(f"div and curl need one symbol declared `coordinate`, got {len(coordinates)}")
-        places = [self.ring.names.index(str(g)) for g in self._free.column(coordinates[0], "value", 0, 3)]
-        return tuple(tuple(row[0].derivative(place) for place in places) for row in self.value(field))
+        place = [str(generator) for generator in self._free.column(coordinates[0], "value", 0, 3)]
+        return tuple(tuple(self.ring.partial(row[0], x) for x in place) for row in self.value(field))
 
     # --- entries --------------------------------------------------------------------------------
 

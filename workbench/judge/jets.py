@@ -266,7 +266,7 @@ class JetEngine:
                 value = self.value(arguments[0], depth)
                 return Value([0 * x for x in value.re] if value.du is None else value.du)
             case "norm":
-                return self._norm(self.value(arguments[0], depth), term.type.dual)
+                return self._norm(self.value(arguments[0], depth))
             case "cos":
                 return self._circle(arguments[0], depth)[0]
             case "sin":
@@ -347,7 +347,7 @@ class JetEngine:
         re = self._divide_jets(a.re, b.re)
         if a.du is None and b.du is None:
             return Value(re)
-        rest = [0 * x for x in a.re] if a.du is None else a.du
+        rest = [np.asarray(0 * x, dtype=object) for x in a.re] if a.du is None else a.du
         if b.du is not None:
             rest = [x - y for x, y in zip(rest, leibniz(np.multiply, re, b.du), strict=True)]
         return Value(re, self._divide_jets(rest, b.re))
@@ -361,7 +361,7 @@ class JetEngine:
             quotient.append(np.asarray(divide(top, b[0]), dtype=object))
         return quotient
 
-    def _norm(self, x: Value, dual: bool) -> Value:
+    def _norm(self, x: Value) -> Value:
         """N with N² = x·x, order by order; a dual norm is N + ε x·x₀/N, Eq. (74)."""
         squared = np.multiply if x.re[0].shape == () else dot
         square = leibniz(squared, x.re, x.re)
@@ -371,10 +371,9 @@ class JetEngine:
             for j in range(1, k):
                 rest = rest - norm[j] * norm[k - j] * self._ring.constant(comb(k, j), 1)
             norm += self._divide_jets([rest], [norm[0] * self._ring.constant(2, 1)])
-        if not dual:
+        if x.du is None:
             return Value(norm)
-        mixed = [0 * n for n in norm] if x.du is None else leibniz(squared, x.re, x.du)
-        return Value(norm, self._divide_jets(mixed, norm))
+        return Value(norm, self._divide_jets(leibniz(squared, x.re, x.du), norm))
 
     def _circle(self, angle: Term, depth: int) -> tuple[Value, Value]:
         """cos and sin by the addition theorems on the term; of a free angle by ċ = −s α̇, ṡ = c α̇."""

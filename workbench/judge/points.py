@@ -13,7 +13,7 @@ from workbench.judge.jets import JetEngine
 from workbench.judge.parameters import SPHERES, Parameter
 from workbench.judge.rings import PointSource, RationalRing, sample
 from workbench.judge.verdict import Counterexample
-from workbench.language.construct import derivative
+from workbench.language.construct import apply, derivative
 from workbench.language.printer import to_latex
 from workbench.language.terms import Relation, Term
 
@@ -108,6 +108,11 @@ def counterexample(trial: Trial, relation: Relation, inventory: Inventory) -> Co
         for k in range(order + 1):
             if k and symbol.declaration.constant:
                 break
+            if not k and symbol in inventory.angles and trial.engine.circle(symbol) != (1, 0):
+                if symbol.type.dual:  # its real part is told by cosine and sine alone
+                    dual_part = apply("du", symbol)
+                    values[to_latex(dual_part)] = _strings(trial.components(dual_part))
+                continue
             name = to_latex(derivative(symbol, k) if k else symbol)
             values[name] = _strings(trial.components(derivative(symbol, k) if k else symbol))
     for angle in inventory.angles:

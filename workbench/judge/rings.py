@@ -122,6 +122,8 @@ class PointSource:
         self._moved_along = moved_along
 
     def along(self, component: int) -> PointSource:
+        if self._moved_along is not None:
+            raise NotExact("div or curl of a div or curl")
         return PointSource(self.ring, self._point, component)
 
     def circle(self, angle: Symbol) -> tuple[Any, Any]:

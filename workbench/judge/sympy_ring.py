@@ -200,7 +200,15 @@ def recheck_division(
     engine = JetEngine(PointSource(ring, ring.point), definitions)
     p, q = (_norm_square(ring, engine.differences(r.left, r.right)) for r in (left, right))
     needed = [(p, q), (q, p)] if both_ways else [(q, p) if left.operator == "≠" else (p, q)]
-    return all(any(not (power**k).rem([of]) for k in (1, 2, 3, 4)) for of, power in needed)
+    return all(not q or (p and any(not (q**k).rem([p]) for k in (1, 2, 3, 4))) for p, q in needed)
+
+
+def recheck_distance(relation: Relation, inventory: Inventory, definitions: Lookup) -> bool:
+    """Whether some component of left − right is a number that is not 0, over what was divided by."""
+    ring = SympyRing(inventory)
+    engine = JetEngine(PointSource(ring, ring.point), definitions)
+    tops = [ring.normal(ring.lift(d).top) for d in engine.differences(relation.left, relation.right)]
+    return any(top and top.is_ground for top in tops)
 
 
 def _norm_square(ring: SympyRing, differences: Sequence[Any]) -> PolyElement:

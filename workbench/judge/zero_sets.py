@@ -19,9 +19,21 @@ def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Stateme
     if trial is not None:
         return case.refuted(trial, relation)
     residuals = case.exact.residuals(replace(relation, operator="="))
-    if any(p.is_constant() and p != 0 for p in residuals):
-        return Verdict(Outcome.PROVED, evidence=(Evidence("exact ring", "a non-zero constant"),))
-    return Verdict(Outcome.UNCHECKED, reason="no zero was found and none was excluded")
+    if not any(p.is_constant() and p != 0 for p in residuals):
+        return Verdict(Outcome.UNCHECKED, reason="no zero was found and none was excluded")
+    if unimplied(case.exact, case.assumptions.nonzero):
+        return Verdict(Outcome.UNCHECKED, reason="a denominator can vanish")
+    evidence = [Evidence("exact ring over ℚ (FLINT)", "the sides differ by a number that is not 0")]
+    if not setting.second_engine:
+        return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=tuple(evidence))
+    from workbench.judge.sympy_ring import recheck_distance
+
+    if not recheck_distance(relation, case.inventory, case.definitions):
+        raise EngineDisagreement("FLINT and SymPy differ on an inequation")
+    evidence.append(
+        Evidence("SymPy PolyRing on Python integers", "the sides differ by a number that is not 0")
+    )
+    return Verdict(Outcome.PROVED, evidence=tuple(evidence))
 
 
 def judge_zeros(
@@ -32,6 +44,8 @@ def judge_zeros(
         return Verdict(Outcome.UNCHECKED, reason="an equivalence between an equation and an inequation")
     case = Case(setting, [left, right], assume)
     case.require_satisfiable()
+    if not both_ways and case.find(lambda t: t.holds(left)) is None:
+        return Verdict(Outcome.UNCHECKED, reason="no point was found where the premise holds")
     verdict = _same_zeros(case, left, right, both_ways, setting.second_engine)
     if verdict.outcome != Outcome.UNCHECKED:
         return verdict
@@ -49,7 +63,7 @@ def judge_zeros(
 
 
 def _same_zeros(case: Case, left: Relation, right: Relation, both_ways: bool, second_engine: bool) -> Verdict:
-    """left ≠ 0 ⇔ right ≠ 0 (or ⇒), proved by factors.
+    """left ≠ 0 ⇔ right ≠ 0 (or ⇒), proved by factors; 0 vanishes everywhere.
 
     A vector x vanishes exactly where x·x does. If every irreducible factor of the one scalar divides the
     other, the other vanishes wherever the one does. The second engine checks the division that says so.
@@ -61,7 +75,7 @@ def _same_zeros(case: Case, left: Relation, right: Relation, both_ways: bool, se
     if both_ways:
         needed = [(p, q), (q, p)]
     for of, divides in needed:
-        if any(divmod(divides, factor)[1] != 0 for factor, _ in of.factor()[1]):
+        if divides != 0 and (of == 0 or any(divmod(divides, f)[1] != 0 for f, _ in of.factor()[1])):
             reason = "the factors of the two sides differ, and no point tells them apart"
             return Verdict(Outcome.UNCHECKED, reason=reason)
     evidence = [Evidence("exact ring over ℚ (FLINT)", "the two sides have the same irreducible factors")]

@@ -1,0 +1,223 @@
+"""Statements of which the judge once said what is not so, or that made it stop; each with its truth."""
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+from workbench.papers import PaperError, load_paper
+from workbench.verify import judge_paper
+
+SYMBOLS = {
+    "a": {"kind": "vector"},
+    "b": {"kind": "vector"},
+    "f": {"kind": "scalar"},
+    "g": {"kind": "scalar"},
+    "T": {"kind": "tensor"},
+    "u": {"kind": "vector", "unit": True},
+    "x": {"kind": "vector"},
+    r"\alpha": {"kind": "scalar"},
+    r"\beta": {"kind": "scalar"},
+    r"\rho": {"kind": "vector", "coordinate": True},
+    r"\underline{a}": {"kind": "dual vector"},
+    r"\underline{f}": {"kind": "dual scalar"},
+}
+
+
+def outcome(latex, *assume, orders=None):
+    return check(latex, SYMBOLS, assume=assume, orders=orders).outcome
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"\operatorname{div} \frac{\rho}{\|\rho\|} = \frac{2}{\|\rho\|}", Outcome.PROVED),
+        (r"\operatorname{div} \frac{\rho}{\|\rho\|} = \frac{3}{\|\rho\|}", Outcome.REFUTED),
+        (r"\operatorname{div} \frac{\rho}{\rho^2} = \frac{1}{\rho^2}", Outcome.PROVED),
+        (r"\operatorname{div} (\|\rho\| \rho) = 4 \|\rho\|", Outcome.PROVED),
+        (r"\operatorname{curl} \frac{a \times \rho}{\rho^2} = \frac{2 (a \cdot \rho)}{\rho^4} \rho", Outcome.PROVED),
+        (r"\operatorname{div} \frac{a}{\rho^2} = 0", Outcome.REFUTED),
+        (r"\frac{d}{dt} \operatorname{div} (f \|\rho\| \rho) = 4 \dot{f} \|\rho\| + 4 f \frac{\rho \cdot \dot{\rho}}{\|\rho\|}",
+         Outcome.PROVED),
+        (r"\operatorname{curl} (\operatorname{curl} (\rho^2 a)) = -4 a", Outcome.UNCHECKED),
+    ],
+)  # fmt: skip
+def test_fields_with_norms_and_denominators(latex, expected):
+    """div and curl follow the coordinate into norms and denominators."""
+    assert outcome(latex, r"\rho \neq 0") == expected
+
+
+class TestAngles:
+    """α, sin α and cos α are no independent numbers: a counterexample must be one for some real α."""
+
+    @pytest.mark.parametrize(
+        ("latex", "assume"),
+        [
+            (r"\sin \alpha = 0", [r"\alpha = 0"]),
+            (r"\cos \alpha = 1", [r"\alpha = 0"]),
+            (r"\sin \beta = 2 \sin \alpha \cos \alpha", [r"\beta = 2 \alpha"]),
+            (r"\alpha = 0 \Rightarrow \sin \alpha = 0", []),
+            (r"\alpha \neq 0 \Rightarrow \alpha^2 + (1 - \cos \alpha)^2 \neq 0", []),
+        ],
+    )
+    def test_what_is_true_is_not_refuted(self, latex, assume):
+        assert outcome(latex, *assume) not in (Outcome.REFUTED, Outcome.CONDITIONAL)
+
+    def test_no_counterexample_with_an_angle_beside_its_sine(self):
+        assert outcome(r"\sin \alpha = \alpha") == Outcome.UNCHECKED
+        assert outcome(r"\cos \alpha = \alpha") == Outcome.REFUTED  # at 0
+        assert outcome(r"\frac{\sin \alpha}{\alpha} \alpha = \sin \alpha", r"\alpha \neq 0") == Outcome.PROVED
+
+    def test_an_angle_without_its_value_is_told_by_cosine_and_sine(self):
+        values = check(r"\sin(2 \alpha) = 2 \sin \alpha", SYMBOLS).verdict.counterexample.values
+        assert r"\sin \alpha" in values and r"\alpha" not in values
+        values = check(r"\sin \underline{f} = \cos \underline{f}", SYMBOLS).verdict.counterexample.values
+        real_part = r"\underline{f}" in values
+        assert real_part == (values[r"\cos \underline{f}"] == ("1",))
+
+    def test_the_sine_of_a_component_is_outside(self):
+        assert outcome(r"\sin(\operatorname{trace} T) = 0") == Outcome.UNCHECKED
+
+
+class TestZeroSets:
+    @pytest.mark.parametrize(
+        ("latex", "expected"),
+        [
+            (r"a \times a = 0 \Leftrightarrow b = 0", Outcome.REFUTED),
+            (r"a \times a \neq 0 \Leftrightarrow b \neq 0", Outcome.REFUTED),
+            (r"b \neq 0 \Rightarrow a \times a \neq 0", Outcome.REFUTED),
+            (r"a \times a = 0 \Leftrightarrow b \times b = 0", Outcome.PROVED),
+            (r"a \times a \neq 0 \Rightarrow b \neq 0", Outcome.UNCHECKED),
+            (r"u \cdot u \neq 1 \Rightarrow b \neq 0", Outcome.UNCHECKED),
+            (r"u \cdot u = 2 \Leftrightarrow b = 0", Outcome.REFUTED),
+        ],
+    )
+    def test_what_vanishes_everywhere_or_nowhere(self, latex, expected):
+        assert outcome(latex) == expected
+
+    def test_an_inequation_has_denominators_and_two_engines(self):
+        assert outcome(r"\frac{1}{f} \neq 0") == Outcome.UNCHECKED
+        assert outcome(r"\frac{1}{f} \neq 0", r"f \neq 0") == Outcome.PROVED
+        found = check(r"u \cdot u \neq 2", SYMBOLS)
+        assert found.outcome == Outcome.PROVED
+        assert any(e.method.startswith("SymPy") for e in found.verdict.evidence)
+
+
+def test_nothing_is_conditional_where_it_never_holds():
+    assert outcome(r"\frac{f}{f} = 2", "f = 0") == Outcome.UNCHECKED
+    assert outcome(r"\frac{f}{f} = 1", "f g = 0") == Outcome.CONDITIONAL
+
+
+def test_the_inverse_of_a_dual_scalar():
+    claim = r"\underline{f}^{-1} \underline{f} = 1"
+    assert outcome(claim) == Outcome.CONDITIONAL
+    assert outcome(claim, r"\underline{f} \neq 0") == Outcome.CONDITIONAL
+    assert outcome(claim, r"\operatorname{Re} \underline{f} \neq 0") == Outcome.PROVED
+
+
+def test_an_order_below_the_first_is_unchecked():
+    found = check(r"\dot{x}^{(n-1)} = x^{(n)}", SYMBOLS, orders="n = 0..3")
+    assert found.outcome == Outcome.UNCHECKED and "n = 0" in found.verdict.reason
+
+
+def test_orders_without_a_variable_are_no_scope():
+    assert check(r"a \times b = -b \times a", SYMBOLS, orders="n = 1..3").verdict.scope is None
+
+
+def verdicts(path, text):
+    path.write_text(f'title = "Definitions"\n{text}', encoding="utf-8")
+    return [result.verdict for result in judge_paper(load_paper(path), motions=False)]
+
+
+def claim(printed, orders=None):
+    ranges = f"orders = '{orders}'\n" if orders else ""
+    name = f"c{len(printed)}.{orders}".replace(" ", "").replace("=", "").replace(",", "-")
+    return f"[[claim]]\nid = '{name}'\nprinted = '{printed}'\n{ranges}"
+
+
+@pytest.mark.parametrize("flag", ["unit = true", "constant = true", "coordinate = true"])
+def test_a_definition_cannot_keep_what_is_declared_of_a_vector(tmp_path, flag):
+    text = (
+        f"[symbols]\na = {{ kind = 'vector' }}\nu = {{ kind = 'vector', {flag} }}\n[definitions]\nu = 'a'\n"
+    )
+    with pytest.raises(PaperError, match="declared as"):
+        verdicts(tmp_path / "paper.toml", text + claim(r"u \cdot u = 1"))
+
+
+def test_a_definition_cannot_keep_a_rotation(tmp_path):
+    text = "[symbols]\nT = { kind = 'tensor' }\nR = { kind = 'rotation' }\n[definitions]\nR = 'T'\n"
+    with pytest.raises(PaperError, match="declared as rotation"):
+        verdicts(tmp_path / "paper.toml", text + claim(r"R R^T = \mathbf{I}"))
+
+
+DUAL_ARGUMENT = r"""[symbols]
+x = { kind = "vector" }
+'\underline{a}' = { kind = "dual vector" }
+[definitions]
+'F(x)' = 'x \cdot x'
+'G(x)' = 'x'
+"""
+
+
+@pytest.mark.parametrize(
+    ("printed", "expected"),
+    [
+        (r"\operatorname{Du} F(\underline{a}) = 0", Outcome.REFUTED),
+        (r"\|G(\underline{a})\| = \|\operatorname{Re} \underline{a}\|", Outcome.REFUTED),
+        (r"F(\underline{a}) = \underline{a} \cdot \underline{a} + 0", Outcome.PROVED),
+    ],
+)
+def test_a_function_of_a_dual_argument_is_dual(tmp_path, printed, expected):
+    (verdict,) = verdicts(tmp_path / "paper.toml", DUAL_ARGUMENT + claim(printed))
+    assert verdict.outcome == expected
+
+
+IRREGULAR = {
+    "a member of a family": ("'a_2' = '2 x'\n'a_n' = 'x^{(n)}'\n", r"a_{n+1} = \dot{a}_n"),
+    "a member above the base": ("'a_0' = 'x'\n'a_{n+1}' = 'T a_n'\n'a_3' = 'x'\n", "f a_{n+1} = f T a_n"),
+}
+
+
+@pytest.mark.parametrize("name", IRREGULAR)
+def test_a_member_defined_by_itself_is_no_part_of_all_n(tmp_path, name):
+    definitions, printed = IRREGULAR[name]
+    symbols = "[symbols]\nx = { kind = 'vector' }\nT = { kind = 'tensor' }\nf = { kind = 'scalar' }\n"
+    symbols += "'a_n' = { kind = 'vector' }\n"
+    text = symbols + "[definitions]\n" + definitions + claim(printed, "n = 4..5") + claim(printed, "n = 0..4")
+    beyond, across = verdicts(tmp_path / "paper.toml", text)
+    assert (beyond.outcome, beyond.scope) == (Outcome.PROVED, "n = 4..5")
+    assert across.outcome == Outcome.REFUTED
+
+
+def test_a_row_of_a_family_defined_by_itself_is_no_part_of_all_n(tmp_path):
+    text = r"""[symbols]
+x = { kind = "vector" }
+'K_{m,n}' = { kind = "vector" }
+[definitions]
+'K_{0,n}' = '2 x'
+'K_{m,n}' = 'x^{(m)} + x^{(n)}'
+"""
+    (verdict,) = verdicts(
+        tmp_path / "paper.toml", text + claim(r"\dot{K}_{m,n} = K_{m+1,n+1}", "m = 1..2, n = 1..2")
+    )
+    assert (verdict.outcome, verdict.scope) == (Outcome.PROVED, "m = 1..2, n = 1..2")
+
+
+def test_members_that_agree_with_the_recurrence_leave_it_for_all_n(tmp_path):
+    text = r"""[symbols]
+'\omega' = { kind = "vector", weight = 1 }
+'\Phi_n' = { kind = "tensor", weight = "n" }
+[definitions]
+'\Phi_1' = '\tilde{\omega}'
+'\Phi_{n+1}' = '\dot{\Phi}_n + \Phi_n \Phi_1'
+'\Phi_0' = '\mathbf{I}'
+"""
+    step = r"\operatorname{trace} \Phi_{n+1} = \operatorname{trace}(\dot{\Phi}_n + \Phi_n \Phi_1)"
+    (verdict,) = verdicts(tmp_path / "paper.toml", text + claim(step, "n = 0..3"))
+    assert (verdict.outcome, verdict.scope) == (Outcome.PROVED, "all n")
+
+
+@pytest.mark.parametrize("alias", ["L_{n,m}", "L_{m+1,n}"])
+def test_an_alias_with_other_indices_is_refused(tmp_path, alias):
+    text = f"[symbols]\n'K_{{m,n}}' = {{ kind = 'scalar', aliases = ['{alias}'] }}\n"
+    with pytest.raises(PaperError, match="indices of"):
+        verdicts(tmp_path / "paper.toml", text + claim("K_{1,2} = 1 L_{1,2}"))

@@ -12,6 +12,7 @@ from functools import partial
 from typing import Protocol
 
 from workbench.judge.inventory import NotExact
+from workbench.judge.regular import is_regular
 from workbench.judge.symbolic_orders import freed, symbolic_orders
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.construct import relation
@@ -61,9 +62,13 @@ def judge_family(
     """The verdict on a statement whose integer variables are those of `orders`."""
     if orders is None:
         return _instance_for(judge, statement, assume, hypothesis, {})
-    scope = f"all {', '.join(sorted(_variables(statement)))}"
+    if not is_regular(judge):
+        return _instances(judge, statement, assume, hypothesis, orders)
+    variables = sorted(_variables(statement))
+    scope = f"all {', '.join(variables)}" if variables else None
     if _defines(judge, statement):
-        return replace(_instances(judge, statement, assume, hypothesis, orders), scope=scope)
+        verdict = _instances(judge, statement, assume, hypothesis, orders)
+        return replace(verdict, scope=scope) if verdict.outcome == Outcome.DEFINITION else verdict
     general = _for_all(judge, statement, assume, hypothesis)
     if general is None or general.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION):
         return _instances(judge, statement, assume, hypothesis, orders)
@@ -74,8 +79,10 @@ def judge_family(
     instances = _instances(light, statement, assume, hypothesis, orders)
     if general.outcome == Outcome.CONDITIONAL and instances.outcome != Outcome.CONDITIONAL:
         return instances
-    if instances.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
-        raise EngineDisagreement(f"proved for all n, but {instances.outcome} {instances.reason}")
+    if instances.outcome == Outcome.UNCHECKED:  # such as a member below the first
+        return instances
+    if instances.outcome == Outcome.REFUTED:
+        raise EngineDisagreement(f"proved for all n, but refuted {instances.reason}")
     checked = Evidence("each instance, exact ring", "residual is 0", {"orders": str(orders)})
     return replace(general, scope=scope, evidence=(*general.evidence, checked))
 

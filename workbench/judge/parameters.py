@@ -53,7 +53,7 @@ def parameters(inventory: Inventory) -> Iterator[Parameter]:
 def parts(symbol: Symbol, order: int) -> tuple[tuple[str, int, int], ...]:
     """(part, components, how many orders) for each part of the symbol differentiated up to `order` times."""
     declaration = symbol.declaration
-    dual = declaration.type.dual
+    dual = symbol.type.dual
     moving = 0 if declaration.constant else order
     if declaration.unit:
         moment = (("moment", 3, moving + 1),) if dual else ()

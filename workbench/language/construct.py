@@ -69,7 +69,8 @@ def symbol(
     weight = declaration.weight
     if weight is not None:
         weight = weight.substitute({f"@{i}": value for i, value in enumerate(index)})
-    return Symbol(declaration.type, weight, declaration, index, tuple(arguments))
+    type_ = declaration.type.with_dual(declaration.type.dual or any(a.type.dual for a in arguments))
+    return Symbol(type_, weight, declaration, index, tuple(arguments))
 
 
 def derivative(body: Term, order: Linear | int) -> Term:

@@ -65,6 +65,8 @@ class SymbolTable:
                 pattern, places = read_key(alias)
                 if len(places) != len(index):
                     raise SpecError(f"{alias} has {len(places)} index places, not {len(index)}", key)
+                if places != index:
+                    raise SpecError(f"the indices of {alias} differ from those of {key}", key)
                 if pattern in symbols:
                     raise SpecError(f"{alias} is declared twice", key)
                 _refuse_operation(pattern, key)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
@@ -19,6 +19,9 @@ from workbench.papers.orders import orders_within
 from workbench.results import claim_dict
 from workbench.terminal import claim_lines
 from workbench.verify import HOLDS, ClaimResult, PaperJudge
+
+if TYPE_CHECKING:
+    from workbench.repair.repair import Repair
 
 _SIGNS = {
     Outcome.PROVED: "✓",
@@ -52,6 +55,12 @@ class Checked:
     @property
     def holds(self) -> bool:
         return self.outcome in HOLDS
+
+    def repair(self, seconds: float = 60.0) -> Repair:
+        """What the right form is, where this one is refuted or ill-formed: only proved forms."""
+        from workbench.repair.repair import Limits, repair
+
+        return repair(self.result.claim, Limits(seconds=seconds))
 
     def __str__(self) -> str:
         return "\n".join(str(line) for line in claim_lines(claim_dict(self.result), with_expectation=False))

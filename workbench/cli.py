@@ -67,6 +67,9 @@ _paper_option = click.option(
     help="A paper file, or the name of an installed paper.",
 )
 _json_flag = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+_proposals_flag = click.option(
+    "--proposals/--no-proposals", default=True, help="Search for the right form of what is not right."
+)
 _engines = [
     click.option(
         "--second-engine/--no-second-engine",
@@ -143,24 +146,59 @@ def verify(
 @click.argument("claim_id", metavar="ID")
 @_paper_option
 @_json_flag
+@_proposals_flag
 @_reports_faults
-def show(claim_id: str, paper_name: str | None, as_json: bool) -> None:
+def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) -> None:
     """Show one claim in full: printed, read back, verdict, counterexample, correction, evidence.
     ID may also select several claims, as for verify."""
     from workbench.papers import find_paper
+    from workbench.repair.shown import proposal_lines
     from workbench.results import claim_dict
     from workbench.terminal import claim_lines, console
 
     results = _judged(find_paper(paper_name), [claim_id])
-    claims = [claim_dict(result) for result in results]
+    claims = _with_proposals([claim_dict(result) for result in results], results, proposals)
     if as_json:
         _print_json(claims[0] if len(claims) == 1 else claims)
     else:
         terminal = console(sys.stdout)
         for claim in claims:
-            for line in claim_lines(claim):
+            for line in (*claim_lines(claim), *proposal_lines(claim)):
                 terminal.print(line)
     sys.exit(0 if all(result.passed for result in results) else 1)
+
+
+@main.command("repair")
+@click.argument("select", nargs=-1, required=True, metavar="ID...")
+@_paper_option
+@click.option("--seconds", default=60.0, show_default=True, help="The limit on time for one claim.")
+@_json_flag
+@_reports_faults
+def repair_claim(select: Sequence[str], paper_name: str | None, seconds: float, as_json: bool) -> None:
+    """Propose the right form of claims, from their printed forms alone; only proved forms are proposed.
+    Ctrl-C keeps what was found. Exit status 0 if there is a proposal for each, 1 if not."""
+    from workbench.papers import find_paper
+    from workbench.repair.repair import Limits
+    from workbench.repair.run import repair_claims
+    from workbench.repair.shown import repair_lines
+    from workbench.selection import select_claims
+    from workbench.terminal import console, progress_bar
+
+    if not 0 < seconds < math.inf:
+        raise Unusable(f"seconds: expected a positive number, got {seconds}")
+    claims = select_claims(find_paper(paper_name).claims, select)
+    with progress_bar(len(claims), "repairing") as advance:
+        repairs = repair_claims(claims, Limits(seconds=seconds), advance)
+    if as_json:
+        found = [repair.to_dict() for repair in repairs]
+        _print_json(found[0] if len(found) == 1 else found)
+    else:
+        terminal = console(sys.stdout)
+        for repair in repairs:
+            for line in repair_lines(repair.to_dict()):
+                terminal.print(line)
+    done = len(repairs) == len(claims) and all(repair.proposals for repair in repairs)
+    sys.exit(0 if done else 1)
 
 
 @main.command()
@@ -174,19 +212,32 @@ def show(claim_id: str, paper_name: str | None, as_json: bool) -> None:
     help="Write the report as JSON to OUT (standard output if OUT is - or missing).",
 )
 @_engine_options
+@_proposals_flag
 @_reports_faults
-def check(file: Path, json_out: str | None, second_engine: bool, motions: bool) -> None:
+def check(
+    file: Path, json_out: str | None, second_engine: bool, motions: bool, proposals: bool
+) -> None:
     """Judge a paper file. Exit status: 0 if all claims are proved or definitions, 1 if some are not,
     2 if the file cannot be used."""
     from workbench.papers import load_paper
+    from workbench.repair.shown import repair_lines
     from workbench.results import report_dict
+    from workbench.terminal import console
     from workbench.verify import HOLDS
 
     paper = load_paper(file)
     results = _judged(paper, (), second_engine=second_engine, motions=motions)
-    if json_out is not None and json_out != "-":
-        _write_atomically(Path(json_out), _json_text(report_dict(paper, results)))
-    _print_results(paper, results, json_out == "-")
+    data = report_dict(paper, results)
+    data["claims"] = _with_proposals(data["claims"], results, proposals)
+    if json_out == "-":
+        _print_json(data)
+    else:
+        if json_out is not None:
+            _write_atomically(Path(json_out), _json_text(data))
+        _print_results(paper, results, False)
+        for claim in data["claims"]:
+            for line in repair_lines(claim) if claim["proposed"] else ():
+                console(sys.stdout).print(line)
     sys.exit(0 if all(result.verdict.outcome in HOLDS for result in results) else 1)
 
 
@@ -300,6 +351,20 @@ def _judged(paper: Paper, select: Sequence[str], **engines: bool) -> list[ClaimR
 
     with progress_bar(len(select_claims(paper.claims, select)), "judging") as advance:
         return judge_paper(paper, select, progress=advance, **engines)
+
+
+def _with_proposals(
+    claims: Sequence[dict[str, Any]], results: Sequence[ClaimResult], wanted: bool
+) -> list[dict[str, Any]]:
+    """The claims of the report with what the machine proposes for those that are refuted or ill-formed."""
+    from workbench.repair.run import proposals_for, with_proposals
+    from workbench.terminal import progress_bar
+
+    proposed: dict[str, list[dict[str, Any]]] = {}
+    if wanted:
+        with progress_bar(len(results), "repairing") as advance:
+            proposed = proposals_for(results, progress=advance)
+    return [with_proposals(claim, proposed) for claim in claims]
 
 
 def _print_results(paper: Paper, results: Sequence[ClaimResult], as_json: bool) -> None:

@@ -25,14 +25,18 @@ _PROVED = (Outcome.PROVED, Outcome.DEFINITION)
 
 @dataclass(frozen=True)
 class Limits:
-    """seconds: of wall time for one claim. proposals: at most so many are made. judged: how many candidates of
-    one stage are given to the judge. readings: of how many readings of an ill-formed claim the neighbourhoods
-    are searched."""
+    """seconds: of wall time for one claim. candidates: looked at. proposals: made. judged: candidates of one
+    stage that are given to the judge. readings: of an ill-formed claim, whose neighbourhoods are searched."""
 
-    seconds: float = 30.0
+    seconds: float = 60.0
+    candidates: int = 60_000
     proposals: int = 3
     judged: int = 150
-    readings: int = 24
+    readings: int = 12
+
+
+#: What one claim gets by default. Candidates run out before time, so that results are the same everywhere.
+STANDARD = Limits()
 
 
 @dataclass(frozen=True)
@@ -53,7 +57,7 @@ class Proposal:
         return {"latex": self.latex, "edit": self.edit, "verdict": str(self.verdict.outcome)}
 
 
-@dataclass
+@dataclass(repr=False)
 class Repair:
     """What was found. `candidates`: how many were looked at; `complete`: the search came to its end."""
 
@@ -63,10 +67,29 @@ class Repair:
     seconds: float = 0.0
     complete: bool = False
 
+    def to_dict(self) -> dict[str, Any]:
+        return {
+            "id": self.claim.id,
+            "printed": self.claim.printed.latex,
+            "proposed": [proposal.to_dict() for proposal in self.proposals],
+            "candidates": self.candidates,
+            "complete": self.complete,
+        }
+
+    def __str__(self) -> str:
+        lines = [f"{p.latex}\n    {p.edit} ({p.verdict.outcome})" for p in self.proposals]
+        return "\n".join(lines) or f"no proposal among {self.candidates} candidates"
+
+    __repr__ = __str__
+
+    def _repr_markdown_(self) -> str:
+        lines = [f"$$ {p.latex} $$\n\n{p.edit} (**{p.verdict.outcome}**)" for p in self.proposals]
+        return "\n\n".join(lines) or f"no proposal among {self.candidates} candidates"
+
 
 def repair(
     claim: Claim,
-    limits: Limits = Limits(),
+    limits: Limits = STANDARD,
     progress: Callable[[Repair], None] = lambda found: None,
     judge: Judge | None = None,
 ) -> Repair:
@@ -78,14 +101,14 @@ def repair(
     found = Repair(claim)
     bench = _Bench(claim, judge, limits, found, progress)
     start = monotonic()
-    with suppress(KeyboardInterrupt, _OutOfTime):
+    with suppress(KeyboardInterrupt, _LimitReached):
         bench.run()
     found.seconds = monotonic() - start
     return found
 
 
-class _OutOfTime(Exception):
-    """The limit on time is reached."""
+class _LimitReached(Exception):
+    """The limit on time or candidates is reached."""
 
 
 class _Bench:
@@ -139,20 +162,15 @@ class _Bench:
         for candidate in read:
             screen = self._screen()
             neighbourhood = Neighbourhood(candidate.statement, screen, second, tick=self._tick)
-            stages.append((candidate, neighbourhood, neighbourhood.stages()))
+            stages.append((candidate, neighbourhood.stages()))
         while stages:
             for entry in list(stages):
-                before, neighbourhood, rest = entry
+                before, rest = entry
                 stage = next(rest, None)
                 if stage is None:
                     stages.remove(entry)
                     continue
-                counted = neighbourhood.counted
-                found = self._offer(
-                    Candidate(c.statement, (*before.changes, *c.changes)) for c in stage
-                )
-                self.found.candidates += neighbourhood.counted - counted
-                if found:
+                if self._offer(Candidate(c.statement, (*before.changes, *c.changes)) for c in stage):
                     return
 
     def _screen(self) -> Screen | None:
@@ -195,9 +213,10 @@ class _Bench:
                 yield candidate
 
     def _tick(self) -> None:
+        self.found.candidates += 1
         self.progress(self.found)
-        if monotonic() > self.end:
-            raise _OutOfTime
+        if self.found.candidates > self.limits.candidates or monotonic() > self.end:
+            raise _LimitReached
 
     def _verdict(self, statement: Statement) -> Verdict | None:
         try:

@@ -51,14 +51,13 @@ class Neighbour:
 
 @dataclass
 class Neighbourhood:
-    """`screen` looks first, `second` again at other points and values of the integers. `counted`: how many
-    candidates were looked at. `tick` is called now and then, and may raise to end the search."""
+    """`screen` looks first, `second` again at other points and values of the integers. `tick` is called
+    for each candidate, and may raise to end the search."""
 
     statement: Statement
     screen: Screen
     second: Sequence[Screen]
     replacements: Sequence[Term] = ()
-    counted: int = 0
     tick: Callable[[], None] = lambda: None
     neighbours: list[Neighbour] = field(default_factory=list)
 
@@ -87,7 +86,6 @@ class Neighbourhood:
         """Statements that are no equations: one-place edits, unscreened."""
         for edit in sorted(edits(self.statement, self.replacements), key=cost):
             if edit.statement is not None:
-                self.counted += 1
                 yield Candidate(edit.statement, (Change(edit.kind, edit.description),))
 
     # coefficients
@@ -102,7 +100,6 @@ class Neighbourhood:
         for relation, scaling in self._scalings:
             if (len(scaling.factors) > 1) != (changes > 1):
                 continue
-            self.counted += 1
             changed = scaled(relation, scaling)
             if changed is not None and self._passes(changed):
                 yield Candidate(changed, tuple(_rescaled(relation, p, f) for p, f in scaling.factors))
@@ -113,7 +110,6 @@ class Neighbourhood:
         for edit in sorted(edits(self.statement, self.replacements), key=cost):
             if edit.statement is None:
                 continue
-            self.counted += 1
             self.tick()
             changed = self.screen.residual(edit.statement)
             if changed is None or len(changed) != len(residual):
@@ -136,7 +132,6 @@ class Neighbourhood:
                     edit = _with_addend(self.statement, place, addend)
                 except IllFormed:
                     continue
-                self.counted += 1
                 self.tick()
                 changed = self.screen.residual(edit.statement)
                 if changed is None or len(changed) != len(residual):
@@ -181,7 +176,6 @@ class Neighbourhood:
             for second in edits(first.statement, self.replacements, within=self._addend_of(first.place)):
                 if second.statement is None:
                     continue
-                self.counted += 1
                 if self._passes(second.statement):
                     changes = (Change(first.kind, first.description), Change(second.kind, second.description))
                     yield Candidate(second.statement, changes)
@@ -215,7 +209,6 @@ class Neighbourhood:
                 change = _rescaled(statement, place, 1 + factor)
         except IllFormed:
             return
-        self.counted += 1
         if changed is not None and self._passes(changed):
             changes = tuple(Change(n.edit.kind, n.edit.description) for n in before)
             yield Candidate(changed, (*changes, change))

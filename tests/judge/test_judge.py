@@ -90,6 +90,8 @@ TRUE = {
     "norm of a multiple": r"\|-2 a\| = 2 \|a\|",
     "norm of a unit vector": r"\|u\| = 1",
     "operator product": r"\mathbf{D} \circ T = \dot{T} + T \mathbf{D}",
+    "turn back": r"e^{\alpha \tilde{u}} e^{-\alpha \tilde{u}} = \mathbf{I}",
+    "turn about a scaled axis": r"e^{2 \alpha \tilde{u}} = e^{\widetilde{\alpha u}} e^{\tilde{u} \alpha}",
     "sum with numbers as bounds": r"\sum_{k=1}^3 k a = 6 a",
     "operator acts": r"(\mathbf{D} + \tilde{a}) b = \dot{b} + a \times b",
 }

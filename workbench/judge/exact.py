@@ -35,6 +35,7 @@ from workbench.algebra.matrices import (
 from workbench.judge.exact_symbols import FreeSymbols, rank, shape_of
 from workbench.judge.inventory import Inventory, Lookup, NotExact
 from workbench.judge.parameters import Parameter, parameters
+from workbench.judge.rodrigues import angle_and_axis
 from workbench.language.terms import (
     Apply,
     Block,
@@ -322,14 +323,13 @@ class ExactEngine:
             for e in row
         ):
             return add(self._unit(1, len(value)), value)
-        match argument:
-            case Apply(head="mul", arguments=(angle, Apply(head="skew", arguments=(Symbol() as u,)))) if (
-                angle.type.kind == "scalar" and u.declaration.unit
-            ):
-                cosine, sine = self._circle(angle)
-                skew = self.value(argument.arguments[1])
-                turned = add(_scale(sine, skew), _scale(1 - cosine, product(skew, skew)))
-                return add(self._unit(1), turned)
+        turn = angle_and_axis(argument)
+        if turn is not None:
+            angle, axis = turn
+            cosine, sine = self._circle(angle)
+            crossing = skew(flat(self.value(axis)))
+            turned = add(_scale(sine, crossing), _scale(1 - cosine, product(crossing, crossing)))
+            return add(self._unit(1), turned)
         raise NotExact(
             "exp of anything but a purely dual argument or an angle times a unit vector's skew tensor"
         )

@@ -41,6 +41,7 @@ from workbench.judge.components import (
     vanishes,
 )
 from workbench.judge.inventory import Lookup, NotExact
+from workbench.judge.rodrigues import angle_and_axis
 from workbench.language.terms import (
     Apply,
     Block,
@@ -422,16 +423,14 @@ class JetEngine:
 
     def _exp(self, argument: Term, depth: int) -> Value:
         """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u."""
-        match argument:
-            case Apply(head="mul", arguments=(angle, Apply(head="skew", arguments=(Symbol() as u,)))) if (
-                u.declaration.unit
-            ):
-                cosine, sine = self._circle(angle, depth)
-                axis = self.value(u, depth)
-                versine = add(self._constant(1, 1, depth), cosine.map(lambda x: -x))
-                turned = product_of(np.multiply, cosine, self._diagonal(3, 1, depth))
-                turned = add(turned, product_of(np.multiply, sine, axis.map(skew)))
-                return add(turned, product_of(np.multiply, versine, product_of(outer, axis, axis)))
+        turn = angle_and_axis(argument)
+        if turn is not None:
+            cosine, sine = self._circle(turn[0], depth)
+            axis = self.value(turn[1], depth)
+            versine = add(self._constant(1, 1, depth), cosine.map(lambda x: -x))
+            turned = product_of(np.multiply, cosine, self._diagonal(3, 1, depth))
+            turned = add(turned, product_of(np.multiply, sine, axis.map(skew)))
+            return add(turned, product_of(np.multiply, versine, product_of(outer, axis, axis)))
         value = self.value(argument, depth)
         if value.du is None or any(bool(x != 0) for jet in value.re for x in jet.ravel()):
             raise NotExact(

@@ -1,0 +1,378 @@
+"""Section 7: chains of any number m of bodies, derivatives of any order n.
+
+R̲ₖ = ⁰R̲₁ ¹R̲₂ … ᵏ⁻¹R̲ₖ is the motion of body k, ω̲ₖ = R̲ₖ₋₁ Ω̲ₖ its twist relative to body k−1 as seen from C₀,
+₀ω̲ₖ = ω̲₁ + … + ω̲ₖ the twist of body k, and x̲^[k] = R̲ dᵏ/dtᵏ (R̲ᵀ x̲) = (D − ω̲̃)ᵏ x̲, where ω̲ is the twist of R̲.
+
+Induction from k bodies to k + 1, and from n to n + 1, is an identity each, in which what stands for the
+first k bodies or for the n-th members is a free tensor; FLINT and SymPy prove it. Besides, (132) and (133)
+are expanded in noncommuting letters, on 4×4 poses in whole numbers, and on Drake's chain of two bodies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import partial
+from typing import Any
+
+from proofs.theorems.chain_poses import drake_residuals, rational_residuals
+from proofs.theorems.chain_words import (
+    Coefficient,
+    closed_form,
+    derivatives_of_twist,
+    multinomial,
+    printed_multinomial,
+    products_of_Phi,
+    total_Phi,
+)
+from workbench.judge.arguments import Engine, Step, Way, argue, vanishing, vanishing_to
+from workbench.judge.formula_steps import Letters
+from workbench.judge.verdict import Verdict
+
+MOST_BODIES, HIGHEST_ORDER = 5, 8
+DRAKE_TOLERANCE = 1e-10  # of the largest entry; the references' own errors are below 1e-13 of it
+
+_PASCAL = "C(n, k−1) + C(n, k) = C(n+1, k)"
+
+_TENSOR = {"kind": "dual tensor"}
+_VECTOR = {"kind": "dual vector"}
+_SCALAR = {"kind": "scalar"}
+_LETTERS = Letters(
+    {
+        "Q": {"kind": "dual rotation"},
+        "X": _TENSOR,
+        "Y": _TENSOR,
+        "Z": _TENSOR,
+        "a": _VECTOR,
+        "b": _VECTOR,
+        "x": {"kind": "dual vector", "weight": 1},
+        "f": _SCALAR,
+        "g": _SCALAR,
+        "h": _SCALAR,
+        "q": _SCALAR,
+        "r": _SCALAR,
+        "s": _SCALAR,
+        "A": {"kind": "rotation"},
+        "B": {"kind": "rotation"},
+        r"\mathbf{c}": {"kind": "vector"},
+        r"\mathbf{d}": {"kind": "vector"},
+    },
+    {
+        "W": r"\dot{Q} Q^T",
+        r"\Phi_0(x)": r"\mathbf{I}",
+        r"\Phi_{n+1}(x)": r"\dot{\Phi}_n(x) + \Phi_n(x) \tilde{x}",
+        r"\mathbf{p}_n(x)": r"\sum_{k=0}^n C_n^k \Phi_{n-k}(x) (\mathbf{D} - \tilde{x})^k",
+    },
+)
+
+
+def motion_of_last_body() -> Verdict:
+    """(117): the product of the relative motions is a dual rotation, and composes the displacements."""
+    step = _LETTERS.step
+    return argue(
+        [
+            step(
+                "a relative motion is orthogonal, with determinant 1",
+                r"Q Q^T = \mathbf{I}",
+                r"\det Q = 1",
+                but_not=r"Q Q = \mathbf{I}",
+            ),
+            step(
+                "if R̲ₖ is, then so is R̲ₖ₊₁ = R̲ₖ ᵏR̲ₖ₊₁",
+                r"(X Q)(X Q)^T = X X^T",
+                r"\det (X Q) = \det X",
+                but_not=r"\det (X Q) = -\det X",
+            ),
+            step(
+                "(I + ε c̃) A (I + ε d̃) B is the displacement by B, d and then by A, c",
+                r"(\mathbf{I} + \varepsilon \tilde{\mathbf{c}}) A (\mathbf{I} + \varepsilon"
+                r" \tilde{\mathbf{d}}) B = (\mathbf{I} + \varepsilon"
+                r" \widetilde{\mathbf{c} + A \mathbf{d}}) A B",
+                but_not=r"(\mathbf{I} + \varepsilon \tilde{\mathbf{c}}) A (\mathbf{I} + \varepsilon"
+                r" \tilde{\mathbf{d}}) B = (\mathbf{I} + \varepsilon"
+                r" \widetilde{\mathbf{c} + \mathbf{d}}) A B",
+            ),
+        ],
+        scope="all m",
+    )
+
+
+def twists_add() -> Verdict:
+    """(119) and (122): ₀ω̲ₘ = Σ R̲ₖ₋₁ Ω̲ₖ; so ω̲ₖ is what body k's twist has more than body k−1's."""
+    return argue([*_adding_twists(), _on_chains()], scope="all m")
+
+
+def one_letter_for_two_twists() -> Verdict:
+    """(121) as printed: with the ω̲ₖ of (120) on both sides it needs a rotation about its own axis."""
+    return argue(
+        [
+            _LETTERS.refutation(
+                "a rotation leaves its own axis alone, not every vector",
+                r"a = Q a",
+                but_not=r"a = Q^T Q a",
+            )
+        ],
+        refutes=True,
+        counterexample=_LETTERS.counterexample(r"\mathbf{c} = A \mathbf{c}"),
+        reason="the ω̲ₖ of (120) is resolved in body k−1, the one of (122) in C₀",
+    )
+
+
+def lemma() -> Verdict:
+    """(123) for every n: (R̲ Ω̲)⁽ⁿ⁾ = Σ C(n, k) Φ̲ₙ₋ₖ R̲ Ω̲⁽ᵏ⁾."""
+    return argue(_lemma(), scope="all n")
+
+
+def tensors_by_recurrence() -> Verdict:
+    """(130) gives R̲⁽ᵖ⁾ R̲ᵀ from ω̲ alone, for every p."""
+    return argue(_recurrence(), scope="all p")
+
+
+def theorem_11() -> Verdict:
+    """(127): the n-th derivative of (122), each ω̲ₖ by the lemma with R̲ₖ₋₁, whose twist is ω̲₁ + … + ω̲ₖ₋₁."""
+    return argue(
+        [*_adding_twists(), _on_chains(), *_recurrence(), *_lemma()],
+        scope="all m, n",
+    )
+
+
+def left_side_of_131() -> Verdict:
+    """(131) as printed says ω̲ₘ⁽ⁿ⁾ for ₀ω̲ₘ⁽ⁿ⁾: for m = 2, n = 0, ω̲₂ = ω̲₁ + ω̲₂."""
+    return argue(
+        [_LETTERS.refutation("ω̲₂ = ω̲₁ + ω̲₂ does not hold", "b = a + b", but_not="a + b = b + a")],
+        refutes=True,
+        counterexample=_LETTERS.counterexample("b = a + b"),
+        reason="for m ≥ 2 the sum is the twist of body m in C₀, not the one relative to body m − 1",
+    )
+
+
+def multinomial_identity() -> Verdict:
+    """(132) with k!/(k₁! … ) and with Φ̲(ω̲ᵢ) formed in the frame of body i−1: for every k and p."""
+    return argue([*_multinomial(), _expanded_Phi()], scope="all k, p")
+
+
+def multinomial_identity_as_printed() -> Verdict:
+    """(132) with n!/(k₁! …): for p = 3, k = 1 and n = 2 the right side is twice the left one."""
+    formula = r"\tilde{a} + \tilde{b} = 2 \tilde{a} + 2 \tilde{b}"
+    return argue(
+        [
+            _LETTERS.refutation(
+                "p = 3, k = 1, n = 2", formula, but_not=r"\widetilde{a + b} = \tilde{a} + \tilde{b}"
+            )
+        ],
+        refutes=True,
+        counterexample=_LETTERS.counterexample(formula),
+        reason="the coefficient n!/(k₁! … ) is n!/k! times too large, and n does not occur on the left",
+    )
+
+
+def closed_form_133() -> Verdict:
+    """(133) with the coefficients C(n, k) k!/(k₁! …): for every n and m."""
+    return argue(
+        [
+            *_adding_twists(),
+            *_lemma(),
+            *(s for s in _multinomial() if s.shown != _PASCAL),
+            _expanded_twists(),
+        ],
+        scope="all m, n",
+    )
+
+
+def closed_form_133_as_printed() -> Verdict:
+    """(133) with C(n, k) n!/(k₁! …): for m = n = 2 it has 4 ω̲̃₁ ω̲₂^[1] for 2 ω̲̃₁ ω̲₂^[1]."""
+    formula = (
+        r"\frac{d^2}{dt^2} (a + b) = \ddot{a} + (\mathbf{D} - \tilde{a})^2 b"
+        r" + %d \tilde{a} (\dot{b} - a \times b) + (\dot{\tilde{a}} + \tilde{a}^2) b"
+    )
+    return argue(
+        [
+            _LETTERS.refutation("m = n = 2", formula % 4, but_not=formula % 2),
+        ],
+        refutes=True,
+        counterexample=_LETTERS.counterexample(formula % 4),
+        reason="true for n ≤ 1 only; for n ≥ 2 every term with 0 < k < n has the factor n!/k! too much",
+    )
+
+
+def _adding_twists() -> list[Step]:
+    step = _LETTERS.step
+    return [
+        step(
+            "Ṙ̲ R̲ᵀ of R̲ₖ₊₁ = R̲ₖ ᵏR̲ₖ₊₁ is that of R̲ₖ, and that of ᵏR̲ₖ₊₁ turned by R̲ₖ",
+            r"\frac{d}{dt}(X Q) = (\dot{X} + X W) Q",
+            r"Q Q^T = \mathbf{I}",
+            "(X Q)^T = Q^T X^T",
+            but_not=r"\frac{d}{dt}(X Q) = (\dot{X} + W X) Q",
+        ),
+        step(
+            "Ṙ̲ R̲ᵀ is skew, and turning a skew tensor turns its vector",
+            r"W^T = -W",
+            r"Q \tilde{a} Q^T = \widetilde{Q a}",
+            r"\text{vect}(\tilde{a} + \tilde{b}) = a + b",
+            but_not=r"Q \tilde{a} Q^T = \tilde{a}",
+        ),
+    ]
+
+
+def _lemma() -> list[Step]:
+    step = _LETTERS.step
+    return [
+        step(
+            "n = 0, …, 4, for a frame with any twist x",
+            r"\mathbf{p}_n(x) a = a^{(n)}",
+            but_not=r"\mathbf{p}_n(x) a = a^{(n)} + n a",
+            orders={"n": range(5)},
+        ),
+        step(
+            "from n to n + 1: d/dt (Φ̲ₙ₋ₖ R̲ Ω̲⁽ᵏ⁾) = Φ̲ₙ₋ₖ₊₁ R̲ Ω̲⁽ᵏ⁾ + Φ̲ₙ₋ₖ R̲ Ω̲⁽ᵏ⁺¹⁾",
+            r"\frac{d}{dt}(X Q a)"
+            r" = (\dot{X} + X W) Q a + X Q \dot{a}",
+            but_not=r"\frac{d}{dt}(X Q a)"
+            r" = \dot{X} Q a + X Q \dot{a}",
+        ),
+        _pascal(),
+        step(
+            "R̲ Ω̲⁽ᵏ⁾ = (D − ω̲̃)ᵏ R̲ Ω̲",
+            r"\frac{d}{dt}(Q a) - W Q a = Q \dot{a}",
+            but_not=r"\frac{d}{dt}(Q a) = Q \dot{a}",
+        ),
+    ]
+
+
+def _recurrence() -> list[Step]:
+    return [
+        _LETTERS.step(
+            "Φ̲₀ R̲ = R̲, and if Φ̲ₚ R̲ = R̲⁽ᵖ⁾, then Φ̲ₚ₊₁ R̲ = R̲⁽ᵖ⁺¹⁾",
+            r"\Phi_0(x) Q = Q",
+            r"(\dot{X} + X W) Q = \frac{d}{dt}(X Q)",
+            but_not=r"(\dot{X} + W X) Q"
+            r" = \frac{d}{dt}(X Q)",
+        )
+    ]
+
+
+def _multinomial() -> list[Step]:
+    step = _LETTERS.step
+    return [
+        step(
+            "(R̲ₚ ᵖR̲ₚ₊₁)⁽ᵏ⁾ = Σ C(k, j) R̲ₚ⁽ʲ⁾ ᵖR̲ₚ₊₁⁽ᵏ⁻ʲ⁾: from k to k + 1 term by term",
+            r"\frac{d}{dt}(X Y) = \dot{X} Y + X \dot{Y}",
+            but_not=r"\frac{d}{dt}(X Y) = Y \dot{X} + X \dot{Y}",
+        ),
+        _pascal(),
+        step(
+            "R̲ₚ⁽ʲ⁾ ᵖR̲ₚ₊₁⁽ˡ⁾ (R̲ₚ ᵖR̲ₚ₊₁)ᵀ is Φ̲ⱼ = R̲ₚ⁽ʲ⁾ R̲ₚᵀ times Φ̲ₗ of ᵖR̲ₚ₊₁ turned by R̲ₚ",
+            r"Q^T Q = \mathbf{I}",
+            "(Q Z)^T = Z^T Q^T",
+            but_not="(Q Z)^T = Q^T Z^T",
+        ),
+        step(
+            "Φ̲ₗ turned by R̲ₚ follows (130) with R̲ₚ Ω̲ₚ₊₁, and with Ẋ − ω̲̃ X + X ω̲̃ (ω̲ that of R̲ₚ) for Ẋ",
+            r"\frac{d}{dt}(Q X) - W Q X = Q \dot{X}",
+            r"\frac{d}{dt}(X Q^T) + X Q^T W = \dot{X} Q^T",
+            r"X \tilde{a} Q^T = X Q^T \widetilde{Q a}",
+            but_not=r"\frac{d}{dt}(X Q^T) = \dot{X} Q^T",
+        ),
+        step(
+            "binomials make multinomials: k!/(j! l!) · j!/(k₁! k₂!) = k!/(k₁! k₂! l!)",
+            r"\frac{f}{g h} \frac{g}{q r} = \frac{f}{q r h}",
+            but_not=r"\frac{f}{g h} \frac{f}{q r} = \frac{f}{q r h}",
+        ),
+    ]
+
+
+def _pascal() -> Step:
+    """With f = n!, g = (k−1)!, h = (n−k)!, q = k, r = n − k + 1, and so q + r = n + 1."""
+    return _LETTERS.step(
+        _PASCAL,
+        r"\frac{f}{g r h} + \frac{f}{q g h} = \frac{(q + r) f}{q g r h}",
+        but_not=r"\frac{f}{g r h} + \frac{f}{q g h} = \frac{f}{q g r h}",
+    )
+
+
+def _expanded_Phi() -> Step:
+    """(132) beside (130) applied k times; the coefficients on poses are those that (133) has from it."""
+    return Step(
+        f"(132) expanded: up to {MOST_BODIES - 1} twists and order {HIGHEST_ORDER}",
+        Way(Engine.WORDS, partial(_same_Phi, multinomial), partial(_same_Phi, printed_multinomial)),
+        _on_poses(range(HIGHEST_ORDER + 1)),
+        by_example=True,
+    )
+
+
+def _expanded_twists() -> Step:
+    """(133) beside the twist differentiated n times, of every chain up to these sizes."""
+    orders = range(HIGHEST_ORDER + 1)
+    return Step(
+        f"(133) expanded: up to {MOST_BODIES} bodies and order {HIGHEST_ORDER}",
+        Way(Engine.WORDS, partial(_same_twists, multinomial), partial(_same_twists, printed_multinomial)),
+        _on_poses(orders),
+        Way(
+            Engine.DRAKE,
+            vanishing_to(DRAKE_TOLERANCE, partial(drake_residuals, range(5), multinomial)),
+            vanishing_to(DRAKE_TOLERANCE, partial(drake_residuals, range(5), printed_multinomial)),
+        ),
+        by_example=True,
+    )
+
+
+def _on_chains() -> Step:
+    """Way by way the twists of whole chains; the controls do not turn Ω̲ₖ to C₀."""
+    return Step(
+        "₀ω̲ₘ = Σ R̲ₖ₋₁ Ω̲ₖ on poses of five bodies and on Drake's chain",
+        Way(
+            Engine.FRACTIONS,
+            vanishing(partial(rational_residuals, MOST_BODIES, (0,), multinomial)),
+            vanishing(partial(rational_residuals, MOST_BODIES, (0,), multinomial, turned=False)),
+        ),
+        Way(
+            Engine.DRAKE,
+            vanishing_to(DRAKE_TOLERANCE, partial(drake_residuals, (0,), multinomial)),
+            vanishing_to(DRAKE_TOLERANCE, partial(drake_residuals, (0,), multinomial, turned=False)),
+        ),
+        by_example=True,
+    )
+
+
+def _on_poses(orders: Iterable[int]) -> Way:
+    def residuals(coefficient: Coefficient) -> Iterator[Any]:
+        for bodies in range(1, MOST_BODIES + 1):
+            yield from rational_residuals(bodies, orders, coefficient)
+
+    return Way(
+        Engine.FRACTIONS,
+        vanishing(partial(residuals, multinomial)),
+        vanishing(partial(residuals, printed_multinomial)),
+    )
+
+
+def _same_twists(coefficient: Coefficient) -> Iterator[bool]:
+    for body in range(1, MOST_BODIES + 1):
+        for n, derivative in enumerate(derivatives_of_twist(body, HIGHEST_ORDER)):
+            yield derivative == closed_form(body, n, coefficient)
+
+
+def _same_Phi(coefficient: Coefficient) -> Iterator[bool]:
+    """(132) for the n that (133) goes on to put it in: any n from k on, here k + 1."""
+    for bodies in range(1, MOST_BODIES):
+        for k in range(HIGHEST_ORDER + 1):
+            yield total_Phi(bodies, k) == products_of_Phi(bodies, k, coefficient, k + 1)
+
+
+#: Name in the claim files → proof.
+THEOREMS = {
+    proof.__name__: proof
+    for proof in (
+        motion_of_last_body,
+        twists_add,
+        one_letter_for_two_twists,
+        lemma,
+        tensors_by_recurrence,
+        theorem_11,
+        left_side_of_131,
+        multinomial_identity,
+        multinomial_identity_as_printed,
+        closed_form_133,
+        closed_form_133_as_printed,
+    )
+}

@@ -49,6 +49,7 @@ class Elaborator:
         self.table = table
         self.variables = variables
         self.depth = 0
+        self.tensor_operand: int | None = None  # where an operator was last applied to a bare tensor
 
     def build(self, at: int, make: Callable[..., Result], *arguments) -> Result:
         """make(*arguments), with the place `at` put on what does not fit."""
@@ -189,7 +190,10 @@ class Elaborator:
             return terms[0]
         if len(terms) == 3 and node.kind in ("(", "\\langle"):
             return self.apply(node.at, "triple", *terms)
-        raise Fault(f"{len(terms)} expressions between brackets; a triple product has three", node.at)
+        if len(terms) == 2 and node.kind == "(":
+            return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): beside each other
+        message = "a triple product has three, a pair in round brackets two"
+        raise Fault(f"{len(terms)} expressions between brackets; {message}", node.at)
 
     def fraction(self, node: Fraction) -> Term:
         numerator, denominator = self.term(node.numerator), self.term(node.denominator)

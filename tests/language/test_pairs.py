@@ -1,0 +1,40 @@
+"""A pair in round brackets is a row of two blocks, as in Ψₙ = (aₙ, Φₙ)."""
+
+import pytest
+
+from workbench.language.errors import IllFormedAt
+from workbench.language.reader import read, read_term
+from workbench.language.symbols import SymbolTable
+from workbench.language.terms import Block
+
+TABLE = SymbolTable.build(
+    {
+        "a": {"kind": "vector", "weight": 1},
+        "b": {"kind": "vector", "weight": 2},
+        "A": {"kind": "tensor", "weight": 1},
+        r"\mathbf{D}_x": {"kind": "operator"},
+    }
+)
+
+
+def test_a_pair_is_the_matrix_of_one_row():
+    pair = read_term("(a, A)", TABLE)
+    assert isinstance(pair, Block)
+    assert pair == read_term(r"\begin{bmatrix} a & A \end{bmatrix}", TABLE)
+    assert (pair.type.rows, pair.type.columns) == ((3,), (1, 3))
+    assert pair.weight == read_term("a", TABLE).weight
+
+
+def test_entries_of_unequal_weight_leave_the_pair_without_one():
+    assert read_term("(a, b)", TABLE).weight is None
+
+
+def test_a_tensor_acts_on_each_entry():
+    (product,) = read(r"A (a, A) = (A a, A A)", TABLE)
+    assert product.left.type == product.right.type
+
+
+@pytest.mark.parametrize("pair", ["(a, 2)", r"(a, \mathbf{D}_x)"])
+def test_entries_must_fit_in_one_row(pair):
+    with pytest.raises(IllFormedAt):
+        read_term(pair, TABLE)

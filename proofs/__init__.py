@@ -9,7 +9,9 @@ from proofs.theorems import (
     kinds_of_displacement,
     least_accelerations,
     polynomials,
+    reduced,
     screws,
+    triangular,
     twist,
 )
 from proofs.theorems.adjugate import adjugate_is_unique
@@ -30,6 +32,8 @@ chapter = InstalledPaper(
         _CHAPTER / "05_4_isomorphism.toml",
         _CHAPTER / "06_1_dual_twist.toml",
         _CHAPTER / "06_2_reduced_accelerations.toml",
+        _CHAPTER / "06_3_orders_by_107.toml",
+        _CHAPTER / "06_4_orders_by_13.toml",
     ),
     theorems={
         **fields.THEOREMS,
@@ -41,5 +45,7 @@ chapter = InstalledPaper(
         **kinds_of_displacement.THEOREMS,
         **twist.THEOREMS,
         **least_accelerations.THEOREMS,
+        **reduced.THEOREMS,
+        **triangular.THEOREMS,
     },
 )

@@ -89,7 +89,7 @@ ENTRIES = {key: body for key, body in TENSORS.items() if key != r"\beta"}
         (r"\Phi_{n+1}", r"\dot{\Phi}_{n} + \Phi_{n} \Phi_{1}"),
         (r"\Phi_{n+2}", r"\dot{\Phi}_{n+1} + \Phi_{n+1} \Phi_{1}"),
         (r"\mathbf{S}_1", r"\mathbf{0}_{3 \times 3}"),
-        (r"\mathbf{P}_2", r"\mathbf{D} \mathbf{P}_{1} + \mathbf{P}_{1} \tilde{\omega}"),
+        (r"\mathbf{P}_2", r"\mathbf{D} \mathbf{P}_{1} + \mathbf{P}_{1} \left[\tilde{\omega}\right]"),
         (r"\Psi_2", r"\ddot{\mathbf{R}} \mathbf{R}^{T}"),
         (r"\Psi_{n+3}", r"\mathbf{R}^{(n+3)} \mathbf{R}^{T}"),
         (r"\Theta_1(\mathbf{v})", r"\tilde{\mathbf{v}}"),
@@ -193,7 +193,7 @@ def test_bad_definitions(entries: dict[str, str], error: type[Exception], part: 
 
 
 def test_a_family_that_may_be_of_two_kinds_must_be_declared() -> None:
-    entries = {r"Q_1": r"\mathbf{I}", r"Q_{n+1}": r"\mathbf{D} Q_n + Q_n \tilde{\omega}"}
+    entries = {r"Q_1": r"\mathbf{I}", r"Q_{n+1}": r"\mathbf{D} Q_n + Q_n(\tilde{\omega})"}
     with pytest.raises(SpecError, match="may be tensor or operator; declare it"):
         read_definitions(entries, TABLE)
 

@@ -276,7 +276,10 @@ def _apply(term: Apply) -> _Text:
     if head in _SUPERSCRIPTS:
         return _raised(_print(arguments[0]), _SUPERSCRIPTS[head])
     if head in _INFIXES:
-        return _infix(_INFIXES[head], *map(_print, arguments))
+        left, right = map(_print, arguments)
+        if left.end == "function" and (arguments[1].type.dual or _ends_in_curl(arguments[0])):
+            left = _Text(_bracket(left.text), _ATOM)
+        return _infix(_INFIXES[head], left, right)
     match head:
         case "add":
             return _add(arguments)
@@ -341,11 +344,18 @@ def _mul(left: Term, right: Term) -> _Text:
     if is_open or (isinstance(left, Number) and isinstance(right, Integer)):
         first = _Text(_bracket(first.text), _ATOM)
     may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= _INFIX
-    if isinstance(right, Number) or not (second.level >= _FACTOR or may_end):
+    acts = left.type.kind == "operator" and right.type.kind not in ("operator", "scalar")
+    if acts or second.text[0].isdigit() or not (second.level >= _FACTOR or may_end):
         second = _Text(_bracket(second.text), _ATOM)
     if first.end == "symbol":
         second = _Text(_square(second.text), second.level, second.end)
     return _Text(f"{first.text} {second.text}", _PRODUCT, second.end)
+
+
+def _ends_in_curl(term: Term) -> bool:
+    while _is_mul(term):
+        term = term.arguments[1]
+    return isinstance(term, Apply) and term.head == "curl"
 
 
 def _is_mul(term: Term) -> bool:

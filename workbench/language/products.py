@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from workbench.language.elaborate import Elaborator
 
 _OF_TENSORS = {"det", "trace", "symmetric", "skew", "vect", "adjugate"}
+_DIFFERENTIATE = {"d/dt", "the operator", "divergence", "curl"}
 _NAMES = {"symmetric": "sym", "re": "Re", "du": "Du", "adjugate": "adj", "divergence": "div"}
 
 
@@ -50,11 +51,23 @@ def product(reader: Elaborator, items: Sequence[Node]) -> Term:
             rows[-1].append(item)
     if not rows[-1]:
         raise Fault(f"nothing after {signs[-1].operator}", signs[-1].at)
-    operands = [_Row(reader, row).term() for row in rows]
+    read = [_Row(reader, row) for row in rows]
+    operands = [row.term() for row in read]
+    for row, sign, operand in zip(read, signs, operands[1:], strict=False):
+        _refuse_reach(row, sign, operand)
     while signs and _is_vect_of_product(rows[0], operands, signs[0]):
         inside = reader.apply(signs[0].at, "mul", *operands[0].children, operands.pop(1))
         operands[0] = reader.apply(signs.pop(0).at, "vect", inside)
     return _infix(reader, operands, signs)
+
+
+def _refuse_reach(row: _Row, sign: Infix, operand: Term) -> None:
+    """d/dt a × b, curl a × b, det A · B: whatever takes a may also take a × b, unless a is bracketed."""
+    head = row.open_head
+    takes_tensors = head in _OF_TENSORS - {"vect"} and sign.operator == "·" and operand.type.kind == "tensor"
+    takes_parts = head in ("re", "du") and operand.type.dual
+    if takes_tensors or takes_parts or head in _DIFFERENTIATE:
+        raise Fault(f"how far does {_NAMES.get(head, head)} reach? bracket its argument", row.items[0].at)
 
 
 def _is_vect_of_product(row: Sequence[Node], operands: Sequence[Term], sign: Infix) -> bool:
@@ -95,6 +108,7 @@ class _Row:
         self.reader = reader
         self.items = items
         self.known: dict[int, _Factor] = {}
+        self.open_head = ""  # what ends the row with an argument that is not bracketed
 
     def term(self) -> Term:
         factors, place = [], 0
@@ -108,11 +122,25 @@ class _Row:
         result = factors[0].term
         for place, factor in enumerate(factors[1:], start=1):
             term = factor.term
+            if _is_numeral(factors[place - 1].node) and _is_numeral(factor.node):
+                raise Fault("two numbers side by side are printed as one; write \\cdot", factor.at)
+            if result.type.kind == "operator" and term.type.kind not in ("operator", "scalar"):
+                self.operand(factor, factors[place + 1 :])
             if place == 1 and _is_integer(factors[0]) and isinstance(term, Integer) and _is_bare(factor.node):
                 result = construct.integer(term.value * int(result.value))
             else:
                 result = self.reader.apply(factor.at, "mul", result, term)
         return result
+
+    def operand(self, factor: _Factor, more: Sequence[_Factor]) -> None:
+        """An operator acts on the factor; refused where it may act on more than that."""
+        if isinstance(factor.node, Bracket):
+            return
+        if any(other.term.type.kind != "scalar" for other in more):
+            raise Misfit(IllFormed("how far does the operator reach? bracket what it acts on"), factor.at)
+        self.open_head = "the operator"
+        if factor.term.type.kind == "tensor":
+            self.reader.tensor_operand = factor.at
 
     def factor(self, place: int) -> _Factor:
         """The factor that begins at an item: read once, however often it is looked at."""
@@ -219,6 +247,7 @@ class _Row:
         first = self.factor(place)
         run, end = [first], first.end
         name = _NAMES.get(head, head)
+        self.open_head = head
         if head in _OF_TENSORS:
             while end < len(self.items) and first.term.type.kind == "tensor":
                 following = self.factor(end)
@@ -275,6 +304,8 @@ class _Row:
         if isinstance(following, Scripted) and isinstance(following.nucleus, Bracket):
             raise Fault("a power of the derivative or of its argument? bracket it", following.at)
         factor = self.factor(place + 1)
+        if not isinstance(following, Bracket):
+            self.open_head = "d/dt"
         if factor.end < len(self.items) and not isinstance(following, Bracket):
             raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
         term = reader.build(item.at, construct.derivative, factor.term, orders[0])
@@ -289,6 +320,11 @@ def _is_function(node: Node) -> bool:
 def _is_integer(factor: _Factor) -> bool:
     literal = isinstance(factor.node, Leaf) and isinstance(factor.term, Number)
     return literal and factor.term.value.denominator == 1
+
+
+def _is_numeral(node: Node) -> bool:
+    leaf = node.nucleus if isinstance(node, Scripted) else node
+    return isinstance(leaf, Leaf) and leaf.kind == "NUMBER"
 
 
 def _is_bare(node: Node) -> bool:

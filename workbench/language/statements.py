@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from workbench.language import construct
 from workbench.language.elaborate import DEEPEST_TERM, Elaborator
-from workbench.language.errors import Fault
+from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
 from workbench.language.names import Scripts, base_name, linear, literal, spell, variable_name
 from workbench.language.symbols import SymbolTable
@@ -23,7 +23,7 @@ from workbench.language.syntax import (
     Styled,
     Sum,
 )
-from workbench.language.terms import Conjunction, Equivalence, Implication, Statement, Term
+from workbench.language.terms import Conjunction, Equivalence, IllFormed, Implication, Statement, Term
 
 _NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}
 
@@ -78,7 +78,9 @@ def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
         raise Fault("expected an expression, got nothing", lines.at)
     if len(clauses) > 1:
         raise Fault("expected one expression, got several", clauses[1].at)
-    term = Elaborator(table, integers).term(clauses[0])
+    reader = Elaborator(table, integers)
+    term = reader.term(clauses[0])
+    _refuse_applied(reader, [term])
     _refuse_depth(term, clauses[0].at)
     return term
 
@@ -232,7 +234,9 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
     for sign, at in chain.relations:
         if sign not in "=≠":
             raise Fault(f"{sign} states a range only; statements are made with = and \\neq", at)
+    reader.tensor_operand = None
     terms = [reader.term(side) for side in chain.sides]
+    _refuse_applied(reader, terms)
     for term, side in zip(terms, chain.sides, strict=True):
         _refuse_depth(term, side.at)
     links = tuple(
@@ -240,6 +244,13 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
         for (sign, at), left, right in zip(chain.relations, terms, terms[1:], strict=False)
     )
     return links[0] if len(links) == 1 else Conjunction(links)
+
+
+def _refuse_applied(reader: Elaborator, terms: Sequence[Term]) -> None:
+    """\\mathbf{D} T is the derivative of T; among operators a reader would take it for a product of two."""
+    if reader.tensor_operand is not None and any(term.type.kind == "operator" for term in terms):
+        fault = IllFormed("an operator applied to a tensor, or their product?", "brackets, or \\circ")
+        raise Misfit(fault, reader.tensor_operand)
 
 
 def _refuse_depth(term: Term, at: int) -> None:

@@ -3,11 +3,14 @@
 from pathlib import Path
 
 from proofs.theorems import (
+    aronhold_kennedy,
+    chains,
     dual,
     dual_rotations,
     fields,
     kinds_of_displacement,
     least_accelerations,
+    manipulators,
     polynomials,
     reduced,
     screws,
@@ -34,6 +37,7 @@ chapter = InstalledPaper(
         _CHAPTER / "06_2_reduced_accelerations.toml",
         _CHAPTER / "06_3_orders_by_107.toml",
         _CHAPTER / "06_4_orders_by_13.toml",
+        _CHAPTER / "07_1_chains_and_lemma.toml",
     ),
     theorems={
         **fields.THEOREMS,
@@ -47,5 +51,8 @@ chapter = InstalledPaper(
         **least_accelerations.THEOREMS,
         **reduced.THEOREMS,
         **triangular.THEOREMS,
+        **chains.THEOREMS,
+        **aronhold_kennedy.THEOREMS,
+        **manipulators.THEOREMS,
     },
 )

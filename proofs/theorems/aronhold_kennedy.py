@@ -162,6 +162,20 @@ def remark_7_translations() -> Verdict:
     )
 
 
+#: Name in the claim files → proof.
+THEOREMS = {
+    proof.__name__: proof
+    for proof in (
+        remark_7,
+        remark_7_parallel,
+        remark_7_coincident,
+        remark_7_relative_translation,
+        remark_7_one_translation,
+        remark_7_translations,
+    )
+}
+
+
 def _identity(shown: str, in_flint: Residuals, in_sympy: Residuals) -> Step:
     return Step(
         shown,

@@ -56,6 +56,16 @@ def closed_form_3c() -> Verdict:
     return _closed_form(3, twist_derivatives_3c, latex_3c)
 
 
+#: Name in the claim files → proof.
+THEOREMS = {
+    proof.__name__: proof
+    for proof in (
+        closed_form_2c,
+        closed_form_3c,
+    )
+}
+
+
 def _closed_form(
     joints: int, formulas: TwistDerivatives, latex: Callable[[bool], tuple[str, ...]]
 ) -> Verdict:

@@ -141,7 +141,8 @@ def _every_order() -> list[Step]:
     return [
         *_twist_derivatives(),
         _LETTERS.step(
-            "the sums of (106) without its last term and of (108) are one, since C(n, m) = n!/(m! (n−m)!) = C(n, n−m)",
+            "the sums of (106) without its last term and of (108) are one, by C(n, m) = n!/(m! (n−m)!) ="
+            " C(n, n−m)",
             r"\sum_{k=0}^{n-1} C_n^{k+1} \omega^{(n-1-k)} \times \rho^{(k+1)}"
             r" = \sum_{k=0}^{n-1} C_n^k \omega^{(k)} \times \rho^{(n-k)}",
             but_not=r"\sum_{k=0}^{n-1} C_n^k \omega^{(n-1-k)} \times \rho^{(k+1)}"

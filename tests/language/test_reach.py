@@ -37,7 +37,7 @@ AMBIGUOUS = [
 
 @pytest.mark.parametrize(("latex", "one", "other"), AMBIGUOUS)
 def test_what_can_be_taken_in_two_ways_is_refused(latex, one, other):
-    with pytest.raises((ReadError, IllFormedAt), match="how far|or their product"):
+    with pytest.raises((ReadError, IllFormedAt), match=r"how far|or their product"):
         read(f"{latex} = 0", TABLE)
     first, second = (read(f"{way} = 0", TABLE) for way in (one, other))
     assert first != second

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import chain
 
 from workbench.language.construct import apply, derivative, identity, power
 from workbench.language.integers import Linear
@@ -18,16 +19,19 @@ MOST_PRODUCTS = 4000
 _PAIRS = ("mul", "dot", "cross", "outer")
 
 
-def missing_addends(statement: Statement, kind: str, weight: Weight) -> list[Term]:
+def missing_addends(
+    statement: Statement, kind: str, weight: Weight, others: Sequence[Term] = ()
+) -> list[Term]:
     """Products of up to MOST_FACTORS symbols, derivatives, tildes, of one kind and weight; short ones first.
-    Without weights only products of two factors are tried."""
+    Without weights only products of two factors are tried. others: terms that may be factors of two."""
     most = MOST_FACTORS if weight is not None else 2
     levels: list[list[Term]] = [list(dict.fromkeys(_basis(statement)))]
     found = {t for t in levels[0] if (t.type.kind, t.weight) == (kind, weight)}
     ordered = [t for t in levels[0] if t in found]
     for factors in range(2, most + 1):
         level: dict[Term, None] = {}
-        for product in _products(levels, factors):
+        products = _products(levels, factors)
+        for product in chain(_with_others(levels[0], others), products) if factors == 2 else products:
             if not _may_grow_to(product, weight):
                 continue
             level[product] = None
@@ -40,6 +44,14 @@ def missing_addends(statement: Statement, kind: str, weight: Weight) -> list[Ter
     return ordered
 
 
+def _with_others(basis: Sequence[Term], others: Sequence[Term]) -> Iterator[Term]:
+    yield from others
+    for other in others:
+        for term in basis:
+            yield from _pairs(other, term)
+            yield from _pairs(term, other)
+
+
 def _basis(statement: Statement) -> Iterator[Term]:
     """The symbols with up to one derivative more than occurs, vectors as tensors too."""
     highest: dict[Symbol, int] = {}
@@ -48,7 +60,8 @@ def _basis(statement: Statement) -> Iterator[Term]:
         if order.is_number:
             highest[body] = max(highest.get(body, 0), int(order))
     for body, order in highest.items():
-        moving = 0 if body.declaration.constant else order + 1
+        is_still = body.declaration.constant or body.type.kind == "operator"
+        moving = 0 if is_still else order + 1
         for k in range(moving + 1):
             x = derivative(body, k) if k else body
             yield x

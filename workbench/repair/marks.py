@@ -144,6 +144,21 @@ def product_marks(node: Node) -> Iterator[Mark]:
         if isinstance(part, Product):
             yield from _signs(part)
             yield from _tildes(part)
+        elif isinstance(part, Accented) and part.accent == "~" and _core(part) is None:
+            yield from _wide_tilde(part)
+
+
+def _wide_tilde(over: Accented) -> Iterator[Mark]:
+    """A tilde over more than a letter, away or over one of the factors."""
+    body = over.body.parts[0] if isinstance(over.body, Group) and len(over.body.parts) == 1 else over.body
+    shown = f"$\\widetilde{{{latex_of(body)}}}$"
+    yield Mark(over, body, 1, "tilde", f"the tilde of {shown} does not belong there")
+    for place, item in enumerate(body.items if isinstance(body, Product) else ()):
+        if not isinstance(item, Infix):
+            under = Accented(item.at, "~", item)
+            moved = Product(body.at, (*body.items[:place], under, *body.items[place + 1 :]))
+            said = f"the tilde of {shown} belongs over ${latex_of(item)}$ alone"
+            yield Mark(over, Group(over.at, (moved,)), 1, "tilde", said)
 
 
 def _signs(product: Product) -> Iterator[Mark]:

@@ -107,6 +107,8 @@ def latex_of(node: Node) -> str:
             return latex_of(letter)
         case Group(parts=parts):
             return _braced(", ".join(map(latex_of, parts)))
+        case Bracket(kind="[", parts=(Matrix() as matrix,)):
+            return latex_of(matrix)
         case Bracket(kind=kind, parts=parts):
             return f"\\left{kind} {', '.join(map(latex_of, parts))} \\right{_CLOSING[kind]}"
         case Styled(style=style, body=body):
@@ -135,7 +137,7 @@ def latex_of(node: Node) -> str:
             return f"\\sum{bounds}"
         case Matrix(rows=rows):
             inside = " \\\\ ".join(" & ".join(map(latex_of, row)) for row in rows)
-            return f"\\begin{{matrix}} {inside} \\end{{matrix}}"
+            return f"\\begin{{bmatrix}} {inside} \\end{{bmatrix}}"
         case Chain():
             return _chain(node)
         case Conditional(statements=statements, signs=signs):

@@ -149,14 +149,12 @@ class _Equation:
     def taken_apart(self) -> Iterator[_Parts]:
         """The alternatives of all addends, for each way to read the denominators."""
         for context in self._contexts():
-            wanted = self._wanted([self._slots(side, context, None) for side in self.chain.sides])
-            if wanted is None:
-                continue
-            slots = []
-            for sign, side in zip((1, -1), self.chain.sides, strict=True):
-                slots += [(sign, alternatives) for alternatives in self._slots(side, context, wanted)]
-            if all(alternatives for _, alternatives in slots):
-                yield _Parts(context, slots)
+            for wanted in self._wanted([self._slots(side, context, None) for side in self.chain.sides]):
+                slots = []
+                for sign, side in zip((1, -1), self.chain.sides, strict=True):
+                    slots += [(sign, alternatives) for alternatives in self._slots(side, context, wanted)]
+                if all(alternatives for _, alternatives in slots):
+                    yield _Parts(context, slots)
 
     def _contexts(self) -> Iterator[Marks]:
         """What makes the denominators readable."""
@@ -187,14 +185,16 @@ class _Equation:
             return [[_Alternative((), whole, self._value(whole, wanted))]]
         return [self._alternatives(side, leaf, context, wanted) for leaf in addends_of(side)]
 
-    def _wanted(self, found: Sequence[list[list[_Alternative]]]) -> Term | None:
-        """A whole side if one can be read, with a weight; else the type and weight that most addends have."""
-        for slots in found:
-            if len(slots) == 1 and slots[0] and slots[0][0].term.weight is not None:
-                return slots[0][0].term
+    def _wanted(self, found: Sequence[list[list[_Alternative]]]) -> list[Term]:
+        """Terms of the types and weights that both sides may have: those of a whole side that can be read, or
+        those that most addends have."""
+        whole = [slots[0][0].term for slots in found if len(slots) == 1 and slots[0]]
+        whole = [t for t in whole if t.weight is not None]
+        if whole:
+            return whole[:1] if len(whole) == 2 and _fits(*whole) else whole
         terms = [a.term for slots in found for alternatives in slots for a in alternatives]
         terms = [t for t in terms if t.weight is not None] or terms
-        return max(terms, key=lambda t: sum(_fits(t, other) for other in terms), default=None)
+        return [max(terms, key=lambda t: sum(_fits(t, other) for other in terms))] if terms else []
 
     def _alternatives(
         self, side: Node, leaf: Node, context: Marks, wanted: Term | None

@@ -12,10 +12,16 @@ from workbench.judge.assumptions import Unsatisfiable
 from workbench.judge.inventory import NotExact
 from workbench.judge.judge import Judge
 from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.construct import symbol
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.integers import Linear
 from workbench.language.printer import to_latex
-from workbench.language.terms import IllFormed, Statement
+from workbench.language.symbols import SymbolTable
+from workbench.language.terms import IllFormed, Statement, Symbol, Term
+from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
 from workbench.repair.edits import edits
+from workbench.repair.places import places
 from workbench.repair.readings import Readings
 from workbench.repair.screen import Screen
 from workbench.repair.search import Candidate, Change, Neighbourhood, cost
@@ -30,7 +36,7 @@ class Limits:
 
     seconds: float = 60.0
     candidates: int = 60_000
-    proposals: int = 3
+    proposals: int = 4
     judged: int = 150
     readings: int = 12
 
@@ -41,10 +47,9 @@ STANDARD = Limits()
 
 @dataclass(frozen=True)
 class Proposal:
-    """A proved form, as LaTeX, and what is different in it."""
+    """A proved form, as LaTeX that reads as what was proved, and what is different in it."""
 
     latex: str
-    statement: Statement
     changes: tuple[Change, ...]
     verdict: Verdict
 
@@ -61,7 +66,7 @@ class Proposal:
 class Repair:
     """What was found. `candidates`: how many were looked at; `complete`: the search came to its end."""
 
-    claim: Claim
+    claim: Claim | None
     proposals: list[Proposal] = field(default_factory=list)
     candidates: int = 0
     seconds: float = 0.0
@@ -123,6 +128,7 @@ class _Bench:
         assignments = list(claim.orders.assignments()) if claim.orders else [{}]
         self.instances = assignments
         self.seen: set[Statement] = set()
+        self.table = claim.notation.symbols
 
     def run(self) -> None:
         if self.claim.theorem is not None:
@@ -161,7 +167,9 @@ class _Bench:
         stages = []
         for candidate in read:
             screen = self._screen()
-            neighbourhood = Neighbourhood(candidate.statement, screen, second, tick=self._tick)
+            neighbourhood = Neighbourhood(
+                candidate.statement, screen, second, symbols_like(candidate.statement, self.table), self._tick
+            )
             stages.append((candidate, neighbourhood.stages()))
         while stages:
             for entry in list(stages):
@@ -199,8 +207,8 @@ class _Bench:
                 break
             verdict = self._verdict(candidate.statement)
             if verdict is not None and verdict.outcome in _PROVED:
-                latex = candidate.latex or to_latex(candidate.statement)
-                proposals.append(Proposal(latex, candidate.statement, candidate.changes, verdict))
+                latex = self._latex(candidate)
+                proposals.append(Proposal(latex, candidate.changes, verdict))
                 if len(proposals) >= self.limits.proposals:
                     break
         return bool(proposals)
@@ -218,6 +226,15 @@ class _Bench:
         if self.found.candidates > self.limits.candidates or monotonic() > self.end:
             raise _LimitReached
 
+    def _latex(self, candidate: Candidate) -> str:
+        """As it would have been printed, if that reads as the candidate; else the canonical LaTeX."""
+        if candidate.latex is not None:
+            with suppress(ReadError, IllFormedAt):
+                read, _ = read_statement(candidate.latex, self.claim.notation, self.claim.orders)
+                if read == candidate.statement:
+                    return candidate.latex
+        return to_latex(candidate.statement)
+
     def _verdict(self, statement: Statement) -> Verdict | None:
         try:
             return self.judge.judge(statement, assume=self.assume, orders=self.claim.orders)
@@ -231,3 +248,23 @@ def _unscreened(printed: Candidate) -> Iterator[Candidate]:
         if edit.statement is not None:
             change = Change(edit.kind, edit.description)
             yield Candidate(edit.statement, (*printed.changes, change))
+
+
+def symbols_like(statement: Statement, table: SymbolTable) -> list[Term]:
+    """The symbols of a paper that may have stood in a statement: those without index, and of each family the
+    members whose indices occur in the statement."""
+    indices = dict.fromkeys(
+        term.index for _, term in places(statement) if isinstance(term, Symbol) and term.index
+    )
+    found: dict[Term, None] = {}
+    for declaration in table.symbols.values():
+        if declaration.parameters or declaration.type.kind in ("block", "operator"):
+            continue
+        for index in indices if declaration.indices else [()]:
+            if len(index) == declaration.indices and _is_known(declaration.name, index, table):
+                found[symbol(declaration, index)] = None
+    return list(found)
+
+
+def _is_known(name: str, index: tuple[Linear, ...], table: SymbolTable) -> bool:
+    return name not in table.introduced or table.defines(name, index)

@@ -6,9 +6,13 @@ import multiprocessing
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 from workbench.judge.verdict import Outcome
+from workbench.papers import load_paper
 from workbench.papers.model import Claim
 from workbench.repair.repair import STANDARD, Limits, Repair, repair
 from workbench.verify import ClaimResult
@@ -27,6 +31,8 @@ def repair_claims(
     those that are finished, and of a single claim what was found until then."""
     found: dict[str, Repair] = {}
     workers = min(workers or os.cpu_count() or 1, len(claims))
+    if any(claim.file is None for claim in claims):
+        workers = 1
     if workers <= 1:
         for claim in claims:
             found[claim.id] = repair(claim, limits)
@@ -43,18 +49,29 @@ def _side_by_side(
     workers: int,
     found: dict[str, Repair],
 ) -> None:
-    # forked workers would inherit the locks of Drake's and numba's threads
+    # forked workers would inherit the locks of other threads; in others the hashes that terms remember do not
+    # hold, so claims are loaded there and not sent
     pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
     try:
-        pending = [pool.submit(repair, claim, limits) for claim in claims]
+        pending = {pool.submit(_repair_there, claim.file, claim.id, limits): claim for claim in claims}
         for done in as_completed(pending):
-            result = done.result()
-            found[result.claim.id] = result
-            progress(result)
+            claim = pending[done]
+            found[claim.id] = replace(done.result(), claim=claim)
+            progress(found[claim.id])
     except KeyboardInterrupt:
         pass
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _repair_there(file: Path, name: str, limits: Limits) -> Repair:
+    claim = next(claim for claim in _claims_of(file) if claim.id == name)
+    return replace(repair(claim, limits), claim=None)
+
+
+@cache
+def _claims_of(file: Path) -> tuple[Claim, ...]:
+    return load_paper(file).claims
 
 
 def proposals_for(

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain
 
 from workbench.judge.rings import PRIME
 from workbench.language.printer import to_latex
@@ -68,8 +69,7 @@ class Neighbourhood:
             yield self._without_residual()
             return
         self._scalings = self._find_scalings()
-        yield self._scaled(1)
-        yield self._singles(residual)
+        yield chain(self._scaled(1), self._singles(residual))
         yield self._scaled(2)
         yield self._missing(residual)
         yield self._pairs(residual)
@@ -126,7 +126,7 @@ class Neighbourhood:
         for place, term in _sums(self.statement):
             key = (term.type.kind, term.weight)
             if key not in lists:
-                lists[key] = missing_addends(self.statement, *key)
+                lists[key] = missing_addends(self.statement, *key, self.replacements)
             for addend in lists[key]:
                 try:
                     edit = _with_addend(self.statement, place, addend)

@@ -124,3 +124,15 @@ orders = "n = 1..3"
         (Outcome.DEFINITION, "all n"),
         (Outcome.PROVED, "all n"),
     ]
+
+
+def test_the_variable_of_a_sum_is_none_of_the_scope(tmp_path):
+    paper = tmp_path / "paper.toml"
+    paper.write_text(
+        "title = 'x'\n[symbols]\n'x' = { kind = 'vector' }\n"
+        r"[definitions]" + "\n" + r"'S_n' = '\sum_{k=0}^{n} C_n^k x^{(k)}'" + "\n"
+        "[[claim]]\nid = 'sum'\norders = 'n = 0..3'\n"
+        r"printed = 'S_n = \sum_{k=0}^{n} C_n^k x^{(k)}'" + "\n"
+    )
+    (result,) = judge_paper(load_paper(paper))
+    assert (result.verdict.outcome, result.verdict.scope) == (Outcome.DEFINITION, "all n")

@@ -20,6 +20,7 @@ from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
 from workbench.language.terms import (
+    BigSum,
     Conjunction,
     Derivative,
     Equivalence,
@@ -188,14 +189,18 @@ def _instance_for(
 
 
 def _variables(statement: Statement) -> set[str]:
+    """The integer variables of indices and orders, but for those that a sum binds."""
     names: set[str] = set()
+    bound: set[str] = set()
     for term in _terms(statement):
         for part in term.walk():
             if isinstance(part, Symbol):
                 names |= {name for index in part.index for name in index.variables}
             elif isinstance(part, Derivative):
                 names |= part.order.variables
-    return names
+            elif isinstance(part, BigSum):
+                bound |= set(part.variables)
+    return names - bound
 
 
 def _all_terms(statements: Iterable[Statement]) -> Iterator[Term]:

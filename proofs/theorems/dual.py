@@ -188,6 +188,11 @@ def real_factors_do_not_make_a_dual_tensor() -> Verdict:
                 r"F(\varepsilon \mathbf{v}_1) = -\varepsilon F(\mathbf{v}_1)",
                 but_not=r"F(\varepsilon \mathbf{v}_1) = \varepsilon F(\mathbf{v}_1)",
             ),
+            letters.refutation(
+                "so it is not linear over the dual numbers",
+                dual,
+                but_not=r"F(\lambda \mathbf{v}_1) = \lambda F(\mathbf{v}_1)",
+            ),
         ],
         refutes=True,
         counterexample=letters.counterexample(dual),
@@ -197,8 +202,8 @@ def real_factors_do_not_make_a_dual_tensor() -> Verdict:
 
 def a_dual_tensor_is_two_tensors() -> Verdict:
     """T̲(v + ε v₀) = T̲ v + ε T̲ v₀, and T̲ v = T v + ε T₀ v with linear T, T₀."""
-    tensors = {name: {"kind": "tensor"} for name in (r"T", r"T_0", r"S", r"S_0")}
-    vectors = {name: {"kind": "vector"} for name in ("a", "a_0", "x", "y", "z")}
+    tensors = {name: {"kind": "tensor"} for name in ("T", "T_0", "S", "S_0")}
+    vectors = {name: {"kind": "vector"} for name in ("a", "a_0")}
     letters = Letters(
         tensors | vectors | {r"\lambda": {"kind": "dual scalar"}},
         {

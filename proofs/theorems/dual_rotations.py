@@ -14,7 +14,7 @@ _LETTERS = Letters(
     {name: {"kind": "tensor"} for name in ("R", "R_0", "X")}
     | {name: {"kind": "dual tensor"} for name in "BC"}
     | {name: {"kind": "rotation"} for name in "QP"}
-    | {name: {"kind": "vector"} for name in "rspuw"}
+    | {name: {"kind": "vector"} for name in "rspu"}
     | {"A": {"kind": "dual rotation"}},
     {r"G": r"(\mathbf{I} + \varepsilon \tilde{r}) Q", r"H": r"(\mathbf{I} + \varepsilon \tilde{s}) P"},
 )
@@ -64,6 +64,11 @@ def structure_theorem_with_underlines() -> Verdict:
                 rf"{factor} {factor}^T = \mathbf{{I}}",
                 rf"\det {factor} = 1",
                 but_not=rf"{factor} {factor} = \mathbf{{I}}",
+            ),
+            _LETTERS.refutation(
+                "B is not A for every r, so that these are several decompositions",
+                rf"{factor} = A",
+                but_not=rf"\operatorname{{Re}} {factor} = \operatorname{{Re}}(A)",
             ),
         ],
         refutes=True,
@@ -115,6 +120,9 @@ def codomain_of_the_isomorphism() -> Verdict:
                 r"\operatorname{Du}(G) = \tilde{r} Q",
                 r"\operatorname{vect}(\operatorname{Du}(G) Q^T) = r",
                 but_not=r"\operatorname{vect}(\operatorname{Du}(G) Q^T) = 0",
+            ),
+            _LETTERS.refutation(
+                "Φ(g) is not its real part, a rotation", "G = Q", but_not=r"\operatorname{Re}(G) = Q"
             ),
         ],
         refutes=True,

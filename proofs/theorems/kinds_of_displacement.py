@@ -10,7 +10,14 @@ from workbench.judge.verdict import Counterexample, Verdict
 def roto_translations() -> Verdict:
     """|ψ̲| = ‖ψ‖ + ε ψ·ψ₀/‖ψ‖ is not real where ψ·ψ₀ ≠ 0, against the first item."""
     return argue(
-        _magnitude(),
+        [
+            *_magnitude(),
+            PAIR.refutation(
+                "so the dual part of the square of |ψ| is not 0 for all ψ, ψ₀",
+                r"\operatorname{Du}(\underline{\psi} \cdot \underline{\psi}) = 0",
+                but_not=r"\operatorname{Du}(\psi \cdot \psi) = 0",
+            ),
+        ],
         refutes=True,
         counterexample=PAIR.counterexample(r"\operatorname{Du}(\underline{\psi} \cdot \underline{\psi}) = 0"),
         reason="where ψ·ψ₀ ≠ 0 the dual part of |ψ̲| is not 0, so |ψ̲| is no real number",

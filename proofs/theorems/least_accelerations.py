@@ -44,6 +44,7 @@ def locus_of_the_least_reduced_acceleration() -> Verdict:
                 r"\|w\| \operatorname{Du}(\frac{W}{|W|}) = f \times w",
                 but_not=r"\|w\| \operatorname{Du}(\frac{W}{|W|}) = m",
             ),
+            _uniform(),
         ],
         hypothesis=r"\omega^{(n)} \neq \mathbf{0}",
         counterexample=Counterexample(
@@ -74,6 +75,11 @@ def least_reduced_jounce_as_printed() -> Verdict:
                 " derivatives are",
                 r"(n + n \times x)^2 = 1 + (n \times x)^2",
                 but_not=r"(n + n \times x)^2 = (n \times x)^2",
+            ),
+            _LETTERS.refutation(
+                "so it is not 0, the printed value where ω̲̈ = 0",
+                r"(n + n \times x)^2 - (n \times x)^2 = 0",
+                but_not=r"(n + n \times x) \cdot (n \times x) = (n \times x)^2",
             ),
         ],
         refutes=True,
@@ -155,12 +161,16 @@ def _least() -> list[Step]:
             r"(\operatorname{Du} |W|)^2 = \frac{(w \cdot m)^2}{w^2}",
             but_not=r"(\operatorname{Du} |W|)^2 = (w \cdot m)^2",
         ),
-        _LETTERS.step(
-            "where w = 0, a = m everywhere, and |ε m| = ε ‖m‖ by the second case of (74)",
-            r"m + (0 w) \times x = m",
-            but_not=r"m + w \times x = m",
-        ),
+        _uniform(),
     ]
+
+
+def _uniform() -> Step:
+    return _LETTERS.step(
+        "where w = 0, a = m everywhere, and |ε m| = ε ‖m‖ by the second case of (74)",
+        r"m + (w - w) \times x = m",
+        but_not=r"m + w \times x = m",
+    )
 
 
 #: Name in the claim files → proof.

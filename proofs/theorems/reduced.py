@@ -86,6 +86,11 @@ def one_count_of_orders() -> Verdict:
     orders = {"n": range(1, 6)}
     return argue(
         [
+            _LETTERS.refutation(
+                "ρ̇ and ρ̈, what (13) and (107) name a^[1], are not the same",
+                r"\dot{\rho} = \ddot{\rho}",
+                but_not=r"\frac{d}{dt} \dot{\rho} = \ddot{\rho}",
+            ),
             _ORDERS.step(
                 "the operators from P₀ = I are those from P₁ = I, each of an order less",
                 "P_n = Q_{n+1}",

@@ -20,7 +20,6 @@ SCREW = Letters(
         "p": {"kind": "vector"},
         "x": {"kind": "vector"},
         "r": {"kind": "vector"},
-        "s": {"kind": "vector"},
         "k": {"kind": "scalar"},
         "Y": {"kind": "dual tensor"},
         "T": {"kind": "dual tensor"},
@@ -139,6 +138,11 @@ def bracket_without_a_commutator() -> Verdict:
                 r" c) \mathbf{I}",
                 but_not=r"\tilde{b} \tilde{c} + (\tilde{b} \tilde{c})^T = 0",
             ),
+            SCREW.refutation(
+                "b̃ c̃ is not skew",
+                r"\tilde{b} \tilde{c} = -(\tilde{b} \tilde{c})^T",
+                but_not=r"\tilde{b} = -\tilde{b}^T",
+            ),
             *_lie_algebra(),
         ],
         refutes=True,
@@ -167,6 +171,11 @@ def logarithm_is_no_inverse() -> Verdict:
                 r" \alpha \tilde{u}",
                 but_not=r"X - (\mathbf{I} + \sin(-\alpha) \tilde{u} + (1 - \cos(-\alpha)) \tilde{u}^2) ="
                 r" \sin \alpha \tilde{u}",
+            ),
+            SCREW.refutation(
+                "while the screws α u and −α u differ",
+                r"\alpha u = -\alpha u",
+                but_not=r"\alpha u = (-\alpha) (-u)",
             ),
             *full_turn(),
         ],

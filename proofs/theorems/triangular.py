@@ -70,7 +70,11 @@ def twist_derivatives_from_accelerations() -> Verdict:
 
 
 def triangular_systems_are_inverse() -> Verdict:
-    """(114) and (115), and their continuations by (116), are inverse to each other."""
+    """(114) and (115), and their continuations by (116), are inverse to each other.
+
+    For v, v̇, … at an instant are arbitrary: if L and U send (Ψ₁, Ψ₂, …) to (T, Ṫ, …) and back for every
+    motion, then L U w = w for every w.
+    """
     return argue(
         [
             _BLOCKS.step(
@@ -120,7 +124,14 @@ def accelerations_from_twist_derivatives() -> Verdict:
 def accelerations_counted_from_zero() -> Verdict:
     """Theorem 10 with the velocity as order 0: then the field of order n holds v⁽ⁿ⁾ itself."""
     return argue(
-        _every_order(),
+        [
+            *_every_order(),
+            _INVARIANTS.refutation(
+                "a₁ = v, what (107) calls the order 0, is not fixed by an empty set of derivatives",
+                "a_1 = v - v",
+                but_not="a_1 = v",
+            ),
+        ],
         refutes=True,
         counterexample=Counterexample(
             values={"n": ("0",), r"\omega": ("0", "0", "0"), r"\mathbf{v}": ("0", "0", "1")},

@@ -8,7 +8,7 @@ from workbench.judge.verdict import Verdict
 
 _LETTERS = Letters(
     {"R": {"kind": "rotation"}}
-    | {name: {"kind": "vector"} for name in (r"\rho", "x", "y", "z")}
+    | {name: {"kind": "vector"} for name in (r"\rho", "x", "y")}
     | {name: {"kind": "vector", "constant": True} for name in "pqr"}
     | {name: {"kind": "dual vector"} for name in "ab"}
     | {"A": {"kind": "dual rotation"}, "c": {"kind": "dual vector"}},

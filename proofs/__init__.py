@@ -38,6 +38,7 @@ chapter = InstalledPaper(
         _CHAPTER / "06_3_orders_by_107.toml",
         _CHAPTER / "06_4_orders_by_13.toml",
         _CHAPTER / "07_1_chains_and_lemma.toml",
+        _CHAPTER / "07_2_derivatives_of_the_twist.toml",
     ),
     theorems={
         **fields.THEOREMS,

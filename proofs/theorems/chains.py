@@ -10,26 +10,12 @@ are expanded in noncommuting letters, on 4×4 poses in whole numbers, and on Dra
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from functools import partial
-from typing import Any
+from functools import cache
 
-from proofs.theorems.chain_poses import drake_residuals, rational_residuals
-from proofs.theorems.chain_words import (
-    Coefficient,
-    closed_form,
-    derivatives_of_twist,
-    multinomial,
-    printed_multinomial,
-    products_of_Phi,
-    total_Phi,
-)
-from workbench.judge.arguments import Engine, Step, Way, argue, vanishing, vanishing_to
+from proofs.theorems.chain_expansions import expanded_tensors, expanded_twists, twists_of_chains
+from workbench.judge.arguments import Step, argue
 from workbench.judge.formula_steps import Letters
 from workbench.judge.verdict import Verdict
-
-MOST_BODIES, HIGHEST_ORDER = 5, 8
-DRAKE_TOLERANCE = 1e-10  # of the largest entry; the references' own errors are below 1e-13 of it
 
 _PASCAL = "C(n, k−1) + C(n, k) = C(n+1, k)"
 
@@ -45,6 +31,7 @@ _LETTERS = Letters(
         "a": _VECTOR,
         "b": _VECTOR,
         "x": {"kind": "dual vector", "weight": 1},
+        r"\mathbf{P}_n": {"kind": "dual operator", "weight": "n-1"},
         "f": _SCALAR,
         "g": _SCALAR,
         "h": _SCALAR,
@@ -60,6 +47,8 @@ _LETTERS = Letters(
         "W": r"\dot{Q} Q^T",
         r"\Phi_0(x)": r"\mathbf{I}",
         r"\Phi_{n+1}(x)": r"\dot{\Phi}_n(x) + \Phi_n(x) \tilde{x}",
+        r"\mathbf{P}_1": r"\mathbf{I}",
+        r"\mathbf{P}_{n+1}": r"\mathbf{D} \circ \mathbf{P}_n + \mathbf{P}_n(\tilde{x})",
         r"\mathbf{p}_n(x)": r"\sum_{k=0}^n C_n^k \Phi_{n-k}(x) (\mathbf{D} - \tilde{x})^k",
     },
 )
@@ -96,9 +85,10 @@ def motion_of_last_body() -> Verdict:
     )
 
 
+@cache
 def twists_add() -> Verdict:
     """(119) and (122): ₀ω̲ₘ = Σ R̲ₖ₋₁ Ω̲ₖ; so ω̲ₖ is what body k's twist has more than body k−1's."""
-    return argue([*_adding_twists(), _on_chains()], scope="all m")
+    return argue([*_adding_twists(), twists_of_chains()], scope="all m")
 
 
 def one_letter_for_two_twists() -> Verdict:
@@ -127,10 +117,37 @@ def tensors_by_recurrence() -> Verdict:
     return argue(_recurrence(), scope="all p")
 
 
+def tensors_by_polynomials() -> Verdict:
+    """(135): Φ̲ₙ = 𝐏ₙ ω̲̃ for every n ≥ 1, 𝐏₁ = I and 𝐏ₙ₊₁ = D ∘ 𝐏ₙ + (𝐏ₙ ω̲̃); X is 𝐏ₙ ω̲̃, whatever 𝐏ₙ is."""
+    step = _LETTERS.step
+    return argue(
+        [
+            step(
+                "n = 1: Φ̲₁ is ω̲̃",
+                r"\Phi_1(x) = \tilde{x}",
+                but_not=r"\Phi_1(x) = -\tilde{x}",
+            ),
+            step(
+                "n = 2, …, 5, the polynomials written out by the recurrence",
+                r"\mathbf{P}_n \tilde{x} = \Phi_n(x)",
+                but_not=r"\mathbf{P}_n \tilde{x} = \tilde{x} \Phi_{n-1}(x)",
+                orders={"n": range(2, 6)},
+            ),
+            step(
+                "if X = 𝐏ₙ ω̲̃ = Φ̲ₙ, then 𝐏ₙ₊₁ ω̲̃ = Ẋ + X ω̲̃ = Φ̲ₙ₊₁",
+                r"(\mathbf{D} \circ \mathbf{I}) X + X \tilde{x} = \dot{X} + X \tilde{x}",
+                but_not=r"(\mathbf{D} \circ \mathbf{I}) X + X \tilde{x} = \dot{X} + \tilde{x} X",
+            ),
+        ],
+        scope="all n",
+    )
+
+
+@cache
 def theorem_11() -> Verdict:
     """(127): the n-th derivative of (122), each ω̲ₖ by the lemma with R̲ₖ₋₁, whose twist is ω̲₁ + … + ω̲ₖ₋₁."""
     return argue(
-        [*_adding_twists(), _on_chains(), *_recurrence(), *_lemma()],
+        [*_adding_twists(), twists_of_chains(), *_recurrence(), *_lemma()],
         scope="all m, n",
     )
 
@@ -147,7 +164,7 @@ def left_side_of_131() -> Verdict:
 
 def multinomial_identity() -> Verdict:
     """(132) with k!/(k₁! … ) and with Φ̲(ω̲ᵢ) formed in the frame of body i−1: for every k and p."""
-    return argue([*_multinomial(), _expanded_Phi()], scope="all k, p")
+    return argue([*_multinomial(), expanded_tensors()], scope="all k, p")
 
 
 def multinomial_identity_as_printed() -> Verdict:
@@ -172,7 +189,7 @@ def closed_form_133() -> Verdict:
             *_adding_twists(),
             *_lemma(),
             *(s for s in _multinomial() if s.shown != _PASCAL),
-            _expanded_twists(),
+            expanded_twists(),
         ],
         scope="all m, n",
     )
@@ -290,75 +307,6 @@ def _pascal() -> Step:
     )
 
 
-def _expanded_Phi() -> Step:
-    """(132) beside (130) applied k times; the coefficients on poses are those that (133) has from it."""
-    return Step(
-        f"(132) expanded: up to {MOST_BODIES - 1} twists and order {HIGHEST_ORDER}",
-        Way(Engine.WORDS, partial(_same_Phi, multinomial), partial(_same_Phi, printed_multinomial)),
-        _on_poses(range(HIGHEST_ORDER + 1)),
-        by_example=True,
-    )
-
-
-def _expanded_twists() -> Step:
-    """(133) beside the twist differentiated n times, of every chain up to these sizes."""
-    orders = range(HIGHEST_ORDER + 1)
-    return Step(
-        f"(133) expanded: up to {MOST_BODIES} bodies and order {HIGHEST_ORDER}",
-        Way(Engine.WORDS, partial(_same_twists, multinomial), partial(_same_twists, printed_multinomial)),
-        _on_poses(orders),
-        Way(
-            Engine.DRAKE,
-            vanishing_to(DRAKE_TOLERANCE, partial(drake_residuals, range(5), multinomial)),
-            vanishing_to(DRAKE_TOLERANCE, partial(drake_residuals, range(5), printed_multinomial)),
-        ),
-        by_example=True,
-    )
-
-
-def _on_chains() -> Step:
-    """Way by way the twists of whole chains; the controls do not turn Ω̲ₖ to C₀."""
-    return Step(
-        "₀ω̲ₘ = Σ R̲ₖ₋₁ Ω̲ₖ on poses of five bodies and on Drake's chain",
-        Way(
-            Engine.FRACTIONS,
-            vanishing(partial(rational_residuals, MOST_BODIES, (0,), multinomial)),
-            vanishing(partial(rational_residuals, MOST_BODIES, (0,), multinomial, turned=False)),
-        ),
-        Way(
-            Engine.DRAKE,
-            vanishing_to(DRAKE_TOLERANCE, partial(drake_residuals, (0,), multinomial)),
-            vanishing_to(DRAKE_TOLERANCE, partial(drake_residuals, (0,), multinomial, turned=False)),
-        ),
-        by_example=True,
-    )
-
-
-def _on_poses(orders: Iterable[int]) -> Way:
-    def residuals(coefficient: Coefficient) -> Iterator[Any]:
-        for bodies in range(1, MOST_BODIES + 1):
-            yield from rational_residuals(bodies, orders, coefficient)
-
-    return Way(
-        Engine.FRACTIONS,
-        vanishing(partial(residuals, multinomial)),
-        vanishing(partial(residuals, printed_multinomial)),
-    )
-
-
-def _same_twists(coefficient: Coefficient) -> Iterator[bool]:
-    for body in range(1, MOST_BODIES + 1):
-        for n, derivative in enumerate(derivatives_of_twist(body, HIGHEST_ORDER)):
-            yield derivative == closed_form(body, n, coefficient)
-
-
-def _same_Phi(coefficient: Coefficient) -> Iterator[bool]:
-    """(132) for the n that (133) goes on to put it in: any n from k on, here k + 1."""
-    for bodies in range(1, MOST_BODIES):
-        for k in range(HIGHEST_ORDER + 1):
-            yield total_Phi(bodies, k) == products_of_Phi(bodies, k, coefficient, k + 1)
-
-
 #: Name in the claim files → proof.
 THEOREMS = {
     proof.__name__: proof
@@ -368,6 +316,7 @@ THEOREMS = {
         one_letter_for_two_twists,
         lemma,
         tensors_by_recurrence,
+        tensors_by_polynomials,
         theorem_11,
         left_side_of_131,
         multinomial_identity,

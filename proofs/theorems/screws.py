@@ -64,6 +64,29 @@ def exponential_of_a_screw() -> Verdict:
     return argue(_exponential())
 
 
+def structural_from_natural_invariants() -> Verdict:
+    """Theorem 8: (80) is (I + ε ρ̃) Q with Q and ρ of (83); by Theorem 5 it is so in no other way."""
+    return argue(
+        [
+            SCREW.step(
+                "(80) for the dual angle a + ε d and the unit dual vector w + ε m is (I + ε ρ̃) Q",
+                r"\mathbf{I} + \sin(a + \varepsilon d) \widetilde{(w + \varepsilon m)}"
+                r" + (1 - \cos(a + \varepsilon d)) \widetilde{(w + \varepsilon m)}^2 "
+                r" = (\mathbf{I} + \varepsilon \tilde{\rho}) Q",
+                but_not=r"\mathbf{I} + \sin(a + \varepsilon d) \widetilde{(w + \varepsilon m)}"
+                r" + (1 - \cos(a + \varepsilon d)) \widetilde{(w + \varepsilon m)}^2 "
+                r" = Q (\mathbf{I} + \varepsilon \tilde{\rho})",
+            ),
+            SCREW.step(
+                "and Q is a rotation",
+                r"Q Q^T = \mathbf{I}",
+                r"\det Q = 1",
+                but_not=r"Q Q = \mathbf{I}",
+            ),
+        ]
+    )
+
+
 def mozzi_chasles_axis() -> Verdict:
     """The points of the line u̲ = w + ε p × w move by d along it, and space turns by a about it."""
     return argue(
@@ -306,6 +329,7 @@ THEOREMS = {
     for proof in (
         representation_theorem,
         exponential_of_a_screw,
+        structural_from_natural_invariants,
         mozzi_chasles_axis,
         freedom_of_the_natural_invariants,
         lie_algebra_of_the_dual_group,

@@ -1,0 +1,157 @@
+"""The notebooks as files: what a reader needs is there, and no output is committed. CI executes them."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import nbformat
+import pytest
+
+NOTEBOOKS = sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb"))
+NAMES = [
+    "01_a_formula_and_its_verdict",
+    "02_acceleration_fields",
+    "03_errata_step_by_step",
+    "04_drake_reference",
+    "05_aronhold_kennedy",
+    "06_chains_2C_3C",
+]
+LONGEST_CELL = 80
+
+each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+
+
+def cells(path: Path, kind: str) -> list[nbformat.NotebookNode]:
+    return [cell for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == kind]
+
+
+def faults(notebook: nbformat.NotebookNode) -> list[str]:
+    """What must not be in a committed notebook."""
+    found = []
+    for number, cell in enumerate(notebook.cells):
+        if not cell.source.strip():
+            found.append(f"cell {number} is empty")
+        if cell.metadata:
+            found.append(f"cell {number} has metadata")
+        if cell.cell_type == "code" and (cell.outputs or cell.execution_count is not None):
+            found.append(f"cell {number} has outputs")
+        if cell.cell_type == "code" and len(cell.source.splitlines()) > LONGEST_CELL:
+            found.append(f"cell {number} is longer than {LONGEST_CELL} lines")
+    if notebook.metadata.get("kernelspec", {}).get("name") != "python3":
+        found.append("its kernel is not python3")
+    if set(notebook.metadata) - {"kernelspec", "language_info"}:
+        found.append("it has more metadata than its kernel")
+    return found
+
+
+def uncaptioned_figures(notebook: nbformat.NotebookNode) -> list[int]:
+    """The numbers of the cells that show a figure and are not followed by text that begins "*Figure"."""
+    after = [*notebook.cells[1:], None]
+    return [
+        number
+        for number, (cell, following) in enumerate(zip(notebook.cells, after, strict=True))
+        if cell.cell_type == "code"
+        and "plt.show()" in cell.source
+        and not (following is not None and following.source.startswith("*Figure "))
+    ]
+
+
+def test_these_notebooks_exist():
+    assert [path.stem for path in NOTEBOOKS] == NAMES
+
+
+@each_notebook
+def test_valid_and_without_outputs(path):
+    notebook = nbformat.read(path, as_version=4)
+    nbformat.validate(notebook)
+    assert faults(notebook) == []
+
+
+def _dirty(change) -> nbformat.NotebookNode:
+    notebook = nbformat.read(NOTEBOOKS[0], as_version=4)
+    change(notebook)
+    return notebook
+
+
+def _set_output(notebook):
+    code = next(cell for cell in notebook.cells if cell.cell_type == "code")
+    code.outputs = [nbformat.v4.new_output("stream", text="42")]
+
+
+def _set_count(notebook):
+    next(cell for cell in notebook.cells if cell.cell_type == "code").execution_count = 1
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        (_set_output, "outputs"),
+        (_set_count, "outputs"),
+        (lambda n: n.cells[1].metadata.update(collapsed=True), "metadata"),
+        (lambda n: n.cells.append(nbformat.v4.new_code_cell("")), "empty"),
+        (lambda n: n.cells.append(nbformat.v4.new_code_cell("x\n" * 99)), "longer"),
+        (lambda n: n.metadata.kernelspec.update(name="julia"), "kernel"),
+        (lambda n: n.metadata.update(widgets={}), "more metadata"),
+    ],
+)
+def test_a_dirty_notebook_is_noticed(change, expected):
+    assert any(expected in fault for fault in faults(_dirty(change)))
+
+
+@each_notebook
+def test_begins_with_its_numbered_title_and_prose(path):
+    first = nbformat.read(path, as_version=4).cells[0]
+    title, *prose = first.source.splitlines()
+    assert first.cell_type == "markdown"
+    assert re.match(rf"# {int(path.stem[:2])}\. \S", title)
+    assert len(" ".join(prose).split()) > 30
+
+
+@each_notebook
+def test_each_figure_has_a_caption_and_axes_with_units(path):
+    notebook = nbformat.read(path, as_version=4)
+    assert uncaptioned_figures(notebook) == []
+    figures = [cell.source for cell in cells(path, "code") if "plt.show()" in cell.source]
+    numbers = [
+        int(number)
+        for cell in cells(path, "markdown")
+        for number in re.findall(r"^\*Figure (\d+)\.", cell.source, flags=re.MULTILINE)
+    ]
+    assert numbers == list(range(1, len(figures) + 1))
+    code = "\n".join(cell.source for cell in cells(path, "code"))
+    labels = re.findall(r"[xyz]?label=f?r?\"([^\"]+)\"", code)
+    assert not figures or any(re.search(r", (m|s)\b", label) for label in labels) or "relative" in code
+
+
+def test_a_figure_without_caption_is_noticed():
+    notebook = nbformat.v4.new_notebook(
+        cells=[nbformat.v4.new_code_cell("plt.show()"), nbformat.v4.new_markdown_cell("And so on.")]
+    )
+    assert uncaptioned_figures(notebook) == [0]
+    notebook.cells[1].source = "*Figure 1. What is seen.*"
+    assert uncaptioned_figures(notebook) == []
+
+
+@each_notebook
+def test_code_is_python_that_names_no_machine_path_and_needs_no_network(path):
+    for cell in cells(path, "code"):
+        ast.parse(cell.source)
+        assert not re.search(r"https?://|/home/|/tmp/|/root/|^[!%]", cell.source, flags=re.MULTILINE)
+
+
+@each_notebook
+def test_imports_only_what_is_public(path):
+    names = []
+    for cell in cells(path, "code"):
+        for node in ast.walk(ast.parse(cell.source)):
+            if isinstance(node, ast.ImportFrom):
+                names += [*node.module.split("."), *(alias.name for alias in node.names)]
+    assert names and not [name for name in names if name.startswith("_") and name != "__future__"]
+
+
+@each_notebook
+def test_verifies_what_it_shows(path):
+    code = "\n".join(cell.source for cell in cells(path, "code"))
+    assert re.search(r"^\s*assert ", code, flags=re.MULTILINE)

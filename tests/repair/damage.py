@@ -1,0 +1,178 @@
+"""Right claims damaged on purpose: in the typed term where the result still has a type, else in the LaTeX."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from random import Random
+
+from workbench.judge.inventory import NotExact
+from workbench.judge.judge import Judge
+from workbench.judge.rings import PRIME
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.printer import to_latex
+from workbench.language.syntax import Accented, Group, Infix, Product, parse
+from workbench.language.terms import IllFormed, Relation, Statement
+from workbench.papers import Claim, Formula
+from workbench.papers.formulas import read_statement
+from workbench.repair.edits import edits
+from workbench.repair.marks import Mark, marked
+from workbench.repair.nodes import below, latex_of
+from workbench.repair.places import sides
+from workbench.repair.readings import all_marks
+from workbench.repair.repair import Limits, repair
+from workbench.repair.screen import Screen
+
+
+@dataclass(frozen=True)
+class Damaged:
+    """A claim whose printed form was damaged: the kind of damage, and what it said before."""
+
+    kind: str
+    claim: Claim
+    original: Statement
+
+
+def right_claims(paper) -> list[tuple[Claim, Formula]]:
+    """The claims without a hypothesis, each with the form that the paper holds to be right."""
+    found = []
+    for claim in paper.claims:
+        formula = claim.corrected or claim.reading or claim.printed
+        if claim.theorem is None and claim.hypothesis is None and formula.statement is not None:
+            found.append((claim, formula))
+    return found
+
+
+def damages(claim: Claim, formula: Formula, random: Random, each: int) -> Iterator[Damaged]:
+    """Up to `each` damages of each kind, each of which makes the claim false or ill-formed."""
+    pool: dict[str, list[Formula]] = {}
+    for edit in edits(formula.statement):
+        if edit.statement is not None:
+            pool.setdefault(edit.kind, []).append(Formula(to_latex(edit.statement), edit.statement))
+    for kind, latex in _in_latex(formula.latex, claim):
+        damaged = read_or_fault(latex, claim)
+        if damaged is not None and damaged.ill_formed:
+            pool.setdefault(f"{kind}, ill-formed", []).append(damaged)
+    for kind, formulas in sorted(pool.items()):
+        random.shuffle(formulas)
+        kept = 0
+        for damaged in formulas:
+            if kept < each and (damaged.ill_formed or is_false(claim, damaged.statement)):
+                kept += 1
+                yield Damaged(kind, intact(claim, damaged), formula.statement)
+
+
+def twice(damaged: Damaged, random: Random) -> Damaged | None:
+    """One more damage of the term; None where the claim has no term."""
+    if damaged.claim.printed.statement is None:
+        return None
+    more = [e for e in edits(damaged.claim.printed.statement) if e.statement is not None]
+    random.shuffle(more)
+    for edit in more:
+        if is_false(damaged.claim, edit.statement):
+            formula = Formula(to_latex(edit.statement), edit.statement)
+            return Damaged("two", intact(damaged.claim, formula), damaged.original)
+    return None
+
+
+def intact(claim: Claim, printed: Formula) -> Claim:
+    """The claim printed so, with nothing that tells the right form."""
+    return replace(claim, printed=printed, reading=None, corrected=None, note="")
+
+
+def read_or_fault(latex: str, claim: Claim) -> Formula | None:
+    try:
+        return Formula(latex, read_statement(latex, claim.notation, claim.orders)[0])
+    except IllFormedAt as error:
+        return Formula(latex, ill_formed=str(error))
+    except ReadError:
+        return None
+
+
+def _in_latex(latex: str, claim: Claim) -> Iterator[tuple[str, str]]:
+    root = parse(latex)
+    lost = [*all_marks(root, claim.notation.symbols), *_lost_signs(root), *_moved_tildes(root)]
+    for mark in lost:
+        if mark.cost == 1:
+            yield mark.kind, latex_of(marked([mark], root))
+
+
+def _lost_signs(root) -> Iterator[Mark]:
+    for part in below(root):
+        if isinstance(part, Product):
+            for place, item in enumerate(part.items):
+                if isinstance(item, Infix):
+                    rest = (*part.items[:place], *part.items[place + 1 :])
+                    yield Mark(part, Product(part.at, rest), 1, "product", "a sign is lost")
+
+
+def _moved_tildes(root) -> Iterator[Mark]:
+    for part in below(root):
+        match part:
+            case Accented(accent="~", body=Group(parts=(Product(items=(first, *rest)),))):
+                moved = Accented(part.at, "~", first)
+                yield Mark(part, Group(part.at, (Product(part.at, (moved, *rest)),)), 1, "tilde", "moved")
+
+
+def screens(claim: Claim) -> list[Screen]:
+    assignments = list(claim.orders.assignments()) if claim.orders else [{}]
+    assume = tuple(a.statement for a in claim.assume)
+    return [Screen(claim.notation.definitions, assume, [values], seed=5) for values in assignments]
+
+
+def is_false(claim: Claim, statement: Statement) -> bool:
+    """Whether the screen shows that the statement fails for some of the claim's integers."""
+    try:
+        residuals = [screen.residual(statement) for screen in screens(claim)]
+    except NotExact:
+        return False
+    return None not in residuals and any(any(residual) for residual in residuals)
+
+
+def same(claim: Claim, one: Statement, other: Statement) -> bool:
+    """Whether two proved statements say the same: equal, or each side has the value of its counterpart."""
+    if one == other:
+        return True
+    if not (isinstance(one, Relation) and isinstance(other, Relation)):
+        return [s for _, s in pairwise(sides(one))] == [s for _, s in pairwise(sides(other))]
+    try:
+        screen = screens(claim)[-1]
+        return _values(screen, one) == _values(screen, other)
+    except (NotExact, IllFormed):
+        return False
+
+
+def _values(screen: Screen, relation: Relation) -> tuple:
+    """The value of the left side, or of the right if that is 0, up to a factor."""
+    value = next((v for side in (relation.left, relation.right) if any(v := screen.components(side, side))), ())
+    leading = next((x for x in value if x), 1)
+    return tuple(x * pow(leading, -1, PRIME) % PRIME for x in value)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    kind: str
+    id: str
+    latex: str
+    proved: bool
+    same: bool
+    verdicts: tuple[str, ...]
+    seconds: float
+
+
+def outcome(damaged: Damaged, seconds: float = 30.0) -> Outcome:
+    """What the repair of a damaged claim came to."""
+    claim = damaged.claim
+    judge = Judge(claim.notation.definitions, motions=False)
+    found = repair(claim, Limits(seconds=seconds), judge=judge)
+    proposals = found.proposals
+    return Outcome(
+        damaged.kind,
+        claim.id,
+        claim.printed.latex,
+        bool(proposals),
+        any(same(claim, read_or_fault(p.latex, claim).statement, damaged.original) for p in proposals),
+        tuple(str(p.verdict.outcome) for p in proposals),
+        found.seconds,
+    )

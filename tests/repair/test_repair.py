@@ -1,0 +1,158 @@
+"""Errata that the machine must find, and what it must never do: propose what is not proved."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from dataclasses import replace
+from random import Random
+from statistics import median
+
+import pytest
+from click.testing import CliRunner
+from repair.damage import damages, outcome, read_or_fault, right_claims, same, twice
+
+from workbench import check
+from workbench.cli import main
+from workbench.judge.judge import Judge
+from workbench.judge.rings import PRIME
+from workbench.judge.verdict import Outcome
+from workbench.papers import find_paper
+from workbench.repair.repair import Limits, repair
+from workbench.repair.screen import Screen
+from workbench.verify import HOLDS
+
+SAMPLE = 12
+CAMPAIGN = 1000
+TWO_DAMAGES = 150
+
+
+@pytest.fixture(scope="module")
+def paper():
+    return find_paper()
+
+
+def named(paper, name):
+    return next(claim for claim in paper.claims if claim.id == name)
+
+
+def repaired(claim, **limits):
+    return repair(claim, Limits(**limits), judge=Judge(claim.notation.definitions, motions=False))
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["45", "53.adjugate", "53.det", "58.adjugate", "61.tensor", "61.S", "61.adjugate", "62.inverse", "63.t", "70.div"],
+)
+def test_an_erratum_of_the_chapter_is_found_from_the_printed_form_alone(paper, name):
+    claim = named(paper, name)
+    by_hand = claim.corrected or claim.reading
+    blind = replace(claim, corrected=None, reading=None, note="")
+    found = repaired(blind)
+    forms = [read_or_fault(p.latex, claim).statement for p in found.proposals]
+    assert any(same(claim, form, by_hand.statement) for form in forms), found
+
+
+def test_the_hand_written_correction_is_not_looked_at(paper):
+    claim = named(paper, "70.div")
+    lying = replace(claim, corrected=named(paper, "58.t").printed)
+    assert [p.latex for p in repaired(lying).proposals] == [p.latex for p in repaired(claim).proposals]
+
+
+def test_the_edit_is_said_in_words(paper):
+    (proposal, *_) = repaired(named(paper, "61.adjugate")).proposals
+    said = [change.description for change in proposal.changes]
+    assert said[0].startswith("the tilde belongs over the whole of")
+    assert [s.startswith("the factor 2 of") and s.endswith("is missing") for s in said[1:]] == [True, True]
+
+
+def test_damaged_claims_are_repaired_and_each_proposal_is_proved_again(paper):
+    random = Random(8)
+    pool = [d for claim, formula in right_claims(paper)[::4] for d in damages(claim, formula, random, 1)]
+    chosen = random.sample(pool, SAMPLE)
+    good = 0
+    for damaged in chosen:
+        claim = damaged.claim
+        judge = Judge(claim.notation.definitions, motions=False)
+        found = repair(claim, Limits(candidates=2500, proposals=2), judge=judge)
+        forms = [read_or_fault(p.latex, claim).statement for p in found.proposals]
+        assume = tuple(a.statement for a in claim.assume)
+        for form in forms:
+            assert judge.judge(form, assume=assume, orders=claim.orders).outcome in HOLDS, damaged
+        good += any(same(claim, form, damaged.original) for form in forms)
+    assert good >= 0.75 * SAMPLE
+
+
+def test_what_nothing_near_makes_true_gets_no_proposal():
+    found = check(r"a = b + c", symbols={"a": "vector", "b": "vector", "c": "vector"}).repair()
+    assert found.complete
+    for proposal in found.proposals:
+        assert proposal.verdict.outcome in HOLDS
+    assert not found.proposals
+
+
+def test_an_interrupt_keeps_what_was_found(paper):
+    ticks = Counter()
+
+    def interrupted(found):
+        ticks["all"] += 1
+        if ticks["all"] > 20:
+            raise KeyboardInterrupt
+
+    found = repair(named(paper, "64.split"), progress=interrupted)
+    assert not found.complete and ticks["all"] == 21
+
+
+def test_the_search_ends_at_its_limit(paper):
+    found = repaired(named(paper, "64.split"), candidates=50)
+    assert not found.complete and found.candidates <= 51
+
+
+def test_a_point_is_put_on_the_supposed_equations(paper):
+    for name in ("49", "50", "70.rho"):
+        claim = named(paper, name)
+        for values in list(claim.orders.assignments()) if claim.orders else [{}]:
+            screen = Screen(claim.notation.definitions, tuple(a.statement for a in claim.assume), [values])
+            residual = screen.residual(claim.printed.statement)
+            assert residual is not None and not any(residual), name
+
+
+def test_a_residue_ring_divides():
+    from workbench.repair.screen import FlintResidueRing
+
+    ring = FlintResidueRing()
+    third = ring.constant(1, 3)
+    assert int(ring.divide(third, ring.constant(2, 1)) * 6) == 1
+    with pytest.raises(ZeroDivisionError):
+        ring.divide(third, ring.constant(PRIME, 1))
+
+
+def test_command_line(paper):
+    done = CliRunner().invoke(main, ["repair", "70.div", "--json"])
+    assert done.exit_code == 0, done.output
+    assert [p["verdict"] for p in json.loads(done.stdout)["proposed"]] == ["proved"]
+    assert CliRunner().invoke(main, ["repair", "no-such-claim"]).exit_code == 2
+    assert CliRunner().invoke(main, ["repair", "70.div", "--seconds", "-1"]).exit_code == 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("damage_count", [1, 2])
+def test_campaign(paper, damage_count, capsys):
+    random = Random(6)
+    pool = [d for claim, formula in right_claims(paper) for d in damages(claim, formula, random, 3)]
+    random.shuffle(pool)
+    if damage_count == 2:
+        pool = [d for d in (twice(d, random) for d in pool) if d is not None][:TWO_DAMAGES]
+    results = [outcome(damaged) for damaged in pool[:CAMPAIGN]]
+    with capsys.disabled():
+        print(f"\n{'damage':<28}{'claims':>8}{'proved':>8}{'same':>8}{'median s':>10}{'longest s':>11}")
+        for kind in [*sorted({r.kind for r in results}), None]:
+            of = [r for r in results if kind in (r.kind, None)]
+            proved, right = sum(r.proved for r in of), sum(r.same for r in of)
+            times = [r.seconds for r in of]
+            print(
+                f"{kind or 'all':<28}{len(of):>8}{proved:>8}{right:>8}{median(times):>10.2f}{max(times):>11.1f}"
+            )
+    assert {v for r in results for v in r.verdicts} <= {Outcome.PROVED, Outcome.DEFINITION}
+    assert sum(r.same for r in results) >= (0.95 if damage_count == 1 else 0.7) * len(results)
+    assert median(r.seconds for r in results) < 2

@@ -95,3 +95,22 @@ def test_import_is_light():
     done = subprocess.run([sys.executable, "-c", code, *HEAVY], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
     assert workbench.__all__ == ["check"]
+
+
+def test_judging_on_all_cores_gives_what_one_core_gives(monkeypatch):
+    from workbench import verify
+    from workbench.papers import find_paper
+
+    paper = find_paper(None)
+    serial = verify.judge_paper(paper, ["53-57"], motions=False)
+    monkeypatch.setattr(verify, "MANY", 1)
+    assert verify.judge_paper(paper, ["53-57"], motions=False) == serial
+
+
+def test_an_error_comes_through_from_another_process():
+    import pickle
+
+    from workbench.papers import PaperError
+
+    error = pickle.loads(pickle.dumps(PaperError("a.toml", 3, 4, "what was wrong")))
+    assert str(error) == "a.toml:3:4: what was wrong" and error.line == 3

@@ -3,8 +3,11 @@ and the claim passes if the verdicts are those that its keys announce."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from multiprocessing import get_all_start_methods, get_context
 
 from workbench.judge.assumptions import Unsatisfiable
 from workbench.judge.judge import Judge
@@ -14,6 +17,13 @@ from workbench.selection import select_claims
 
 #: Outcomes that count as true: what a definition says is true by its being one.
 HOLDS = frozenset({Outcome.PROVED, Outcome.DEFINITION})
+
+#: From this many claims on it pays to start a process for each core.
+MANY = 40
+
+Verdicts = tuple[Verdict, Verdict | None, Verdict | None]
+
+_forked: tuple[PaperJudge, Sequence[Claim]] | None = None
 
 
 @dataclass(frozen=True)
@@ -40,13 +50,13 @@ class PaperJudge:
 
     def result(self, claim: Claim) -> ClaimResult:
         """Raises EngineDisagreement: a defect of the workbench, which no verdict may hide."""
-        unstated = claim.hypothesis
-        verdict = self._printed(claim)
-        reading = claim.reading and self._verdict(claim, claim.reading, unstated)
+        return _result(claim, *self.verdicts(claim))
+
+    def verdicts(self, claim: Claim) -> Verdicts:
+        """On the printed form, the reading and the correction; None for a form that the claim has not."""
+        reading = claim.reading and self._verdict(claim, claim.reading, claim.hypothesis)
         corrected = claim.corrected and self._verdict(claim, claim.corrected, None)
-        expected = claim.expected
-        faults = list(_faults(claim, expected, verdict, reading, corrected))
-        return ClaimResult(claim, verdict, reading, corrected, expected, not faults, "; ".join(faults))
+        return self._printed(claim), reading, corrected
 
     def _printed(self, claim: Claim) -> Verdict:
         if claim.theorem is not None:
@@ -78,13 +88,45 @@ def judge_paper(
     progress: Callable[[ClaimResult], None] = lambda result: None,
     **options: bool,
 ) -> list[ClaimResult]:
-    """The results of the selected claims, in reading order; `progress` sees each as soon as it is there."""
+    """The results of the selected claims, in reading order; `progress` sees each as soon as it is there.
+
+    Many claims are judged on all cores, where the system can fork: a claim does not depend on another.
+    """
     judge = PaperJudge(paper, **options)
+    claims = select_claims(paper.claims, select)
     results = []
-    for claim in select_claims(paper.claims, select):
-        results.append(judge.result(claim))
+    for claim, verdicts in zip(claims, _verdicts(judge, claims), strict=True):
+        results.append(_result(claim, *verdicts))
         progress(results[-1])
     return results
+
+
+def _verdicts(judge: PaperJudge, claims: Sequence[Claim]) -> Iterator[Verdicts]:
+    cores = os.cpu_count() or 1
+    if len(claims) < MANY or cores < 2 or "fork" not in get_all_start_methods():
+        yield from map(judge.verdicts, claims)
+        return
+    global _forked
+    _forked = judge, claims  # what a forked process finds in place, without a copy being sent
+    executor = ProcessPoolExecutor(cores, mp_context=get_context("fork"))
+    try:
+        yield from executor.map(_forked_verdicts, range(len(claims)))
+    finally:
+        executor.shutdown(cancel_futures=True)
+        _forked = None
+
+
+def _forked_verdicts(place: int) -> Verdicts:
+    judge, claims = _forked
+    return judge.verdicts(claims[place])
+
+
+def _result(
+    claim: Claim, verdict: Verdict, reading: Verdict | None, corrected: Verdict | None
+) -> ClaimResult:
+    expected = claim.expected
+    faults = list(_faults(claim, expected, verdict, reading, corrected))
+    return ClaimResult(claim, verdict, reading, corrected, expected, not faults, "; ".join(faults))
 
 
 def _faults(

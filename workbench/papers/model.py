@@ -25,6 +25,10 @@ class PaperError(ValueError):
         super().__init__(f"{place}: {message}" if place else message)
         self.file, self.line, self.column, self.message = file, line, column, message
 
+    def __reduce__(self) -> tuple:
+        """So that it can come from another process."""
+        return PaperError, (self.file, self.line, self.column, self.message)
+
 
 @dataclass(frozen=True)
 class Formula:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 if TYPE_CHECKING:
-    from workbench.papers import Paper
+    from workbench.papers import Claim, Paper
     from workbench.verify import ClaimResult
 
 INTERRUPTED = 130
@@ -172,9 +172,12 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
 @click.argument("select", nargs=-1, required=True, metavar="ID...")
 @_paper_option
 @click.option("--seconds", default=60.0, show_default=True, help="The limit on time for one claim.")
+@click.option("--definitions", is_flag=True, help="Change the definitions that the claims share instead.")
 @_json_flag
 @_reports_faults
-def repair_claim(select: Sequence[str], paper_name: str | None, seconds: float, as_json: bool) -> None:
+def repair_claim(
+    select: Sequence[str], paper_name: str | None, seconds: float, definitions: bool, as_json: bool
+) -> None:
     """Propose the right form of claims, from their printed forms alone; only proved forms are proposed.
     Ctrl-C keeps what was found. Exit status 0 if there is a proposal for each, 1 if not."""
     from workbench.papers import find_paper
@@ -187,6 +190,8 @@ def repair_claim(select: Sequence[str], paper_name: str | None, seconds: float, 
     if not 0 < seconds < math.inf:
         raise Unusable(f"seconds: expected a positive number, got {seconds}")
     claims = select_claims(find_paper(paper_name).claims, select)
+    if definitions:
+        _repair_definitions(claims, as_json)
     with progress_bar(len(claims), "repairing") as advance:
         repairs = repair_claims(claims, Limits(seconds=seconds), advance)
     if as_json:
@@ -351,6 +356,18 @@ def _judged(paper: Paper, select: Sequence[str], **engines: bool) -> list[ClaimR
 
     with progress_bar(len(select_claims(paper.claims, select)), "judging") as advance:
         return judge_paper(paper, select, progress=advance, **engines)
+
+
+def _repair_definitions(claims: Sequence[Claim], as_json: bool) -> None:
+    """Prints the changes of definitions that mend two or more of these false claims, and exits."""
+    from workbench.repair.definitions import repair_definitions
+
+    repairs = repair_definitions(claims)
+    if as_json:
+        _print_json([{"changed": r.changed, "mended": r.mended, "edit": r.edit} for r in repairs])
+    else:
+        click.echo("\n".join(r.edit for r in repairs) or "no change of definitions mends two of these claims")
+    sys.exit(0 if repairs else 1)
 
 
 def _with_proposals(

@@ -18,6 +18,7 @@ from workbench.judge.judge import Judge
 from workbench.judge.rings import PRIME
 from workbench.judge.verdict import Outcome
 from workbench.papers import find_paper
+from workbench.repair.definitions import repair_definitions
 from workbench.repair.repair import Limits, repair
 from workbench.repair.screen import Screen
 from workbench.verify import HOLDS
@@ -125,6 +126,19 @@ def test_a_residue_ring_divides():
     assert int(ring.divide(third, ring.constant(2, 1)) * 6) == 1
     with pytest.raises(ZeroDivisionError):
         ring.divide(third, ring.constant(PRIME, 1))
+
+
+def test_one_change_of_the_definitions_mends_all_claims_that_share_them(paper):
+    """w and α of (67), repaired from two false claims; the hand-written ones are w_c and α_c."""
+    split, det = named(paper, "64.split"), named(paper, "66.det_S")
+    printed = det.printed.latex.replace(r"\mathbf{w}_c", r"\mathbf{w}").replace(r"\alpha_c", r"\alpha")
+    (found,) = repair_definitions([split, replace(det, printed=read_or_fault(printed, det))])
+    assert found.mended == ("64.split", "66.det_S")
+    by_hand = {name: read_or_fault(f"{name}_c = {new}", det) for name, _, new in found.changed}
+    judge = Judge(det.notation.definitions, motions=False)
+    assert len(by_hand) == 2
+    for formula in by_hand.values():
+        assert judge.judge(formula.statement).outcome in HOLDS
 
 
 def test_command_line(paper):

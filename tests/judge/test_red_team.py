@@ -3,7 +3,8 @@
 import pytest
 
 from workbench import check
-from workbench.judge.verdict import Outcome
+from workbench.judge.exact import ExactEngine
+from workbench.judge.verdict import EngineDisagreement, Outcome
 from workbench.papers import PaperError, load_paper
 from workbench.verify import judge_paper
 
@@ -221,3 +222,60 @@ def test_an_alias_with_other_indices_is_refused(tmp_path, alias):
     text = f"[symbols]\n'K_{{m,n}}' = {{ kind = 'scalar', aliases = ['{alias}'] }}\n"
     with pytest.raises(PaperError, match="indices of"):
         verdicts(tmp_path / "paper.toml", text + claim("K_{1,2} = 1 L_{1,2}"))
+
+
+FIELDS = r"""[symbols]
+'\omega' = { kind = "vector" }
+'\rho' = { kind = "vector", coordinate = true }
+'T' = { kind = "tensor" }
+'A_n' = { kind = "vector" }
+[definitions]
+'v' = '\omega \times \rho'
+'A_1' = '\omega \times \rho'
+'A_{n+1}' = '\dot{A}_n + T A_n'
+"""
+
+
+@pytest.mark.parametrize(
+    ("printed", "orders", "expected"),
+    [
+        (r"\operatorname{curl} v + \rho \times \rho = 0", None, (Outcome.REFUTED, None)),
+        (r"\operatorname{curl} v + \rho \times \rho = 2 \omega", None, (Outcome.PROVED, None)),
+        (r"\operatorname{curl} A_n + \rho \times \rho = 0", "n = 1..2", (Outcome.REFUTED, None)),
+        (r"\operatorname{curl} ((\omega \times \rho)^{(n)}) + \rho \times \rho = 0", "n = 1..2",
+         (Outcome.REFUTED, None)),
+        (r"\operatorname{div} ((T \rho)^{(n)}) = \operatorname{trace} T^{(n)}", "n = 0..2",
+         (Outcome.PROVED, "n = 0..2")),
+    ],
+)  # fmt: skip
+def test_a_name_that_stands_for_a_field_hides_no_coordinate(tmp_path, printed, orders, expected):
+    (verdict,) = verdicts(tmp_path / "paper.toml", FIELDS + claim(printed, orders))
+    assert (verdict.outcome, verdict.scope) == expected
+
+
+def test_the_first_engine_must_see_a_counterexample(monkeypatch):
+    monkeypatch.setattr(ExactEngine, "at", lambda engine, p, point: 0)
+    with pytest.raises(EngineDisagreement, match="one engine only"):
+        outcome(r"a \times b = b \times a")
+
+
+@pytest.mark.parametrize(
+    ("right", "expected"),
+    [
+        (r"-(\mathbf{I} - \varepsilon \tilde{a}) b", Outcome.PROVED),
+        (r"-(\mathbf{I} + \varepsilon \tilde{a}) b", Outcome.REFUTED),
+    ],
+)
+def test_the_inverse_of_a_dual_block_matrix(right, expected):
+    matrix = r"\begin{bmatrix} \mathbf{I} + \varepsilon \tilde{a} & %s \\ 0 & 1 \end{bmatrix}"
+    inverse = rf"\begin{{bmatrix}} \mathbf{{I}} - \varepsilon \tilde{{a}} & {right} \\ 0 & 1 \end{{bmatrix}}"
+    assert outcome(f"{matrix % 'b'}^{{-1}} = {inverse}") == expected
+
+
+def test_the_rate_of_an_inverse_where_an_entry_passes_through_zero():
+    matrix = r"\begin{bmatrix} 1 & 0 & f & g \\ 0 & 1 & 0 & 0 \\ f & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+    rate = rf"\frac{{d}}{{dt}} \left({matrix}^{{-1}}\right)"
+    rule = rf"-{matrix}^{{-1}} \frac{{d}}{{dt}} \left({matrix}\right) {matrix}^{{-1}}"
+    assert outcome(f"{rate} = {rule}", r"1 - f^2 \neq 0") == Outcome.PROVED
+    assert outcome(f"{rate} = {rule}", "f = 0") != Outcome.REFUTED
+    assert outcome(f"{rate} = 2 {rule[1:]}", "f = 0") == Outcome.REFUTED

@@ -128,7 +128,13 @@ def stack(values: list[Value]) -> Value:
     return Value(re, [np.stack([jet[k] for jet in full]) for k in range(len(re))])
 
 
+def is_zero(value: Value) -> bool:
+    """Whether all derivatives are 0, those of the dual part too."""
+    return not any(bool(x != 0) for jet in (*value.re, *(value.du or ())) for x in jet.ravel())
+
+
 def vanishes(value: Value) -> bool:
+    """Whether the real part is 0 at the instant, so that nothing can be divided by it."""
     return all(not bool(x != 0) for x in value.re[0].ravel())
 
 

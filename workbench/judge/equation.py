@@ -11,7 +11,7 @@ from random import Random
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.case import Case, NoDefinitions, Setting
 from workbench.judge.families import SAME_TERM
-from workbench.judge.inventory import Lookup, NotExact
+from workbench.judge.inventory import Lookup, NotExact, has_gradient
 from workbench.judge.jets import JetEngine
 from workbench.judge.points import Trial, counterexample
 from workbench.judge.rings import PRIME, PointSource, ResidueRing, sample
@@ -48,7 +48,10 @@ class Equation(Case):
         return self._by_names_alone() or self._by_definitions()
 
     def _by_names_alone(self) -> Verdict | None:
-        """The proof that needs no definition, if there is one: with all defined symbols left free."""
+        """The proof that needs no definition, if there is one: with all defined symbols left free. A free
+        symbol does not depend on the coordinate, so div and curl need the definitions."""
+        if has_gradient(self.sides):
+            return None
         try:
             bare = Equation(self.setting, self.relation, self.assume, NoDefinitions())
             screened = bare._screen()

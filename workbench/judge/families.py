@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Protocol
 
-from workbench.judge.inventory import NotExact
+from workbench.judge.inventory import GRADIENTS, NotExact
 from workbench.judge.regular import is_regular
 from workbench.judge.symbolic_orders import freed, symbolic_orders
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
@@ -20,6 +20,7 @@ from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
 from workbench.language.terms import (
+    Apply,
     BigSum,
     Conjunction,
     Derivative,
@@ -105,6 +106,7 @@ def _for_all(
         statements = _from_lowest(statements, _indices(statements))
         method = "the n-th members are free functions, the next ones by recurrence"
         expanded = tuple(_mapped(s, partial(_expanded, judge)) for s in statements)
+        _refuse_hidden_coordinate(judge, expanded)
         if orders := symbolic_orders(_all_terms(expanded)):
             lowest = _indices(expanded, orders)
             expanded = _from_lowest(expanded, lowest)
@@ -117,6 +119,21 @@ def _for_all(
     except (NotExact, IllFormed):
         return None
     return replace(verdict, evidence=(*verdict.evidence, Evidence("all n at once", method)))
+
+
+def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Statement]) -> None:
+    """Raises NotExact where div or curl would be taken of a free function that stands for a field."""
+    for term in _all_terms(statements):
+        for gradient in (t for t in term.walk() if isinstance(t, Apply) and t.head in GRADIENTS):
+            for part in gradient.walk():
+                hidden: list[Term] = []
+                if isinstance(part, Symbol) and not all(i.is_number for i in part.index):
+                    own = (d for d in judge.definitions if d.declaration == part.declaration)
+                    hidden = [expand(definition.body, judge.definitions) for definition in own]
+                elif isinstance(part, Derivative) and not part.order.is_number:
+                    hidden = [part.body]
+                if any(isinstance(t, Symbol) and t.declaration.coordinate for h in hidden for t in h.walk()):
+                    raise NotExact(f"the {gradient.head} of a field of every order")
 
 
 def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> list[Linear]:

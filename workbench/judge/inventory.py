@@ -12,6 +12,9 @@ from typing import Protocol
 from workbench.language.construct import derivative
 from workbench.language.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
 
+#: What differentiates by the coordinate.
+GRADIENTS = frozenset({"divergence", "curl"})
+
 
 class Lookup(Protocol):
     """One step of definition: the body of a defined symbol, None for a free one."""
@@ -42,6 +45,11 @@ def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
             known = survey.inventory.orders.get(symbol, 0)
             survey.inventory.orders[symbol] = max(known, order)
     return survey.inventory
+
+
+def has_gradient(terms: Iterable[Term]) -> bool:
+    """Whether a div or curl stands in the terms, as they are written."""
+    return any(isinstance(t, Apply) and t.head in GRADIENTS for term in terms for t in term.walk())
 
 
 class _Survey:

@@ -30,6 +30,7 @@ from workbench.judge.components import (
     entry,
     first_row_by_first_column,
     flat_components,
+    is_zero,
     leibniz,
     matrix_shape,
     outer,
@@ -335,7 +336,7 @@ class JetEngine:
             rows[column] = [self._divide(entry, pivot) for entry in rows[column]]
             for i in range(size):
                 factor = rows[i][column]
-                if i != column and not vanishes(factor):
+                if i != column and not is_zero(factor):
                     minus = factor.map(lambda x: -x)
                     rows[i] = [
                         add(entry, product_of(np.multiply, minus, top))

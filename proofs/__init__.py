@@ -39,6 +39,7 @@ chapter = InstalledPaper(
         _CHAPTER / "06_4_orders_by_13.toml",
         _CHAPTER / "07_1_chains_and_lemma.toml",
         _CHAPTER / "07_2_derivatives_of_the_twist.toml",
+        _CHAPTER / "08_2C_manipulator.toml",
     ),
     theorems={
         **fields.THEOREMS,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -17,7 +18,7 @@ from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.integers import Linear
 from workbench.language.printer import to_latex
 from workbench.language.symbols import SymbolTable
-from workbench.language.terms import IllFormed, Statement, Symbol, Term
+from workbench.language.terms import Apply, Conjunction, IllFormed, Relation, Statement, Symbol, Term
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
 from workbench.repair.edits import edits
@@ -216,7 +217,7 @@ class _Bench:
     def _new(self, candidates: Iterator[Candidate]) -> Iterator[Candidate]:
         for candidate in candidates:
             self._tick()
-            if candidate.statement not in self.seen:
+            if candidate.statement not in self.seen and not is_vacuous(candidate.statement):
                 self.seen.add(candidate.statement)
                 yield candidate
 
@@ -268,3 +269,29 @@ def symbols_like(statement: Statement, table: SymbolTable) -> list[Term]:
 
 def _is_known(name: str, index: tuple[Linear, ...], table: SymbolTable) -> bool:
     return name not in table.introduced or table.defines(name, index)
+
+
+def is_vacuous(statement: Statement) -> bool:
+    """Whether an equation of the statement holds by the order and cancelling of its addends alone, such as
+    b = b + c - c. It is proved, but says nothing that could have been meant."""
+    match statement:
+        case Relation(operator="="):
+            counts: Counter[Term] = Counter()
+            for sign, side in ((1, statement.left), (-1, statement.right)):
+                for factor, term in _addends(side, sign):
+                    counts[term] += factor
+            return not any(counts.values())
+        case Conjunction(parts=parts):
+            return any(map(is_vacuous, parts))
+    return False
+
+
+def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
+    match term:
+        case Apply(head="add"):
+            for addend in term.arguments:
+                yield from _addends(addend, sign)
+        case Apply(head="neg", arguments=(inner,)):
+            yield from _addends(inner, -sign)
+        case _:
+            yield sign, term

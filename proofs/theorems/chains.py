@@ -17,8 +17,6 @@ from workbench.judge.arguments import Step, argue
 from workbench.judge.formula_steps import Letters
 from workbench.judge.verdict import Verdict
 
-_PASCAL = "C(n, k−1) + C(n, k) = C(n+1, k)"
-
 _TENSOR = {"kind": "dual tensor"}
 _VECTOR = {"kind": "dual vector"}
 _SCALAR = {"kind": "scalar"}
@@ -164,7 +162,7 @@ def left_side_of_131() -> Verdict:
 
 def multinomial_identity() -> Verdict:
     """(132) with k!/(k₁! … ) and with Φ̲(ω̲ᵢ) formed in the frame of body i−1: for every k and p."""
-    return argue([*_multinomial(), expanded_tensors()], scope="all k, p")
+    return argue([_pascal(), *_multinomial(), expanded_tensors()], scope="all k, p")
 
 
 def multinomial_identity_as_printed() -> Verdict:
@@ -188,7 +186,7 @@ def closed_form_133() -> Verdict:
         [
             *_adding_twists(),
             *_lemma(),
-            *(s for s in _multinomial() if s.shown != _PASCAL),
+            *_multinomial(),
             expanded_twists(),
         ],
         scope="all m, n",
@@ -276,7 +274,6 @@ def _multinomial() -> list[Step]:
             r"\frac{d}{dt}(X Y) = \dot{X} Y + X \dot{Y}",
             but_not=r"\frac{d}{dt}(X Y) = Y \dot{X} + X \dot{Y}",
         ),
-        _pascal(),
         step(
             "R̲ₚ⁽ʲ⁾ ᵖR̲ₚ₊₁⁽ˡ⁾ (R̲ₚ ᵖR̲ₚ₊₁)ᵀ is Φ̲ⱼ = R̲ₚ⁽ʲ⁾ R̲ₚᵀ times Φ̲ₗ of ᵖR̲ₚ₊₁ turned by R̲ₚ",
             r"Q^T Q = \mathbf{I}",
@@ -301,7 +298,7 @@ def _multinomial() -> list[Step]:
 def _pascal() -> Step:
     """With f = n!, g = (k−1)!, h = (n−k)!, q = k, r = n − k + 1, and so q + r = n + 1."""
     return _LETTERS.step(
-        _PASCAL,
+        "C(n, k−1) + C(n, k) = C(n+1, k)",
         r"\frac{f}{g r h} + \frac{f}{q g h} = \frac{(q + r) f}{q g r h}",
         but_not=r"\frac{f}{g r h} + \frac{f}{q g h} = \frac{f}{q g r h}",
     )

@@ -1,0 +1,195 @@
+"""Section 7's theorems: the laws of the words they expand in, and that damage anywhere is seen."""
+
+from collections import Counter
+from math import factorial
+from random import Random
+
+import numpy as np
+import pytest
+
+from proofs.theorems import chain_poses, chain_words, chains
+from proofs.theorems.chain_expansions import (
+    DRAKE_TOLERANCE,
+    expanded_tensors,
+    expanded_twists,
+    twists_of_chains,
+)
+from proofs.theorems.chain_words import (
+    closed_form,
+    derivatives_of_twist,
+    multinomial,
+    printed_multinomial,
+    products_of_Phi,
+    total_Phi,
+)
+from workbench.judge.arguments import argue
+from workbench.judge.formula_steps import Letters
+from workbench.judge.verdict import Outcome
+from workbench.kinematics.cylindrical_chains import latex_2c, latex_3c
+from workbench.papers.load import find_paper
+
+PROVED = (
+    chains.motion_of_last_body,
+    chains.twists_add,
+    chains.lemma,
+    chains.tensors_by_recurrence,
+    chains.tensors_by_polynomials,
+    chains.theorem_11,
+    chains.multinomial_identity,
+    chains.closed_form_133,
+)
+REFUTED = (
+    chains.one_letter_for_two_twists,
+    chains.left_side_of_131,
+    chains.multinomial_identity_as_printed,
+    chains.closed_form_133_as_printed,
+)
+
+
+def plain(theorem):
+    """The theorem without its cache."""
+    return getattr(theorem, "__wrapped__", theorem)
+
+
+def random_words(draw: Random) -> Counter:
+    letters = [(i, k) for i in (1, 2, 3) for k in (0, 1)]
+    return Counter({tuple(draw.choices(letters, k=draw.randint(0, 3))): draw.randint(1, 5) for _ in range(4)})
+
+
+def total(*addends: Counter) -> Counter:
+    result = Counter()
+    for words in addends:
+        result.update(words)
+    return chain_words._nonzero(result)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_words_are_differentiated_by_leibniz(seed):
+    draw = Random(seed)
+    a, b = random_words(draw), random_words(draw)
+    times, derive = chain_words._times, chain_words._derivative
+    assert derive(times(a, b)) == total(times(derive(a), b), times(a, derive(b)))
+
+
+@pytest.mark.parametrize("order", range(6))
+def test_one_twist_has_one_tensor(order):
+    """For the first body d/dt is the derivative [1], so that both meanings of Φ agree."""
+    assert total_Phi(1, order) == chain_words._own_Phi(1, order)
+
+
+@pytest.mark.parametrize("order", range(1, 7))
+def test_number_of_words(order):
+    """Φₖ of one twist has 2ᵏ⁻¹ words, and its coefficients add up to Bell's number."""
+    words = chain_words._own_Phi(1, order)
+    assert len(words) == 2 ** (order - 1)
+    assert sum(words.values()) == bell(order)
+
+
+def bell(n: int) -> int:
+    """Set partitions: with all ω̃^[k] = 1, R = exp(eᵗ − 1) and R⁽ⁿ⁾(0) is Bell's number."""
+    row = [1]
+    for _ in range(n - 1):
+        following = [row[-1]]
+        for entry in row:
+            following.append(following[-1] + entry)
+        row = following
+    return row[-1]
+
+
+@pytest.mark.parametrize("n", range(2, 5))
+@pytest.mark.parametrize("body", range(2, 5))
+def test_printed_coefficient_fails_from_order_2_on(body, n):
+    derivative = list(derivatives_of_twist(body, n))[n]
+    assert derivative == closed_form(body, n, multinomial)
+    assert derivative != closed_form(body, n, printed_multinomial)
+
+
+def test_printed_coefficient_is_right_where_n_is_k():
+    for parts in ((1, 2), (0, 3), (1, 1, 1)):
+        assert printed_multinomial(3, parts) == multinomial(3, parts)
+    assert printed_multinomial(4, (1, 0)) == factorial(4)
+
+
+@pytest.mark.parametrize("k", range(2, 5))
+def test_order_of_the_factors_matters(k):
+    reversed_words = Counter({word[::-1]: c for word, c in products_of_Phi(2, k, multinomial, k).items()})
+    assert total_Phi(2, k) != reversed_words
+
+
+def test_poses_notice_one_wrong_number(monkeypatch):
+    first, (relative, poses) = chain_poses._integer_chain(2, 3)
+    wrong = [pose.copy() for pose in poses]
+    wrong[2][0, 3] += 1
+    monkeypatch.setattr(chain_poses, "_integer_chain", lambda bodies, order: [first, (relative, wrong)])
+    residuals = list(chain_poses.rational_residuals(2, range(4), multinomial))
+    assert [bool(r.any()) for r in residuals] == [False, True, True, True]
+
+
+def test_drake_and_words_refuse_the_same_coefficient():
+    worst = [np.abs(r).max() for r in chain_poses.drake_residuals((2,), printed_multinomial)]
+    assert min(worst) > 1e6 * DRAKE_TOLERANCE
+
+
+@pytest.mark.parametrize("theorem", PROVED, ids=lambda f: f.__name__)
+def test_proved(theorem):
+    verdict = theorem()
+    assert verdict.outcome == Outcome.PROVED, verdict.reason
+    assert verdict.scope.startswith("all ")
+
+
+@pytest.mark.parametrize("theorem", REFUTED, ids=lambda f: f.__name__)
+def test_refuted_with_numbers(theorem):
+    verdict = theorem()
+    assert verdict.outcome == Outcome.REFUTED, verdict.reason
+    assert verdict.counterexample.left != verdict.counterexample.right
+
+
+def test_a_false_formula_in_any_step_is_seen(monkeypatch):
+    """Each step of each theorem with its control in the place of its formulas."""
+    made = {}
+    step = Letters.step
+
+    def damaged(self, shown, *formulas, but_not, orders=None):
+        made[shown] = step(self, shown, but_not, but_not=but_not, orders=orders)
+        return made[shown]
+
+    monkeypatch.setattr(Letters, "step", damaged)
+    monkeypatch.setattr(chains, "argue", lambda steps, **scope: None)
+    for theorem in PROVED:
+        plain(theorem)()
+    assert len(made) > 15
+    for shown, wrong in made.items():
+        assert argue([wrong]).outcome == Outcome.UNCHECKED, shown
+
+
+@pytest.mark.parametrize("expansion", [expanded_tensors, expanded_twists, twists_of_chains])
+@pytest.mark.parametrize("damage", ["_own_Phi", "_Phi"])
+def test_expansions_notice_a_wrong_tensor(expansion, damage, monkeypatch):
+    """Φ₂ with ω̃² left out; it does not concern (119)."""
+    if damage == "_own_Phi":
+        right = chain_words._own_Phi
+
+        def wrong(body, order):
+            words = right(body, order)
+            return Counter({w: c for w, c in words.items() if w != ((body, 0), (body, 0))})
+
+        monkeypatch.setattr(chain_words, "_own_Phi", wrong)
+    else:
+        right = chain_poses._Phi
+        monkeypatch.setattr(
+            chain_poses,
+            "_Phi",
+            lambda rates, order: [
+                p if k != 2 else p - rates[0] @ rates[0] for k, p in enumerate(right(rates, order))
+            ],
+        )
+    outcome = argue([expansion()]).outcome
+    assert outcome == (Outcome.PROVED if expansion is twists_of_chains else Outcome.UNCHECKED)
+
+
+def test_the_claims_print_the_closed_forms_that_are_proved():
+    printed = {claim.id: claim.printed.latex for claim in find_paper().claims}
+    for name, expanded in (("3C", False), ("3C.expanded", True)):
+        for formula in latex_3c(expanded):
+            assert formula in printed[name]
+    assert len(latex_2c()) == 4

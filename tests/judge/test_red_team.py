@@ -72,8 +72,10 @@ class TestAngles:
         values = check(r"\sin(2 \alpha) = 2 \sin \alpha", SYMBOLS).verdict.counterexample.values
         assert r"\sin \alpha" in values and r"\alpha" not in values
         values = check(r"\sin \underline{f} = \cos \underline{f}", SYMBOLS).verdict.counterexample.values
-        real_part = r"\underline{f}" in values
-        assert real_part == (values[r"\cos \underline{f}"] == ("1",))
+        assert {r"\sin \underline{f}", r"\operatorname{Du} \underline{f}"} <= set(values)
+        assert r"\underline{f}" not in values
+        values = check(r"\cos(\varepsilon f) = 1 - \varepsilon f", SYMBOLS).verdict.counterexample.values
+        assert set(values) == {"f"}
 
     def test_the_sine_of_a_component_is_outside(self):
         assert outcome(r"\sin(\operatorname{trace} T) = 0") == Outcome.UNCHECKED
@@ -279,3 +281,20 @@ def test_the_rate_of_an_inverse_where_an_entry_passes_through_zero():
     assert outcome(f"{rate} = {rule}", r"1 - f^2 \neq 0") == Outcome.PROVED
     assert outcome(f"{rate} = {rule}", "f = 0") != Outcome.REFUTED
     assert outcome(f"{rate} = 2 {rule[1:]}", "f = 0") == Outcome.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"e^{\varepsilon f} = 1 + \varepsilon f", Outcome.PROVED),
+        (r"e^{\varepsilon f} = 2 + \varepsilon f", Outcome.REFUTED),
+        (r"\sin(\varepsilon f) = \varepsilon f", Outcome.PROVED),
+        (r"\cos(\varepsilon f) = 1", Outcome.PROVED),
+        (r"\cos(\varepsilon f) = 1 - \varepsilon f", Outcome.REFUTED),
+        (r"\frac{d}{dt} \sin(\varepsilon f) = \varepsilon \dot{f}", Outcome.PROVED),
+        (r"\frac{d}{dt} e^{\varepsilon f} = \varepsilon \dot{f} e^{\varepsilon f}", Outcome.PROVED),
+        (r"\begin{bmatrix} f & g \\ f & g \end{bmatrix}^{-1} f = \mathbf{I}", Outcome.UNCHECKED),
+    ],
+)
+def test_purely_dual_arguments_and_singular_blocks(latex, expected):
+    assert outcome(latex) == expected

@@ -13,7 +13,7 @@ from workbench.judge.inventory import Inventory, Lookup, NotExact, take_inventor
 from workbench.judge.parameters import Parameter
 from workbench.judge.points import Trial, counterexample, first_trial
 from workbench.judge.vanishing import Equations, solve
-from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.language.terms import Relation, Statement, Symbol
 
 
@@ -92,10 +92,14 @@ class Case:
     def measured_angles(self) -> list[Symbol]:
         """The angles that stand beside their sines and cosines, as in sin α = α: no rational point but
         α = 0 is one of theirs."""
+        return [a for a in self.inventory.angles if self._uses(a, "value", 1) and self._uses(a, "circle", 2)]
+
+    def _uses(self, angle: Symbol, part: str, count: int) -> bool:
+        parameters = [Parameter(angle, part, 0, component) for component in range(count)]
         try:
-            return [a for a in self.inventory.angles if self.exact.depends(self.sides, _angle(a))]
+            return any(self.exact.depends(self.sides, p) for p in parameters)
         except ZeroDivisionError:
-            return list(self.inventory.angles)
+            return True
 
     def _is_real(self, trial: Trial) -> bool:
         return all(
@@ -107,9 +111,15 @@ class Case:
     def solved(self) -> Equations:
         return solve(self.exact, self.assumptions.equations)
 
+    def counterexample(self, trial: Trial, relation: Relation) -> Counterexample:
+        """The trial's point, an angle told by what of it occurs: its value, or its cosine and sine."""
+        angles = self.inventory.angles
+        turned = [a for a in angles if not self._uses(a, "value", 1)]
+        return counterexample(trial, relation, self.inventory, turned)
+
     def refuted(self, trial: Trial, relation: Relation) -> Verdict:
         """The verdict that the relation, or the statement it is part of, fails at the trial's point."""
-        example = counterexample(trial, relation, self.inventory)
+        example = self.counterexample(trial, relation)
         evidence = Evidence("rational point, exact arithmetic", "the two sides differ")
         return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))
 

@@ -13,7 +13,7 @@ from workbench.judge.case import Case, NoDefinitions, Setting
 from workbench.judge.families import SAME_TERM
 from workbench.judge.inventory import Lookup, NotExact, has_gradient
 from workbench.judge.jets import JetEngine
-from workbench.judge.points import Trial, counterexample
+from workbench.judge.points import Trial
 from workbench.judge.rings import PRIME, PointSource, ResidueRing, sample
 from workbench.judge.vanishing import unimplied
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
@@ -154,7 +154,7 @@ class Equation(Case):
         return Verdict(
             Outcome.CONDITIONAL,
             reason="a denominator can vanish, and nothing that the claim assumes excludes it",
-            counterexample=counterexample(trial, relation, self.inventory),
+            counterexample=self.counterexample(trial, relation),
             evidence=(*evidence, gap),
         )
 

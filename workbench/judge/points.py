@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
@@ -15,7 +15,7 @@ from workbench.judge.rings import PointSource, RationalRing, sample
 from workbench.judge.verdict import Counterexample
 from workbench.language.construct import apply, derivative
 from workbench.language.printer import to_latex
-from workbench.language.terms import Relation, Term
+from workbench.language.terms import Relation, Symbol, Term
 
 #: Entries to draw from, and how many points to try with them.
 STAGES = (((-1, 0, 1), 240), ((-2, -1, 0, 1, 2), 160), ((-3, -2, -1, 1, 2, 3), 120))
@@ -101,21 +101,24 @@ def _simplified(
     return trial
 
 
-def counterexample(trial: Trial, relation: Relation, inventory: Inventory) -> Counterexample:
-    """The point as values of the symbols and their derivatives, with what the two sides are there."""
+def counterexample(
+    trial: Trial, relation: Relation, inventory: Inventory, turned: Collection[Symbol]
+) -> Counterexample:
+    """The point as values of the symbols and their derivatives, with what the two sides are there. An angle
+    in `turned` is told by its cosine and sine, another one by its value; that is 0 if both occur."""
     values: dict[str, tuple[str, ...]] = {}
     for symbol, order in inventory.orders.items():
         for k in range(order + 1):
             if k and symbol.declaration.constant:
                 break
-            if not k and symbol in inventory.angles and trial.engine.circle(symbol) != (1, 0):
+            if not k and symbol in turned:
                 if symbol.type.dual:  # its real part is told by cosine and sine alone
                     dual_part = apply("du", symbol)
                     values[to_latex(dual_part)] = _strings(trial.components(dual_part))
                 continue
             name = to_latex(derivative(symbol, k) if k else symbol)
             values[name] = _strings(trial.components(derivative(symbol, k) if k else symbol))
-    for angle in inventory.angles:
+    for angle in turned:
         cosine, sine = trial.engine.circle(angle)
         name = to_latex(angle)
         values[rf"\cos {name}"], values[rf"\sin {name}"] = (str(cosine),), (str(sine),)

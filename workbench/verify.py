@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import cache
 from multiprocessing import get_all_start_methods, get_context
 
 from workbench.judge.assumptions import Unsatisfiable
@@ -47,6 +48,7 @@ class PaperJudge:
         self.paper = paper
         self.options = {"second_engine": second_engine, "motions": motions}
         self._judges: dict[int, Judge] = {}
+        self._theorem = cache(lambda name: paper.theorems[name]())  # several claims can rest on one
 
     def result(self, claim: Claim) -> ClaimResult:
         """Raises EngineDisagreement: a defect of the workbench, which no verdict may hide."""
@@ -60,7 +62,7 @@ class PaperJudge:
 
     def _printed(self, claim: Claim) -> Verdict:
         if claim.theorem is not None:
-            return self.paper.theorems[claim.theorem]()
+            return self._theorem(claim.theorem)
         return self._verdict(claim, claim.printed, claim.hypothesis)
 
     def _verdict(self, claim: Claim, formula: Formula, hypothesis: Formula | None) -> Verdict:

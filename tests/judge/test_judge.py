@@ -206,6 +206,7 @@ class TestEquivalences:
             (r"f^2 g \neq 0 \Leftrightarrow f g^3 \neq 0", Outcome.PROVED),
             (r"f g \neq 0 \Rightarrow f \neq 0", Outcome.PROVED),
             (r"f \neq 0 \Rightarrow f g \neq 0", Outcome.REFUTED),
+            (r"f^2 + 3 g f - 10 g^2 + f \neq 0 \Rightarrow f g - 7 a^2 \neq 0", Outcome.REFUTED),
             (r"f = 0 \Rightarrow f g = 0", Outcome.PROVED),
             (r"f g = 0 \Rightarrow f = 0", Outcome.REFUTED),
             (r"a \cdot b \neq 0 \Leftrightarrow a \neq 0", Outcome.REFUTED),

@@ -44,6 +44,13 @@ class DifferentialRing:
         value = Fraction(value)
         return self._context.constant(fmpq(value.numerator, value.denominator))
 
+    def number(self, p: Polynomial) -> Fraction:
+        """A constant polynomial as a fraction."""
+        if not p.is_constant():
+            raise ValueError("expected a constant polynomial")
+        value = fmpq(0) if p == 0 else p.leading_coefficient()
+        return Fraction(int(value.p), int(value.q))
+
     def derive_as(self, name: str, rate: Polynomial) -> None:
         """The time derivative of a generator; a generator without one must not be differentiated."""
         self._rates[self._places[name]] = rate

@@ -6,13 +6,15 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import islice
 
+from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.assumptions import Assumptions, Unsatisfiable
 from workbench.judge.exact import ExactEngine
 from workbench.judge.inventory import Inventory, Lookup, NotExact, take_inventory
 from workbench.judge.parameters import Parameter
-from workbench.judge.points import Trial, counterexample, first_trial
-from workbench.judge.vanishing import Equations, solve
+from workbench.judge.points import Trial, accepted, counterexample, first_trial, trial_at, trials
+from workbench.judge.vanishing import Equations, points_on, solve
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.language.terms import Relation, Statement, Symbol
 
@@ -71,13 +73,21 @@ class Case:
 
     def find(self, accept: Callable[[Trial], bool]) -> Trial | None:
         """A small point that satisfies the assumptions and is accepted."""
+        return first_trial(self.inventory, self.definitions, self._admitted(accept), self._completed)
+
+    def find_on(self, p: Polynomial, accept: Callable[[Trial], bool], most: int = 150) -> Trial | None:
+        """The same where p vanishes, on lines along one parameter through `most` small points."""
+        admitted = self._admitted(accept)
+        for start in islice(trials(self.inventory, self.definitions, self._completed), most):
+            for point in points_on(self.exact, p, start.point):
+                trial = trial_at(point, self.definitions)
+                if accepted(trial, admitted):
+                    return trial
+        return None
+
+    def _admitted(self, accept: Callable[[Trial], bool]) -> Callable[[Trial], bool]:
         supposed = self.assumptions.relations
-        return first_trial(
-            self.inventory,
-            self.definitions,
-            lambda t: self._is_real(t) and all(t.holds(r) for r in supposed) and accept(t),
-            self._completed,
-        )
+        return lambda t: self._is_real(t) and all(t.holds(r) for r in supposed) and accept(t)
 
     def _completed(self, point: dict[Parameter, Fraction]) -> dict[Parameter, Fraction]:
         """The point with the parameters for which the equations are solved put to their values."""

@@ -96,6 +96,10 @@ class ExactEngine:
         """The value of a polynomial without reciprocals or norms at a point of the parameters."""
         return self.ring.at(p, {self._named[q]: value for q, value in point.items() if q in self._named})
 
+    def name_of(self, parameter: Parameter) -> str:
+        """The generator of the ring that stands for a parameter."""
+        return self._named[parameter]
+
     def parameter_of(self, generator: Polynomial) -> Parameter:
         """The parameter that a generator of the ring stands for."""
         return next(p for p, name in self._named.items() if name == str(generator))

@@ -60,10 +60,10 @@ def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> I
         for i in range(count):
             density = 0.3 + 0.7 * i / count
             point = sample(inventory, ring, random, lambda _, d=density: random.random() < d)
-            yield _trial(complete(point), definitions)
+            yield trial_at(complete(point), definitions)
 
 
-def _trial(point: dict[Parameter, Fraction], definitions: Lookup) -> Trial:
+def trial_at(point: dict[Parameter, Fraction], definitions: Lookup) -> Trial:
     return Trial(point, JetEngine(PointSource(RationalRing(), point), definitions))
 
 
@@ -72,12 +72,12 @@ def first_trial(
 ) -> Trial | None:
     """The first point that is accepted, made simpler as long as it still is; None if there is none."""
     for trial in trials(inventory, definitions, complete):
-        if _accepted(trial, accept):
+        if accepted(trial, accept):
             return _simplified(trial, definitions, accept, complete)
     return None
 
 
-def _accepted(trial: Trial, accept: Callable[[Trial], bool]) -> bool:
+def accepted(trial: Trial, accept: Callable[[Trial], bool]) -> bool:
     try:
         return accept(trial)
     except NotExact:  # a norm that is not rational at this point
@@ -94,8 +94,8 @@ def _simplified(
         for simpler in (Fraction(0), abs(trial.point[parameter])):
             if simpler == trial.point[parameter]:
                 break
-            candidate = _trial(complete({**trial.point, parameter: simpler}), definitions)
-            if _accepted(candidate, accept):
+            candidate = trial_at(complete({**trial.point, parameter: simpler}), definitions)
+            if accepted(candidate, accept):
                 trial = candidate
                 break
     return trial

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+
+from flint import fmpq
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.exact import ExactEngine
+from workbench.judge.parameters import Parameter
 from workbench.language.terms import Relation
 
 
@@ -98,3 +102,21 @@ def _replaced(p: Polynomial, generator: Polynomial, value: Polynomial) -> Polyno
     context = p.context()
     images = [value if g == generator else g for g in context.gens()]
     return p.compose(*images, ctx=context)
+
+
+def points_on(
+    engine: ExactEngine, p: Polynomial, point: dict[Parameter, Fraction]
+) -> Iterator[dict[Parameter, Fraction]]:
+    """Points where p vanishes and that differ from the given one in one parameter: its rational roots."""
+    values = {engine.name_of(q): fmpq(v.numerator, v.denominator) for q, v in point.items()}
+    used = {engine.ring.names[i] for i, degree in enumerate(p.degrees()) if degree > 0}
+    for parameter in point:
+        name = engine.name_of(parameter)
+        if name not in used or name in engine.ring.squared:
+            continue
+        line = p.subs({other: value for other, value in values.items() if other != name})
+        x = engine.ring.generators[name]
+        for factor, _ in line.factor()[1]:
+            slope = factor.derivative(engine.ring.names.index(name))
+            if slope.is_constant() and slope != 0:
+                yield {**point, parameter: engine.ring.number(x - factor / slope.leading_coefficient())}

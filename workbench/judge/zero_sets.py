@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from workbench.algebra.differential_ring import Polynomial
@@ -56,10 +57,23 @@ def judge_zeros(
         holds_left, holds_right = trial.holds(left), trial.holds(right)
         return (holds_left and not holds_right) or (both_ways and holds_right and not holds_left)
 
-    trial = case.find(disagrees)
+    trial = case.find(disagrees) or _find_on_zeros(case, (left, right), disagrees)
     if trial is None:
         return verdict
     return case.refuted(trial, right if trial.holds(left) else left)
+
+
+def _find_on_zeros(
+    case: Case, sides: tuple[Relation, Relation], disagrees: Callable[[Trial], bool]
+) -> Trial | None:
+    """A point where one side vanishes and the other does not, among the zeros of either side on lines."""
+    for relation in sides:
+        p = _scalar(case, relation)
+        if p != 0:
+            trial = case.find_on(p, disagrees)
+            if trial is not None:
+                return trial
+    return None
 
 
 def _same_zeros(case: Case, left: Relation, right: Relation, both_ways: bool, second_engine: bool) -> Verdict:

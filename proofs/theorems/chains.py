@@ -52,6 +52,15 @@ _LETTERS = Letters(
 )
 
 
+_TWISTS = Letters(
+    {
+        r"\underline{\omega}_p": {"kind": "dual vector", "weight": 1},
+        r"\underline{\Omega}_p": {"kind": "dual vector", "weight": 1},
+        r"{}^0\underline{\mathbf{R}}_1": {"kind": "dual rotation", "weight": 0},
+    }
+)
+
+
 def motion_of_last_body() -> Verdict:
     """(117): the product of the relative motions is a dual rotation, and composes the displacements."""
     step = _LETTERS.step
@@ -91,16 +100,12 @@ def twists_add() -> Verdict:
 
 def one_letter_for_two_twists() -> Verdict:
     """(121) as printed: with the ω̲ₖ of (120) on both sides it needs a rotation about its own axis."""
+    formula = r"\underline{\Omega}_2 = {}^0\underline{\mathbf{R}}_1 \underline{\Omega}_2"
+    true = r"\underline{\Omega}_2^2 = ({}^0\underline{\mathbf{R}}_1 \underline{\Omega}_2)^2"
     return argue(
-        [
-            _LETTERS.refutation(
-                "a rotation leaves its own axis alone, not every vector",
-                r"a = Q a",
-                but_not=r"a = Q^T Q a",
-            )
-        ],
+        [_TWISTS.refutation("a rotation leaves its own axis alone, not every vector", formula, but_not=true)],
         refutes=True,
-        counterexample=_LETTERS.counterexample(r"\mathbf{c} = A \mathbf{c}"),
+        counterexample=_TWISTS.counterexample(formula),
         reason="the ω̲ₖ of (120) is resolved in body k−1, the one of (122) in C₀",
     )
 
@@ -152,10 +157,12 @@ def theorem_11() -> Verdict:
 
 def left_side_of_131() -> Verdict:
     """(131) as printed says ω̲ₘ⁽ⁿ⁾ for ₀ω̲ₘ⁽ⁿ⁾: for m = 2, n = 0, ω̲₂ = ω̲₁ + ω̲₂."""
+    formula = r"\underline{\omega}_2 = \underline{\omega}_1 + \underline{\omega}_2"
+    true = r"\underline{\omega}_2 + \underline{\omega}_1 = \underline{\omega}_1 + \underline{\omega}_2"
     return argue(
-        [_LETTERS.refutation("ω̲₂ = ω̲₁ + ω̲₂ does not hold", "b = a + b", but_not="a + b = b + a")],
+        [_TWISTS.refutation("ω̲₂ = ω̲₁ + ω̲₂ does not hold", formula, but_not=true)],
         refutes=True,
-        counterexample=_LETTERS.counterexample("b = a + b"),
+        counterexample=_TWISTS.counterexample(formula),
         reason="for m ≥ 2 the sum is the twist of body m in C₀, not the one relative to body m − 1",
     )
 
@@ -167,15 +174,14 @@ def multinomial_identity() -> Verdict:
 
 def multinomial_identity_as_printed() -> Verdict:
     """(132) with n!/(k₁! …): for p = 3, k = 1 and n = 2 the right side is twice the left one."""
-    formula = r"\tilde{a} + \tilde{b} = 2 \tilde{a} + 2 \tilde{b}"
+    twice = (
+        r"\widetilde{\underline{\omega}_1 + \underline{\omega}_2}"
+        r" = %d (\tilde{\underline{\omega}}_1 + \tilde{\underline{\omega}}_2)"
+    )
     return argue(
-        [
-            _LETTERS.refutation(
-                "p = 3, k = 1, n = 2", formula, but_not=r"\widetilde{a + b} = \tilde{a} + \tilde{b}"
-            )
-        ],
+        [_TWISTS.refutation("p = 3, k = 1, n = 2", twice % 2, but_not=twice % 1)],
         refutes=True,
-        counterexample=_LETTERS.counterexample(formula),
+        counterexample=_TWISTS.counterexample(twice % 2),
         reason="the coefficient n!/(k₁! … ) is n!/k! times too large, and n does not occur on the left",
     )
 
@@ -196,15 +202,15 @@ def closed_form_133() -> Verdict:
 def closed_form_133_as_printed() -> Verdict:
     """(133) with C(n, k) n!/(k₁! …): for m = n = 2 it has 4 ω̲̃₁ ω̲₂^[1] for 2 ω̲̃₁ ω̲₂^[1]."""
     formula = (
-        r"\frac{d^2}{dt^2} (a + b) = \ddot{a} + (\mathbf{D} - \tilde{a})^2 b"
-        r" + %d \tilde{a} (\dot{b} - a \times b) + (\dot{\tilde{a}} + \tilde{a}^2) b"
+        r"\frac{d^2}{dt^2} (\underline{\omega}_1 + \underline{\omega}_2) = \ddot{\underline{\omega}}_1"
+        r" + (\mathbf{D} - \tilde{\underline{\omega}}_1)^2 \underline{\omega}_2"
+        r" + %d \tilde{\underline{\omega}}_1 (\mathbf{D} - \tilde{\underline{\omega}}_1) \underline{\omega}_2"
+        r" + (\dot{\tilde{\underline{\omega}}}_1 + \tilde{\underline{\omega}}_1^2) \underline{\omega}_2"
     )
     return argue(
-        [
-            _LETTERS.refutation("m = n = 2", formula % 4, but_not=formula % 2),
-        ],
+        [_TWISTS.refutation("m = n = 2", formula % 4, but_not=formula % 2)],
         refutes=True,
-        counterexample=_LETTERS.counterexample(formula % 4),
+        counterexample=_TWISTS.counterexample(formula % 4),
         reason="true for n ≤ 1 only; for n ≥ 2 every term with 0 < k < n has the factor n!/k! too much",
     )
 

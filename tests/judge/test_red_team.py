@@ -298,3 +298,31 @@ def test_the_rate_of_an_inverse_where_an_entry_passes_through_zero():
 )
 def test_purely_dual_arguments_and_singular_blocks(latex, expected):
     assert outcome(latex) == expected
+
+
+def test_families_side_by_side_are_each_for_all_n(tmp_path):
+    text = r"""[symbols]
+T = { kind = "tensor" }
+v = { kind = "vector" }
+[definitions]
+'\Phi_1' = 'T'
+'\Phi_{n+1}' = '\dot{\Phi}_n + \Phi_n T'
+'a_1' = 'v'
+'a_{n+1}' = '\dot{a}_n + \Phi_n v'
+"""
+    printed = r"v \cdot a_{n+1} = v \cdot \dot{a}_n + v \cdot (\Phi_n v)"
+    (verdict,) = verdicts(tmp_path / "paper.toml", text + claim(printed, "n = 1..3"))
+    assert (verdict.outcome, verdict.scope) == (Outcome.PROVED, "all n")
+
+
+def test_a_denominator_without_a_zero_in_sight_is_unchecked():
+    found = check(r"\frac{a \cdot a}{\|a\| \|b\|} \|b\| = \|a\|", SYMBOLS, assume=[r"a \neq 0", r"b \neq 0"])
+    assert found.outcome == Outcome.UNCHECKED and "denominator" in found.verdict.reason
+
+
+@pytest.mark.parametrize("latex", [r"a \times b = b \times a", r"T a = T b", r"(a \cdot b) T = 0"])
+def test_a_counterexample_has_no_entry_too_many(latex):
+    """With any entry put to 0 the two sides would be equal, or there is but one entry left."""
+    values = check(latex, SYMBOLS).verdict.counterexample.values
+    entries = [x for components in values.values() for x in components if x != "0"]
+    assert len(entries) <= 3 and set(entries) == {"1"}

@@ -148,7 +148,7 @@ def unrolled_recurrence() -> Verdict:
             ),
             _fails_for_one(),
         ],
-        scope="all n",
+        scope="all n ≥ 2",
     )
 
 

@@ -18,7 +18,7 @@ from workbench.judge.inventory import NotExact, take_inventory
 from workbench.judge.judge import Judge
 from workbench.judge.verdict import Outcome
 from workbench.language.instances import instantiate
-from workbench.language.terms import Conjunction, Equivalence, IllFormed, Implication, Relation
+from workbench.language.terms import Conjunction, IllFormed, Relation
 from workbench.papers import find_paper
 from workbench.repair.edits import KINDS, edits
 from workbench.repair.places import sides
@@ -27,7 +27,7 @@ from workbench.verify import HOLDS
 
 SAMPLE = 160
 SEED = 53
-OUTCOMES = ("refuted", "ill-formed", "equal", "unequal")
+OUTCOMES = ("refuted", "ill-formed", "equal")
 
 
 @pytest.fixture(scope="module")
@@ -65,11 +65,7 @@ class Campaign:
         return self.judge.judge(statement, assume=self.assume, orders=self.claim.orders)
 
     def outcome(self, edit):
-        """One of OUTCOMES; anything else is a mutant that got away.
-
-        "unequal" is for equivalences only: the factors of the two sides differ, and no small point of the one
-        zero set lies off the other.
-        """
+        """One of OUTCOMES; anything else is a mutant that got away."""
         if edit.statement is None or not self.is_defined(edit.statement):
             return "ill-formed"
         if self.refuted_modulo_the_prime(edit.statement):
@@ -82,8 +78,6 @@ class Campaign:
             return "equal"
         if verdict.outcome == Outcome.REFUTED:
             return "refuted"
-        if isinstance(edit.statement, Equivalence | Implication) and "factors" in (verdict.reason or ""):
-            return "unequal"
         return f"{verdict.outcome}: {verdict.reason}"
 
     def is_defined(self, statement):

@@ -369,11 +369,11 @@ def test_taylor_coefficients_of_a_position():
         (lambda: fields.solve(np.zeros((3, 3), dtype=object), np.ones(3, dtype=object)), "det"),
         (lambda: points.field_from_points(np.eye(3), np.eye(3)), "at least 4"),
         (lambda: points.field_from_points(rationals(0, 4, 3), rationals(0, 5, 3)), "4 points"),
-        (lambda: points.field_from_points([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], np.ones((4, 3))), "coplanar"),  # noqa: E501
+        (lambda: points.field_from_points([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], np.ones((4, 3))), "coplanar"),
         (lambda: points.twist_from_points(np.eye(3), np.eye(3)), "N, ..., P, 3"),
         (lambda: points.twist_from_points(np.eye(3)[:2], np.ones((1, 2, 3))), "at least 3"),
-        (lambda: points.twist_from_points([[0, 0, 1], [0, 0, 2], [0, 0, 3]], np.ones((1, 3, 3))), "collinear"),  # noqa: E501
-        (lambda: points.twist_from_points(np.array([[0, 0, 1], [0, 0, 2], [0, 0, 3]], dtype=object), np.ones((1, 3, 3), dtype=object)), "collinear"),  # noqa: E501
+        (lambda: points.twist_from_points([[0, 0, 1], [0, 0, 2], [0, 0, 3]], np.ones((1, 3, 3))), "collinear"),
+        (lambda: points.twist_from_points(np.array([[0, 0, 1], [0, 0, 2], [0, 0, 3]], dtype=object), np.ones((1, 3, 3), dtype=object)), "collinear"),
     ],
 )  # fmt: skip
 def test_bad_input(call, message):

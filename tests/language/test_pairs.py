@@ -2,7 +2,7 @@
 
 import pytest
 
-from workbench.language.errors import IllFormedAt
+from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.reader import read, read_term
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Block
@@ -26,7 +26,13 @@ def test_a_pair_is_the_matrix_of_one_row():
 
 
 def test_entries_of_unequal_weight_leave_the_pair_without_one():
-    assert read_term("(a, b)", TABLE).weight is None
+    assert read_term("(b, A)", TABLE).weight is None
+
+
+def test_two_vectors_in_brackets_are_no_pair():
+    """Many write a scalar product so."""
+    with pytest.raises(ReadError):
+        read_term("(a, b)", TABLE)
 
 
 def test_a_tensor_acts_on_each_entry():

@@ -190,9 +190,9 @@ class Elaborator:
             return terms[0]
         if len(terms) == 3 and node.kind in ("(", "\\langle"):
             return self.apply(node.at, "triple", *terms)
-        if len(terms) == 2 and node.kind == "(":
+        if len(terms) == 2 and node.kind == "(" and terms[0].type.kind != terms[1].type.kind:
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): beside each other
-        message = "a triple product has three, a pair in round brackets two"
+        message = "a triple product has three, a pair (a, T) two of different kinds"
         raise Fault(f"{len(terms)} expressions between brackets; {message}", node.at)
 
     def fraction(self, node: Fraction) -> Term:

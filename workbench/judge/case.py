@@ -64,7 +64,9 @@ class Case:
     def require_satisfiable(self) -> None:
         """Raises Unsatisfiable if no point satisfies the assumptions: under them anything would be proved;
         NotExact where that cannot be told."""
-        if not self.assumptions.relations or self.find(lambda trial: True) is not None:
+        admitted = self._admitted(lambda trial: True)
+        points = trials(self.inventory, self.definitions, self._completed)
+        if not self.assumptions.relations or any(accepted(trial, admitted) for trial in points):
             return
         if not self.measured_angles:
             raise Unsatisfiable("no values of the symbols satisfy the assumptions")

@@ -85,8 +85,8 @@ class Equation(Case):
         )
 
     def _screen(self) -> bool | None:
-        """Zero at a random point modulo the prime; None where the screen does not apply."""
-        if self.assumptions.equations:
+        """Zero at a random point modulo the prime, by the second engine; None where it does not apply."""
+        if self.assumptions.equations or not self.setting.second_engine:
             return None
         ring = ResidueRing()
         point = sample(self.inventory, ring, Random(2020), lambda _: True)

@@ -219,9 +219,7 @@ def repair_claim(
 @_engine_options
 @_proposals_flag
 @_reports_faults
-def check(
-    file: Path, json_out: str | None, second_engine: bool, motions: bool, proposals: bool
-) -> None:
+def check(file: Path, json_out: str | None, second_engine: bool, motions: bool, proposals: bool) -> None:
     """Judge a paper file. Exit status: 0 if all claims are proved or definitions, 1 if some are not,
     2 if the file cannot be used."""
     from workbench.papers import load_paper
@@ -254,6 +252,12 @@ def check(
 )
 @_json_flag
 @_engine_options
+@click.option(
+    "--proposals/--no-proposals",
+    default=False,
+    show_default=True,
+    help="Search for the right form of what is not right; takes minutes.",
+)
 @_reports_faults
 def report(
     select: Sequence[str],
@@ -262,6 +266,7 @@ def report(
     as_json: bool,
     second_engine: bool,
     motions: bool,
+    proposals: bool,
 ) -> None:
     """Write the report of a paper: JSON, HTML, Markdown and LaTeX. Exit status as for verify."""
     from workbench.papers import find_paper
@@ -272,6 +277,8 @@ def report(
     paper = find_paper(paper_name)
     results = _judged(paper, select, second_engine=second_engine, motions=motions)
     data = report_dict(paper, results)
+    if proposals:
+        data["claims"] = _with_proposals(data["claims"], results, True)
     written = _write_report_atomically(data, out)
     if as_json:
         _print_json(data)

@@ -393,3 +393,15 @@ def test_a_garbled_formula_that_is_false_as_meant_counts_as_false():
     after = document_of(report)
     technical = [[e.id for e in d.errata if e.erratum_type == "Technical"] for d in (before, after)]
     assert claim["id"] not in technical[0] and claim["id"] in technical[1]
+
+
+def test_what_the_machine_proposes_is_shown_with_its_edit():
+    report = sample()
+    claim = next(c for c in report["claims"] if c["verdict"] == "refuted")
+    claim["proposed"] = [{"latex": r"a = 2 b", "edit": "the factor 2 of $b$ is missing", "verdict": "proved"}]
+    texts = render.render(report)
+    for name in ("report.html", "report.md", "erratum.tex"):
+        assert "Proposed by the machine" in texts[name] and "is missing" in texts[name]
+    claim["proposed"][0]["edit"] = None
+    with pytest.raises(ReportError, match="proposed"):
+        render.render(report)

@@ -331,6 +331,12 @@ def _forms(claim: Mapping[str, Any]) -> tuple[tuple[Form, ...], tuple[tuple[Run,
         if found:
             forms[index - 1] = replace(before, marked=before.marked | found.marked_before)
             forms[index] = replace(after, marked=found.marked_after)
+    forms += [
+        Form(
+            "Proposed by the machine", p["latex"], kind=KINDS[p["verdict"]], reason=tuple(runs_of(p["edit"]))
+        )
+        for p in claim.get("proposed", ())
+    ]
     return tuple(forms), tuple(wrong)
 
 

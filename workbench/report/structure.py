@@ -20,12 +20,13 @@ _REPORT_KEYS = ("paper", "versions", "claims", "summary")
 _CLAIM_KEYS = (
     "id", "equation", "section", "printed", "statement", "read_back", "verdict", "scope", "reason",
     "reading", "corrected", "hypothesis", "assume", "orders", "counterexample", "evidence", "inherits",
-    "note", "expected", "passed", "why_not",
+    "note", "expected", "passed", "why_not", "proposed",
 )  # fmt: skip
+_PROPOSAL_KEYS = ("latex", "edit", "verdict")
 _FORM_KEYS = ("latex", "verdict", "read_back", "scope", "reason", "evidence")
 _MAY_BE_ABSENT = frozenset({
     "statement", "reason", "assume", "orders", "expected", "passed", "why_not", "read_back", "scope",
-    "evidence",
+    "evidence", "proposed",
 })  # fmt: skip
 _TEXT_OR_NULL = (
     "equation", "section", "printed", "statement", "read_back", "scope", "reason", "hypothesis",
@@ -78,11 +79,20 @@ def _claim(claim: Any, place: str) -> dict[str, Any]:
     _verdict(claim["verdict"], f"{place}.verdict")
     for key in ("inherits", "assume"):
         _texts(claim.get(key, ()), f"{place}.{key}")
+    for index, proposal in enumerate(_list(claim.get("proposed", []), f"{place}.proposed")):
+        _proposal(proposal, f"{place}.proposed[{index}]")
     if claim["counterexample"] is not None:
         _counterexample(claim["counterexample"], f"{place}.counterexample")
     _evidence(claim["evidence"], f"{place}.evidence")
     forms = {key: _form(claim[key], f"{place}.{key}") for key in ("reading", "corrected")}
     return {key: (claim | forms)[key] for key in _CLAIM_KEYS if key in claim}
+
+
+def _proposal(proposal: Any, place: str) -> None:
+    _keys(proposal, _PROPOSAL_KEYS, place, frozenset())
+    _text(proposal["latex"], f"{place}.latex")
+    _text(proposal["edit"], f"{place}.edit")
+    _verdict(proposal["verdict"], f"{place}.verdict")
 
 
 def _form(form: Any, place: str) -> dict[str, Any] | None:

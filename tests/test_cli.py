@@ -296,6 +296,7 @@ def test_a_locale_without_greek_is_no_fault(tmp_path):
 def test_interrupted_it_says_so_and_leaves_no_half_report(tmp_path):
     code = (
         "import os, signal, workbench.judge.judge as j\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a job in the background ignores it
         "j.Judge.judge = lambda *a, **k: os.kill(os.getpid(), signal.SIGINT) or __import__('time').sleep(9)\n"
         "from workbench.cli import main; main()"
     )

@@ -4,6 +4,7 @@ and the claim passes if the verdicts are those that its keys announce."""
 from __future__ import annotations
 
 import os
+import signal
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -110,12 +111,17 @@ def _verdicts(judge: PaperJudge, claims: Sequence[Claim]) -> Iterator[Verdicts]:
         return
     global _forked
     _forked = judge, claims  # what a forked process finds in place, without a copy being sent
-    executor = ProcessPoolExecutor(cores, mp_context=get_context("fork"))
+    executor = ProcessPoolExecutor(cores, get_context("fork"), initializer=_end_quietly_at_an_interrupt)
     try:
         yield from executor.map(_forked_verdicts, range(len(claims)))
     finally:
         executor.shutdown(cancel_futures=True)
         _forked = None
+
+
+def _end_quietly_at_an_interrupt() -> None:
+    """Ctrl-C reaches all processes; the first one says what there is to say."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def _forked_verdicts(place: int) -> Verdicts:

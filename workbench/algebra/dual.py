@@ -122,10 +122,10 @@ class Dual:
             difference = self - other
         except (TypeError, ValueError):
             return NotImplemented
-        return _is_zero(difference.re) and _is_zero(difference.du)
+        return is_zero(difference.re) and is_zero(difference.du)
 
     def __hash__(self) -> int:
-        return hash(self.re) if _is_zero(self.du) else hash((self.re, self.du))
+        return hash(self.re) if is_zero(self.du) else hash((self.re, self.du))
 
     def __getitem__(self, index: Any) -> "Dual":
         """The entries ``index`` of a dual array."""
@@ -241,10 +241,10 @@ _mul = _ring_operation(operator.mul)
 _divide = _ring_operation(_exact_quotient)
 
 
-def _is_zero(a: Any) -> bool:
+def is_zero(a: Any) -> bool:
     """Whether a (for an array: every entry of it) is zero."""
     if isinstance(a, np.ndarray):
-        return all(_is_zero(x) for x in a.flat) if a.dtype == object else not np.any(a)
+        return all(is_zero(x) for x in a.flat) if a.dtype == object else not np.any(a)
     if type(a).__module__.startswith("pydrake.symbolic"):
         return (1 * a).Expand().EqualTo(0)  # 1 * makes an Expression of a Variable
     return bool(a == 0)
@@ -253,8 +253,8 @@ def _is_zero(a: Any) -> bool:
 def _vanishes(a: Any) -> bool:
     """Whether a (for an array: some entry of it) is zero."""
     if isinstance(a, np.ndarray):
-        return any(_is_zero(x) for x in a.flat) if a.dtype == object else not np.all(a)
-    return _is_zero(a)
+        return any(is_zero(x) for x in a.flat) if a.dtype == object else not np.all(a)
+    return is_zero(a)
 
 
 EPSILON = Dual(0, 1)

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from workbench.algebra.dual import Du, Dual, Re, ZeroDivisor, _divide, _is_zero, _vanishes, as_array
+from workbench.algebra.dual import Du, Dual, Re, ZeroDivisor, _divide, _vanishes, as_array, is_zero
 from workbench.algebra.dual_functions import sqrt
 
 Array = np.ndarray | Dual
@@ -193,7 +193,7 @@ def norm(a: Array) -> Any:
 
 
 def _norm_of_objects(a: np.ndarray, a0: np.ndarray) -> tuple[Any, Any]:
-    if _is_zero(a):
+    if is_zero(a):
         return 0 * a[0], sqrt(dot(a0, a0))
     length = sqrt(dot(a, a))
     return length, _divide(dot(a0, a), length)

@@ -28,7 +28,7 @@ from typing import Any
 
 import numpy as np
 
-from workbench.algebra.dual import Dual, _is_zero
+from workbench.algebra.dual import Dual, is_zero
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 
 #: What a check yields: for each single thing it looked at, whether it holds.
@@ -169,7 +169,7 @@ def vanishing(residuals: Callable[[], Iterable[Any]]) -> Check:
         for entry in chain.from_iterable(map(entries, residuals())):
             if isinstance(entry, float | np.floating):
                 raise TypeError("expected exact residuals, got a float")
-            yield _is_zero(entry)
+            yield is_zero(entry)
 
     return check
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from workbench.algebra import dual_functions
-from workbench.algebra.dual import Dual, Re, _is_zero
+from workbench.algebra.dual import Dual, Re, is_zero
 from workbench.algebra.dual_tensors import (
     adjugate,
     apply,
@@ -104,10 +104,10 @@ def natural_invariants(R: Dual) -> tuple[Dual, Dual]:
 
 
 def _natural_invariants_of_objects(R: Dual) -> tuple[Dual, Dual]:
-    if _is_zero(R.re - identity()):
+    if is_zero(R.re - identity()):
         rho = vect(R.du)
         shift = norm(rho)
-        if _is_zero(shift):
+        if is_zero(shift):
             return Dual(shift, shift), Dual(np.array([0, 0, 1], dtype=object))
         return Dual(0 * shift, shift), Dual(scale(1 / shift, rho))
     sine_u = vect(R)
@@ -117,7 +117,7 @@ def _natural_invariants_of_objects(R: Dual) -> tuple[Dual, Dual]:
 def exp(psi: Dual) -> Dual:
     """exp ψ̲̃, Eqs. (80) and (81), of the screw ψ̲ = ψ + ε ψ₀: (..., 3) → (..., 3, 3)."""
     if _is_symbolic(psi):
-        if _is_zero(psi.re):
+        if is_zero(psi.re):
             return Dual(identity(), skew(psi.du))
         alpha = norm(psi)
         return from_natural_invariants(alpha, unit(psi))
@@ -138,7 +138,7 @@ def log(R: Dual, turns: int = 0) -> Dual:
     any other integer k adds k full turns about the same axis, ψ̲ = (α̲ + 2πk) u̲, which near α = 0
     loses digits as 1/α because the axis is far away. Choices and errors as in `natural_invariants`.
     """
-    if _is_symbolic(R) and _is_zero(R.re - identity()) and turns == 0:
+    if _is_symbolic(R) and is_zero(R.re - identity()) and turns == 0:
         return Dual(vect(R.re), vect(R.du))
     if _is_symbolic(R) or turns != 0:
         alpha, u = natural_invariants(R)
@@ -192,7 +192,7 @@ def kind(R: Dual, tolerance: float = 0.0) -> str:
 
 
 def _is_within(a: np.ndarray, tolerance: float) -> bool:
-    return bool(np.all(np.abs(a) <= tolerance)) if tolerance else _is_zero(a)
+    return bool(np.all(np.abs(a) <= tolerance)) if tolerance else is_zero(a)
 
 
 def from_rigid_transform(X: "RigidTransform") -> Dual:

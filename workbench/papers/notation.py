@@ -35,13 +35,7 @@ def notation_of(files: Sequence[TomlFile]) -> Notation:
 
 def extended(notation: Notation, specs: Mapping[str, Any]) -> Notation:
     """The notation and more symbols, which it must not know yet. Raises SpecError."""
-    more = SymbolTable.build(specs)
-    known = {**notation.symbols.symbols, **notation.symbols.functions}
-    for name in more.symbols:
-        if name in known:
-            raise SpecError("the paper's notation has this symbol already", name)
-    table = replace(notation.symbols, symbols={**notation.symbols.symbols, **more.symbols})
-    return replace(notation, symbols=table)
+    return replace(notation, symbols=notation.symbols.with_specs(specs))
 
 
 def _table(files: Sequence[TomlFile]) -> SymbolTable:

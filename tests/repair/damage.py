@@ -4,24 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from random import Random
 
 from workbench.judge.inventory import NotExact
 from workbench.judge.judge import Judge
-from workbench.judge.rings import PRIME
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.printer import to_latex
 from workbench.language.syntax import Accented, Group, Infix, Product, parse
-from workbench.language.terms import IllFormed, Relation, Statement
+from workbench.language.terms import Statement
 from workbench.papers import Claim, Formula
 from workbench.papers.formulas import read_statement
 from workbench.repair.edits import edits
 from workbench.repair.marks import Mark, marked
 from workbench.repair.nodes import below, latex_of
-from workbench.repair.places import sides
 from workbench.repair.readings import all_marks
 from workbench.repair.repair import Limits, repair
+from workbench.repair.sameness import Sameness
 from workbench.repair.screen import Screen
 
 
@@ -131,23 +129,10 @@ def is_false(claim: Claim, statement: Statement) -> bool:
 
 
 def same(claim: Claim, one: Statement, other: Statement) -> bool:
-    """Whether two proved statements say the same: equal, or each side has the value of its counterpart."""
-    if one == other:
-        return True
-    if not (isinstance(one, Relation) and isinstance(other, Relation)):
-        return [s for _, s in pairwise(sides(one))] == [s for _, s in pairwise(sides(other))]
-    try:
-        screen = screens(claim)[-1]
-        return _values(screen, one) == _values(screen, other)
-    except (NotExact, IllFormed):
-        return False
-
-
-def _values(screen: Screen, relation: Relation) -> tuple:
-    """The value of the left side, or of the right if that is 0, up to a factor."""
-    value = next((v for side in (relation.left, relation.right) if any(v := screen.components(side, side))), ())
-    leading = next((x for x in value if x), 1)
-    return tuple(x * pow(leading, -1, PRIME) % PRIME for x in value)
+    """Whether two proved statements say the same, at the last two choices of the claim's integers."""
+    assignments = list(claim.orders.assignments()) if claim.orders else [{}]
+    assume = tuple(a.statement for a in claim.assume)
+    return Sameness(claim.notation.definitions, assume, assignments[-2:]).same(one, other)
 
 
 @dataclass(frozen=True)

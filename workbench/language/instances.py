@@ -55,11 +55,12 @@ def instantiate(formula, values):
     type), factorials and binomials become numbers, x^{(0)} becomes x. What is shared stays shared.
     Raises IllFormed for a negative index, order or exponent, and for sums and factorials beyond LARGEST.
     """
-    return _Instance({name: as_linear(value) for name, value in values.items()}).formula(formula)
+    return Instantiation({name: as_linear(value) for name, value in values.items()}).formula(formula)
 
 
-class _Instance:
-    """One substitution; terms are visited once each, whatever the sharing."""
+class Instantiation:
+    """One substitution; terms are visited once each, whatever the sharing. `done` remembers them by identity, in
+    the order in which they were met."""
 
     def __init__(self, values: Mapping[str, Linear]) -> None:
         self.values = values
@@ -123,11 +124,11 @@ class _Instance:
         lower = None if term.lower is None else self.linear(term.lower)
         if upper.is_number and (lower is None or lower.is_number):
             addends = [
-                _Instance({**self.values, **values}).term(term.body)
+                Instantiation({**self.values, **values}).term(term.body)
                 for values in _sum_values(term.variables, lower, upper)
             ]
             if not addends:
-                return zero(_Instance(self.values).without(term.variables).term(term.body).type)
+                return zero(Instantiation(self.values).without(term.variables).term(term.body).type)
             return addends[0] if len(addends) == 1 else apply("add", *addends)
         return self._symbolic_sum(term, lower, upper)
 
@@ -144,13 +145,13 @@ class _Instance:
                 taken.add(fresh)
                 values[name] = Linear.variable(fresh)
                 variables[place] = fresh
-        body = _Instance(values).term(term.body)
+        body = Instantiation(values).term(term.body)
         if body is term.body and (lower, upper) == (term.lower, term.upper):
             return term
         return big_sum(variables, lower, upper, body)
 
-    def without(self, names: tuple[str, ...]) -> _Instance:
-        return _Instance({name: value for name, value in self.values.items() if name not in names})
+    def without(self, names: tuple[str, ...]) -> Instantiation:
+        return Instantiation({name: value for name, value in self.values.items() if name not in names})
 
 
 def _same(new: tuple[Term, ...], old: tuple[Term, ...]) -> bool:

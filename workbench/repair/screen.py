@@ -18,12 +18,13 @@ from typing import Any
 from flint import nmod, nmod_mat
 
 from workbench.judge.assumptions import Assumptions
-from workbench.judge.components import Value
+from workbench.judge.components import OperatorValue, Value
 from workbench.judge.inventory import Lookup, NotExact
 from workbench.judge.jets import JetEngine
 from workbench.judge.parameters import SPHERES, Parameter
 from workbench.judge.rings import PRIME, PointSource
-from workbench.language.instances import instantiate
+from workbench.language.instances import Instantiation, instantiate
+from workbench.language.integers import Linear
 from workbench.language.terms import (
     Conjunction,
     IllFormed,
@@ -83,17 +84,24 @@ class RandomPoint(dict):
 
 
 class SharingEngine(JetEngine):
-    """Keeps what it knows by the identity of terms: hashing a large term would cost more than its value."""
+    """Keeps what it knows by the identity of terms: hashing a large term would cost more than its value.
+
+    `given`: symbols whose values are put in from outside, and have no derivatives.
+    """
 
     def __init__(self, source: Any, definitions: Lookup) -> None:
         super().__init__(source, definitions)
+        self.given: dict[Symbol, Value] = {}
         self._kept: dict[int, tuple[Term, Value]] = {}
         self._symbols: dict[Symbol, Value] = {}
         self._passing: dict[int, tuple[Term, Value]] = {}
+        self._operators: dict[tuple[Symbol, int], OperatorValue] = {}
         self.keeps = True
 
     def value(self, term: Term, depth: int) -> Value:
         if isinstance(term, Symbol):
+            if term in self.given:
+                return self._given(term, depth)
             known = self._symbols.get(term)
             if known is None or known.depth < depth:
                 known = self._symbols[term] = self._evaluate(term, depth)
@@ -104,9 +112,66 @@ class SharingEngine(JetEngine):
             entry = kept[id(term)] = (term, self._evaluate(term, depth))
         return entry[1].cut(0, depth)
 
+    def operator(self, term: Term, depth: int) -> OperatorValue:
+        if not isinstance(term, Symbol) or term.type.kind != "operator":
+            return super().operator(term, depth)
+        if (term, depth) not in self._operators:
+            self._operators[term, depth] = super().operator(term, depth)
+        return self._operators[term, depth]
+
     def forget_candidate(self) -> None:
         """Drops what was computed while `keeps` was False."""
         self._passing.clear()
+
+    def _given(self, symbol: Symbol, depth: int) -> Value:
+        if depth:
+            raise NotExact("the derivative of a value that is put in")
+        return self.given[symbol]
+
+
+class ScreenPoint:
+    """One point, and one choice of the integers. What is instantiated is shared between candidates."""
+
+    def __init__(self, values: Mapping[str, int], engine: SharingEngine) -> None:
+        self.engine = engine
+        self._instances = Instantiation({name: Linear(value) for name, value in values.items()})
+        self._has_integers = bool(values)
+        self._kept = 0
+
+    def instance(self, formula: Any) -> Any:
+        return self._instances.formula(formula) if self._has_integers else formula
+
+    def keep(self) -> None:
+        """From now on what is known of the terms so far stays."""
+        self._kept = len(self._instances.done)
+        self.engine.keeps = False
+
+    def forget_candidate(self) -> None:
+        if self.engine.keeps:
+            return
+        self.engine.forget_candidate()
+        done = self._instances.done
+        while len(done) > self._kept:
+            done.popitem()
+
+    def residual(self, statement: Statement) -> tuple[int, ...] | None:
+        """left − right of all equations of the statement; None where there is no such number."""
+        try:
+            found: list[int] = []
+            for relation in equations_of(self.instance(statement)):
+                found += map(int, self.engine.differences(relation.left, relation.right))
+            return tuple(found)
+        except (ZeroDivisionError, NotExact, IllFormed, ValueError):
+            return None
+        finally:
+            self.forget_candidate()
+
+    def components(self, term: Term) -> tuple[int, ...] | None:
+        """The term's own components. What is known of it stays, for products that it is a factor of."""
+        try:
+            return tuple(map(int, self.engine.components(self.instance(term))))
+        except (ZeroDivisionError, NotExact, IllFormed, ValueError):
+            return None
 
 
 class Screen:
@@ -123,13 +188,14 @@ class Screen:
         instances: Sequence[Mapping[str, int]] = ({},),
         seed: int = 0,
     ) -> None:
-        self._at: list[tuple[Mapping[str, int], SharingEngine]] = []
+        self.points: list[ScreenPoint] = []
         self._ring = FlintResidueRing()
         for number, values in enumerate(instances):
             point = RandomPoint(seed + number)
             supposed = Assumptions([instantiate(a, values) if values else a for a in assume])
             satisfy(point, supposed.equations, definitions)
-            self._at.append((values, SharingEngine(PointSource(self._ring, point), definitions)))
+            engine = SharingEngine(PointSource(self._ring, point), definitions)
+            self.points.append(ScreenPoint(values, engine))
 
     @property
     def certifies(self) -> bool:
@@ -139,41 +205,45 @@ class Screen:
 
     def keep(self, statement: Statement) -> tuple[int, ...] | None:
         """The residual, with the values of all subterms kept for the candidates to come."""
-        for _, engine in self._at:
-            engine.keeps = True
         residual = self.residual(statement)
-        for _, engine in self._at:
-            engine.keeps = False
+        for point in self.points:
+            point.keep()
         return residual
 
     def residual(self, statement: Statement) -> tuple[int, ...] | None:
         """left − right of all equations of the statement at all points; None where there is no such number:
         a denominator vanishes, an index leaves its family, or the statement is not made of equations."""
         found: list[int] = []
-        for values, engine in self._at:
-            try:
-                instance = instantiate(statement, values) if values else statement
-                for relation in equations_of(instance):
-                    found += map(int, engine.differences(relation.left, relation.right))
-            except (ZeroDivisionError, NotExact, IllFormed):
+        for point in self.points:
+            residual = point.residual(statement)
+            if residual is None:
                 return None
-            finally:
-                engine.forget_candidate()
+            found += residual
         return tuple(found)
+
+    def vanishes(self, statement: Statement) -> bool:
+        """Whether the residual is zero at all points; the first that shows otherwise ends it."""
+        for point in self.points:
+            residual = point.residual(statement)
+            if residual is None or any(residual):
+                return False
+        return True
 
     def components(self, term: Term, shape: Term) -> tuple[int, ...] | None:
         """The term at all points, with as many components as `shape` has: dual parts and coefficients of an
         operator that the term lacks are 0."""
         found: list[int] = []
-        for values, engine in self._at:
+        for point in self.points:
             try:
-                known, other = (instantiate(t, values) if values else t for t in (term, shape))
-                filled = zip(engine.differences(known, other), engine.components(other), strict=True)
+                known, other = point.instance(term), point.instance(shape)
+                filled = zip(
+                    point.engine.differences(known, other), point.engine.components(other), strict=True
+                )
                 found += [int(x + y) for x, y in filled]
             except (ZeroDivisionError, NotExact, IllFormed, ValueError):
                 return None
             finally:
-                engine.forget_candidate()
+                point.forget_candidate()
         return tuple(found)
 
 

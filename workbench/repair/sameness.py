@@ -1,0 +1,123 @@
+"""Whether two statements say the same, for statements that are both true or both parts of larger ones.
+
+A true equation is known by its sides: another true one says the same if its sides have the values of these, up
+to a common factor, under the definitions. One may also be the other rearranged: then the differences of their
+sides are proportional, with all symbols left free or under the definitions. Both are looked at at random points
+modulo a 61-bit prime. What is no equation that holds by itself, such as det Φ ≠ 0 or the sides of an
+equivalence, can only be rearranged. Chains, equivalences and implications are compared part by part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from workbench.judge.case import NoDefinitions
+from workbench.judge.inventory import Lookup, NotExact
+from workbench.judge.rings import PRIME
+from workbench.language.terms import (
+    Conjunction,
+    Equivalence,
+    Implication,
+    Relation,
+    Statement,
+    Term,
+)
+from workbench.repair.coefficients import Vector, rational
+from workbench.repair.screen import Screen
+
+
+class Sameness:
+    """Compares statements under the definitions and assumptions of one claim, for these integers."""
+
+    def __init__(
+        self, definitions: Lookup, assume: Sequence[Statement], instances: Sequence[Mapping[str, int]]
+    ) -> None:
+        self._as_supposed = _screen(definitions, assume, instances, seed=11)
+        self._defined = self._as_supposed if not assume else _screen(definitions, (), instances, seed=12)
+        self._free = _screen(NoDefinitions(), (), instances, seed=13)
+
+    def same(self, one: Statement, other: Statement) -> bool:
+        """Whether two statements say the same; they must be true."""
+        if one == other:
+            return True
+        match one, other:
+            case Conjunction(), Conjunction():
+                pairs = zip(one.parts, other.parts, strict=False)
+                return len(one.parts) == len(other.parts) and all(self.same(a, b) for a, b in pairs)
+            case Relation(operator="="), Relation(operator="="):
+                swapped = (one.left, one.right) == (other.right, other.left)
+                return swapped or self._have_same_sides(one, other) or self._rearranged(one, other)
+            case Implication(), Implication():
+                return self._same_condition(one.left, other.left) and self._same_condition(
+                    one.right, other.right
+                )
+            case Equivalence(), Equivalence():
+                straight = self._same_condition(one.left, other.left) and self._same_condition(
+                    one.right, other.right
+                )
+                return straight or (
+                    self._same_condition(one.left, other.right)
+                    and self._same_condition(one.right, other.left)
+                )
+        return self._same_condition(one, other)
+
+    def _same_condition(self, one: Statement, other: Statement) -> bool:
+        if one == other:
+            return True
+        match one, other:
+            case Conjunction(), Conjunction():
+                pairs = zip(one.parts, other.parts, strict=False)
+                return len(one.parts) == len(other.parts) and all(
+                    self._same_condition(a, b) for a, b in pairs
+                )
+            case Relation(), Relation():
+                return one.operator == other.operator and self._rearranged(one, other)
+        return False
+
+    def _have_same_sides(self, one: Relation, other: Relation) -> bool:
+        screen = self._as_supposed
+        if screen is None:
+            return False
+        sides = [screen.components(side, one.left) for side in (one.left, one.right, other.left, other.right)]
+        if None in sides or not any(sides[0]):
+            return False
+        factors = {_factor(sides[0], sides[2]), _factor(sides[1], sides[3])}
+        crossed = {_factor(sides[0], sides[3]), _factor(sides[1], sides[2])}
+        return any(len(f) == 1 and None not in f for f in (factors, crossed))
+
+    def _rearranged(self, one: Relation, other: Relation) -> bool:
+        for screen in (self._free, self._defined):
+            if screen is not None:
+                before, after = (_difference(screen, r, one.left) for r in (one, other))
+                if before and after and any(before) and _factor(before, after) is not None:
+                    return True
+        return False
+
+
+def _screen(
+    definitions: Lookup, assume: Sequence[Statement], instances: Sequence[Mapping[str, int]], seed: int
+) -> Screen | None:
+    try:
+        return Screen(definitions, assume, instances, seed)
+    except NotExact:
+        return None
+
+
+def _difference(screen: Screen, statement: Relation, shape: Term) -> Vector | None:
+    left, right = (screen.components(side, shape) for side in (statement.left, statement.right))
+    if left is None or right is None:
+        return None
+    return tuple((x - y) % PRIME for x, y in zip(left, right, strict=True))
+
+
+def _factor(one: Vector, other: Vector):
+    """The number c ≠ 0 with other = c·one, if there is one; 1 if both vanish."""
+    if len(one) != len(other):
+        return None
+    place = next((i for i, x in enumerate(one) if x), None)
+    if place is None:
+        return None if any(other) else 1
+    c = other[place] * pow(one[place], -1, PRIME) % PRIME
+    if any((y - c * x) % PRIME for x, y in zip(one, other, strict=True)):
+        return None
+    return rational(c) or None

@@ -1,20 +1,16 @@
-"""Bracket structure to typed terms: sums, brackets, fractions, and the integers in scope."""
+"""Bracket structure to typed terms: what each kind of node is, sums and brackets."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from fractions import Fraction as Rational
-from typing import TypeVar
 
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
-from workbench.language.integers import Linear
 from workbench.language.letters import named
-from workbench.language.names import linear, variable_name
 from workbench.language.products import product
+from workbench.language.scope import Scope
 from workbench.language.signatures import agree
-from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Accented,
     Binomial,
@@ -33,50 +29,13 @@ from workbench.language.syntax import (
     Sum,
     Summation,
 )
-from workbench.language.terms import IllFormed, Integer, Number, Term, Zero
+from workbench.language.terms import IllFormed, Integer, Number, Term
 
-Result = TypeVar("Result")
-
-#: How deep terms may nest; a longer product than this counts as nesting too.
-DEEPEST_TERM = 120
 _LONGEST_NUMBER = 100
 
 
-class Elaborator:
-    """Reads the nodes of one formula. `variables` are the integer variables in scope."""
-
-    def __init__(self, table: SymbolTable, variables: frozenset[str]) -> None:
-        self.table = table
-        self.variables = variables
-        self.depth = 0
-        self.tensor_operand: int | None = None  # where an operator was last applied to a bare tensor
-
-    def build(self, at: int, make: Callable[..., Result], *arguments) -> Result:
-        """make(*arguments), with the place `at` put on what does not fit."""
-        try:
-            return make(*arguments)
-        except IllFormed as fault:
-            raise Misfit(fault, at) from None
-
-    def apply(self, at: int, head: str, *arguments: Term) -> Term:
-        return self.build(at, construct.apply, head, *arguments)
-
-    @contextmanager
-    def bound(self, names: Sequence[str], at: int):
-        for name in names:
-            if name in self.variables or names.count(name) > 1:
-                raise Fault(f"the summation variable {name} already has a meaning here", at)
-        outer, self.variables = self.variables, self.variables.union(names)
-        yield
-        self.variables = outer
-
-    @contextmanager
-    def nested(self, at: int):
-        self.depth += 1
-        if self.depth > DEEPEST_TERM:
-            raise Fault(f"the formula nests deeper than {DEEPEST_TERM}", at)
-        yield
-        self.depth -= 1
+class Elaborator(Scope):
+    """Reads the nodes of one formula."""
 
     def term(self, node: Node) -> Term:
         with self.nested(node.at):
@@ -120,39 +79,6 @@ class Elaborator:
                 raise Fault("expected an expression, not a statement", node.at)
         raise Fault("a sign without its operands", node.at)
 
-    # integers and numbers
-
-    def integer_expression(self, node: Node) -> Term | None:
-        """n, n+1, 2k − 1 as one integer; numbers alone are left to `number` and `sum`."""
-        if isinstance(node, Leaf | Scripted | Sum | Product):
-            value = _linear_or_none(node, self.variables)
-            if value is not None and not value.is_number:
-                for name in value.variables:
-                    self.integer_variable(name, node.at)
-                return construct.integer(value)
-        return None
-
-    def integer_variable(self, name: str, at: int) -> Term:
-        if name in self.table.symbols:
-            raise Fault(f"{name} is an integer variable and a declared symbol", at)
-        return construct.integer(Linear.variable(name))
-
-    def integer(self, node: Node) -> Linear:
-        value = linear(node, self.variables)
-        if value is None:
-            raise Fault(f"expected an integer expression; {self.known_variables()}", node.at)
-        return value
-
-    def combinations(self, top: Node, bottom: Node) -> Term:
-        """n over k, or over k_1, k_2, …."""
-        parts = bottom.parts if isinstance(bottom, Group) else (bottom,)
-        lower = [self.integer(part) for part in parts]
-        name = "multinomial" if len(lower) > 1 else "binomial"
-        return construct.counting(name, self.integer(top), *lower)
-
-    def known_variables(self) -> str:
-        return f"integer variables known here: {', '.join(sorted(self.variables)) or 'none'}"
-
     def number(self, node: Leaf) -> Term:
         if len(node.text) > _LONGEST_NUMBER:
             raise Fault(f"a number of {len(node.text)} digits; at most {_LONGEST_NUMBER}", node.at)
@@ -194,67 +120,6 @@ class Elaborator:
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): beside each other
         message = "a triple product has three, a pair (a, T) two of different kinds"
         raise Fault(f"{len(terms)} expressions between brackets; {message}", node.at)
-
-    def fraction(self, node: Fraction) -> Term:
-        numerator, denominator = self.term(node.numerator), self.term(node.denominator)
-        if isinstance(numerator, Number | Zero) and isinstance(denominator, Number) and _literals(node):
-            top = numerator.value if isinstance(numerator, Number) else 0
-            return construct.number(Rational(top) / denominator.value) if top else construct.zero()
-        if isinstance(denominator, Zero):
-            raise Fault("division by zero", node.denominator.at)
-        return self.apply(node.at, "div", numerator, denominator)
-
-    # sums over integers
-
-    def summation(self, node: Summation, body: Callable[[], Term]) -> Term:
-        """Σ_{k=a}^{b} or Σ_{k₁+k₂=k} of the body, which is read with the variables in scope."""
-        lower = node.lower.parts[0] if isinstance(node.lower, Group) and node.lower.parts else node.lower
-        if not isinstance(lower, Chain) or [sign for sign, _ in lower.relations] != ["="]:
-            raise Fault("expected the bounds of the sum, as in \\sum_{k=0}^{n}", node.at)
-        left, right = lower.sides
-        single = variable_name(left)
-        if single is not None:
-            if node.upper is None:
-                raise Fault("the sum has no upper bound", node.at)
-            names, start, end = [single], self.integer(right), self.upper_bound(node.upper)
-        else:
-            names, start = self.parts_of(left), None
-            if node.upper is not None:
-                raise Fault("a sum over k_1 + k_2 + … = k has no upper bound", node.upper.at)
-            end = self.integer(right)
-        with self.bound(names, node.at):
-            term = body()
-        return self.build(node.at, construct.big_sum, names, start, end, term)
-
-    def upper_bound(self, node: Node) -> Linear:
-        inner = node.parts[0] if isinstance(node, Group) and len(node.parts) == 1 else node
-        if isinstance(inner, Leaf) and inner.text == "∞":
-            raise Fault("an infinite sum; sums have integer bounds", node.at)
-        return self.integer(node)
-
-    def parts_of(self, node: Node) -> list[str]:
-        names = [variable_name(addend) for _, _, addend in node.addends] if isinstance(node, Sum) else [None]
-        if None in names or any(sign == "-" for sign, _, _ in node.addends):
-            raise Fault("expected summation variables, as in k_1 + k_2 = k", node.at)
-        return names
-
-
-def _linear_or_none(node: Node, variables: frozenset[str]) -> Linear | None:
-    try:
-        return linear(node, variables)
-    except Fault:
-        return None
-
-
-def _literals(node: Fraction) -> bool:
-    """Whether both parts are written as numbers, so that the fraction is one."""
-    top, bottom = (
-        part.parts[0] if isinstance(part, Group) and len(part.parts) == 1 else part
-        for part in (node.numerator, node.denominator)
-    )
-    if isinstance(top, Sum) and len(top.addends) == 1:
-        top = top.addends[0][2]
-    return isinstance(top, Leaf) and isinstance(bottom, Leaf)
 
 
 def _first_that_differs(addends: Sequence[Term]) -> int:

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
 from workbench.language.names import INDEX_LETTERS, Scripts, base_name, linear, literal, spell, variable_name
+from workbench.language.scope import Scope
 from workbench.language.syntax import Accented, Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled
 from workbench.language.terms import IllFormed, Term
 from workbench.language.types import COVECTOR, TENSOR, VECTOR
-
-if TYPE_CHECKING:
-    from workbench.language.elaborate import Elaborator
 
 _ZEROS = {("3", "3"): TENSOR, ("3", "1"): VECTOR, ("1", "3"): COVECTOR}
 _COUNTING = ("C", "\\mathbf{C}", "\\mathrm{C}")
@@ -22,24 +18,24 @@ _COUNTING = ("C", "\\mathbf{C}", "\\mathrm{C}")
 Lettered = tuple[Term, Node | None]
 
 
-def named(reader: Elaborator, node: Node) -> Term:
+def named(scope: Scope, node: Node) -> Term:
     """The term of a symbol with its accents and scripts."""
-    term, sup, _ = letter(reader, node, Scripts(), None)
-    return term if sup is None else raised(reader, term, sup)
+    term, sup, _ = letter(scope, node, Scripts(), None)
+    return term if sup is None else raised(scope, term, sup)
 
 
 def letter(
-    reader: Elaborator, node: Node, scripts: Scripts, bracket: Bracket | None
+    scope: Scope, node: Node, scripts: Scripts, bracket: Bracket | None
 ) -> tuple[Term, Node | None, bool]:
     """The symbol inside the node, which takes the scripts that stand outside of its accents (in \\dot{x}_1
     the index belongs to x) and, if it is a function symbol, the bracket that follows; whether it did."""
-    lettering = _Lettering(reader, bracket)
+    lettering = _Lettering(scope, bracket)
     return *lettering.read(node, scripts, ()), lettering.takes_bracket
 
 
 class _Lettering:
-    def __init__(self, reader: Elaborator, bracket: Bracket | None) -> None:
-        self.reader = reader
+    def __init__(self, scope: Scope, bracket: Bracket | None) -> None:
+        self.scope = scope
         self.bracket = bracket
         self.takes_bracket = False
 
@@ -66,7 +62,7 @@ class _Lettering:
             raise Fault("a subscript on an expression; indices belong to symbols", node.at)
         if scripts.primes:
             raise Fault("a prime on an expression", node.at)
-        return self.reader.term(node), scripts.sup
+        return self.scope.term(node), scripts.sup
 
     def scripted(self, node: Scripted, outer: Scripts, styles: tuple[str, ...]) -> Lettered:
         if node.sub is not None and outer.sub is not None:
@@ -81,25 +77,25 @@ class _Lettering:
         term, sup = self.read(node.nucleus, scripts, styles)
         if node.sup is None:
             return term, sup
-        return (term if sup is None else raised(self.reader, term, sup)), outer.sup
+        return (term if sup is None else raised(self.scope, term, sup)), outer.sup
 
     def symbol(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Lettered:
         """The declared symbol, with the superscript as part of the name if there is such a name."""
-        reader, base = self.reader, base_name(styles, leaf.text)
+        scope, base = self.scope, base_name(styles, leaf.text)
         plain = not (styles or scripts.primes or scripts.left_sub or scripts.left_sup)
         if plain and leaf.kind == "LETTER":
             variable = variable_name(Scripted(leaf.at, leaf, scripts.sub) if scripts.sub else leaf)
-            if variable in reader.variables:
-                return reader.integer_variable(variable, leaf.at), scripts.sup
+            if variable in scope.variables:
+                return scope.integer_variable(variable, leaf.at), scripts.sup
         for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())):
-            pieces = spell(base, tried, reader.variables)
+            pieces = spell(base, tried, scope.variables)
             if pieces is None:
                 continue
-            if self.bracket is not None and (found := reader.table.find(pieces, function=True)) is not None:
+            if self.bracket is not None and (found := scope.table.find(pieces, function=True)) is not None:
                 return self.function(leaf, *found), sup
-            if (found := reader.table.find(pieces)) is not None:
-                return reader.build(leaf.at, construct.symbol, *found), sup
-        found = self.builtin(base, scripts)
+            if (found := scope.table.find(pieces)) is not None:
+                return scope.build(leaf.at, construct.symbol, *found), sup
+        found = self.builtin(base, scripts, leaf.at)
         if found is not None:
             return found
         if leaf.kind == "MARK":
@@ -108,16 +104,20 @@ class _Lettering:
 
     def function(self, leaf: Leaf, declaration, index) -> Term:
         self.takes_bracket = True
-        arguments = [self.reader.term(part) for part in self.bracket.parts]
-        self.reader.build(leaf.at, self.reader.table.check_arguments, declaration, arguments)
-        return self.reader.build(leaf.at, construct.symbol, declaration, index, arguments)
+        arguments = [self.scope.term(part) for part in self.bracket.parts]
+        self.scope.build(leaf.at, self.scope.table.check_arguments, declaration, arguments)
+        return self.scope.build(leaf.at, construct.symbol, declaration, index, arguments)
 
-    def builtin(self, base: str, scripts: Scripts) -> Lettered | None:
+    def builtin(self, base: str, scripts: Scripts, at: int) -> Lettered | None:
         """I, ε, D, e^x and C_n^k, where the paper declares no symbol of that name."""
         if scripts.left_sub is not None or scripts.left_sup is not None or scripts.primes:
             return None
         if base in _COUNTING and scripts.sub is not None and scripts.sup is not None:
-            return self.reader.combinations(scripts.sub, scripts.sup), None
+            if self.scope.table.has_letter(base):
+                raise Fault(
+                    f"{base} is a symbol too; write the number of combinations as \\binom{{n}}{{k}}", at
+                )
+            return self.scope.combinations(scripts.sub, scripts.sup), None
         if scripts.sub is not None:
             return None
         match base:
@@ -128,7 +128,7 @@ class _Lettering:
             case "\\mathbf{D}":
                 return construct.time_operator(), scripts.sup
             case "e" | "\\mathrm{e}" if scripts.sup is not None:
-                return self.reader.apply(scripts.sup.at, "exp", self.reader.term(scripts.sup)), None
+                return self.scope.apply(scripts.sup.at, "exp", self.scope.term(scripts.sup)), None
         return None
 
     def zero(self, scripts: Scripts) -> Term:
@@ -144,24 +144,24 @@ class _Lettering:
 
     def unknown(self, base: str, scripts: Scripts) -> str:
         """Why a name means nothing: an index without a range, or no such symbol."""
-        reader = self.reader
+        scope = self.scope
         for tried in (scripts, scripts.without_sup()):
-            pieces = spell(base, tried, INDEX_LETTERS | reader.variables)
-            if pieces is not None and reader.table.find(pieces) is not None:
+            pieces = spell(base, tried, INDEX_LETTERS | scope.variables)
+            if pieces is not None and scope.table.find(pieces) is not None:
                 letters = {name for p in pieces if isinstance(p, Linear) for name in p.variables}
-                missing = ", ".join(sorted(letters - reader.variables))
+                missing = ", ".join(sorted(letters - scope.variables))
                 if not missing:
                     break
                 return f"the integer variable {missing} in {literal(pieces)} has no range here"
-        spellings = (spell(base, s, reader.variables) for s in (scripts, scripts.without_sup()))
+        spellings = (spell(base, s, scope.variables) for s in (scripts, scripts.without_sup()))
         pieces = next((pieces for pieces in spellings if pieces is not None), None)
-        return reader.table.unknown(pieces or [base])
+        return scope.table.unknown(pieces or [base])
 
     def accent(self, node: Accented, term: Term) -> Term:
         if node.accent != "~":
-            return self.reader.build(node.at, construct.derivative, term, int(node.accent))
+            return self.scope.build(node.at, construct.derivative, term, int(node.accent))
         if term.type.kind != "tensor":
-            return self.reader.apply(node.at, "skew", term)
+            return self.scope.apply(node.at, "skew", term)
         intent = "the tilde over a whole product T x, \\widetilde{T x}"
         raise Misfit(IllFormed("expected a vector under the tilde, got a tensor", intent), node.at)
 
@@ -171,24 +171,26 @@ class _Lettering:
             (argument,) = argument.parts
         if node.sup is not None or node.primes:
             raise Fault("the factorial of what? bracket it", node.at)
-        return construct.counting("factorial", self.reader.integer(argument))
+        return construct.counting("factorial", self.scope.integer(argument))
 
 
-def raised(reader: Elaborator, term: Term, sup: Node) -> Term:
+def raised(scope: Scope, term: Term, sup: Node) -> Term:
     """term^sup: transpose, adjugate, inverse, derivative of an order, or power."""
     inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
     match inner:
+        case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
+            raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)
         case Leaf(kind="LETTER" | "MARK", text="T"):
-            return reader.apply(sup.at, "transpose", term)
+            return scope.apply(sup.at, "transpose", term)
         case Leaf(kind="MARK", text="*"):
-            return reader.apply(sup.at, "adjugate", term)
+            return scope.apply(sup.at, "adjugate", term)
         case Bracket(kind="(", parts=(order,)):
-            return reader.build(sup.at, construct.derivative, term, reader.integer(order))
-    exponent = linear(inner, reader.variables)
+            return scope.build(sup.at, construct.derivative, term, scope.integer(order))
+    exponent = linear(inner, scope.variables)
     if exponent is None:
         known = "an integer, -1, T, *, or an order in round brackets"
-        raise Fault(f"expected {known} as superscript; {reader.known_variables()}", sup.at)
+        raise Fault(f"expected {known} as superscript; {scope.known_variables()}", sup.at)
     if exponent.is_number and exponent.constant < 0:
-        base = term if exponent.constant == -1 else reader.build(sup.at, construct.power, term, -exponent)
-        return reader.apply(sup.at, "inverse", base)
-    return reader.build(sup.at, construct.power, term, exponent)
+        base = term if exponent.constant == -1 else scope.build(sup.at, construct.power, term, -exponent)
+        return scope.apply(sup.at, "inverse", base)
+    return scope.build(sup.at, construct.power, term, exponent)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
 from workbench.language.letters import letter, raised
 from workbench.language.names import Scripts, linear
+from workbench.language.quotients import Rate, quotient, rate
+from workbench.language.scope import Scope
+from workbench.language.summations import summation
 from workbench.language.syntax import (
     Accented,
     Bracket,
@@ -24,17 +26,14 @@ from workbench.language.syntax import (
     Styled,
     Summation,
 )
-from workbench.language.terms import Apply, IllFormed, Integer, Number, Term, TimeOperator
-
-if TYPE_CHECKING:
-    from workbench.language.elaborate import Elaborator
+from workbench.language.terms import Apply, Derivative, IllFormed, Integer, Number, Symbol, Term, TimeOperator
 
 _OF_TENSORS = {"det", "trace", "symmetric", "skew", "vect", "adjugate"}
 _DIFFERENTIATE = {"d/dt", "the operator", "divergence", "curl"}
 _NAMES = {"symmetric": "sym", "re": "Re", "du": "Du", "adjugate": "adj", "divergence": "div"}
 
 
-def product(reader: Elaborator, items: Sequence[Node]) -> Term:
+def product(scope: Scope, items: Sequence[Node]) -> Term:
     """Factors and infix signs. Juxtaposition binds tighter than signs; \\sum takes all that follows."""
     rows: list[list[Node]] = [[]]
     signs: list[Infix] = []
@@ -51,14 +50,14 @@ def product(reader: Elaborator, items: Sequence[Node]) -> Term:
             rows[-1].append(item)
     if not rows[-1]:
         raise Fault(f"nothing after {signs[-1].operator}", signs[-1].at)
-    read = [_Row(reader, row) for row in rows]
+    read = [_Row(scope, row) for row in rows]
     operands = [row.term() for row in read]
     for row, sign, operand in zip(read, signs, operands[1:], strict=False):
         _refuse_reach(row, sign, operand)
     while signs and _is_vect_of_product(rows[0], operands, signs[0]):
-        inside = reader.apply(signs[0].at, "mul", *operands[0].children, operands.pop(1))
-        operands[0] = reader.apply(signs.pop(0).at, "vect", inside)
-    return _infix(reader, operands, signs)
+        inside = scope.apply(signs[0].at, "mul", *operands[0].children, operands.pop(1))
+        operands[0] = scope.apply(signs.pop(0).at, "vect", inside)
+    return _infix(scope, operands, signs)
 
 
 def _refuse_reach(row: _Row, sign: Infix, operand: Term) -> None:
@@ -77,7 +76,7 @@ def _is_vect_of_product(row: Sequence[Node], operands: Sequence[Term], sign: Inf
     return unbracketed and is_vect and sign.operator == "·" and operands[1].type.kind == "tensor"
 
 
-def _infix(reader: Elaborator, operands: list[Term], signs: list[Infix]) -> Term:
+def _infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
     """a · b, a × b, a ⊗ b, P ∘ Q from left to right, where another order could not mean something else."""
     result = operands[0]
     heads = set()
@@ -89,7 +88,7 @@ def _infix(reader: Elaborator, operands: list[Term], signs: list[Infix]) -> Term
         factors = [o for o in operands if o.type.kind != "scalar"]
         if heads & {"dot", "cross", "outer"} and len(factors) > 2:
             raise Fault("several products without brackets are ambiguous", signs[-1].at)
-        result = reader.apply(sign.at, head, result, operand)
+        result = scope.apply(sign.at, head, result, operand)
     return result
 
 
@@ -104,8 +103,8 @@ class _Factor:
 class _Row:
     """Factors in juxtaposition."""
 
-    def __init__(self, reader: Elaborator, items: Sequence[Node]) -> None:
-        self.reader = reader
+    def __init__(self, scope: Scope, items: Sequence[Node]) -> None:
+        self.scope = scope
         self.items = items
         self.known: dict[int, _Factor] = {}
         self.open_head = ""  # what ends the row with an argument that is not bracketed
@@ -129,7 +128,7 @@ class _Row:
             if place == 1 and _is_integer(factors[0]) and isinstance(term, Integer) and _is_bare(factor.node):
                 result = construct.integer(term.value * int(result.value))
             else:
-                result = self.reader.apply(factor.at, "mul", result, term)
+                result = self.scope.apply(factor.at, "mul", result, term)
         return result
 
     def operand(self, factor: _Factor, more: Sequence[_Factor]) -> None:
@@ -140,12 +139,12 @@ class _Row:
             raise Misfit(IllFormed("how far does the operator reach? bracket what it acts on"), factor.at)
         self.open_head = "the operator"
         if factor.term.type.kind == "tensor":
-            self.reader.tensor_operand = factor.at
+            self.scope.tensor_operand = factor.at
 
     def factor(self, place: int) -> _Factor:
         """The factor that begins at an item: read once, however often it is looked at."""
         if place not in self.known:
-            with self.reader.nested(self.items[place].at):
+            with self.scope.nested(self.items[place].at):
                 self.known[place] = self._factor(place)
         return self.known[place]
 
@@ -153,27 +152,27 @@ class _Row:
         item = self.items[place]
         match item:
             case Product(items=(Summation() as head, *rest)):
-                term = self.reader.summation(head, lambda: self._body(head, rest))
+                term = summation(self.scope, head, lambda: self._body(head, rest))
                 return _Factor(term, item.at, place + 1, item)
             case Summation():
                 raise Fault("the sum has no body", item.at)
             case Leaf(kind="FUNCTION") | Scripted(nucleus=Leaf(kind="FUNCTION")):
                 return self.function(place)
             case Fraction():
-                rate = self.rate(item)
-                if rate is not None:
-                    return self.derivative(place, rate)
-                return _Factor(self.reader.fraction(item), item.at, place + 1, item)
+                found = rate(self.scope, item)
+                if found is not None:
+                    return self.derivative(place, found)
+                return _Factor(quotient(self.scope, item), item.at, place + 1, item)
             case Scripted(nucleus=Group(parts=())):
                 return self.with_left_scripts(place)
             case Leaf(kind="LETTER") | Styled() | Accented() | Scripted():
                 return self.name(place, item, Scripts())
-        return _Factor(self.reader.term(item), item.at, place + 1, item)
+        return _Factor(self.scope.term(item), item.at, place + 1, item)
 
     def _body(self, head: Summation, rest: Sequence[Node]) -> Term:
         if not rest:
             raise Fault("the sum has no body", head.at)
-        return product(self.reader, rest)
+        return product(self.scope, rest)
 
     def with_left_scripts(self, place: int) -> _Factor:
         left = self.items[place]
@@ -185,22 +184,22 @@ class _Row:
 
     def name(self, place: int, item: Node, scripts: Scripts) -> _Factor:
         """A symbol; if it is a function symbol, with its arguments. x(t) is x, P(D) is P."""
-        reader = self.reader
+        scope = self.scope
         following = self.items[place + 1] if place + 1 < len(self.items) else None
         bracket = following.nucleus if isinstance(following, Scripted) else following
         if not (isinstance(bracket, Bracket) and bracket.kind == "("):
             bracket = None
         plain = not scripts.left_sub and not scripts.left_sup
-        if plain and (value := reader.integer_expression(item)) is not None:
+        if plain and (value := scope.integer_expression(item)) is not None:
             return _Factor(value, item.at, place + 1, item)
-        term, sup, takes_bracket = letter(reader, item, scripts, bracket)
+        term, sup, takes_bracket = letter(scope, item, scripts, bracket)
         end = place + 1
         if takes_bracket or (bracket is not None and self.is_own_variable(bracket, term)):
             if isinstance(following, Scripted):
                 raise Fault("scripts on the argument of a function; bracket the whole", following.at)
             end += 1
         if sup is not None:
-            term = raised(reader, term, sup)
+            term = raised(scope, term, sup)
         return _Factor(term, item.at, end, item)
 
     def is_own_variable(self, bracket: Bracket, term: Term) -> bool:
@@ -209,16 +208,23 @@ class _Row:
             return False
         (part,) = bracket.parts
         if term.type.kind == "operator":
-            return isinstance(part, Styled) and isinstance(self.reader.term(part), TimeOperator)
+            return isinstance(part, Styled) and isinstance(self.scope.term(part), TimeOperator)
         is_t = isinstance(part, Leaf) and part.text == "t"
-        return is_t and "t" not in self.reader.table.symbols and "t" not in self.reader.variables
+        if is_t and "t" not in self.scope.table.symbols and "t" not in self.scope.variables:
+            return True
+        lone = _is_symbol(term) and isinstance(part, Leaf | Styled | Accented | Scripted)
+        if lone and "scalar" in (term.type.kind, self.scope.term(part).type.kind):
+            raise Fault(
+                "a function of what is in the bracket, or a product? a product needs no bracket", bracket.at
+            )
+        return False
 
     def function(self, place: int) -> _Factor:
         """det, sym, vect … take the run of tensors that follows, the others take one factor."""
         item = self.items[place]
         leaf = item.nucleus if isinstance(item, Scripted) else item
         head = leaf.text
-        if leaf.bare and all(letter in self.reader.table.symbols for letter in leaf.bare):
+        if leaf.bare and all(self.scope.knows(letter) for letter in leaf.bare):
             message = (
                 f"{leaf.bare} is a function and a product of symbols; write \\operatorname{{{leaf.bare}}}"
             )
@@ -228,20 +234,20 @@ class _Row:
         argument, end = self.argument(head, leaf, place + 1)
         if head == "skew" and argument.type.kind == "tensor":
             head = "antisymmetric"
-        term = self.reader.apply(leaf.at, head, argument)
+        term = self.scope.apply(leaf.at, head, argument)
         if isinstance(item, Scripted):
-            exponent = None if item.sup is None else linear(item.sup, self.reader.variables)
+            exponent = None if item.sup is None else linear(item.sup, self.scope.variables)
             if item.sub is not None or item.primes or item.factorial or exponent is None:
                 raise Fault(f"only a power may stand on {_NAMES.get(head, head)}", item.at)
             if exponent.is_number and exponent.constant < 0:
                 raise Fault("an inverse function or an inverse value? bracket the value", item.at)
-            term = self.reader.build(item.at, construct.power, term, exponent)
+            term = self.scope.build(item.at, construct.power, term, exponent)
         return _Factor(term, leaf.at, end, item)
 
     def argument(self, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
         item = self.items[place]
         if isinstance(item, Bracket):
-            return self.reader.term(item), place + 1
+            return self.scope.term(item), place + 1
         if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket):
             raise Fault("a power of the function or of its argument? bracket it", item.at)
         first = self.factor(place)
@@ -270,30 +276,18 @@ class _Row:
 
     # d/dt
 
-    def rate(self, fraction: Fraction) -> tuple[Node | None, Node | None, list[Node]] | None:
-        """(order above, order below, what stands behind d) of \\frac{d^k x}{dt^k}, or None."""
-        if "t" in self.reader.table.symbols:
-            return None
-        above, below = _factors(fraction.numerator), _factors(fraction.denominator)
-        if len(below) != 2 or not above:
-            return None
-        d, order_above = _letter_and_order(above[0])
-        d_below, none = _letter_and_order(below[0])
-        t, order_below = _letter_and_order(below[1])
-        if (d, d_below, t, none) != ("d", "d", "t", None):
-            return None
-        return order_above, order_below, above[1:]
-
-    def derivative(self, place: int, rate: tuple[Node | None, Node | None, list[Node]]) -> _Factor:
-        reader, item = self.reader, self.items[place]
-        orders = [reader.integer(o) if o is not None else Linear(1) for o in rate[:2]]
+    def derivative(self, place: int, found: Rate) -> _Factor:
+        scope, item = self.scope, self.items[place]
+        orders = [
+            scope.integer(o) if o is not None else Linear(1) for o in (found.order_above, found.order_below)
+        ]
         if orders[0] != orders[1]:
             intent = "one order above and below, \\frac{d^k}{dt^k}"
             fault = IllFormed(f"d/dt of order {orders[0]} above and {orders[1]} below", intent)
             raise Misfit(fault, item.at)
-        if rate[2]:
-            body = product(reader, rate[2])
-            term = reader.build(item.at, construct.derivative, body, orders[0])
+        if found.behind:
+            body = product(scope, found.behind)
+            term = scope.build(item.at, construct.derivative, body, orders[0])
             return _Factor(term, item.at, place + 1, item)
         if place + 1 == len(self.items):
             operator = construct.time_operator()
@@ -308,7 +302,7 @@ class _Row:
             self.open_head = "d/dt"
         if factor.end < len(self.items) and not isinstance(following, Bracket):
             raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
-        term = reader.build(item.at, construct.derivative, factor.term, orders[0])
+        term = scope.build(item.at, construct.derivative, factor.term, orders[0])
         return _Factor(term, item.at, factor.end, item)
 
 
@@ -322,6 +316,13 @@ def _is_integer(factor: _Factor) -> bool:
     return literal and factor.term.value.denominator == 1
 
 
+def _is_symbol(term: Term) -> bool:
+    """Whether the term is a symbol under its accents."""
+    while isinstance(term, Derivative) or (isinstance(term, Apply) and term.head == "skew"):
+        (term,) = term.children
+    return isinstance(term, Symbol)
+
+
 def _is_numeral(node: Node) -> bool:
     leaf = node.nucleus if isinstance(node, Scripted) else node
     return isinstance(leaf, Leaf) and leaf.kind == "NUMBER"
@@ -329,20 +330,3 @@ def _is_numeral(node: Node) -> bool:
 
 def _is_bare(node: Node) -> bool:
     return isinstance(node, Leaf | Scripted)
-
-
-def _factors(node: Node) -> tuple[Node, ...]:
-    while isinstance(node, Group) and len(node.parts) == 1:
-        node = node.parts[0]
-    return node.items if isinstance(node, Product) else (node,)
-
-
-def _letter_and_order(node: Node) -> tuple[str, Node | None]:
-    order = None
-    if isinstance(node, Scripted) and node.sub is None and not node.primes and not node.factorial:
-        node, order = node.nucleus, node.sup
-    if isinstance(node, Styled) and node.style == "\\mathrm":
-        node = node.body
-    if isinstance(node, Group) and len(node.parts) == 1:
-        node = node.parts[0]
-    return (node.text, order) if isinstance(node, Leaf) else ("", None)

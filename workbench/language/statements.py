@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from workbench.language import construct
-from workbench.language.elaborate import DEEPEST_TERM, Elaborator
+from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
 from workbench.language.names import Scripts, base_name, linear, literal, spell, variable_name
+from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Chain,

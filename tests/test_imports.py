@@ -1,0 +1,127 @@
+"""Imports run in one direction: no circles, no layer that knows one above it, no `proofs` in the engine."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator, Mapping
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+import workbench
+
+ROOT = Path(workbench.__file__).parent
+
+#: What a part of the engine may import: the parts before it.
+LAYERS = (
+    ("algebra", "language", "drake"),
+    ("kinematics", "judge"),
+    ("papers",),
+    ("selection",),
+    ("verify",),
+    ("results", "terminal"),
+    ("repair", "report"),
+    ("checked", "cli", "pytest_plugin"),
+)
+
+
+def modules(root: Path) -> dict[str, str]:
+    """The source of each module of a package, by its dotted name."""
+    found = {}
+    for path in sorted(root.rglob("*.py")):
+        parts = path.relative_to(root.parent).with_suffix("").parts
+        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path.read_text("utf-8")
+    return found
+
+
+def imported(source: str, package: str) -> Iterator[str]:
+    """The names that a module of the package imports anywhere: in functions and for type checkers only, too."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            outer = package.split(".")[: len(package.split(".")) + 1 - node.level] if node.level else []
+            origin = ".".join([*outer, *filter(None, [node.module])])
+            yield from (f"{origin}.{alias.name}" for alias in node.names)
+
+
+def graph(sources: Mapping[str, str]) -> dict[str, set[str]]:
+    """Module → the modules it imports, with the packages that are initialized on the way to them."""
+    edges = {}
+    for module, source in sources.items():
+        edges[module] = set()
+        is_package = any(other.startswith(f"{module}.") for other in sources)
+        for name in imported(source, module if is_package else module.rpartition(".")[0]):
+            parts = name.split(".")
+            packages = (".".join(parts[:end]) for end in range(1, len(parts) + 1))
+            edges[module] |= {p for p in packages if p in sources and not f"{module}.".startswith(f"{p}.")}
+    return edges
+
+
+def circle(edges: Mapping[str, set[str]]) -> list[str]:
+    """The modules of one circle; none if there is no circle."""
+    try:
+        TopologicalSorter(edges).prepare()
+    except CycleError as error:
+        return error.args[1]
+    return []
+
+
+def part(module: str) -> str:
+    return module.removeprefix("workbench").removeprefix(".").split(".")[0]
+
+
+def upward(edges: Mapping[str, set[str]]) -> list[str]:
+    """Imports of a part that stands beside or above."""
+    level = {name: height for height, names in enumerate(LAYERS) for name in names}
+    return [
+        f"{module} imports {other}"
+        for module, others in edges.items()
+        for other in others
+        if part(module) not in ("", part(other)) and level[part(module)] <= level[part(other)]
+    ]
+
+
+def test_no_module_imports_itself_in_the_end() -> None:
+    assert circle(graph(modules(ROOT))) == []
+
+
+def test_no_part_of_the_engine_imports_one_beside_or_above_it() -> None:
+    sources = modules(ROOT)
+    assert {part(module) for module in sources} - {""} == {name for names in LAYERS for name in names}
+    assert upward(graph(sources)) == []
+
+
+def test_the_engine_knows_no_paper() -> None:
+    outside = {name.split(".")[0] for source in modules(ROOT).values() for name in imported(source, "")}
+    assert not outside & {"proofs", "tests"}
+
+
+LATE = "def f():\n    from workbench.judge.b import g\n"
+FOR_TYPES = "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from workbench.judge import b\n"
+
+
+@pytest.mark.parametrize(
+    "back",
+    [
+        LATE,
+        FOR_TYPES,
+        "import workbench.judge.b\n",
+        "from . import b\n",
+        "from .b import g\n",
+        "from ..judge.b import g\n",
+    ],
+)
+def test_a_hidden_circle_is_seen(back: str) -> None:
+    sources = {"workbench.judge.a": back, "workbench.judge.b": "from workbench.judge.a import f\n"}
+    assert set(circle(graph(sources))) == set(sources)
+
+
+@pytest.mark.parametrize(
+    ("module", "other"), [("language", "algebra"), ("judge", "report"), ("judge", "kinematics")]
+)
+def test_an_import_of_what_stands_beside_or_above_is_seen(module: str, other: str) -> None:
+    name = f"workbench.{other}.x"
+    sources = {f"workbench.{module}.y": f"def f():\n    from {name} import z\n", name: ""}
+    assert upward(graph(sources)) == [f"workbench.{module}.y imports {name}"]

@@ -1,0 +1,89 @@
+"""Fractions: numbers, quotients, and the d/dt that is printed as one."""
+
+from __future__ import annotations
+
+from fractions import Fraction as Rational
+from typing import NamedTuple
+
+from workbench.language import construct
+from workbench.language.errors import Fault
+from workbench.language.names import base_name
+from workbench.language.scope import Scope
+from workbench.language.syntax import Fraction, Group, Leaf, Node, Product, Scripted, Styled, Sum
+from workbench.language.terms import Number, Term, Zero
+
+
+class Rate(NamedTuple):
+    """\\frac{d^k x}{dt^k}: the orders above and below (None where none is written), and what stands behind
+    the upper d."""
+
+    order_above: Node | None
+    order_below: Node | None
+    behind: tuple[Node, ...]
+
+
+def rate(scope: Scope, fraction: Fraction) -> Rate | None:
+    """The parts of a d/dt; None for a quotient.
+
+    With d or t as symbols of the paper it is still the derivative. With both it may also be a quotient of
+    products, and is refused. Raises Fault.
+    """
+    above, below = _factors(fraction.numerator), _factors(fraction.denominator)
+    if len(below) != 2:
+        return None
+    upper, lower, time = map(_letter, (above[0], *below))
+    if (upper.text, lower.text, time.text, lower.order) != ("d", "d", "t", None):
+        return None
+    if all(scope.knows(part.name) for part in (upper, lower, time)):
+        message = (
+            "a derivative, or a quotient of the symbols d and t? write \\frac{\\mathrm{d}}{\\mathrm{d}t}"
+        )
+        raise Fault(f"{message} for the derivative", fraction.at)
+    return Rate(upper.order, time.order, above[1:])
+
+
+def quotient(scope: Scope, fraction: Fraction) -> Term:
+    numerator, denominator = scope.term(fraction.numerator), scope.term(fraction.denominator)
+    if isinstance(numerator, Number | Zero) and isinstance(denominator, Number) and _is_numeral(fraction):
+        top = numerator.value if isinstance(numerator, Number) else 0
+        return construct.number(Rational(top) / denominator.value) if top else construct.zero()
+    if isinstance(denominator, Zero):
+        raise Fault("division by zero", fraction.denominator.at)
+    return scope.apply(fraction.at, "div", numerator, denominator)
+
+
+def _is_numeral(fraction: Fraction) -> bool:
+    """Whether both parts are written as numbers, so that the fraction is one."""
+    top, bottom = (
+        part.parts[0] if isinstance(part, Group) and len(part.parts) == 1 else part
+        for part in (fraction.numerator, fraction.denominator)
+    )
+    if isinstance(top, Sum) and len(top.addends) == 1:
+        top = top.addends[0][2]
+    return isinstance(top, Leaf) and isinstance(bottom, Leaf)
+
+
+def _factors(node: Node) -> tuple[Node, ...]:
+    while isinstance(node, Group) and len(node.parts) == 1:
+        node = node.parts[0]
+    return node.items if isinstance(node, Product) else (node,)
+
+
+class _Letter(NamedTuple):
+    """A letter, its name as a symbol (with its font), and its superscript; "" for anything else."""
+
+    text: str
+    name: str
+    order: Node | None
+
+
+def _letter(node: Node) -> _Letter:
+    order, styles = None, ()
+    if isinstance(node, Scripted) and node.sub is None and not node.primes and not node.factorial:
+        node, order = node.nucleus, node.sup
+    if isinstance(node, Styled) and node.style == "\\mathrm":
+        node, styles = node.body, (node.style,)
+    if isinstance(node, Group) and len(node.parts) == 1:
+        node = node.parts[0]
+    text = node.text if isinstance(node, Leaf) else ""
+    return _Letter(text, base_name(styles, text), order)

@@ -272,7 +272,7 @@ def the_transpose_is_unique() -> Verdict:
 
 
 def the_determinant_is_unique() -> Verdict:
-    """δ ⟨v₁, v₂, v₃⟩ fixes δ where the triple product has an inverse; where it is ε t, δ + ε s serves too."""
+    """δ ⟨v₁, v₂, v₃⟩ fixes δ where the triple product has an inverse; where it is ε r, δ + ε s serves too."""
     vectors = {rf"v_{i}": {"kind": "dual vector"} for i in (1, 2, 3)}
     letters = Letters(
         vectors
@@ -280,7 +280,7 @@ def the_determinant_is_unique() -> Verdict:
             r"T": {"kind": "dual tensor"},
             r"\delta": {"kind": "dual scalar"},
             "s": {"kind": "scalar"},
-            "t": {"kind": "scalar"},
+            "r": {"kind": "scalar"},
         }
     )
     triple = r"\langle v_1, v_2, v_3 \rangle"
@@ -298,10 +298,10 @@ def the_determinant_is_unique() -> Verdict:
                 but_not=rf"\frac{{\langle {images} \rangle}}{{{triple}}} = 2 \det T",
             ),
             letters.step(
-                "(δ + ε s) ε t = δ ε t: where the real part of the triple product is 0, the dual part of δ"
+                "(δ + ε s) ε r = δ ε r: where the real part of the triple product is 0, the dual part of δ"
                 " is free",
-                r"(\delta + \varepsilon s) (\varepsilon t) = \delta (\varepsilon t)",
-                but_not=r"(\delta + s) (\varepsilon t) = \delta (\varepsilon t)",
+                r"(\delta + \varepsilon s) (\varepsilon r) = \delta (\varepsilon r)",
+                but_not=r"(\delta + s) (\varepsilon r) = \delta (\varepsilon r)",
             ),
         ]
     )

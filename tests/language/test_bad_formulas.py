@@ -245,7 +245,7 @@ def test_vector_beside_vector_offers_the_scalar_product() -> None:
 
 
 def test_a_function_name_that_is_also_a_product_is_refused() -> None:
-    table = SymbolTable.build({"t": {"kind": "scalar"}, "r": {"kind": "scalar"}, "A": {"kind": "tensor"}})
+    table = SymbolTable.build({"t": {"kind": "tensor"}, "r": {"kind": "scalar"}, "A": {"kind": "tensor"}})
     with pytest.raises(ReadError, match="a function and a product of symbols"):
         read_term("tr A", table)
     assert read_term(r"\operatorname{tr} A", table) == read_term("trace A", table)

@@ -95,7 +95,7 @@ DIFFERENT = [
     (r"\mathbf{S} \Phi_1 \omega", r"\mathbf{S} (\Phi_1 \omega)"),
     (r"\alpha - \lambda_{1,2}", r"\alpha + \lambda_{1,2}"),
     (r"\det \mathbf{S} \Phi_1", r"(\det \mathbf{S}) \Phi_1"),
-    (r"\alpha^2 x", r"\alpha^{2 }(x)^{2}"),
+    (r"\alpha^2 x", r"\alpha^{2 }[x]^{2}"),
 ]
 
 

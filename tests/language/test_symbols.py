@@ -7,7 +7,7 @@ import pytest
 from workbench.language.errors import ReadError, SpecError
 from workbench.language.reader import read_term
 from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Apply, DualUnit, Identity, Symbol
+from workbench.language.terms import Apply, Symbol
 
 
 def test_an_exact_name_goes_before_a_member_of_a_family() -> None:
@@ -63,14 +63,6 @@ def test_a_star_is_the_adjugate_unless_the_name_has_it() -> None:
     assert isinstance(read_term(r"\mathbf{a}^*", table), Symbol)
     adjugate = read_term(r"\mathbf{S}^*", table)
     assert isinstance(adjugate, Apply) and adjugate.head == "adjugate"
-
-
-def test_built_in_symbols_give_way_to_declared_ones() -> None:
-    assert isinstance(read_term(r"\varepsilon", SymbolTable()), DualUnit)
-    assert isinstance(read_term(r"\mathbf{I}", SymbolTable()), Identity)
-    table = SymbolTable.build({r"\varepsilon": {"kind": "scalar"}, r"\mathbf{I}": {"kind": "vector"}})
-    assert isinstance(read_term(r"\varepsilon", table), Symbol)
-    assert isinstance(read_term(r"\mathbf{I}", table), Symbol)
 
 
 def test_a_table_is_never_changed() -> None:

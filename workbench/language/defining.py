@@ -11,7 +11,7 @@ from workbench.language.errors import Fault, IllFormedAt, SpecError
 from workbench.language.integers import Linear
 from workbench.language.names import candidates, names_of_key
 from workbench.language.reader import read_term
-from workbench.language.symbols import SymbolTable, index_in, key_pieces
+from workbench.language.symbols import SymbolTable, index_in, key_pieces, refuse_builtin
 from workbench.language.syntax import Bracket, Node, Product, Scripted, parse
 from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
 from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
@@ -172,6 +172,7 @@ def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition,
         name: Linear.variable(f"@{i}") - p.constant for i, p in enumerate(index) for name in p.variables
     }
     weight = None if term.weight is None else term.weight.substitute(places)
+    refuse_builtin(pattern, term.type, head.key)
     declaration = _declaration(head, term.type, weight)
     table = table.with_symbol(declaration, head.formals)
     table = replace(table, introduced=table.introduced | {declaration.name})

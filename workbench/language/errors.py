@@ -14,6 +14,10 @@ class ReadError(ValueError):
         self.line = line
         self.column = column
 
+    def __reduce__(self) -> tuple:
+        """So that it can come from another process, as the other errors here can."""
+        return ReadError, (self.message, self.line, self.column)
+
 
 class IllFormedAt(IllFormed):
     """A formula whose types or weights do not fit; the place is the operation at fault."""
@@ -24,6 +28,9 @@ class IllFormedAt(IllFormed):
         self.line = line
         self.column = column
 
+    def __reduce__(self) -> tuple:
+        return IllFormedAt, (IllFormed(self.message, self.intent), self.line, self.column)
+
 
 class SpecError(ValueError):
     """An entry of [symbols] or [definitions] that cannot be used. `key` is the entry's LaTeX key."""
@@ -32,6 +39,9 @@ class SpecError(ValueError):
         super().__init__(f"{key}: {message}")
         self.message = message
         self.key = key
+
+    def __reduce__(self) -> tuple:
+        return SpecError, (self.message, self.key)
 
 
 def place(text: str, offset: int) -> tuple[int, int]:

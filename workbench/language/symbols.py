@@ -35,6 +35,14 @@ _KINDS: dict[str, Type] = {
 _ALLOWED = ("kind", "weight", "constant", "unit", "coordinate", "aliases", "note")
 _FLAGS = ("constant", "unit", "coordinate")
 
+#: What these names mean in every formula.
+_BUILTIN = {
+    "\\varepsilon": "the dual unit",
+    "\\mathbf{I}": "the unit tensor",
+    "\\underline{\\mathbf{I}}": "the unit tensor",
+    "\\mathbf{D}": "the operator d/dt",
+}
+
 
 @dataclass(frozen=True)
 class SymbolTable:
@@ -70,6 +78,7 @@ class SymbolTable:
                 if pattern in symbols:
                     raise SpecError(f"{alias} is declared twice", key)
                 _refuse_operation(pattern, key)
+                refuse_builtin(pattern, declaration.type, key)
                 symbols[pattern] = declaration
         return SymbolTable(symbols)
 
@@ -100,6 +109,11 @@ class SymbolTable:
                 is_known = declaration.name not in self.introduced or self.defines(declaration.name, index)
                 return (declaration, index) if is_known else None
         return None
+
+    def has_letter(self, letter: str) -> bool:
+        """Whether a symbol has this letter, with whatever scripts."""
+        names = (*self.symbols, *self.functions)
+        return any(name.startswith((f"{letter}_", f"{letter}^")) or name == letter for name in names)
 
     def defines(self, name: str, index: tuple[Linear, ...]) -> bool:
         """Whether a definition covers this member: its own, or one for n or n + c."""
@@ -175,6 +189,15 @@ def _refuse_operation(pattern: str, key: str) -> None:
         raise SpecError(
             f"the superscript {sup.replace('@', 'n')} would be read as {meaning}; try ^{{[n]}}", key
         )
+
+
+def refuse_builtin(pattern: str, type_: Type, key: str) -> None:
+    """Raises SpecError for a name that has a meaning of its own, in which it is read and printed back."""
+    meaning = _BUILTIN.get(pattern)
+    if pattern == "t" and type_.kind == "scalar":
+        meaning = "the time of x(t) and \\frac{d}{dt}"
+    if meaning is not None:
+        raise SpecError(f"{pattern} is {meaning}; a symbol of the paper needs another name", key)
 
 
 def read_key(key: str) -> tuple[str, tuple[Linear, ...]]:

@@ -26,22 +26,18 @@ from workbench.judge.components import (
     array_shape,
     cross,
     dot,
-    double_cofactors,
     entry,
-    first_row_by_first_column,
     flat_components,
-    is_zero,
     leibniz,
     matrix_shape,
     outer,
     product_of,
-    scalar_array,
     skew,
     stack,
     turned,
-    vanishes,
 )
 from workbench.judge.inventory import Lookup, NotExact
+from workbench.judge.jet_algebra import JetAlgebra, Ring
 from workbench.judge.rodrigues import angle_and_axis
 from workbench.language.terms import (
     Apply,
@@ -56,17 +52,6 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-
-
-class Ring(Protocol):
-    """The scalars of a computation."""
-
-    def constant(self, numerator: int, denominator: int) -> Any: ...
-
-    def divide(self, a: Any, b: Any) -> Any: ...
-
-    def root(self, square: Any) -> Any:
-        """The non-negative root; raises NotExact where the ring has none."""
 
 
 class Source(Protocol):
@@ -88,7 +73,7 @@ class JetEngine:
 
     def __init__(self, source: Source, definitions: Lookup) -> None:
         self._source = source
-        self._ring = source.ring
+        self._algebra = JetAlgebra(source.ring)
         self._definitions = definitions
         self._known: dict[Term, Value] = {}
         self._displaced: list[JetEngine] = []
@@ -124,13 +109,13 @@ class JetEngine:
             return (self.value(term, depth),)
         match term:
             case TimeOperator():
-                return (self._diagonal(3, 0, depth), self._diagonal(3, 1, depth))
+                return (self._algebra.diagonal(3, 0, depth), self._algebra.diagonal(3, 1, depth))
             case Zero() | Identity():
-                return (self._diagonal(3, int(isinstance(term, Identity)), depth),)
+                return (self._algebra.diagonal(3, int(isinstance(term, Identity)), depth),)
             case Symbol():
                 return self.operator(self._body(term), depth)
             case Power():
-                total: OperatorValue = (self._diagonal(3, 1, depth),)
+                total: OperatorValue = (self._algebra.diagonal(3, 1, depth),)
                 for _ in range(int(term.exponent)):
                     total = self._compose(total, self._operator_for(term.base), depth)
                 return total
@@ -145,7 +130,7 @@ class JetEngine:
             case Apply(head="div"):
                 numerator, denominator = term.arguments
                 divisor = self.value(denominator, depth)
-                return tuple(self._divide(v, divisor) for v in self.operator(numerator, depth))
+                return tuple(self._algebra.divide(v, divisor) for v in self.operator(numerator, depth))
             case Apply(head="mul" | "compose", arguments=(left, right)):
                 if left.type.kind == "scalar":
                     factor = self.value(left, depth)
@@ -164,10 +149,10 @@ class JetEngine:
     ) -> OperatorValue:
         """Aᵢ Dⁱ ∘ Bⱼ Dʲ = Σₗ C(i, l) Aᵢ Bⱼ⁽ˡ⁾ Dⁱ⁻ˡ⁺ʲ."""
         factors = right(depth + len(left) - 1)
-        total = [self._diagonal(3, 0, depth) for _ in range(len(left) + len(factors) - 1)]
+        total = [self._algebra.diagonal(3, 0, depth) for _ in range(len(left) + len(factors) - 1)]
         for (i, a), (j, b) in product(enumerate(left), enumerate(factors)):
             for order in range(i + 1):
-                count = self._ring.constant(comb(i, order), 1)
+                count = self._algebra.ring.constant(comb(i, order), 1)
                 addend = product_of(np.matmul, a, b.cut(order, order + depth)).map(lambda x, c=count: x * c)
                 total[i - order + j] = add(total[i - order + j], addend)
         return tuple(total)
@@ -181,14 +166,14 @@ class JetEngine:
     def _evaluate(self, term: Term, depth: int) -> Value:
         match term:
             case Number():
-                return self._constant(term.value.numerator, term.value.denominator, depth)
+                return self._algebra.constant(term.value.numerator, term.value.denominator, depth)
             case Zero() | Identity():
                 shape = array_shape(term.type)
                 if isinstance(term, Identity):
-                    return self._diagonal(shape[0], 1, depth)
-                return Value([self._filled(shape) for _ in range(depth + 1)])
+                    return self._algebra.diagonal(shape[0], 1, depth)
+                return Value([self._algebra.filled(shape) for _ in range(depth + 1)])
             case DualUnit():
-                return Value(self._constant(0, 1, depth).re, self._constant(1, 1, depth).re)
+                return Value(self._algebra.constant(0, 1, depth).re, self._algebra.constant(1, 1, depth).re)
             case Symbol():
                 body = self._definitions.lookup(term)
                 return self._source.jet(term, depth) if body is None else self.value(body, depth)
@@ -208,12 +193,14 @@ class JetEngine:
         if term.base.type.kind == "vector":
             base, exponent = product_of(dot, base, base), exponent // 2
         kind = term.type.kind
-        total = (
-            self._constant(1, 1, depth) if kind == "scalar" else self._diagonal(base.re[0].shape[0], 1, depth)
-        )
+        total = self._one(base.re[0].shape, depth)
         for _ in range(exponent):
             total = product_of(np.multiply if kind == "scalar" else np.matmul, total, base)
         return total
+
+    def _one(self, shape: tuple[int, ...], depth: int) -> Value:
+        """1, or the unit matrix."""
+        return self._algebra.diagonal(shape[0], 1, depth) if shape else self._algebra.constant(1, 1, depth)
 
     def _block(self, term: Block, depth: int) -> Value:
         entries = [[self.value(e, depth) for e in row] for row in term.entries]
@@ -227,7 +214,7 @@ class JetEngine:
                     cells = []
                     for value, size in zip(row, row_sizes, strict=True):
                         jets = part(value)
-                        cells.append(self._filled(size) if jets is None else jets[k].reshape(size))
+                        cells.append(self._algebra.filled(size) if jets is None else jets[k].reshape(size))
                     rows.append(cells)
                 jet.append(np.block(rows))
             return jet
@@ -243,7 +230,7 @@ class JetEngine:
         if head in LINEAR:
             return self.value(arguments[0], depth).map(LINEAR[head])
         if head in ("vect", "symmetric", "antisymmetric"):
-            half = self._constant(1, 2, depth)
+            half = self._algebra.constant(1, 2, depth)
             return product_of(np.multiply, half, self.value(arguments[0], depth).map(DOUBLED[head]))
         match head:
             case "add":
@@ -255,20 +242,20 @@ class JetEngine:
                 a, b, c = (self.value(x, depth) for x in arguments)
                 return product_of(dot, a, product_of(cross, b, c))
             case "adjugate":
-                return self._adjugate(self.value(arguments[0], depth))
+                return self._algebra.adjugate(self.value(arguments[0], depth))
             case "det":
-                return self._det(self.value(arguments[0], depth))
+                return self._algebra.det(self.value(arguments[0], depth))
             case "inverse":
-                return self._inverse(self.value(arguments[0], depth))
+                return self._algebra.inverse(self.value(arguments[0], depth))
             case "div":
-                return self._divide(*(self.value(a, depth) for a in arguments))
+                return self._algebra.divide(*(self.value(a, depth) for a in arguments))
             case "re":
                 return Value(self.value(arguments[0], depth).re)
             case "du":
                 value = self.value(arguments[0], depth)
                 return Value([0 * x for x in value.re] if value.du is None else value.du)
             case "norm":
-                return self._norm(self.value(arguments[0], depth))
+                return self._algebra.norm(self.value(arguments[0], depth))
             case "cos":
                 return self._circle(arguments[0], depth)[0]
             case "sin":
@@ -304,84 +291,11 @@ class JetEngine:
             b = b.map(lambda x: x.reshape(shape_b))
         return product_of(np.matmul, a, b)
 
-    def _adjugate(self, a: Value) -> Value:
-        """adj(A)ᵢⱼ = ½ εⱼₖₗ εᵢₘₙ Aₖₘ Aₗₙ."""
-        return product_of(np.multiply, self._constant(1, 2, a.depth), product_of(double_cofactors, a, a))
-
-    def _det(self, a: Value) -> Value:
-        """det A = a₁ⱼ adj(A)ⱼ₁."""
-        return product_of(first_row_by_first_column, a, self._adjugate(a))
-
-    def _inverse(self, a: Value) -> Value:
-        shape = a.re[0].shape
-        if shape == ():
-            return self._divide(self._constant(1, 1, a.depth), a)
-        if shape == (3, 3):
-            return self._divide(self._adjugate(a), self._det(a))
-        return self._gauss_jordan(a)
-
-    def _gauss_jordan(self, a: Value) -> Value:
-        """The inverse of a square block matrix, pivot by pivot; a pivot must not vanish identically."""
-        size = a.re[0].shape[0]
-        rows = [[entry(a, (i, j)) for j in range(size)] for i in range(size)]
-        unit = self._diagonal(size, 1, a.depth)
-        for i in range(size):
-            rows[i] += [entry(unit, (i, j)) for j in range(size)]
-        for column in range(size):
-            place = next((i for i in range(column, size) if not vanishes(rows[i][column])), None)
-            if place is None:
-                raise ZeroDivisionError("a singular matrix has no inverse")
-            rows[column], rows[place] = rows[place], rows[column]
-            pivot = rows[column][column]
-            rows[column] = [self._divide(entry, pivot) for entry in rows[column]]
-            for i in range(size):
-                factor = rows[i][column]
-                if i != column and not is_zero(factor):
-                    minus = factor.map(lambda x: -x)
-                    rows[i] = [
-                        add(entry, product_of(np.multiply, minus, top))
-                        for entry, top in zip(rows[i], rows[column], strict=True)
-                    ]
-        return stack([stack(row[size:]) for row in rows])
-
-    def _divide(self, a: Value, b: Value) -> Value:
-        """q with q b = a, order by order; dual by (a + ε a₀)/(b + ε b₀) = q + ε (a₀ − q b₀)/b."""
-        re = self._divide_jets(a.re, b.re)
-        if a.du is None and b.du is None:
-            return Value(re)
-        rest = [np.asarray(0 * x, dtype=object) for x in a.re] if a.du is None else a.du
-        if b.du is not None:
-            rest = [x - y for x, y in zip(rest, leibniz(np.multiply, re, b.du), strict=True)]
-        return Value(re, self._divide_jets(rest, b.re))
-
-    def _divide_jets(self, a: Jet, b: Jet) -> Jet:
-        divide = np.frompyfunc(self._ring.divide, 2, 1)
-        quotient: Jet = []
-        for k, top in enumerate(a):
-            for j, q in enumerate(quotient):
-                top = top - q * (b[k - j] * self._ring.constant(comb(k, j), 1))
-            quotient.append(np.asarray(divide(top, b[0]), dtype=object))
-        return quotient
-
-    def _norm(self, x: Value) -> Value:
-        """N with N² = x·x, order by order; a dual norm is N + ε x·x₀/N, Eq. (74)."""
-        squared = np.multiply if x.re[0].shape == () else dot
-        square = leibniz(squared, x.re, x.re)
-        norm: Jet = [np.asarray(self._ring.root(square[0][()]), dtype=object)]
-        for k in range(1, len(square)):
-            rest = square[k]
-            for j in range(1, k):
-                rest = rest - norm[j] * norm[k - j] * self._ring.constant(comb(k, j), 1)
-            norm += self._divide_jets([rest], [norm[0] * self._ring.constant(2, 1)])
-        if x.du is None:
-            return Value(norm)
-        return Value(norm, self._divide_jets(leibniz(squared, x.re, x.du), norm))
-
     def _circle(self, angle: Term, depth: int) -> tuple[Value, Value]:
         """cos and sin by the addition theorems on the term; of a free angle by ċ = −s α̇, ṡ = c α̇."""
         match angle:
             case Zero():
-                return self._constant(1, 1, depth), self._constant(0, 1, depth)
+                return self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
             case Symbol():
                 body = self._definitions.lookup(angle)
                 return self._free_circle(angle, depth) if body is None else self._circle(body, depth)
@@ -400,13 +314,14 @@ class JetEngine:
                 once = self._circle(inner, depth)
                 if n.value < 0:
                     once = (once[0], once[1].map(lambda x: -x))
-                total = self._constant(1, 1, depth), self._constant(0, 1, depth)
+                total = self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
                 for _ in range(abs(n.value.numerator)):
                     total = turned(total, once)
                 return total
         value = self.value(angle, depth)
         if value.du is not None and all(not x for x in np.ravel(value.re[0])):
-            return Value(self._constant(1, 1, depth).re, [0 * x for x in value.du]), Value(value.re, value.du)
+            cosine = Value(self._algebra.constant(1, 1, depth).re, [0 * x for x in value.du])
+            return cosine, Value(value.re, value.du)
         raise NotExact("the sine or cosine of anything but an integer combination of angles")
 
     def _free_circle(self, angle: Symbol, depth: int) -> tuple[Value, Value]:
@@ -428,8 +343,8 @@ class JetEngine:
         if turn is not None:
             cosine, sine = self._circle(turn[0], depth)
             axis = self.value(turn[1], depth)
-            versine = add(self._constant(1, 1, depth), cosine.map(lambda x: -x))
-            turned = product_of(np.multiply, cosine, self._diagonal(3, 1, depth))
+            versine = add(self._algebra.constant(1, 1, depth), cosine.map(lambda x: -x))
+            turned = product_of(np.multiply, cosine, self._algebra.diagonal(3, 1, depth))
             turned = add(turned, product_of(np.multiply, sine, axis.map(skew)))
             return add(turned, product_of(np.multiply, versine, product_of(outer, axis, axis)))
         value = self.value(argument, depth)
@@ -437,9 +352,7 @@ class JetEngine:
             raise NotExact(
                 "exp of anything but a purely dual argument or an angle times a unit vector's skew tensor"
             )
-        shape = value.re[0].shape
-        unit = self._diagonal(shape[0], 1, depth) if shape else self._constant(1, 1, depth)
-        return Value(unit.re, value.du)
+        return Value(self._one(value.re[0].shape, depth).re, value.du)
 
     def _gradient(self, field: Term, depth: int) -> list[Value]:
         """∂f/∂ρⱼ for j = 1, 2, 3: the dual part of f at ρ + ε eⱼ."""
@@ -455,19 +368,3 @@ class JetEngine:
     def _curl_component(self, gradient: list[Value], i: int) -> Value:
         j, k = (i + 1) % 3, (i + 2) % 3
         return add(entry(gradient[j], k), entry(gradient[k], j).map(lambda x: -x))
-
-    def _constant(self, numerator: int, denominator: int, depth: int) -> Value:
-        zero = self._ring.constant(0, 1)
-        value = self._ring.constant(numerator, denominator)
-        return Value([scalar_array(value), *(scalar_array(zero) for _ in range(depth))])
-
-    def _filled(self, shape: tuple[int, ...]) -> np.ndarray:
-        array = np.empty(shape, dtype=object)
-        array[...] = self._ring.constant(0, 1)
-        return array
-
-    def _diagonal(self, size: int, value: int, depth: int) -> Value:
-        jets = [self._filled((size, size)) for _ in range(depth + 1)]
-        for i in range(size):
-            jets[0][i, i] = self._ring.constant(value, 1)
-        return Value(jets)

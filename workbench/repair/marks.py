@@ -14,18 +14,20 @@ from workbench.repair.nodes import below, children, exchanged, latex_of
 
 _INFIXES = {"·": "\\cdot", "×": "\\times", "⊗": "\\otimes"}
 _MOST_DOTS = 4
-_FONTS = ("\\boldsymbol", "\\mathbf", "\\mathrm", "\\mathcal", "\\mathbb")
+FONTS = ("\\boldsymbol", "\\mathbf", "\\mathrm", "\\mathcal", "\\mathbb")
 
 
 @dataclass(frozen=True)
 class Mark:
-    """One node put for another: how many misprints that undoes, and what it is called."""
+    """One node put for another: how many misprints that undoes, and what it is called. dots: how many dots
+    are added by it, if it changes no other weight; else None."""
 
     old: Node
     new: Node
     cost: int
     kind: str
     description: str
+    dots: int | None = None
 
 
 def marked(marks: Sequence[Mark], root: Node) -> Node:
@@ -39,15 +41,24 @@ def marked(marks: Sequence[Mark], root: Node) -> Node:
 # letters
 
 
-def letter_marks(node: Node, table: SymbolTable) -> Iterator[list[Mark]]:
-    """For each letter in the node, with its accents: what else it may have been."""
-    core = _core(node)
+def letter_marks(node: Node, table: SymbolTable, times: int = 1) -> Iterator[list[Mark]]:
+    """For each letter in the node, with its accents: what else it may have been. times: how often the node
+    counts as a factor."""
+    core = core_of(node)
     if core is not None:
-        yield [*_other_accents(node, core), *_other_letters(node, core, table)]
-        return
-    within = (node.nucleus,) if isinstance(node, Scripted) else children(node)
-    for part in within:
-        yield from letter_marks(part, table)
+        yield [*_other_accents(node, core, times), *_other_letters(node, core, table)]
+    elif isinstance(node, Scripted):
+        yield from letter_marks(node.nucleus, table, times * _power(node))
+        if isinstance(node.nucleus, Leaf) and node.nucleus.text == "e" and node.sup is not None:
+            yield from letter_marks(node.sup, table)
+    else:
+        for part in children(node):
+            yield from letter_marks(part, table, times)
+
+
+def _power(node: Scripted) -> int:
+    sup = node.sup.parts[0] if isinstance(node.sup, Group) and len(node.sup.parts) == 1 else node.sup
+    return int(sup.text) if isinstance(sup, Leaf) and sup.text.isdigit() else 1
 
 
 @dataclass(frozen=True)
@@ -59,7 +70,7 @@ class _Core:
     tilde: bool
 
 
-def _core(node: Node) -> _Core | None:
+def core_of(node: Node) -> _Core | None:
     """The letter of a node that is one letter under accents; None for anything else."""
     dots, tilde = 0, False
     while True:
@@ -70,7 +81,7 @@ def _core(node: Node) -> _Core | None:
                 node, dots = body, int(accent)
             case Group(parts=(part,)):
                 node = part
-            case Styled() if _letter_of(node) is not None:
+            case Styled() if letter_of(node) is not None:
                 return _Core(node, dots, tilde)
             case Leaf(kind="LETTER"):
                 return _Core(node, dots, tilde)
@@ -78,7 +89,7 @@ def _core(node: Node) -> _Core | None:
                 return None
 
 
-def _letter_of(node: Node) -> Leaf | None:
+def letter_of(node: Node) -> Leaf | None:
     while isinstance(node, Styled) or (isinstance(node, Group) and len(node.parts) == 1):
         node = node.body if isinstance(node, Styled) else node.parts[0]
     return node if isinstance(node, Leaf) and node.kind == "LETTER" else None
@@ -93,7 +104,7 @@ def _accented(core: _Core) -> Node:
     return node
 
 
-def _other_accents(node: Node, core: _Core) -> Iterator[Mark]:
+def _other_accents(node: Node, core: _Core, times: int) -> Iterator[Mark]:
     for tilde in (False, True):
         for dots in range(_MOST_DOTS + 1):
             more = dots - core.dots
@@ -102,7 +113,7 @@ def _other_accents(node: Node, core: _Core) -> Iterator[Mark]:
             new = _accented(_Core(core.letter, dots, tilde))
             said = f"${latex_of(_accented(core))}$ should be ${latex_of(new)}$"
             kind = "dots" if core.tilde == tilde else "tilde"
-            yield Mark(node, new, _price(core.tilde, tilde, more), kind, said)
+            yield Mark(node, new, _price(core.tilde, tilde, more), kind, said, more * times)
 
 
 def _price(had: bool, has: bool, more: int) -> int:
@@ -115,12 +126,12 @@ def _price(had: bool, has: bool, more: int) -> int:
 
 def _other_letters(node: Node, core: _Core, table: SymbolTable) -> Iterator[Mark]:
     """The same letter in another font or case, underlined or not, if the paper has such a symbol."""
-    letter = _letter_of(core.letter)
+    letter = letter_of(core.letter)
     printed = latex_of(core.letter)
     known = " ".join(table.symbols)
-    for text in (letter.text, _other_case(letter.text)):
+    for text in (letter.text, other_case(letter.text)):
         plain = Leaf(letter.at, "LETTER", text)
-        for other in (plain, *(Styled(letter.at, font, plain) for font in _FONTS)):
+        for other in (plain, *(Styled(letter.at, font, plain) for font in FONTS)):
             for new in (other, Styled(letter.at, "\\underline", other)):
                 if latex_of(new) != printed and latex_of(new) in known:
                     accented = _accented(_Core(new, core.dots, core.tilde))
@@ -128,7 +139,7 @@ def _other_letters(node: Node, core: _Core, table: SymbolTable) -> Iterator[Mark
                     yield Mark(node, accented, 1, "mark", said)
 
 
-def _other_case(letter: str) -> str:
+def other_case(letter: str) -> str:
     """\\Phi for \\phi, a for A."""
     if letter.startswith("\\"):
         return "\\" + letter[1].swapcase() + letter[2:]
@@ -144,7 +155,7 @@ def product_marks(node: Node) -> Iterator[Mark]:
         if isinstance(part, Product):
             yield from _signs(part)
             yield from _tildes(part)
-        elif isinstance(part, Accented) and part.accent == "~" and _core(part) is None:
+        elif isinstance(part, Accented) and part.accent == "~" and core_of(part) is None:
             yield from _wide_tilde(part)
 
 
@@ -152,13 +163,13 @@ def _wide_tilde(over: Accented) -> Iterator[Mark]:
     """A tilde over more than a letter, away or over one of the factors."""
     body = over.body.parts[0] if isinstance(over.body, Group) and len(over.body.parts) == 1 else over.body
     shown = f"$\\widetilde{{{latex_of(body)}}}$"
-    yield Mark(over, body, 1, "tilde", f"the tilde of {shown} does not belong there")
+    yield Mark(over, body, 1, "tilde", f"the tilde of {shown} does not belong there", 0)
     for place, item in enumerate(body.items if isinstance(body, Product) else ()):
         if not isinstance(item, Infix):
             under = Accented(item.at, "~", item)
             moved = Product(body.at, (*body.items[:place], under, *body.items[place + 1 :]))
             said = f"the tilde of {shown} belongs over ${latex_of(item)}$ alone"
-            yield Mark(over, Group(over.at, (moved,)), 1, "tilde", said)
+            yield Mark(over, Group(over.at, (moved,)), 1, "tilde", said, 0)
 
 
 def _signs(product: Product) -> Iterator[Mark]:
@@ -169,13 +180,13 @@ def _signs(product: Product) -> Iterator[Mark]:
         for operator, sign in _INFIXES.items():
             new = Product(product.at, (*items[: place + 1], Infix(right.at, operator), *items[place + 1 :]))
             said = f"${sign}$ is missing between ${latex_of(left)}$ and ${latex_of(right)}$"
-            yield Mark(product, new, 1, "product", said)
+            yield Mark(product, new, 1, "product", said, 0)
     for place, item in enumerate(items):
         for operator, sign in _INFIXES.items():
             if isinstance(item, Infix) and item.operator != operator and 0 < place < len(items) - 1:
                 new = Product(product.at, (*items[:place], Infix(item.at, operator), *items[place + 1 :]))
                 said = f"${latex_of(item)}$ before ${latex_of(items[place + 1])}$ should be ${sign}$"
-                yield Mark(product, new, 1, "product", said)
+                yield Mark(product, new, 1, "product", said, 0)
 
 
 def _is_number(node: Node) -> bool:
@@ -198,7 +209,7 @@ def _tildes(product: Product) -> Iterator[Mark]:
                 new = over if len(rest) == 1 else Product(product.at, rest)
                 words = "is missing over" if what == "over" else "belongs over the whole of"
                 said = f"the tilde {words} ${latex_of(Product(run[0].at, inner))}$"
-                yield Mark(product, new, 1, "tilde", said)
+                yield Mark(product, new, 1, "tilde", said, 0)
 
 
 def _without_tilde(node: Node) -> Node | None:
@@ -208,4 +219,3 @@ def _without_tilde(node: Node) -> Node | None:
         case Scripted(nucleus=Accented(accent="~", body=body)):
             return Scripted(node.at, body, node.sub, node.sup, node.primes, node.factorial)
     return None
-

@@ -103,14 +103,17 @@ def latex_of(node: Node) -> str:
             return _MARKS[text]
         case Leaf(text=text):
             return text
-        case Group(parts=(Styled() | Leaf() as letter,)):
-            return latex_of(letter)
+        case Group(parts=(Styled() | Leaf() | Group() as inner,)):
+            return latex_of(inner)
         case Group(parts=parts):
             return _braced(", ".join(map(latex_of, parts)))
         case Bracket(kind="[", parts=(Matrix() as matrix,)):
             return latex_of(matrix)
         case Bracket(kind=kind, parts=parts):
-            return f"\\left{kind} {', '.join(map(latex_of, parts))} \\right{_CLOSING[kind]}"
+            inside = ", ".join(map(latex_of, parts))
+            if any(isinstance(part, Fraction | Matrix | Summation) for part in below(node)):
+                return f"\\left{kind} {inside} \\right{_CLOSING[kind]}"
+            return f"{kind} {inside} {_CLOSING[kind]}" if kind[1:] else f"{kind}{inside}{_CLOSING[kind]}"
         case Styled(style=style, body=body):
             return f"{style}{_argument(body)}"
         case Accented(accent="~", body=body):
@@ -157,6 +160,8 @@ def _braced(text: str) -> str:
 
 
 def _argument(node: Node) -> str:
+    while isinstance(node, Group) and len(node.parts) == 1:
+        (node,) = node.parts
     return _braced(", ".join(map(latex_of, node.parts)) if isinstance(node, Group) else latex_of(node))
 
 

@@ -17,25 +17,32 @@ from random import Random
 from workbench.judge.rings import PRIME
 from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault, Misfit
+from workbench.language.names import linear
 from workbench.language.statements import reading_of
-from workbench.language.syntax import Bracket, Chain, Fraction, Group, Leaf, Lines, Node, Product, Sum, parse
+from workbench.language.syntax import Chain, Fraction, Node, Styled, Sum
 from workbench.language.terms import Conjunction, IllFormed, Statement, Term
 from workbench.papers.model import Claim
+from workbench.repair.addend_nodes import addends_of, alone
+from workbench.repair.factors import factor_marks, index_marks, letters_of
+from workbench.repair.integers import bound_variables, integer_marks
+from workbench.repair.letters import is_rate
 from workbench.repair.marks import Mark, letter_marks, marked, product_marks
-from workbench.repair.nodes import below, exchanged, latex_of
+from workbench.repair.nodes import below, latex_of
 from workbench.repair.screen import Screen
 from workbench.repair.search import Candidate, Change
+from workbench.repair.spellings import Spelling, spellings
+from workbench.repair.sums import zero_sums
 
 #: The most misprints undone in one addend, and the most alternatives of one addend that are read.
 MOST_MARKS = 4
 MOST_READ = 1500
 
-#: Alternatives kept of each addend, in the rounds of the search for a sum that fits.
-_ROUNDS = (4, 12, 40)
-_MOST_SUMS = 200_000
-_MOST_PAIRS = 3000
+#: The most misprints undone in an addend that has the right type and weight as printed, stage by stage.
+DEPTHS = (1, 3)
 
-_LINEAR = frozenset(("symmetric", "skew", "vect", "trace", "re", "du"))
+#: Alternatives kept of each addend, in the rounds of the search for a sum that fits.
+_ROUNDS = (4, 12, 40, 100)
+_MOST_PAIRS = 3000
 
 Marks = tuple[Mark, ...]
 
@@ -57,38 +64,44 @@ class Readings:
     """The readings of an ill-formed claim. `tick` is called now and then, and may raise to end the search."""
 
     def __init__(self, claim: Claim, screen: Screen | None, tick: Callable[[], None]) -> None:
-        try:
-            self._reader = _Reader(claim, parse(claim.printed.latex), screen, tick)
-        except Fault:
-            self._reader = None
+        integers = frozenset(claim.orders.variables if claim.orders else ())
+        spelled = spellings(claim.printed.latex, claim.notation.symbols, integers)
+        self._readers = [_Reader(claim, spelling, screen, tick) for spelling in spelled]
         self._seen: set[Statement] = set()
 
-    def that_hold(self) -> Iterator[Candidate]:
-        """Equations that hold at the screen's points, those with few marks first."""
-        if self._reader is not None:
-            yield from self._candidates(self._reader.that_add_up())
+    def that_hold(self) -> Iterator[Iterator[Candidate]]:
+        """Stage after stage, equations that hold at the screen's points, those with few marks first."""
+        for depth in DEPTHS:
+            for reader in self._readers:
+                yield self._candidates(reader, reader.that_add_up(depth))
 
     def likeliest(self, most: int) -> Iterator[Candidate]:
         """Up to `most` readings with few marks, true or not."""
-        if self._reader is not None:
-            yield from islice(self._candidates(self._reader.few_marks(most)), most)
+        for number, reader in enumerate(self._readers[:most]):
+            share = -(-most // len(self._readers)) if number else max(2, most // len(self._readers[:4]))
+            yield from islice(self._candidates(reader, reader.few_marks(most)), share)
 
-    def _candidates(self, choices: Iterator[Marks]) -> Iterator[Candidate]:
+    def _candidates(self, reader: _Reader, choices: Iterator[Marks]) -> Iterator[Candidate]:
         for marks in choices:
-            statement = self._reader.statement(marks)
+            statement = reader.statement(marks)
             if statement is not None and statement not in self._seen:
                 self._seen.add(statement)
                 changes = tuple(Change(mark.kind, mark.description) for mark in marks)
-                yield Candidate(statement, changes, latex_of(marked(marks, self._reader.lines)))
+                latex = latex_of(marked(marks, reader.lines))
+                yield Candidate(statement, (*reader.changes, *changes), latex)
 
 
 class _Reader:
-    """One formula and what is known of its integers."""
+    """One spelling of a formula and what is known of its integers."""
 
-    def __init__(self, claim: Claim, lines: Lines, screen: Screen | None, tick: Callable[[], None]) -> None:
+    def __init__(
+        self, claim: Claim, spelling: Spelling, screen: Screen | None, tick: Callable[[], None]
+    ) -> None:
         self.table = claim.notation.symbols
-        self.lines, self.screen, self.tick = lines, screen, tick
+        self.lines, self.changes = spelling.lines, spelling.changes
+        self.screen, self.tick = screen, tick
         self.integers = frozenset(claim.orders.variables if claim.orders else ())
+        self.letters = letters_of(self.lines)
         self._taken_apart: list[_Parts] = []
 
     def statement(self, marks: Sequence[Mark]) -> Statement | None:
@@ -105,23 +118,44 @@ class _Reader:
         except (Fault, Misfit, IllFormed):
             return None
 
-    def that_add_up(self) -> Iterator[Marks]:
-        equation = self._equation()
-        if equation is not None:
-            self._taken_apart = list(_Equation(self, equation).taken_apart())
-            for parts in self._taken_apart:
-                yield from parts.that_add_up()
+    def that_add_up(self, depth: int) -> Iterator[Marks]:
+        """depth: how many marks are tried on an addend with which nothing is wrong by itself."""
+        self._taken_apart = []
+        ways = [self._of_equation(equation, depth) for equation in self._equations()]
+        if len(ways) == 1:
+            yield from ways[0]
+        elif ways:
+            yield from (tuple(m for marks in chosen for m in marks) for chosen in product(*map(list, ways)))
+
+    def _of_equation(self, equation: Chain, depth: int) -> Iterator[Marks]:
+        for parts in _Equation(self, equation, depth).taken_apart():
+            self._taken_apart.append(parts)
+            yield from parts.that_add_up()
 
     def few_marks(self, most: int) -> Iterator[Marks]:
+        if self.statement(()) is not None:
+            yield ()
         for parts in self._taken_apart:
             yield from parts.cheapest(most)
         if not self._taken_apart:
             yield from self._anywhere()
 
-    def _equation(self) -> Chain | None:
+    def _equations(self) -> list[Chain]:
+        """The equations to be put right: of a = b = c each side that cannot be read or does not fit, with one
+        that can."""
         chains = [c for line in self.lines.lines for c in line if isinstance(c, Chain) and c.relations]
-        equations = [c for c in chains if [sign for sign, _ in c.relations] == ["="]]
-        return equations[0] if len(equations) == 1 and self.screen is not None else None
+        chains = [c for c in chains if all(sign == "=" for sign, _ in c.relations) and not _is_bound(c)]
+        if len(chains) != 1 or self.screen is None:
+            return []
+        (chain,) = chains
+        if len(chain.sides) == 2:
+            return [chain]
+        terms = [self.term(side) for side in chain.sides]
+        good = next((number for number, term in enumerate(terms) if term is not None), None)
+        if good is None:
+            return []
+        bad = [n for n, term in enumerate(terms) if term is None or not _fits(term, terms[good])]
+        return [Chain(chain.at, (chain.sides[good], chain.sides[n]), chain.relations[:1]) for n in bad]
 
     def _anywhere(self) -> Iterator[Marks]:
         """One or two marks anywhere, for what is no equation."""
@@ -138,11 +172,17 @@ def all_marks(node: Node, table) -> list[Mark]:
     return [mark for marks in letter_marks(node, table) for mark in marks] + list(product_marks(node))
 
 
+def _is_bound(chain: Chain) -> bool:
+    """n = \\overline{1, m}."""
+    return any(isinstance(side, Styled) and side.style == "\\overline" for side in chain.sides)
+
+
 class _Equation:
     """left = right, at least one of which cannot be read."""
 
-    def __init__(self, reader: _Reader, chain: Chain) -> None:
-        self.reader, self.chain = reader, chain
+    def __init__(self, reader: _Reader, chain: Chain, depth: int) -> None:
+        self.reader, self.chain, self.depth = reader, chain, depth
+        self.variables = reader.integers | bound_variables(chain)
         random = Random(61)
         self.weights = [random.randrange(PRIME) for _ in range(400)]
 
@@ -160,7 +200,9 @@ class _Equation:
         """What makes the denominators readable."""
         ways: list[list[Marks]] = []
         for part in below(self.chain):
-            if isinstance(part, Fraction) and self.reader.term(part.denominator) is None:
+            if not isinstance(part, Fraction) or is_rate(part):
+                continue
+            if self.reader.term(part.denominator) is None:
                 ways.append(self._ways_to_read(part.denominator))
         yield from (tuple(m for marks in chosen for m in marks) for chosen in product(*ways))
 
@@ -189,9 +231,11 @@ class _Equation:
         """Terms of the types and weights that both sides may have: those of a whole side that can be read, or
         those that most addends have."""
         whole = [slots[0][0].term for slots in found if len(slots) == 1 and slots[0]]
+        if len(whole) == 2 and not _fits(*whole):
+            return whole
         whole = [t for t in whole if t.weight is not None]
         if whole:
-            return whole[:1] if len(whole) == 2 and _fits(*whole) else whole
+            return whole[:1]
         terms = [a.term for slots in found for alternatives in slots for a in alternatives]
         terms = [t for t in terms if t.weight is not None] or terms
         return [max(terms, key=lambda t: sum(_fits(t, other) for other in terms))] if terms else []
@@ -200,29 +244,48 @@ class _Equation:
         self, side: Node, leaf: Node, context: Marks, wanted: Term | None
     ) -> list[_Alternative]:
         found: dict[object, _Alternative] = {}
-        most = MOST_MARKS
+        most, read, offset = MOST_MARKS, 0, None
         lonely = alone(marked(context, side), leaf)
-        for count, marks in enumerate(self._choices(leaf) if wanted is not None else [()]):
-            if count == MOST_READ or sum(mark.cost for mark in marks) > most:
+        is_one_product = not any(isinstance(p, Sum) and not self._is_integer(p) for p in below(leaf))
+        for marks in self._choices(leaf) if wanted is not None else [()]:
+            if read == MOST_READ or sum(mark.cost for mark in marks) > most:
                 break
+            dots = _dots(marks) if is_one_product else None
+            if None not in (dots, offset) and dots != offset:
+                continue
+            read += 1
             term = self.reader.term(marked(marks, lonely))
+            if term is not None and None not in (dots, wanted and wanted.weight, term.weight):
+                lacking = wanted.weight - term.weight
+                offset = dots + int(lacking) if lacking.is_number else None
             if term is None or (wanted is not None and not _fits(term, wanted)):
                 continue
             value = self._value(term, wanted)
             if not marks:
-                most = 1  # nothing is wrong with it by itself
+                most = self.depth  # nothing is wrong with it by itself
             found.setdefault(term if value is None else value, _Alternative(marks, term, value))
         return list(found.values())
 
+    def _is_integer(self, node: Node) -> bool:
+        try:
+            return linear(node, self.variables) is not None
+        except Fault:
+            return False
+
     def _choices(self, leaf: Node) -> Iterator[Marks]:
-        """Combinations of marks by their cost: one on each letter, and one on the products."""
-        letters = list(letter_marks(leaf, self.reader.table))
-        products = list(product_marks(leaf))
+        """Combinations of marks by their cost: one on each letter and integer, and one on the products."""
+        table = self.reader.table
+        places = [
+            *letter_marks(leaf, table),
+            *index_marks(leaf, table),
+            *integer_marks(leaf, self.variables),
+        ]
+        products = [*product_marks(leaf), *factor_marks(leaf, self.reader.letters)]
         for cost in range(MOST_MARKS + 1):
-            for part in range(min(cost, 1) + 1):
-                for on_letters in _with_cost(letters, cost - part):
-                    if part:
-                        yield from ((*on_letters, mark) for mark in products)
+            for on_products in range(min(cost, 2) + 1):
+                for on_letters in _with_cost(places, cost - on_products):
+                    if on_products:
+                        yield from ((*on_letters, m) for m in products if m.cost == on_products)
                     else:
                         yield on_letters
 
@@ -245,20 +308,20 @@ class _Parts:
     slots: list[tuple[int, list[_Alternative]]]
 
     def that_add_up(self) -> Iterator[Marks]:
-        """Choices whose values add up to 0, the sums of one half of the addends looked up for the other."""
-        if any(a.value is None for _, alternatives in self.slots for a in alternatives):
+        """Choices whose values add up to 0."""
+        valued = [[a for a in alternatives if a.value is not None] for _, alternatives in self.slots]
+        if not all(valued):
             return
         for width in _ROUNDS:
-            cut = [(sign, alternatives[:width]) for sign, alternatives in self.slots]
-            halves = [_sums(cut[::2]), _sums(cut[1::2])]
-            if None in halves:
-                return
-            partners: dict[int, list[tuple[_Alternative, ...]]] = {}
-            for value, chosen in halves[0]:
-                partners.setdefault(-value % PRIME, []).append(chosen)
-            fitting = [
-                (*first, *second) for value, second in halves[1] for first in partners.get(value, ())
+            cut = [alternatives[:width] for alternatives in valued]
+            values = [
+                [sign * a.value % PRIME for a in alternatives]
+                for (sign, _), alternatives in zip(self.slots, cut, strict=True)
             ]
+            sums = zero_sums(values)
+            if sums is None:
+                return
+            fitting = [[a[place] for a, place in zip(cut, places, strict=True)] for places in sums]
             fitting.sort(key=lambda chosen: sum(a.cost for a in chosen))
             yield from ((*self.context, *(m for a in chosen for m in a.marks)) for chosen in fitting)
             if fitting:
@@ -285,18 +348,10 @@ class _Parts:
                         heappush(queue, (cost + more, following))
 
 
-def _sums(
-    slots: Sequence[tuple[int, list[_Alternative]]],
-) -> list[tuple[int, tuple[_Alternative, ...]]] | None:
-    """All sums of one alternative for each addend; None if they are too many."""
-    sums: list[tuple[int, tuple[_Alternative, ...]]] = [(0, ())]
-    for sign, alternatives in slots:
-        if len(sums) * len(alternatives) > _MOST_SUMS:
-            return None
-        sums = [
-            ((total + sign * a.value) % PRIME, (*chosen, a)) for total, chosen in sums for a in alternatives
-        ]
-    return sums
+def _dots(marks: Sequence[Mark]) -> int | None:
+    """How many dots the marks add; None where one may change the weight otherwise."""
+    dots = [mark.dots for mark in marks]
+    return None if None in dots else sum(dots)
 
 
 def _fits(term: Term, wanted: Term) -> bool:
@@ -314,53 +369,3 @@ def _with_cost(letters: Sequence[list[Mark]], cost: int) -> Iterator[Marks]:
     for mark in letters[0]:
         if mark.cost <= cost:
             yield from ((mark, *others) for others in _with_cost(letters[1:], cost - mark.cost))
-
-
-def addends_of(node: Node) -> list[Node]:
-    """The addends of a side, also those in brackets with only numbers and linear functions before them."""
-    match node:
-        case Sum(addends=addends):
-            return [leaf for _, _, addend in addends for leaf in addends_of(addend)]
-        case Bracket(parts=(part,)) | Group(parts=(part,)):
-            return addends_of(part) if _holds_sum(part) else [node]
-        case Fraction(numerator=numerator) if _holds_sum(numerator):
-            return addends_of(numerator)
-        case Product(items=items):
-            sums = [item for item in items if _holds_sum(item)]
-            if len(sums) == 1 and all(item is sums[0] or _is_plain(item) for item in items):
-                return addends_of(sums[0])
-    return [node]
-
-
-def _holds_sum(node: Node) -> bool:
-    match node:
-        case Sum():
-            return True
-        case Bracket(parts=(part,)) | Group(parts=(part,)) | Fraction(numerator=part):
-            return _holds_sum(part)
-        case Product(items=items):
-            return any(_holds_sum(item) for item in items)
-    return False
-
-
-def _is_plain(node: Node) -> bool:
-    match node:
-        case Leaf(kind="NUMBER"):
-            return True
-        case Leaf(kind="FUNCTION", text=text):
-            return text in _LINEAR
-        case Fraction():
-            return all(isinstance(part, Fraction | Group) or _is_plain(part) for part in below(node))
-    return False
-
-
-def alone(side: Node, leaf: Node) -> Node:
-    """The side with each sum around the leaf cut down to the addend that holds it."""
-    cut: dict[int, Node] = {}
-    sums = [part for part in below(side) if isinstance(part, Sum)]
-    for node in reversed(sums):
-        for sign, at, addend in node.addends:
-            if any(part is leaf for part in below(addend)):
-                cut[id(node)] = Sum(node.at, ((sign, at, exchanged(addend, cut)),))
-                break
-    return exchanged(side, cut)

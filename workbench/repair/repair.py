@@ -145,7 +145,7 @@ class _Bench:
     def _repair_ill_formed(self) -> None:
         """The readings that hold; if none of them is proved, the neighbours of the likeliest readings."""
         readings = Readings(self.claim, self._screen(), self._tick)
-        if self._offer(readings.that_hold()):
+        if any(self._offer(stage) for stage in readings.that_hold()):
             return
         likeliest = list(readings.likeliest(self.limits.readings))
         if self._screen() is None or not self._is_equation(likeliest):

@@ -5,6 +5,8 @@
 Each tool runs in a process of its own, so that it can be timed out and its memory measured; the
 clock runs in one process at a time, the workbench's and the peer's in turns, and a ratio is the
 median over the rounds. All results must agree with the workbench's to 1e-9 before any clock starts.
+The workbench takes and returns arrays with the states first; each peer gets its input in the order and
+scale that suit it and leaves its result so, which its time does not include.
 """
 
 import argparse

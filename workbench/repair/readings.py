@@ -36,6 +36,7 @@ from workbench.repair.sums import zero_sums
 #: The most misprints undone in one addend, and the most alternatives of one addend that are read.
 MOST_MARKS = 4
 MOST_READ = 1500
+MOST_CHOICES = 40_000
 
 #: The most misprints undone in an addend that has the right type and weight as printed, stage by stage.
 DEPTHS = (1, 3)
@@ -189,10 +190,14 @@ class _Equation:
     def taken_apart(self) -> Iterator[_Parts]:
         """The alternatives of all addends, for each way to read the denominators."""
         for context in self._contexts():
-            for wanted in self._wanted([self._slots(side, context, None) for side in self.chain.sides]):
+            printed = [self._slots(side, context, None) for side in self.chain.sides]
+            whole = [slots[0][0].term for slots in printed if len(slots) == 1 and slots[0]]
+            apart = self.depth > 1 and len(whole) == 2 and _fits(*whole)
+            for wanted in self._wanted(printed):
                 slots = []
                 for sign, side in zip((1, -1), self.chain.sides, strict=True):
-                    slots += [(sign, alternatives) for alternatives in self._slots(side, context, wanted)]
+                    found = self._slots(side, context, wanted, apart)
+                    slots += [(sign, alternatives) for alternatives in found]
                 if all(alternatives for _, alternatives in slots):
                     yield _Parts(context, slots)
 
@@ -219,11 +224,14 @@ class _Equation:
 
     # addends
 
-    def _slots(self, side: Node, context: Marks, wanted: Term | None) -> list[list[_Alternative]]:
-        """The alternatives of each addend of a side. wanted: a term of the type and weight that they must
-        have; without it only what can be read as printed is given."""
+    def _slots(
+        self, side: Node, context: Marks, wanted: Term | None, apart: bool = False
+    ) -> list[list[_Alternative]]:
+        """The alternatives of each addend of a side; of a side that fits, unless `apart`, only as it is.
+        wanted: a term of the type and weight that they must have; without it only what can be read as printed
+        is given."""
         whole = self.reader.term(marked(context, side))
-        if whole is not None and (wanted is None or _fits(whole, wanted)):
+        if whole is not None and not apart and (wanted is None or _fits(whole, wanted)):
             return [[_Alternative((), whole, self._value(whole, wanted))]]
         return [self._alternatives(side, leaf, context, wanted) for leaf in addends_of(side)]
 
@@ -247,7 +255,8 @@ class _Equation:
         most, read, offset = MOST_MARKS, 0, None
         lonely = alone(marked(context, side), leaf)
         is_one_product = not any(isinstance(p, Sum) and not self._is_integer(p) for p in below(leaf))
-        for marks in self._choices(leaf) if wanted is not None else [()]:
+        choices = islice(self._choices(leaf), MOST_CHOICES) if wanted is not None else [()]
+        for marks in choices:
             if read == MOST_READ or sum(mark.cost for mark in marks) > most:
                 break
             dots = _dots(marks) if is_one_product else None

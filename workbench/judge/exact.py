@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce as fold
-from math import isqrt
 
-from workbench.algebra.differential_ring import DifferentialRing, Polynomial
+from workbench.algebra.differential_ring import Polynomial
 from workbench.algebra.dual import Dual
 from workbench.algebra.matrices import (
     Entry,
@@ -32,6 +31,7 @@ from workbench.algebra.matrices import (
     transpose,
     vect,
 )
+from workbench.judge.exact_algebra import ExactAlgebra
 from workbench.judge.exact_symbols import FreeSymbols, rank, shape_of
 from workbench.judge.inventory import Inventory, Lookup, NotExact
 from workbench.judge.parameters import Parameter, parameters
@@ -62,11 +62,9 @@ class ExactEngine:
 
     def __init__(self, inventory: Inventory, definitions: Lookup) -> None:
         self._definitions = definitions
-        self._norm_names = [f"norm{i}" for i in reversed(range(inventory.norms))]
-        self._reciprocal_names = [f"reciprocal{i}" for i in range(inventory.reciprocals)]
         self._named = {p: f"x{i}" for i, p in enumerate(sorted(parameters(inventory), key=rank))}
-        self.ring = DifferentialRing([*self._norm_names, *self._named.values(), *self._reciprocal_names])
-        self._norms: list[tuple[str, Polynomial]] = []
+        self._algebra = ExactAlgebra(inventory, self._named.values())
+        self.ring = self._algebra.ring
         self._values: dict[Term, Matrix | Operator] = {}
         self._free = FreeSymbols(self.ring, self._named)
         for angle in inventory.angles:
@@ -81,8 +79,8 @@ class ExactEngine:
     def difference(self, relation: Relation) -> Matrix | Operator:
         left, right = self.value(relation.left), self.value(relation.right)
         if relation.left.type.kind == "operator" or relation.right.type.kind == "operator":
-            return _add_operators(_operator(left), _scale(self._constant(-1), _operator(right)))
-        return add(left, _scale(self._constant(-1), right))
+            return _add_operators(_operator(left), _scale(self.ring.constant(-1), _operator(right)))
+        return add(left, _scale(self.ring.constant(-1), right))
 
     def parts(self, value: Matrix | Operator) -> list[Polynomial]:
         """All entries in reading order, real parts before dual parts."""
@@ -90,7 +88,7 @@ class ExactEngine:
         entries = [entry for matrix in matrices for row in matrix for entry in row]
         real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
         dual = [entry.du for entry in entries if isinstance(entry, Dual)]
-        return [self.ring.reduce(self._polynomial(p)) for p in (*real, *dual)]
+        return [self.ring.reduce(self._algebra.polynomial(p)) for p in (*real, *dual)]
 
     def at(self, p: Polynomial, point: dict[Parameter, Fraction]) -> Fraction:
         """The value of a polynomial without reciprocals or norms at a point of the parameters."""
@@ -108,21 +106,19 @@ class ExactEngine:
         """Whether the parameter occurs in the terms' values, in what they divide by or take roots of."""
         place = self.ring.names.index(self._named[parameter])
         values = [p for term in terms for p in self.parts(self.value(term))]
-        values += [*self.ring.denominators, *(square for _, square in self._norms)]
+        values += [*self.ring.denominators, *self._algebra.radicands]
         return any(p.degrees()[place] > 0 for p in values)
-
-    # --- terms ----------------------------------------------------------------------------------
 
     def value(self, term: Term) -> Matrix | Operator:
         """The matrix (or operator) of the term. Raises NotExact outside the exact world."""
         if term not in self._values:
-            self._values[term] = self._reduced(self._evaluate(term))
+            self._values[term] = self._map(self.ring.reduce, self._evaluate(term))
         return self._values[term]
 
     def _evaluate(self, term: Term) -> Matrix | Operator:
         match term:
             case Number():
-                return ((self._constant(term.value),),)
+                return ((self.ring.constant(term.value),),)
             case Zero():
                 return self._diagonal(term.type, 0)
             case Identity():
@@ -130,7 +126,7 @@ class ExactEngine:
             case DualUnit():
                 return ((Dual(self.ring.zero, self.ring.one),),)
             case TimeOperator():
-                return (self._unit(0), self._unit(1))
+                return (self._algebra.diagonal(0), self._algebra.diagonal(1))
             case Symbol():
                 body = self._definitions.lookup(term)
                 if body is None:
@@ -156,10 +152,10 @@ class ExactEngine:
         base = self.value(term.base)
         if term.base.type.kind == "vector":
             square = product(transpose(base), base)
-            return fold(product, [square] * (exponent // 2), self._unit(1, 1))
+            return fold(product, [square] * (exponent // 2), self._algebra.diagonal(1, 1))
         if term.type.kind == "operator":
-            return fold(self._compose, [base] * exponent, (self._unit(1),))
-        return fold(product, [base] * exponent, self._unit(1, len(base)))
+            return fold(self._compose, [base] * exponent, (self._algebra.diagonal(1),))
+        return fold(product, [base] * exponent, self._algebra.diagonal(1, len(base)))
 
     def _block(self, term: Block) -> Matrix:
         rows: list[tuple[Entry, ...]] = []
@@ -168,6 +164,10 @@ class ExactEngine:
             rows.extend(sum(parts, ()) for parts in zip(*blocks, strict=True))
         return tuple(rows)
 
+    def _diagonal(self, type_: Type, value: int) -> Matrix | Operator:
+        matrix = self._algebra.diagonal(value, *shape_of(type_))
+        return (matrix,) if type_.kind == "operator" else matrix
+
     def _add(self, term: Apply) -> Matrix | Operator:
         values = [self.value(a) for a in term.arguments]
         if term.type.kind == "operator":
@@ -175,7 +175,7 @@ class ExactEngine:
         return fold(add, values)
 
     def _neg(self, term: Apply) -> Matrix | Operator:
-        return _scale(self._constant(-1), self.value(term.arguments[0]))
+        return _scale(self.ring.constant(-1), self.value(term.arguments[0]))
 
     def _mul(self, term: Apply) -> Matrix | Operator:
         left, right = term.arguments
@@ -195,12 +195,12 @@ class ExactEngine:
 
     def _compose(self, left: Operator, right: Operator) -> Operator:
         """By D·A = Ȧ + A·D, applied once for each power of D on the left."""
-        total: Operator = (self._unit(0),)
+        total: Operator = (self._algebra.diagonal(0),)
         shifted = right
         for power, coefficient in enumerate(left):
             if power:
                 rates = tuple(self._map(self.ring.derive, a) for a in shifted)
-                shifted = _add_operators((self._unit(0), *shifted), rates)
+                shifted = _add_operators((self._algebra.diagonal(0), *shifted), rates)
             total = _add_operators(total, tuple(product(coefficient, a) for a in shifted))
         return total
 
@@ -215,74 +215,13 @@ class ExactEngine:
 
     def _div(self, term: Apply) -> Matrix | Operator:
         numerator, denominator = (self.value(a) for a in term.arguments)
-        return _scale(self._inverse_entry(denominator[0][0]), numerator)
-
-    def _inverse_entry(self, entry: Entry) -> Entry:
-        """1/p, or 1/(p + ε p₀) = 1/p − ε p₀/p²."""
-        if isinstance(entry, Dual):
-            z = self._inverse_entry(entry.re)
-            return Dual(z, -entry.du * z**2)
-        z, factor = self.ring.reciprocal(self.ring.reduce(entry), self._reciprocal_names)
-        return self._constant(factor) * z
+        return _scale(self._algebra.reciprocal(denominator[0][0]), numerator)
 
     def _inverse(self, term: Apply) -> Matrix:
-        """A⁻¹ = adj A / det A; for block matrices both come from Faddeev and LeVerrier's recurrence."""
-        matrix = self.value(term.arguments[0])
-        if len(matrix) == 1:
-            return ((self._inverse_entry(matrix[0][0]),),)
-        if len(matrix) == 3:
-            cofactors, determinant = adjugate(matrix), det(matrix)
-        else:
-            cofactors, determinant = self._faddeev_leverrier(matrix)
-        return _scale(self._inverse_entry(determinant), cofactors)
-
-    def _faddeev_leverrier(self, matrix: Matrix) -> tuple[Matrix, Entry]:
-        size = len(matrix)
-        adjugate, coefficient = self._unit(1, size), self._constant(0)
-        for k in range(1, size + 1):
-            step = self._reduced(product(matrix, adjugate))
-            coefficient = self._constant(Fraction(-1, k)) * trace(step)
-            if k < size:
-                adjugate = add(step, _scale(coefficient, self._unit(1, size)))
-        sign = self._constant((-1) ** (size - 1))
-        return _scale(sign, adjugate), self._constant((-1) ** size) * coefficient
+        return self._algebra.inverse(self.value(term.arguments[0]))
 
     def _norm(self, term: Apply) -> Matrix:
-        """N with N² = x·x; for a dual vector N + ε x·x₀/N, Eq. (74), where Re x ≠ 0."""
-        entries = [entry for row in self.value(term.arguments[0]) for entry in row]
-        real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
-        square = self.ring.reduce(sum((x * x for x in real), self.ring.zero))
-        norm = self._root(square)
-        if not any(isinstance(entry, Dual) for entry in entries):
-            return ((norm,),)
-        mixed = sum((e.re * e.du for e in entries if isinstance(e, Dual)), self.ring.zero)
-        return ((Dual(norm, mixed * self._inverse_entry(norm)),),)
-
-    def _root(self, square: Polynomial) -> Polynomial:
-        """The indeterminate N with N² = square, where squares of numbers are taken out: |−2x| is 2|x|."""
-        if square == 0:
-            raise NotExact("the norm of zero")
-        factor = square.leading_coefficient()
-        p, q = isqrt(abs(int(factor.p))), isqrt(int(factor.q))
-        if factor == 0 or Fraction(p * p, q * q) != Fraction(int(factor.p), int(factor.q)):
-            p = q = 1
-        outside = self._constant(Fraction(p, q))
-        square = square / (outside * outside).leading_coefficient()
-        if square == self.ring.one:
-            return outside
-        return outside * self._root_generator(square)
-
-    def _root_generator(self, square: Polynomial) -> Polynomial:
-        for name, known in self._norms:
-            if known == square:
-                return self.ring.generators[name]
-        name = self._norm_names[len(self._norm_names) - 1 - len(self._norms)]
-        self._norms.append((name, square))
-        self.ring.square_as(name, square)
-        norm = self.ring.generators[name]
-        half = self._constant(Fraction(1, 2))
-        self.ring.derive_by(name, lambda derivation: half * derivation(square) * self._inverse_entry(norm))
-        return norm
+        return ((self._algebra.norm(self.value(term.arguments[0])),),)
 
     def _triple(self, term: Apply) -> Matrix:
         rows = tuple(transpose(self.value(a))[0] for a in term.arguments)
@@ -322,18 +261,18 @@ class ExactEngine:
         argument = term.arguments[0]
         value = self.value(argument)
         if all(
-            isinstance(e, Dual) and self.ring.reduce(self._polynomial(e.re)) == 0
+            isinstance(e, Dual) and self.ring.reduce(self._algebra.polynomial(e.re)) == 0
             for row in value
             for e in row
         ):
-            return add(self._unit(1, len(value)), value)
+            return add(self._algebra.diagonal(1, len(value)), value)
         turn = angle_and_axis(argument)
         if turn is not None:
             angle, axis = turn
             cosine, sine = self._circle(angle)
             crossing = skew(flat(self.value(axis)))
             turned = add(_scale(sine, crossing), _scale(1 - cosine, product(crossing, crossing)))
-            return add(self._unit(1), turned)
+            return add(self._algebra.diagonal(1), turned)
         raise NotExact(
             "exp of anything but a purely dual argument or an angle times a unit vector's skew tensor"
         )
@@ -354,41 +293,10 @@ class ExactEngine:
         place = [str(generator) for generator in self._free.column(coordinates[0], "value", 0, 3)]
         return tuple(tuple(self.ring.partial(row[0], x) for x in place) for row in self.value(field))
 
-    # --- entries --------------------------------------------------------------------------------
-
-    def _constant(self, value: Fraction | int) -> Polynomial:
-        return self.ring.constant(value)
-
-    def _polynomial(self, entry: Polynomial | int) -> Polynomial:
-        return self._constant(entry) if isinstance(entry, int) else entry
-
-    def _unit(self, diagonal: int, size: int = 3) -> Matrix:
-        return tuple(
-            tuple(self._constant(diagonal if i == j else 0) for j in range(size)) for i in range(size)
-        )
-
-    def _diagonal(self, type_: Type, value: int) -> Matrix | Operator:
-        rows, columns = shape_of(type_)
-        matrix = tuple(
-            tuple(self._constant(value if i == j else 0) for j in range(columns)) for i in range(rows)
-        )
-        return (matrix,) if type_.kind == "operator" else matrix
-
     def _map(self, function, value: Matrix | Operator) -> Matrix | Operator:
         if _is_operator(value):
-            return tuple(self._map(function, matrix) for matrix in value)
-        return tuple(
-            tuple(
-                Dual(function(self._polynomial(e.re)), function(self._polynomial(e.du)))
-                if isinstance(e, Dual)
-                else function(self._polynomial(e))
-                for e in row
-            )
-            for row in value
-        )
-
-    def _reduced(self, value: Matrix | Operator) -> Matrix | Operator:
-        return self._map(self.ring.reduce, value)
+            return tuple(self._algebra.map(function, matrix) for matrix in value)
+        return self._algebra.map(function, value)
 
 
 def _is_operator(value: Matrix | Operator) -> bool:

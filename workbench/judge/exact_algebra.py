@@ -1,0 +1,114 @@
+"""Matrices over the first engine's ring: constants, and what adjoins reciprocals and roots to it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from math import isqrt
+
+from workbench.algebra.differential_ring import DifferentialRing, Polynomial
+from workbench.algebra.dual import Dual
+from workbench.algebra.matrices import Entry, Matrix, add, adjugate, det, product, scale, trace
+from workbench.judge.inventory import Inventory, NotExact
+
+
+class ExactAlgebra:
+    """The ring of some parameters, with one generator set aside for each norm and each reciprocal."""
+
+    def __init__(self, inventory: Inventory, parameters: Iterable[str]) -> None:
+        self._norm_names = [f"norm{i}" for i in reversed(range(inventory.norms))]
+        self._reciprocal_names = [f"reciprocal{i}" for i in range(inventory.reciprocals)]
+        self.ring = DifferentialRing([*self._norm_names, *parameters, *self._reciprocal_names])
+        self._norms: list[tuple[str, Polynomial]] = []
+
+    @property
+    def radicands(self) -> list[Polynomial]:
+        """What the norms so far are roots of."""
+        return [square for _, square in self._norms]
+
+    def diagonal(self, value: int, rows: int = 3, columns: int | None = None) -> Matrix:
+        """The matrix with the value on its diagonal and 0 elsewhere."""
+        return tuple(
+            tuple(self.ring.constant(value if i == j else 0) for j in range(columns or rows))
+            for i in range(rows)
+        )
+
+    def polynomial(self, entry: Polynomial | int) -> Polynomial:
+        return self.ring.constant(entry) if isinstance(entry, int) else entry
+
+    def map(self, function: Callable[[Polynomial], Polynomial], matrix: Matrix) -> Matrix:
+        """A linear function of the polynomials, real parts and dual parts alike."""
+        return tuple(
+            tuple(
+                Dual(function(self.polynomial(e.re)), function(self.polynomial(e.du)))
+                if isinstance(e, Dual)
+                else function(self.polynomial(e))
+                for e in row
+            )
+            for row in matrix
+        )
+
+    def reciprocal(self, entry: Entry) -> Entry:
+        """1/p, or 1/(p + ε p₀) = 1/p − ε p₀/p². Raises ZeroDivisionError where p is identically zero."""
+        if isinstance(entry, Dual):
+            z = self.reciprocal(entry.re)
+            return Dual(z, -entry.du * z**2)
+        z, factor = self.ring.reciprocal(self.ring.reduce(entry), self._reciprocal_names)
+        return self.ring.constant(factor) * z
+
+    def inverse(self, matrix: Matrix) -> Matrix:
+        """A⁻¹ = adj A / det A; for block matrices both come from Faddeev and LeVerrier's recurrence."""
+        if len(matrix) == 1:
+            return ((self.reciprocal(matrix[0][0]),),)
+        if len(matrix) == 3:
+            cofactors, determinant = adjugate(matrix), det(matrix)
+        else:
+            cofactors, determinant = self._faddeev_leverrier(matrix)
+        return scale(self.reciprocal(determinant), cofactors)
+
+    def _faddeev_leverrier(self, matrix: Matrix) -> tuple[Matrix, Entry]:
+        size = len(matrix)
+        adjugate, coefficient = self.diagonal(1, size), self.ring.constant(0)
+        for k in range(1, size + 1):
+            step = self.map(self.ring.reduce, product(matrix, adjugate))
+            coefficient = self.ring.constant(Fraction(-1, k)) * trace(step)
+            if k < size:
+                adjugate = add(step, scale(coefficient, self.diagonal(1, size)))
+        sign = self.ring.constant((-1) ** (size - 1))
+        return scale(sign, adjugate), self.ring.constant((-1) ** size) * coefficient
+
+    def norm(self, matrix: Matrix) -> Entry:
+        """N with N² = x·x; for a dual vector N + ε x·x₀/N, Eq. (74), where Re x ≠ 0."""
+        entries = [entry for row in matrix for entry in row]
+        real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
+        norm = self._root(self.ring.reduce(sum((x * x for x in real), self.ring.zero)))
+        if not any(isinstance(entry, Dual) for entry in entries):
+            return norm
+        mixed = sum((e.re * e.du for e in entries if isinstance(e, Dual)), self.ring.zero)
+        return Dual(norm, mixed * self.reciprocal(norm))
+
+    def _root(self, square: Polynomial) -> Polynomial:
+        """The indeterminate N with N² = square, where squares of numbers are taken out: |−2x| is 2|x|."""
+        if square == 0:
+            raise NotExact("the norm of zero")
+        factor = square.leading_coefficient()
+        p, q = isqrt(abs(int(factor.p))), isqrt(int(factor.q))
+        if factor == 0 or Fraction(p * p, q * q) != Fraction(int(factor.p), int(factor.q)):
+            p = q = 1
+        outside = self.ring.constant(Fraction(p, q))
+        square = square / (outside * outside).leading_coefficient()
+        if square == self.ring.one:
+            return outside
+        return outside * self._root_generator(square)
+
+    def _root_generator(self, square: Polynomial) -> Polynomial:
+        for name, known in self._norms:
+            if known == square:
+                return self.ring.generators[name]
+        name = self._norm_names[len(self._norm_names) - 1 - len(self._norms)]
+        self._norms.append((name, square))
+        self.ring.square_as(name, square)
+        norm = self.ring.generators[name]
+        half = self.ring.constant(Fraction(1, 2))
+        self.ring.derive_by(name, lambda derivation: half * derivation(square) * self.reciprocal(norm))
+        return norm

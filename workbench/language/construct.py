@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Literal
 
 from workbench.language.integers import Linear, as_linear
+from workbench.language.shapes import filling, fitted, layout, shaped
 from workbench.language.signatures import SIGNATURES, agree
 from workbench.language.terms import (
     Apply,
@@ -119,40 +120,12 @@ def big_sum(variables: Sequence[str], lower: Linear | int | None, upper: Linear 
 
 
 def block(entries: Sequence[Sequence[Term]]) -> Block:
-    """A block matrix; a zero entry takes the shape that its row and column need."""
-    shapes = {"tensor": (3, 3), "vector": (3, 1), "covector": (1, 3), "scalar": (1, 1)}
-    height: dict[int, int] = {}
-    width: dict[int, int] = {}
+    """A block matrix; zeros and unit tensors take the shape that their row and column need."""
     if len({len(row) for row in entries}) != 1:
         raise IllFormed("the rows of a matrix have unequal lengths")
-    for i, row in enumerate(entries):
-        for j, entry in enumerate(row):
-            if isinstance(entry, Zero):
-                continue
-            if entry.type.kind == "block":
-                shape = (sum(entry.type.rows), sum(entry.type.columns))
-            elif entry.type.kind in shapes:
-                shape = shapes[entry.type.kind]
-            else:
-                raise IllFormed(f"a {entry.type} cannot be an entry of a matrix")
-            for known, place, size, what in (
-                (height, i, shape[0], "row"),
-                (width, j, shape[1], "column"),
-            ):
-                if known.setdefault(place, size) != size:
-                    raise IllFormed(
-                        f"{what} {place + 1} of the matrix holds blocks of size {known[place]} and {size}"
-                    )
-    rows = tuple(height.get(i, 1) for i in range(len(entries)))
-    columns = tuple(width.get(j, 1) for j in range(len(entries[0])))
-    kinds = {shape: kind for kind, shape in shapes.items()}
+    rows, columns = layout(entries)
     typed = tuple(
-        tuple(
-            zero(Type(kinds[rows[i], columns[j]]))
-            if isinstance(entry, Zero) and (rows[i], columns[j]) in kinds
-            else entry
-            for j, entry in enumerate(row)
-        )
+        tuple(fitted(entry, rows[i], columns[j]) for j, entry in enumerate(row))
         for i, row in enumerate(entries)
     )
     dual = any(entry.type.dual for row in typed for entry in row)
@@ -161,7 +134,7 @@ def block(entries: Sequence[Sequence[Term]]) -> Block:
 
 def _block_weight(entries: Sequence[Sequence[Term]]) -> Weight:
     """A block matrix has a weight if all its entries share one; a homogeneous matrix [Φ a; 0 0] does."""
-    weights = {entry.weight for row in entries for entry in row if not isinstance(entry, Zero)}
+    weights = {entry.weight for row in entries for entry in row if filling(entry) != "zero"}
     return weights.pop() if len(weights) == 1 else None
 
 
@@ -175,8 +148,19 @@ def apply(head: str, *arguments: Term) -> Term:
     """The term head(arguments); SIGNATURES says which heads there are and what each takes."""
     if head == "add":
         arguments = agree(arguments, "the addends")
+    if head == "mul":
+        arguments = _beside_block(*arguments)
     type_, weight = SIGNATURES[head](arguments)
     return Apply(type_, weight, head, arguments)
+
+
+def _beside_block(left: Term, right: Term) -> tuple[Term, Term]:
+    """The factors of a product, where a unit tensor takes the size of the block matrix beside it."""
+    if filling(left) == "identity" and right.type.kind == "block" and sum(right.type.rows) != 3:
+        left = shaped(left, Type("block", rows=right.type.rows, columns=right.type.rows))
+    if filling(right) == "identity" and left.type.kind == "block" and sum(left.type.columns) != 3:
+        right = shaped(right, Type("block", rows=left.type.columns, columns=left.type.columns))
+    return left, right
 
 
 def rebuild(term: Term, children: Sequence[Term]) -> Term:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.language.integers import Linear
+from workbench.language.shapes import filling, shaped
 from workbench.language.terms import Identity, IllFormed, Term, Zero
 from workbench.language.types import COVECTOR, OPERATOR, SCALAR, TENSOR, VECTOR, Type, Weight
 
@@ -13,33 +14,35 @@ Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
 
 
 def agree(terms: Sequence[Term], what: str) -> tuple[Term, ...]:
-    """The terms brought to one kind: a bare 0 or I takes the kind of the others, a tensor beside an operator
-    counts as an operator of degree 0. Raises IllFormed where kinds or weights differ."""
-    firm = [t for t in terms if not isinstance(t, Zero) and not _bare_identity(t)]
+    """The terms brought to one kind: multiples of 0 or I take the kind of the others, a tensor beside an
+    operator counts as an operator of degree 0. Raises IllFormed where kinds or weights differ."""
+    units = [t for t in terms if filling(t) == "identity"]
+    firm = [t for t in terms if filling(t) is None]
     kinds = {(t.type.kind, t.type.rows, t.type.columns) for t in firm}
-    if any(t.type.kind == "operator" for t in firm) and {k[0] for k in kinds} <= {
-        "operator",
-        "tensor",
-    }:
+    if any(t.type.kind == "operator" for t in firm) and {k[0] for k in kinds} <= {"operator", "tensor"}:
         shape = OPERATOR
     elif len(kinds) > 1:
         raise IllFormed(f"{what} differ in type: " + " and ".join(dict.fromkeys(str(t.type) for t in firm)))
     else:
-        shape = firm[0].type if firm else next((t.type for t in terms if _bare_identity(t)), terms[0].type)
-    if any(_bare_identity(t) for t in terms) and shape.kind not in ("tensor", "operator", "block"):
+        shape = (firm or units or terms)[0].type
+    is_square = shape.kind in ("tensor", "operator") or (
+        shape.kind == "block" and sum(shape.rows) == sum(shape.columns)
+    )
+    if units and not is_square:
         raise IllFormed(f"{what} differ in type: the unit tensor and {shape}")
     weights = dict.fromkeys(t.weight for t in terms if t.weight is not None)
     if len(weights) > 1:
         raise IllFormed(f"{what} differ in weight (power of 1/time): " + " and ".join(map(str, weights)))
-    typed = (
-        replace(t, type=shape.with_dual(False)) if isinstance(t, Zero) or _bare_identity(t) else t
-        for t in terms
-    )
-    return tuple(typed)
+    return tuple(_in_shape(t, shape) for t in terms)
 
 
-def _bare_identity(term: Term) -> bool:
-    return isinstance(term, Identity)
+def _in_shape(term: Term, shape: Type) -> Term:
+    if isinstance(term, Zero | Identity):
+        return replace(term, type=shape.with_dual(False))
+    counts_as_operator = shape.kind == "operator" and term.type.kind == "tensor"
+    if filling(term) is None or counts_as_operator:
+        return term
+    return shaped(term, shape)
 
 
 def _dual(arguments: Sequence[Term]) -> bool:

@@ -1,0 +1,118 @@
+"""Zeros and unit tensors, with signs and factors, take the shape that what stands beside them needs."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+from workbench.language.errors import IllFormedAt
+from workbench.language.printer import to_latex
+from workbench.language.reader import read, read_term
+from workbench.language.symbols import SymbolTable
+
+KINDS = {
+    "A": "tensor",
+    "B": "tensor",
+    "x": "vector",
+    "y": "vector",
+    r"\lambda": "scalar",
+    r"\underline{s}": "dual scalar",
+}
+TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()})
+
+DIAGONAL = r"\begin{bmatrix} A & \mathbf{0} \\ \mathbf{0} & B \end{bmatrix}"
+COLUMN = r"\begin{bmatrix} x \\ y \end{bmatrix}"
+NESTED = rf"\begin{{bmatrix}} {DIAGONAL} & M \\ 0 & {DIAGONAL} \end{{bmatrix}}"
+
+MULTIPLES = [
+    "{}",
+    "-{}",
+    "2{}",
+    r"-2{}",
+    r"\lambda {}",
+    r"{} \lambda",
+    r"\frac{{{}}}{{2}}",
+    r"-({0} + 3 {0})",
+    r"\underline{{s}} {}",
+]
+
+
+@pytest.mark.parametrize("multiple", MULTIPLES)
+def test_a_multiple_of_the_unit_matrix_has_the_shape_of_its_neighbours(multiple: str) -> None:
+    unit = multiple.format(r"\mathbf{I}")
+    blocks = rf"\begin{{bmatrix}} {unit} & \mathbf{{0}} \\ \mathbf{{0}} & {unit} \end{{bmatrix}}"
+    assert check(rf"{DIAGONAL} + ({unit}) = {DIAGONAL} + {blocks}", KINDS).holds
+    assert check(rf"{unit} = {blocks}", KINDS).holds
+    assert check(rf"({DIAGONAL} + ({unit})) {COLUMN} = {DIAGONAL} {COLUMN} + ({unit}) {COLUMN}", KINDS).holds
+
+
+@pytest.mark.parametrize("multiple", MULTIPLES)
+@pytest.mark.parametrize("beside", ["A", "x", r"\lambda", DIAGONAL, COLUMN, "x^T"])
+def test_a_multiple_of_zero_has_any_shape(multiple: str, beside: str) -> None:
+    zero = multiple.format(r"\mathbf{0}")
+    assert check(rf"{beside} + ({zero}) = {beside}", KINDS).holds
+
+
+@pytest.mark.parametrize("multiple", MULTIPLES)
+def test_entries_of_a_block_matrix_take_the_shape_of_their_place(multiple: str) -> None:
+    zero, unit = (multiple.format(symbol) for symbol in (r"\mathbf{0}", r"\mathbf{I}"))
+    matrix = rf"\begin{{bmatrix}} A & {zero} \\ {zero} & 1 \end{{bmatrix}}"
+    assert read_term(matrix, TABLE).type.rows == read_term(matrix, TABLE).type.columns == (3, 1)
+    assert read_term(NESTED.replace("M", unit), TABLE).type.rows == (6, 6)
+
+
+@pytest.mark.parametrize("entry", [r"\mathbf{0}", "0", r"-2\mathbf{I}"])
+def test_blocks_within_blocks(entry: str) -> None:
+    matrix = NESTED.replace("M", entry)
+    assert check(rf"{matrix} + {matrix} = 2 {matrix}", KINDS).holds
+    assert check(rf"{matrix} = 3 {matrix}", KINDS).outcome == Outcome.REFUTED
+
+
+@pytest.mark.parametrize("unit", [r"\mathbf{I}", r"-\mathbf{I}", r"2\mathbf{I}"])
+@pytest.mark.parametrize("beside", ["x", r"\lambda", COLUMN, r"\begin{bmatrix} A & x \end{bmatrix}"])
+def test_the_unit_tensor_is_square(unit: str, beside: str) -> None:
+    for formula in (f"{beside} = {unit}", f"{unit} = {beside}", f"{beside} + ({unit}) = {beside}"):
+        with pytest.raises(IllFormedAt, match="the unit tensor and"):
+            read(formula, TABLE)
+
+
+@pytest.mark.parametrize(
+    ("formula", "message"),
+    [
+        (r"\begin{bmatrix} A & x \\ \mathbf{0} & \mathbf{I} \end{bmatrix} = 0", "one row and one column"),
+        (
+            r"\begin{bmatrix} x & \mathbf{I} \\ \mathbf{I} & A \end{bmatrix} = 0",
+            "column 1 of the matrix holds",
+        ),
+        (r"\begin{bmatrix} A & B \\ x \end{bmatrix} = 0", "unequal lengths"),
+        (
+            r"\begin{bmatrix} \mathbf{D} & B \end{bmatrix} = 0",
+            "expected matrices as entries of a matrix, got an operator",
+        ),
+        (rf"{DIAGONAL} = -A", "differ in type"),
+        (rf"\mathbf{{I}} x = {COLUMN}", "differ in type"),
+    ],
+)
+def test_what_does_not_fit(formula: str, message: str) -> None:
+    with pytest.raises(IllFormedAt, match=message):
+        read(formula, TABLE)
+
+
+def test_a_product_with_the_unit_tensor_is_no_multiple_of_it() -> None:
+    assert str(read_term(r"\mathbf{I} x", TABLE).type) == "vector"
+    assert check(r"\mathbf{I} x + y = y + x", KINDS).holds
+    assert check(rf"\mathbf{{I}} {DIAGONAL} = {DIAGONAL} (-\mathbf{{I}})", KINDS).outcome == Outcome.REFUTED
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        rf"{DIAGONAL} = -\mathbf{{I}}",
+        rf"-\mathbf{{0}} = {COLUMN}",
+        r"\begin{bmatrix} A & -\mathbf{0} \\ 2\mathbf{0} & 1 \end{bmatrix} = \lambda \mathbf{I}",
+    ],
+)
+def test_what_is_read_prints_back(formula: str) -> None:
+    (statement,) = read(formula, TABLE)
+    assert read(to_latex(statement), TABLE) == (statement,)

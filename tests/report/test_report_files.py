@@ -405,3 +405,20 @@ def test_what_the_machine_proposes_is_shown_with_its_edit():
     claim["proposed"][0]["edit"] = None
     with pytest.raises(ReportError, match="proposed"):
         render.render(report)
+
+
+def test_what_differs_in_a_proposed_form_is_marked():
+    report = sample()
+    claim = next(c for c in report["claims"] if c["verdict"] == "refuted")
+    claim |= {"printed": "a = b + c", "read_back": None, "reading": None, "corrected": None}
+    difference = [{"same": "a = b"}, {"printed": "+", "proposed": "-"}, {"same": "c"}]
+    proposal = {"latex": "a = b - c", "edit": "a sign", "difference": difference, "verdict": "proved"}
+    claim["proposed"] = [proposal]
+    texts = render.render(report)
+    assert r"\mathbin{\color{green}{-}}" in texts["report.md"]
+    assert r"\ChangedBin{-}" in texts["erratum.tex"]
+    assert '<mo class="changed">−</mo>' in texts["report.html"]
+    for wrong in ([{"same": 1}], [{"printed": "+"}], [{"same": "a", "printed": ""}], "text"):
+        proposal["difference"] = wrong
+        with pytest.raises(ReportError, match="difference"):
+            render.render(report)

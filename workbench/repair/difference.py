@@ -24,7 +24,10 @@ _MARKS = ("\\mathrm", "\\mathcal", "\\mathbb", "\\mathbf", "\\underline", "\\ove
           "\\vec", "\\tilde", "\\dot", "\\ddot", "\\dddot", "\\ddddot")  # fmt: skip
 _WORDS = frozenset(("\\text", "\\operatorname", "\\operatorname*", "\\textrm", "\\mbox"))
 _TWO_ARGUMENTS = frozenset(("\\frac", "\\binom", "\\overset", "\\stackrel", "\\underset"))
-_MARKERS = ("[-", "-]", "{+", "+}")
+
+#: How what is only printed, and what is only proposed, is marked in plain text.
+REMOVED = ("[-", "-]")
+ADDED = ("{+", "+}")
 _DEEPEST = 80
 
 
@@ -93,8 +96,8 @@ class Difference:
                 pieces.append(_joined(part.printed))
                 continue
             for tokens, (opening, closing) in (
-                (part.printed, _MARKERS[:2]),
-                (part.proposed, _MARKERS[2:]),
+                (part.printed, REMOVED),
+                (part.proposed, ADDED),
             ):
                 if tokens:
                     pieces.append(f"{opening}{_joined(tokens)}{closing}")
@@ -124,6 +127,11 @@ def difference(printed: str, proposed: str) -> Difference:
             for operation, a, b, c, d in matcher.get_opcodes()
         )
     )
+
+
+def in_colour(latex: str) -> str:
+    """What MathJax sets in green: notebooks and Markdown."""
+    return f"{{\\color{{green}}{{{latex}}}}}"
 
 
 def tokens_of(latex: str) -> list[Token]:

@@ -21,6 +21,7 @@ from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Apply, Conjunction, IllFormed, Relation, Statement, Symbol, Term
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
+from workbench.repair.difference import Difference, difference, in_colour
 from workbench.repair.edits import edits
 from workbench.repair.places import places
 from workbench.repair.readings import Readings
@@ -59,8 +60,17 @@ class Proposal:
         """The changes as a person would say them."""
         return "; ".join(change.description for change in self.changes)
 
-    def to_dict(self) -> dict[str, Any]:
-        return {"latex": self.latex, "edit": self.edit, "verdict": str(self.verdict.outcome)}
+    def difference(self, printed: str) -> Difference:
+        return difference(printed, self.latex)
+
+    def to_dict(self, printed: str) -> dict[str, Any]:
+        """For the report. difference: see `Difference.to_list`."""
+        return {
+            "latex": self.latex,
+            "edit": self.edit,
+            "difference": self.difference(printed).to_list(),
+            "verdict": str(self.verdict.outcome),
+        }
 
 
 @dataclass(repr=False)
@@ -77,19 +87,34 @@ class Repair:
         return {
             "id": self.claim.id,
             "printed": self.claim.printed.latex,
-            "proposed": [proposal.to_dict() for proposal in self.proposals],
+            "proposed": self.proposed(),
             "candidates": self.candidates,
             "complete": self.complete,
         }
 
+    @property
+    def printed(self) -> str:
+        """The printed form in the spelling of the proposals: the canonical one, if it can be read."""
+        formula = self.claim.printed
+        return formula.latex if formula.statement is None else to_latex(formula.statement)
+
+    def proposed(self) -> list[dict[str, Any]]:
+        return [proposal.to_dict(self.printed) for proposal in self.proposals]
+
     def __str__(self) -> str:
-        lines = [f"{p.latex}\n    {p.edit} ({p.verdict.outcome})" for p in self.proposals]
+        lines = [
+            f"{p.latex}\n    {p.edit} ({p.verdict.outcome})\n    {p.difference(self.printed)}"
+            for p in self.proposals
+        ]
         return "\n".join(lines) or f"no proposal among {self.candidates} candidates"
 
     __repr__ = __str__
 
     def _repr_markdown_(self) -> str:
-        lines = [f"$$ {p.latex} $$\n\n{p.edit} (**{p.verdict.outcome}**)" for p in self.proposals]
+        lines = []
+        for p in self.proposals:
+            shown = p.difference(self.printed).highlighted(in_colour)
+            lines.append(f"$$ {shown} $$\n\n{p.edit} (**{p.verdict.outcome}**)")
         return "\n\n".join(lines) or f"no proposal among {self.candidates} candidates"
 
 

@@ -82,11 +82,12 @@ def proposals_for(
     """By claim id, what the machine proposes where the printed form is refuted or ill-formed."""
     claims = [r.claim for r in results if r.verdict.outcome in TO_REPAIR and r.claim.theorem is None]
     repairs = repair_claims(claims, limits, progress) if claims else []
-    return {found.claim.id: [p.to_dict() for p in found.proposals] for found in repairs}
+    return {found.claim.id: found.proposed() for found in repairs}
 
 
 def with_proposals(
     claim: Mapping[str, Any], proposed: Mapping[str, list[dict[str, Any]]]
 ) -> dict[str, Any]:
-    """A claim of the report with the key "proposed": a list of {latex, edit, verdict}, few changes first."""
+    """A claim of the report with the key "proposed": a list of {latex, edit, difference, verdict},
+    few changes first."""
     return {**claim, "proposed": proposed.get(claim["id"], [])}

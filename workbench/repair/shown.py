@@ -2,30 +2,84 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Any
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
 
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.text import Text
 
+from workbench.repair.difference import ADDED, REMOVED
 from workbench.terminal import outcome_text
 
+if TYPE_CHECKING:
+    from workbench.repair.repair import Limits, Repair
 
-def repair_lines(repair: Mapping[str, Any]) -> Iterator[Text]:
+_GONE, _NEW = "red strike", "bold green underline"
+_INDENT = 17
+#: A bar is redrawn after so many candidates.
+_STRIDE = 50
+
+
+def repair_lines(repair: Mapping[str, Any], coloured: bool = False) -> Iterator[Text]:
     """The proposals for one claim, by `Repair.to_dict`."""
     yield Text(repair["id"], style="bold")
     yield from _field("printed", repair["printed"])
-    yield from proposal_lines(repair)
+    yield from proposal_lines(repair, coloured)
     if not repair["proposed"]:
         yield from _field("proposed", f"nothing, of {repair['candidates']} candidates")
+    if not repair.get("complete", True):
+        yield from _field("", "the search was not finished")
 
 
-def proposal_lines(claim: Mapping[str, Any]) -> Iterator[Text]:
-    """What stands under the key "proposed" of a claim of the report."""
+def proposal_lines(claim: Mapping[str, Any], coloured: bool = False) -> Iterator[Text]:
+    """What stands under the key "proposed" of a claim of the report. coloured: the difference in colours;
+    else it is marked as [-printed-] and {+proposed+}."""
     for proposal in claim["proposed"]:
         yield from _field("proposed", proposal["latex"])
         yield from _field("edit", proposal["edit"])
-        yield Text.assemble(" " * 17, outcome_text(proposal["verdict"]))
+        label = Text(f"{'difference':>{_INDENT - 2}}  ")
+        yield label.append_text(difference_text(proposal["difference"], coloured))
+        yield Text.assemble(" " * _INDENT, outcome_text(proposal["verdict"]))
+
+
+def difference_text(parts: Sequence[Mapping[str, str]], coloured: bool) -> Text:
+    """A difference (`Difference.to_list`) in one line."""
+    pieces = []
+    for part in parts:
+        if "same" in part:
+            pieces.append(Text(part["same"]))
+            continue
+        for text, style, (opening, closing) in (
+            (part["printed"], _GONE, REMOVED),
+            (part["proposed"], _NEW, ADDED),
+        ):
+            if text:
+                pieces.append(Text(text, style=style) if coloured else Text(f"{opening}{text}{closing}"))
+    return Text(" ").join(pieces)
+
+
+@contextmanager
+def search_bar(name: str, limits: Limits) -> Iterator[Callable[[Repair], None]]:
+    """A bar for the search on one claim, on standard error, if that is a terminal: how much of the time or of
+    the candidates is used up. Yields the function that sees each candidate."""
+    if not sys.stderr.isatty():
+        yield lambda found: None
+        return
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task(f"repairing {name}", total=1.0)
+
+        def advance(found: Repair) -> None:
+            if found.candidates % _STRIDE == 1:
+                used = max(found.candidates / limits.candidates, progress.tasks[0].elapsed / limits.seconds)
+                said = f"repairing {name}: {found.candidates} candidates, {len(found.proposals)} proved"
+                progress.update(task, completed=min(used, 1.0), description=said)
+
+        yield advance
 
 
 def _field(name: str, value: str) -> Iterator[Text]:
-    yield Text(f"{name:>15}  {' '.join(value.split())}")
+    yield Text(f"{name:>{_INDENT - 2}}  {' '.join(value.split())}")

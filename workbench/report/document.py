@@ -332,12 +332,22 @@ def _forms(claim: Mapping[str, Any]) -> tuple[tuple[Form, ...], tuple[tuple[Run,
             forms[index - 1] = replace(before, marked=before.marked | found.marked_before)
             forms[index] = replace(after, marked=found.marked_after)
     forms += [
-        Form(
-            "Proposed by the machine", p["latex"], kind=KINDS[p["verdict"]], reason=tuple(runs_of(p["edit"]))
-        )
-        for p in claim.get("proposed", ())
+        _proposed(claim["read_back"] or claim["printed"], proposal) for proposal in claim.get("proposed", ())
     ]
     return tuple(forms), tuple(wrong)
+
+
+def _proposed(printed: str | None, proposal: Mapping[str, Any]) -> Form:
+    """A form that the machine proposes, with what differs from the printed one marked. printed: in the
+    machine's spelling, where it could be read."""
+    found = difference(printed, proposal["latex"]) if printed is not None else None
+    return Form(
+        "Proposed by the machine",
+        proposal["latex"],
+        marked=found.marked_after if found else frozenset(),
+        kind=KINDS[proposal["verdict"]],
+        reason=tuple(runs_of(proposal["edit"])),
+    )
 
 
 def _counterexample(claim: Mapping[str, Any]) -> Counterexample | None:

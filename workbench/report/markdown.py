@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from workbench.report.latex_atoms import LatexNotTypesettable, atoms_of
+from workbench.report.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
 from workbench.report.prose import Run
 
 _SPECIAL = re.compile(r"([\\`*_{}\[\]()<>#+\-.!|~$&])")
@@ -29,8 +29,19 @@ def inline_math(latex: str) -> str:
     return f"${_one_line(latex)}$" if _is_safe(latex) else code(latex)
 
 
-def display_math(latex: str) -> str:
-    return f"$$\n{_one_line(latex)}\n$$" if _is_safe(latex) else code(latex)
+def display_math(latex: str, marked: frozenset[int] = frozenset(), colour: str = "green") -> str:
+    """A displayed formula, with the marked leaves (indices into its atoms) in a colour."""
+    if not _is_safe(latex):
+        return code(latex)
+    if marked:
+        latex = latex_of(atoms_of(latex), marked, lambda atom: _coloured(atom, colour))
+    return f"$$\n{_one_line(latex)}\n$$"
+
+
+def _coloured(atom: Atom, colour: str) -> str:
+    """For MathJax as GitHub has it; a sign keeps the spacing of its kind."""
+    around = {"bin": r"\mathbin", "rel": r"\mathrel"}.get(atom.family, "")
+    return rf"{around}{{\color{{{colour}}}{{{atom.latex}}}}}"
 
 
 def runs(sentence: Iterable[Run]) -> str:

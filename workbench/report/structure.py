@@ -22,7 +22,7 @@ _CLAIM_KEYS = (
     "reading", "corrected", "hypothesis", "assume", "orders", "counterexample", "evidence", "inherits",
     "note", "expected", "passed", "why_not", "proposed",
 )  # fmt: skip
-_PROPOSAL_KEYS = ("latex", "edit", "verdict")
+_PROPOSAL_KEYS = ("latex", "edit", "difference", "verdict")
 _FORM_KEYS = ("latex", "verdict", "read_back", "scope", "reason", "evidence")
 _MAY_BE_ABSENT = frozenset({
     "statement", "reason", "assume", "orders", "expected", "passed", "why_not", "read_back", "scope",
@@ -89,10 +89,16 @@ def _claim(claim: Any, place: str) -> dict[str, Any]:
 
 
 def _proposal(proposal: Any, place: str) -> None:
-    _keys(proposal, _PROPOSAL_KEYS, place, frozenset())
+    _keys(proposal, _PROPOSAL_KEYS, place, frozenset({"difference"}))
     _text(proposal["latex"], f"{place}.latex")
     _text(proposal["edit"], f"{place}.edit")
     _verdict(proposal["verdict"], f"{place}.verdict")
+    for index, part in enumerate(_list(proposal.get("difference", ()), f"{place}.difference")):
+        where = f"{place}.difference[{index}]"
+        keys = ("same",) if "same" in _mapping(part, where) else ("printed", "proposed")
+        _keys(part, keys, where)
+        for key in keys:
+            _text(part[key], f"{where}.{key}")
 
 
 def _form(form: Any, place: str) -> dict[str, Any] | None:

@@ -2,65 +2,136 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import chain
 
-from workbench.language.construct import apply, derivative, identity, power
+from workbench.judge.rings import PRIME
+from workbench.language.construct import apply, derivative, dual_unit, identity, power
 from workbench.language.integers import Linear
-from workbench.language.terms import Apply, Derivative, IllFormed, Statement, Symbol, Term
+from workbench.language.terms import Apply, Derivative, Identity, IllFormed, Statement, Symbol, Term
 from workbench.language.types import Weight
+from workbench.repair.coefficients import Vector
 from workbench.repair.places import places
-from workbench.repair.variants import atoms_of
+from workbench.repair.variants import atoms_of, differentiated_to
 
 #: Products of more factors than this, and more products than this, are not tried.
 MOST_FACTORS = 4
 MOST_PRODUCTS = 4000
 
 _PAIRS = ("mul", "dot", "cross", "outer")
+_OF_ONE = frozenset(("det", "trace", "skew", "vect", "transpose", "adjugate", "symmetric", "antisymmetric"))
 
 
-def missing_addends(
-    statement: Statement, kind: str, weight: Weight, others: Sequence[Term] = ()
-) -> list[Term]:
-    """Products of up to MOST_FACTORS symbols, derivatives, tildes, of one kind and weight; short ones first.
-    Without weights only products of two factors are tried. others: terms that may be factors of two."""
-    most = MOST_FACTORS if weight is not None else 2
-    levels: list[list[Term]] = [list(dict.fromkeys(_basis(statement)))]
-    found = {t for t in levels[0] if (t.type.kind, t.weight) == (kind, weight)}
-    ordered = [t for t in levels[0] if t in found]
-    for factors in range(2, most + 1):
-        level: dict[Term, None] = {}
-        products = _products(levels, factors)
-        for product in chain(_with_others(levels[0], others), products) if factors == 2 else products:
-            if not _may_grow_to(product, weight):
-                continue
-            level[product] = None
-            if (product.type.kind, product.weight) == (kind, weight) and product not in found:
-                found.add(product)
-                ordered.append(product)
-            if len(level) + sum(map(len, levels)) > MOST_PRODUCTS:
-                break
-        levels.append(list(level))
-    return ordered
+class Supply:
+    """Products of up to MOST_FACTORS symbols, derivatives, tildes, short ones first.
+
+    others: terms that may be factors of products of two, though the statement does not hold them.
+    value: the components of a term at a random point. Of products that are multiples of one another the first
+    is enough.
+    """
+
+    def __init__(
+        self, statement: Statement, others: Sequence[Term], value: Callable[[Term], Vector | None]
+    ) -> None:
+        self._basis = list(dict.fromkeys(_basis(statement)))
+        self._others = others
+        self._value = value
+        self._differentiates = any(
+            isinstance(term, Derivative) and not isinstance(term.body, Symbol)
+            for _, term in places(statement)
+        )
+        self._of_weight: dict[Weight, dict[str, list[Term]]] = {}
+
+    def of(self, kind: str, weight: Weight) -> list[Term]:
+        """The products of one kind and weight; without weights all of two factors."""
+        if weight not in self._of_weight:
+            found: dict[str, list[Term]] = {}
+            for term in self._all(weight):
+                found.setdefault(term.type.kind, []).append(term)
+            self._of_weight[weight] = found
+        return self._of_weight[weight].get(kind, [])
+
+    def _all(self, weight: Weight) -> Iterator[Term]:
+        levels: list[list[Term]] = []
+        seen: set[object] = set()
+        most = MOST_FACTORS if weight is not None else 2
+        for factors in range(1, most + 1):
+            level: list[Term] = []
+            for product in self._products(levels, factors, weight if factors == most else None):
+                if not _may_grow_to(product, weight) or self._is_known(product, seen):
+                    continue
+                level.append(product)
+                if weight in (None, product.weight):
+                    yield product
+                if len(level) > MOST_PRODUCTS:
+                    break
+            levels.append(level)
+            if factors == 2:
+                rare = chain(self._derivatives(level), self._with_others(levels[0], weight))
+                yield from (t for t in rare if t.weight == weight and not self._is_known(t, seen))
+
+    def _is_known(self, product: Term, seen: set[object]) -> bool:
+        """Whether a multiple of it was met before; vectors and their tildes are two things."""
+        value = self._value(product)
+        leading = None if value is None else next((x for x in value if x), None)
+        if leading is None:
+            key: object = product
+        else:
+            inverse = pow(leading, -1, PRIME)
+            key = (product.type, product.weight, *(x * inverse % PRIME for x in value))
+        known = key in seen
+        seen.add(key)
+        return known
+
+    def _products(self, levels: list[list[Term]], factors: int, weight: Weight) -> Iterator[Term]:
+        """weight: that they must have, if the level is the last."""
+        if factors == 1:
+            yield from self._basis
+        for size in sorted(range(1, factors), key=lambda size: abs(2 * size - factors)):
+            for left in levels[size - 1]:
+                for right in levels[factors - size - 1]:
+                    if weight is None or _sum_is(left, right, weight):
+                        yield from _pairs(left, right)
+
+    def _derivatives(self, level: Sequence[Term]) -> Iterator[Term]:
+        for product in level if self._differentiates else ():
+            if product.type.kind != "operator":
+                yield derivative(product, 1)
+
+    def _with_others(self, basis: Sequence[Term], weight: Weight) -> Iterator[Term]:
+        """Symbols that the statement does not hold, alone and in products of two factors."""
+        for other in self._others:
+            derived = differentiated_to(weight, other)
+            if derived is not None:
+                yield derived
+        for other in self._others:
+            for term in basis:
+                if weight is None or _sum_is(other, term, weight):
+                    yield from _pairs(other, term)
+                    yield from _pairs(term, other)
+        for left in self._others:
+            for right in self._others if left.type.kind == "tensor" and weight is not None else ():
+                if _sum_is(left, right, weight):
+                    yield from _pairs(left, right)
 
 
-def _with_others(basis: Sequence[Term], others: Sequence[Term]) -> Iterator[Term]:
-    yield from others
-    for other in others:
-        for term in basis:
-            yield from _pairs(other, term)
-            yield from _pairs(term, other)
+def _sum_is(left: Term, right: Term, weight: Weight) -> bool:
+    return None not in (left.weight, right.weight) and left.weight + right.weight == weight
 
 
 def _basis(statement: Statement) -> Iterator[Term]:
-    """The symbols with up to one derivative more than occurs, vectors as tensors too."""
+    """The symbols with up to one derivative more than occurs, vectors as tensors too; and what else there is
+    that may be a factor."""
     highest: dict[Symbol, int] = {}
     for atom in atoms_of(statement):
         body, order = (atom.body, atom.order) if isinstance(atom, Derivative) else (atom, Linear(0))
+        highest.setdefault(body, 0)
         if order.is_number:
-            highest[body] = max(highest.get(body, 0), int(order))
+            highest[body] = max(highest[body], int(order))
+        else:
+            yield atom
     for body, order in highest.items():
-        is_still = body.declaration.constant or body.type.kind == "operator"
+        is_still = body.declaration.constant or body.type.kind in ("operator", "block")
         moving = 0 if is_still else order + 1
         for k in range(moving + 1):
             x = derivative(body, k) if k else body
@@ -68,22 +139,22 @@ def _basis(statement: Statement) -> Iterator[Term]:
             if x.type.kind == "vector":
                 yield apply("skew", x)
     for _, term in places(statement):
-        if isinstance(term, Apply) and term.head in ("det", "trace", "skew", "vect", "transpose", "adjugate"):
+        is_derivative = isinstance(term, Derivative) and not isinstance(term.body, Symbol)
+        if is_derivative or (isinstance(term, Apply) and term.head in _OF_ONE):
             yield term
-    if any(term.type.kind == "tensor" for _, term in places(statement)):
+    if any(term.type.kind in ("tensor", "operator") for _, term in places(statement)):
         yield identity()
-
-
-def _products(levels: list[list[Term]], factors: int) -> Iterator[Term]:
-    for size in range(1, factors):
-        for left in levels[size - 1]:
-            for right in levels[factors - size - 1]:
-                yield from _pairs(left, right)
+    if any(term.type.dual for _, term in places(statement)):
+        yield dual_unit()
 
 
 def _pairs(left: Term, right: Term) -> Iterator[Term]:
-    if left.type.kind == right.type.kind == "vector" and left == right:
+    if left == right and left.type.kind in ("vector", "tensor") and not isinstance(left, Identity):
         yield power(left, 2)
+        if left.type.kind == "tensor":
+            return
+    if isinstance(left, Identity) or (isinstance(right, Identity) and left.type.kind != "scalar"):
+        return
     for head in _PAIRS:
         if head == "mul" and right.type.kind == "scalar":
             continue
@@ -103,4 +174,3 @@ def _may_grow_to(term: Term, weight: Weight) -> bool:
         return True
     rest = weight - term.weight
     return all(c >= 0 for _, c in rest.coefficients) and (rest.constant >= 0 or not rest.is_number)
-

@@ -99,7 +99,7 @@ def fewest_changes(
     if not columns or len(columns[0]) != len(target):
         return
     free = range(int(anchored), len(columns))
-    if _solve(columns, [], target) is not None:
+    if _with_changed(columns, [], target) is not None:
         return
     sizes = [k for k in range(1, len(free) + 1) if k <= MOST_CHANGED or k == len(free)]
     for size in sizes:
@@ -107,7 +107,7 @@ def fewest_changes(
             return
         found = False
         for changed in combinations(free, size):
-            solution = _solve(columns, changed, target)
+            solution = _with_changed(columns, changed, target)
             if solution is not None and all(f != 1 for f in solution):
                 found = True
                 factors = dict(zip(changed, solution, strict=True))
@@ -116,18 +116,22 @@ def fewest_changes(
             return
 
 
-def _solve(columns: Sequence[Vector], changed: Sequence[int], target: Vector) -> list[Fraction] | None:
+def _with_changed(columns: Sequence[Vector], changed: Sequence[int], target: Vector) -> list[Fraction] | None:
     """The factors of the changed columns, the others having factor 1; None unless there is just one solution,
     and that in small numbers."""
-    rest = [
-        (t - sum(columns[i][row] for i in range(len(columns)) if i not in changed)) % PRIME
-        for row, t in enumerate(target)
-    ]
+    kept = [columns[i] for i in range(len(columns)) if i not in changed]
+    rest = tuple((t - sum(column[row] for column in kept)) % PRIME for row, t in enumerate(target))
     if not changed:
         return [] if not any(rest) else None
-    size = len(changed)
-    rows = [entry for row, b in enumerate(rest) for entry in (*(columns[i][row] for i in changed), b)]
-    reduced, rank = nmod_mat(len(rest), size + 1, rows, PRIME).rref()
+    return combination([columns[i] for i in changed], rest)
+
+
+def combination(columns: Sequence[Vector], target: Vector) -> list[Fraction] | None:
+    """The factors with which the columns add up to the target; None unless there is just one solution, and
+    that in small numbers."""
+    size = len(columns)
+    rows = [entry for row, b in enumerate(target) for entry in (*(column[row] for column in columns), b)]
+    reduced, rank = nmod_mat(len(target), size + 1, rows, PRIME).rref()
     if rank != size or any(int(reduced[i, i]) != 1 for i in range(size)):
         return None
     factors = [rational(int(reduced[i, size])) for i in range(size)]
@@ -145,6 +149,19 @@ def rational(residue: int, largest: int = LARGEST) -> Fraction | None:
     if below[1] == 0 or abs(below[1]) > largest:
         return None
     return Fraction(above[1], below[1])
+
+
+def factor_between(one: Vector, other: Vector) -> Fraction | None:
+    """The small number c ≠ 0 with other = c·one, if there is one; 1 if both vanish."""
+    if len(one) != len(other):
+        return None
+    place = next((i for i, x in enumerate(one) if x), None)
+    if place is None:
+        return None if any(other) else Fraction(1)
+    c = other[place] * pow(one[place], -1, PRIME) % PRIME
+    if any((y - c * x) % PRIME for x, y in zip(one, other, strict=True)):
+        return None
+    return rational(c) or None
 
 
 def scaled(relation: Relation, scaling: Scaling) -> Relation | None:

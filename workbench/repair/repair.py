@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import islice
 from time import monotonic
 from typing import Any
 
-from workbench.judge.assumptions import Unsatisfiable
 from workbench.judge.inventory import NotExact
 from workbench.judge.judge import Judge
 from workbench.judge.verdict import Outcome, Verdict
@@ -18,32 +19,36 @@ from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.integers import Linear
 from workbench.language.printer import to_latex
 from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Apply, Conjunction, IllFormed, Relation, Statement, Symbol, Term
+from workbench.language.terms import Apply, Conjunction, Relation, Statement, Symbol, Term, Zero
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
+from workbench.repair.aside import JudgeAside, OutOfTime
 from workbench.repair.difference import Difference, difference, in_colour
 from workbench.repair.edits import edits
-from workbench.repair.places import places
+from workbench.repair.places import places, sides
 from workbench.repair.readings import Readings
+from workbench.repair.sameness import Sameness
 from workbench.repair.screen import Screen
-from workbench.repair.search import Candidate, Change, Neighbourhood, cost
+from workbench.repair.search import Candidate, Change, Neighbourhood, candidate_of, cost
 
 _PROVED = (Outcome.PROVED, Outcome.DEFINITION)
 
 
 @dataclass(frozen=True)
 class Limits:
-    """seconds: of wall time for one claim. candidates: looked at. proposals: made. judged: candidates of one
-    stage that are given to the judge. readings: of an ill-formed claim, whose neighbourhoods are searched."""
+    """seconds: of wall time for one claim. judgement: seconds for one candidate. candidates: looked at.
+    proposals: made. judged: candidates of one stage that are given to the judge. readings: of an ill-formed
+    claim, whose neighbourhoods are searched."""
 
-    seconds: float = 60.0
-    candidates: int = 60_000
-    proposals: int = 4
-    judged: int = 150
+    seconds: float = 25.0
+    judgement: float = 10.0
+    candidates: int = 200_000
+    proposals: int = 6
+    judged: int = 40
     readings: int = 12
 
 
-#: What one claim gets by default. Candidates run out before time, so that results are the same everywhere.
+#: What one claim gets by default. Results are the same everywhere, unless time runs out (`Repair.complete`).
 STANDARD = Limits()
 
 
@@ -132,8 +137,12 @@ def repair(
     found = Repair(claim)
     bench = _Bench(claim, judge, limits, found, progress)
     start = monotonic()
-    with suppress(KeyboardInterrupt, _LimitReached):
+    try:
         bench.run()
+    except (KeyboardInterrupt, _LimitReached):
+        found.complete = False
+    finally:
+        bench.aside.close()
     found.seconds = monotonic() - start
     return found
 
@@ -153,19 +162,25 @@ class _Bench:
         self.assume = tuple(a.statement for a in claim.assume if a.statement is not None)
         assignments = list(claim.orders.assignments()) if claim.orders else [{}]
         self.instances = assignments
+        self.integers = claim.orders.variables if claim.orders else ()
         self.seen: set[Statement] = set()
+        self.proved: list[Statement] = []
         self.table = claim.notation.symbols
+        self.aside = JudgeAside(judge, self.assume, claim.orders)
 
     def run(self) -> None:
+        self.found.complete = True  # until something is cut short
         if self.claim.theorem is not None:
-            self.found.complete = True
             return
         printed = self.claim.printed.statement
         if printed is not None:
             self._repair_false([Candidate(printed, ())])
         else:
             self._repair_ill_formed()
-        self.found.complete = True
+
+    @cached_property
+    def sameness(self) -> Sameness:
+        return Sameness(self.judge.definitions, self.assume, self.instances[-2:])
 
     def _repair_ill_formed(self) -> None:
         """The readings that hold; if none of them is proved, the neighbours of the likeliest readings."""
@@ -173,7 +188,10 @@ class _Bench:
         if any(self._offer(stage) for stage in readings.that_hold()):
             return
         likeliest = list(readings.likeliest(self.limits.readings))
-        if self._screen() is None or not self._is_equation(likeliest):
+        screen = self._screen()
+        if screen is not None and self._offer(c for c in likeliest if screen.vanishes(c.statement)):
+            return
+        if screen is None or not self._is_equation(likeliest):
             self._offer(iter(likeliest))
         else:
             self._repair_false(likeliest)
@@ -192,9 +210,9 @@ class _Bench:
         second = self._second_screens()
         stages = []
         for candidate in read:
-            screen = self._screen()
+            near, far = symbols_like(candidate.statement, self.table, self.integers)
             neighbourhood = Neighbourhood(
-                candidate.statement, screen, second, symbols_like(candidate.statement, self.table), self._tick
+                candidate.statement, self._screen(), second, near, far, len(read) > 1, self._tick
             )
             stages.append((candidate, neighbourhood.stages()))
         while stages:
@@ -204,7 +222,7 @@ class _Bench:
                 if stage is None:
                     stages.remove(entry)
                     continue
-                if self._offer(Candidate(c.statement, (*before.changes, *c.changes)) for c in stage):
+                if self._offer(replace(c, changes=(*before.changes, *c.changes)) for c in stage):
                     return
 
     def _screen(self) -> Screen | None:
@@ -223,21 +241,43 @@ class _Bench:
             return []
 
     def _offer(self, candidates: Iterator[Candidate]) -> bool:
-        """Judges candidates until those with more changes come than the first that was proved has. Whether
-        any was proved."""
+        """Judges the candidates of one stage, the likeliest first, as long as they have no more changes than
+        the first that was proved. Whether any was proved."""
         proposals = self.found.proposals
-        for judged, candidate in enumerate(self._new(candidates)):
+        batch = sorted(islice(self._new(candidates), self.limits.judged), key=self._rank)
+        for candidate in batch:
             if proposals and len(candidate.changes) > len(proposals[0].changes):
                 break
-            if judged == self.limits.judged:
-                break
+            if any(self.sameness.same(known, candidate.statement) for known in self.proved):
+                continue
             verdict = self._verdict(candidate.statement)
             if verdict is not None and verdict.outcome in _PROVED:
-                latex = self._latex(candidate)
-                proposals.append(Proposal(latex, candidate.changes, verdict))
+                proposals.append(Proposal(self._latex(candidate), candidate.changes, verdict))
+                self.proved.append(candidate.statement)
                 if len(proposals) >= self.limits.proposals:
                     break
         return bool(proposals)
+
+    def _rank(self, candidate: Candidate) -> tuple:
+        """Few changes first; of as many, those that say more than 0 = 0, likely misprints, short formulas."""
+        size = sum(1 for _ in places(candidate.statement))
+        kind, *rest = candidate.unlikely or (0,)
+        return len(candidate.changes), self._is_idle(candidate.statement), kind, size, rest
+
+    def _is_idle(self, statement: Statement) -> bool:
+        """Whether all sides of an equation vanish though they are not printed as 0."""
+        screen = self._idle_screen
+        if screen is None:
+            return False
+        terms = [term for _, term in sides(statement)]
+        if any(isinstance(term, Zero) for term in terms):
+            return False
+        values = [screen.components(term, term) for term in terms]
+        return all(value is not None and not any(value) for value in values)
+
+    @cached_property
+    def _idle_screen(self) -> Screen | None:
+        return self._screen()
 
     def _new(self, candidates: Iterator[Candidate]) -> Iterator[Candidate]:
         for candidate in candidates:
@@ -262,9 +302,13 @@ class _Bench:
         return to_latex(candidate.statement)
 
     def _verdict(self, statement: Statement) -> Verdict | None:
+        left = self.end - monotonic()
         try:
-            return self.judge.judge(statement, assume=self.assume, orders=self.claim.orders)
-        except (Unsatisfiable, IllFormed, NotExact):
+            return self.aside.verdict(statement, min(left, self.limits.judgement))
+        except OutOfTime:
+            self.found.complete = False
+            if monotonic() >= self.end:
+                raise _LimitReached from None
             return None
 
 
@@ -272,24 +316,38 @@ def _unscreened(printed: Candidate) -> Iterator[Candidate]:
     """One-place edits of what cannot be screened."""
     for edit in sorted(edits(printed.statement), key=cost):
         if edit.statement is not None:
-            change = Change(edit.kind, edit.description)
-            yield Candidate(edit.statement, (*printed.changes, change))
+            candidate = candidate_of(edit)
+            yield replace(candidate, changes=(*printed.changes, *candidate.changes))
 
 
-def symbols_like(statement: Statement, table: SymbolTable) -> list[Term]:
-    """The symbols of a paper that may have stood in a statement: those without index, and of each family the
-    members whose indices occur in the statement."""
-    indices = dict.fromkeys(
-        term.index for _, term in places(statement) if isinstance(term, Symbol) and term.index
-    )
-    found: dict[Term, None] = {}
+def symbols_like(
+    statement: Statement, table: SymbolTable, integers: Sequence[str] = ()
+) -> tuple[list[Term], list[Term]]:
+    """What of a paper may have stood in a statement, likely and less likely: symbols without index and
+    members of families whose indices occur in the statement; members with other small indices."""
+    terms = [term for _, term in places(statement)]
+    indices = dict.fromkeys(t.index for t in terms if isinstance(t, Symbol) and t.index)
+    named = {t.declaration for t in terms if isinstance(t, Symbol)}
+    bare = [(Linear.variable(name),) for name in integers]
+    beside = [(Linear(1),), *((Linear.variable(name) + k,) for name in integers for k in (1, -1))]
+    others = [(Linear(k),) for k in range(7)]
+    others += [(Linear.variable(name) + k,) for name in integers for k in (0, 1, -1, 2, -2)]
+    near: dict[Term, None] = {}
+    far: dict[Term, None] = {}
     for declaration in table.symbols.values():
-        if declaration.parameters or declaration.type.kind in ("block", "operator"):
+        if declaration.parameters:
             continue
-        for index in indices if declaration.indices else [()]:
+        if not declaration.indices:
+            near[symbol(declaration)] = None
+            continue
+        for index in indices:
             if len(index) == declaration.indices and _is_known(declaration.name, index, table):
-                found[symbol(declaration, index)] = None
-    return list(found)
+                near[symbol(declaration, index)] = None
+        for index in others if declaration.indices == 1 else ():
+            if _is_known(declaration.name, index, table):
+                is_near = index in bare or (declaration in named and index in beside)
+                (near if is_near else far)[symbol(declaration, index)] = None
+    return list(near), [term for term in far if term not in near]
 
 
 def _is_known(name: str, index: tuple[Linear, ...], table: SymbolTable) -> bool:
@@ -307,7 +365,8 @@ def is_vacuous(statement: Statement) -> bool:
                     counts[term] += factor
             return not any(counts.values())
         case Conjunction(parts=parts):
-            return any(map(is_vacuous, parts))
+            chain = [side for _, side in sides(statement)]
+            return len(set(chain)) < len(chain) or any(map(is_vacuous, parts))
     return False
 
 

@@ -1,10 +1,10 @@
-"""Whether two statements say the same, for statements that are both true or both parts of larger ones.
+"""Whether two true statements say the same.
 
-A true equation is known by its sides: another true one says the same if its sides have the values of these, up
-to a common factor, under the definitions. One may also be the other rearranged: then the differences of their
-sides are proportional, with all symbols left free or under the definitions. Both are looked at at random points
-modulo a 61-bit prime. What is no equation that holds by itself, such as det Φ ≠ 0 or the sides of an
-equivalence, can only be rearranged. Chains, equivalences and implications are compared part by part.
+A true equation is known by its sides: another true one says the same if its sides have the values of these,
+up to a common factor, under the definitions. Or one is the other rearranged: then the differences of their
+sides are proportional, with all symbols left free or under the definitions. Both are looked at at random
+points modulo a 61-bit prime. What does not hold by itself, such as the sides of an equivalence, can only be
+rearranged. Chains, equivalences and implications are compared part by part.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from workbench.language.terms import (
     Statement,
     Term,
 )
-from workbench.repair.coefficients import Vector, rational
+from workbench.repair.coefficients import Vector, factor_between
 from workbench.repair.screen import Screen
 
 
@@ -81,15 +81,15 @@ class Sameness:
         sides = [screen.components(side, one.left) for side in (one.left, one.right, other.left, other.right)]
         if None in sides or not any(sides[0]):
             return False
-        factors = {_factor(sides[0], sides[2]), _factor(sides[1], sides[3])}
-        crossed = {_factor(sides[0], sides[3]), _factor(sides[1], sides[2])}
+        factors = {factor_between(sides[0], sides[2]), factor_between(sides[1], sides[3])}
+        crossed = {factor_between(sides[0], sides[3]), factor_between(sides[1], sides[2])}
         return any(len(f) == 1 and None not in f for f in (factors, crossed))
 
     def _rearranged(self, one: Relation, other: Relation) -> bool:
         for screen in (self._free, self._defined):
             if screen is not None:
                 before, after = (_difference(screen, r, one.left) for r in (one, other))
-                if before and after and any(before) and _factor(before, after) is not None:
+                if before and after and any(before) and factor_between(before, after) is not None:
                     return True
         return False
 
@@ -108,16 +108,3 @@ def _difference(screen: Screen, statement: Relation, shape: Term) -> Vector | No
     if left is None or right is None:
         return None
     return tuple((x - y) % PRIME for x, y in zip(left, right, strict=True))
-
-
-def _factor(one: Vector, other: Vector):
-    """The number c ≠ 0 with other = c·one, if there is one; 1 if both vanish."""
-    if len(one) != len(other):
-        return None
-    place = next((i for i, x in enumerate(one) if x), None)
-    if place is None:
-        return None if any(other) else 1
-    c = other[place] * pow(one[place], -1, PRIME) % PRIME
-    if any((y - c * x) % PRIME for x, y in zip(one, other, strict=True)):
-        return None
-    return rational(c) or None

@@ -168,10 +168,14 @@ class ScreenPoint:
 
     def components(self, term: Term) -> tuple[int, ...] | None:
         """The term's own components. What is known of it stays, for products that it is a factor of."""
+        kept, self.engine.keeps = self.engine.keeps, True
         try:
             return tuple(map(int, self.engine.components(self.instance(term))))
         except (ZeroDivisionError, NotExact, IllFormed, ValueError):
             return None
+        finally:
+            self.engine.keeps = kept
+            self._kept = len(self._instances.done)
 
 
 class Screen:

@@ -14,13 +14,17 @@ from itertools import chain
 
 from workbench.judge.rings import PRIME
 from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, IllFormed, Relation, Statement, Term
-from workbench.repair.addends import missing_addends
+from workbench.language.terms import Apply, Conjunction, IllFormed, Relation, Statement, Term
+from workbench.repair.addends import Supply
 from workbench.repair.coefficients import Scaling, Vector, rational, scaled, scalings
 from workbench.repair.edits import KINDS, Edit, edits, without
-from workbench.repair.places import Place, places, replaced, sides, subterm
+from workbench.repair.missing import MissingAddends
+from workbench.repair.places import Place, places, replaced, subterm
 from workbench.repair.screen import Screen
 from workbench.repair.variants import times, with_addend
+
+#: So many possible addends of a side are tried together with another edit.
+MOST_PAIRED = 300
 
 
 @dataclass(frozen=True)
@@ -34,11 +38,12 @@ class Change:
 @dataclass(frozen=True)
 class Candidate:
     """A statement that may be what was meant, and how it differs from the printed one. latex: as it would
-    have been printed; the canonical one if None."""
+    have been printed; the canonical one if None. unlikely: orders candidates with as many changes."""
 
     statement: Statement
     changes: tuple[Change, ...]
     latex: str | None = None
+    unlikely: tuple[int, ...] = ()
 
 
 @dataclass
@@ -53,99 +58,114 @@ class Neighbour:
 @dataclass
 class Neighbourhood:
     """`screen` looks first, `second` again at other points and values of the integers. `tick` is called
-    for each candidate, and may raise to end the search."""
+    for each candidate, and may raise to end the search.
+
+    replacements, farther: what may stand for a symbol, likely and less likely. is_one_of_many: the statement
+    is one of several readings, so that missing addends are looked for only after likelier misprints in all.
+    """
 
     statement: Statement
     screen: Screen
     second: Sequence[Screen]
     replacements: Sequence[Term] = ()
+    farther: Sequence[Term] = ()
+    is_one_of_many: bool = False
     tick: Callable[[], None] = lambda: None
     neighbours: list[Neighbour] = field(default_factory=list)
 
     def stages(self) -> Iterator[Iterator[Candidate]]:
-        """Cheapest first: one coefficient, one edit, one addend, more coefficients, two edits."""
-        residual = self.screen.keep(self.statement)
-        if residual is None:
+        """Likely ones first: one change, several coefficients, rarer single changes, two changes in different
+        addends, two in one addend."""
+        if self.screen.keep(self.statement) is None:
             yield self._without_residual()
             return
-        self._scalings = self._find_scalings()
-        yield chain(self._scaled(1), self._singles(residual))
+        self._point = self.screen.points[-1]
+        residual = self._point.residual(self.statement)
+        self._scalings = list(self._find_scalings())
+        supply = Supply(self.statement, self.replacements, self._point.components)
+        self._missing = MissingAddends(self.statement, self.screen, supply, self.tick)
+        outer = self._with_addends(self._missing.outer())
+        yield chain(self._scaled(1), self._singles(residual), () if self.is_one_of_many else outer)
         yield self._scaled(2)
-        yield self._missing(residual)
-        yield self._pairs(residual)
+        yield chain(outer, self._with_addends(self._missing.inner()), self._singles(residual, self.farther))
+        yield chain(self._pairs(residual), self._with_two_addends())
+        yield self._nested_pairs()
 
     def _passes(self, statement: Statement) -> bool:
         self.tick()
-        for screen in (self.screen, *self.second):
-            residual = screen.residual(statement)
-            if residual is None or any(residual):
-                return False
-        return True
+        return all(screen.vanishes(statement) for screen in (self.screen, *self.second))
 
     def _without_residual(self) -> Iterator[Candidate]:
         """Statements that are no equations: one-place edits, unscreened."""
         for edit in sorted(edits(self.statement, self.replacements), key=cost):
             if edit.statement is not None:
-                yield Candidate(edit.statement, (Change(edit.kind, edit.description),))
+                yield candidate_of(edit)
 
     # coefficients
 
-    def _find_scalings(self) -> list[tuple[Relation, Scaling]]:
-        if not isinstance(self.statement, Relation):
-            return []
-        return [(self.statement, s) for s in scalings(self.statement, self.screen)]
+    def _find_scalings(self) -> Iterator[tuple[Place, Relation, Scaling]]:
+        """With the place of the equation in the statement."""
+        match self.statement:
+            case Relation():
+                yield from (((), self.statement, s) for s in scalings(self.statement, self.screen))
+            case Conjunction(parts=parts):
+                for number, part in enumerate(parts):
+                    if isinstance(part, Relation) and not self.screen.vanishes(part):
+                        yield from (((number,), part, s) for s in scalings(part, self.screen))
 
     def _scaled(self, changes: int) -> Iterator[Candidate]:
         """changes: 1, or 2 for more than one."""
-        for relation, scaling in self._scalings:
+        for under, relation, scaling in self._scalings:
             if (len(scaling.factors) > 1) != (changes > 1):
                 continue
             changed = scaled(relation, scaling)
-            if changed is not None and self._passes(changed):
-                yield Candidate(changed, tuple(_rescaled(relation, p, f) for p, f in scaling.factors))
+            if changed is None:
+                continue
+            if under:
+                (side,) = {place[0] for place, _ in scaling.factors}
+                if side == 0 and under != (0,):
+                    continue  # the right side of the part before
+                changed = replaced(self.statement, (*under, side), subterm(changed, (side,)))
+            if self._passes(changed):
+                said = tuple(_rescaled(relation, p, f) for p, f in scaling.factors)
+                kinds = [KINDS.index(change.kind) for change in said]
+                yield Candidate(changed, said, None, (max(kinds), -scaling.factors[0][0][0]))
 
     # one edit
 
-    def _singles(self, residual: Vector) -> Iterator[Candidate]:
-        for edit in sorted(edits(self.statement, self.replacements), key=cost):
-            if edit.statement is None:
+    def _singles(self, residual: Vector, replacements: Sequence[Term] = ()) -> Iterator[Candidate]:
+        """replacements: only symbols are changed then, and into one of these."""
+        found = edits(self.statement, replacements or self.replacements)
+        for edit in sorted(found, key=cost):
+            if edit.statement is None or (replacements and edit.kind != "symbol"):
                 continue
             self.tick()
-            changed = self.screen.residual(edit.statement)
+            changed = self._point.residual(edit.statement)
             if changed is None or len(changed) != len(residual):
                 continue
             delta = tuple((x - y) % PRIME for x, y in zip(changed, residual, strict=True))
             is_factor = edit.kind == "coefficient" and edit.new == _twice(edit.old)
             self.neighbours.append(Neighbour(edit, delta, is_factor))
             if not any(changed) and self._passes(edit.statement):
-                yield Candidate(edit.statement, (Change(edit.kind, edit.description),))
+                yield candidate_of(edit)
 
-    def _missing(self, residual: Vector) -> Iterator[Candidate]:
-        """An addend of the right type and weight, with the coefficient that it must have."""
-        lists: dict[tuple, list[Term]] = {}
-        for place, term in _sums(self.statement):
-            key = (term.type.kind, term.weight)
-            if key not in lists:
-                lists[key] = missing_addends(self.statement, *key, self.replacements)
-            for addend in lists[key]:
-                try:
-                    edit = _with_addend(self.statement, place, addend)
-                except IllFormed:
-                    continue
-                self.tick()
-                changed = self.screen.residual(edit.statement)
-                if changed is None or len(changed) != len(residual):
-                    continue
-                delta = tuple((x - y) % PRIME for x, y in zip(changed, residual, strict=True))
-                neighbour = Neighbour(edit, delta, scalable=True)
-                self.neighbours.append(neighbour)
-                factor = _ratio(residual, delta)
-                if factor is not None:
-                    yield from self._built(self.statement, (), neighbour, factor)
+    def _with_addends(self, found: Iterator[Edit]) -> Iterator[Candidate]:
+        for edit in found:
+            if self._passes(edit.statement):
+                yield candidate_of(edit)
 
     # two edits
 
+    def _with_two_addends(self) -> Iterator[Candidate]:
+        for first, second in self._missing.pairs():
+            if self._passes(second.statement):
+                changes = (Change(first.kind, first.description), Change(second.kind, second.description))
+                yield Candidate(second.statement, changes, None, cost(second))
+
     def _pairs(self, residual: Vector) -> Iterator[Candidate]:
+        rows = len(residual)
+        for edit, effect in self._missing.effects(MOST_PAIRED):
+            self.neighbours.append(Neighbour(edit, effect[-rows:], scalable=True))
         exact: dict[Vector, list[Neighbour]] = {}
         directions: dict[Vector, list[Neighbour]] = {}
         for neighbour in self.neighbours:
@@ -158,6 +178,7 @@ class Neighbourhood:
         for first in self.neighbours:
             if first.edit.kind == "addend added" or not any(first.delta):
                 continue
+            self.tick()
             left = tuple((r + d) % PRIME for r, d in zip(residual, first.delta, strict=True))
             for other in exact.get(tuple(-x % PRIME for x in left), ()):
                 if other is not first:
@@ -167,7 +188,6 @@ class Neighbourhood:
                     factor = _ratio(left, other.delta)
                     if factor is not None and other is not first:
                         yield from self._built(first.edit.statement, (first,), other, factor)
-        yield from self._nested_pairs()
 
     def _nested_pairs(self) -> Iterator[Candidate]:
         """The second edit within the addend that the first one changed, or of what it made."""
@@ -178,7 +198,8 @@ class Neighbourhood:
                     continue
                 if self._passes(second.statement):
                     changes = (Change(first.kind, first.description), Change(second.kind, second.description))
-                    yield Candidate(second.statement, changes)
+                    unlikely = (max(cost(first)[0], cost(second)[0]),)
+                    yield Candidate(second.statement, changes, None, unlikely)
 
     def _addend_of(self, place: Place) -> Place:
         """The place of the outermost addend around a place."""
@@ -211,7 +232,8 @@ class Neighbourhood:
             return
         if changed is not None and self._passes(changed):
             changes = tuple(Change(n.edit.kind, n.edit.description) for n in before)
-            yield Candidate(changed, (*changes, change))
+            unlikely = (max(cost(n.edit)[0] for n in (*before, last)),)
+            yield Candidate(changed, (*changes, change), None, unlikely)
 
 
 def cost(edit: Edit) -> tuple[int, int]:
@@ -219,19 +241,15 @@ def cost(edit: Edit) -> tuple[int, int]:
     return KINDS.index(edit.kind), -edit.place[0]
 
 
+def candidate_of(edit: Edit) -> Candidate:
+    return Candidate(edit.statement, (Change(edit.kind, edit.description),), None, cost(edit))
+
+
 def _twice(term: Term) -> Term | None:
     try:
         return times(2, term)
     except IllFormed:
         return None
-
-
-def _sums(statement: Statement) -> Iterator[tuple[Place, Term]]:
-    """Sums, and sides that are a single addend."""
-    whole = {place for place, _ in sides(statement)}
-    for place, term in places(statement):
-        if (isinstance(term, Apply) and term.head == "add") or place in whole:
-            yield place, term
 
 
 def _with_addend(statement: Statement, place: Place, addend: Term) -> Edit:

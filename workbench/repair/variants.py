@@ -23,6 +23,7 @@ from workbench.language.terms import (
     Term,
     Zero,
 )
+from workbench.language.types import Weight
 from workbench.repair.places import places
 
 #: A sentence with {} for terms, integers and words, and what goes there.
@@ -232,6 +233,8 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
             yield "sign", ("the minus sign before {} is dropped", arguments[0]), lambda: arguments[0]
         case "transpose":
             yield "transpose", ("the transpose of {} is dropped", arguments[0]), lambda: arguments[0]
+            said = ("the transpose of {} becomes its inverse", arguments[0])
+            yield "transpose", said, partial(apply, "inverse", arguments[0])
         case "inverse":
             yield "exponent", ("the inverse of {} is dropped", arguments[0]), lambda: arguments[0]
             said = ("the inverse of {} becomes its transpose", arguments[0])
@@ -315,14 +318,28 @@ def _marks_added(term: Term) -> Iterator[Variant]:
 
 
 def _other_symbols(term: Term, atoms: Sequence[Term]) -> Iterator[Variant]:
+    """Another symbol of the same kind and weight; one of smaller weight with the dots that it lacks."""
     bare = term.body if isinstance(term, Derivative) else term
     if not isinstance(bare, Symbol) or bare.arguments:
         return
-    for other in atoms:
-        if other.type.kind == term.type.kind and other.weight == term.weight and other != term:
+    for atom in atoms:
+        other = differentiated_to(term.weight, atom) if atom.type.kind == term.type.kind else None
+        if other is not None and other != term:
             underlined = other.type.dual != term.type.dual and _letter(other) == _letter(term)
             kind = "mark" if underlined else "symbol"
             yield kind, ("{} becomes {}", term, other), lambda other=other: other
+
+
+def differentiated_to(weight: Weight, atom: Term) -> Term | None:
+    """The atom, or its derivative, of this weight."""
+    if atom.weight == weight:
+        return atom
+    if weight is None or atom.weight is None or not isinstance(atom, Symbol):
+        return None
+    order = weight - atom.weight
+    is_positive = order.constant >= 0 if order.is_number else all(c > 0 for _, c in order.coefficients)
+    is_moving = not atom.declaration.constant and atom.type.kind not in ("block", "operator")
+    return derivative(atom, order) if is_positive and is_moving else None
 
 
 def _letter(term: Term) -> str:

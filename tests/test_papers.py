@@ -74,6 +74,53 @@ def test_what_is_no_file(make, says, tmp_path):
     assert str(caught.value) == f"{path}: {says}"
 
 
+LATER = "notation = 'shared.toml'\n\n[[claim]]\nid = '{id}'\nprinted = '{printed}'\n"
+TWO_LINES = r"\begin{aligned} \omega &= \omega \\ \omega &= 0 \end{aligned}"
+
+
+@pytest.fixture
+def two_files(tmp_path):
+    (tmp_path / "shared.toml").write_text("title = 'x'\n[symbols]\n'\\omega' = { kind = 'vector' }\n")
+    one = tmp_path / "one.toml"
+    one.write_text(LATER.format(id="1", printed=r"\omega = \omega") + "inherits = ['2', '2.1', '3']\n")
+    two = tmp_path / "two.toml"
+    two.write_text(LATER.format(id="2", printed=TWO_LINES) + LATER.format(id="3", printed=r"\omega = 0").partition("\n\n")[2])
+    return one, two
+
+
+def test_a_file_alone_may_name_heirs_in_the_other_files_of_its_paper(two_files):
+    assert load_paper(two_files[0]).claims[0].inherits == ("2.1", "2.2", "2.1", "3")
+    assert load_paper(two_files[0]).claims[0].inherits == merge(two_files).claims[0].inherits
+
+
+def test_an_heir_that_no_file_of_the_paper_has_is_an_error(two_files):
+    one, two = two_files
+    one.write_text(one.read_text().replace("'3'", "'4'"))
+    with pytest.raises(PaperError, match=r"one\.toml:6:25: inherits: no claim has the id '4', here or in two\.toml$"):
+        load_paper(one)
+    two.write_text("[[claim")
+    with pytest.raises(PaperError, match=r"one\.toml:6:13: inherits: no claim has the id '2'$"):
+        load_paper(one)
+
+
+def test_an_heir_in_a_file_of_another_notation_is_an_error(two_files):
+    one, two = two_files
+    two.write_text(two.read_text().replace("shared", "other"))
+    with pytest.raises(PaperError, match="no claim has the id '2'"):
+        load_paper(one)
+
+
+def test_a_chapter_file_alone_may_name_heirs_of_any_other():
+    from workbench.papers.installed import installed
+    from workbench.papers.sisters import claim_ids, sisters_of
+
+    files = installed("chapter").files
+    known = claim_ids(sisters_of(files[0]))
+    assert {path.resolve() for path in files[1:]} <= set(sisters_of(files[0]))
+    claims = [claim.id for claim in merge(files[1:]).claims]
+    assert claims == [part for name in dict.fromkeys(claims) for part in known[name]]
+
+
 def test_a_huge_file_is_not_read(tmp_path):
     path = tmp_path / "huge.toml"
     path.write_bytes(b"# " + b"x" * 5_000_000)

@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from workbench.papers.model import InstalledPaper, PaperError
-
-if TYPE_CHECKING:
-    from workbench.judge.verdict import Verdict
 
 GROUP = "workbench.papers"
 
@@ -39,10 +34,10 @@ def installed(name: str) -> InstalledPaper:
     return paper
 
 
-def theorems_for(file: Path) -> Mapping[str, Callable[[], Verdict]]:
-    """The theorems of the installed paper that `file` is part of; none if it is part of none."""
+def paper_of(file: Path) -> InstalledPaper:
+    """The installed paper that `file` is part of; one without files and theorems if it is part of none."""
     for name in installed_names():
         paper = installed(name)
         if file.resolve() in {path.resolve() for path in paper.files}:
-            return paper.theorems
-    return {}
+            return paper
+    return InstalledPaper(())

@@ -10,11 +10,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from workbench.papers.formulas import FormulaReader
-from workbench.papers.installed import DEFAULT, installed, installed_names, theorems_for
+from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
 from workbench.papers.lines import Line, split_lines
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
 from workbench.papers.notation import notation_of
 from workbench.papers.orders import Orders
+from workbench.papers.sisters import claim_ids, sisters_of
 from workbench.papers.toml_file import TomlFile
 from workbench.papers.toml_places import KeyPath
 
@@ -68,7 +69,7 @@ def merge(paths: Sequence[Path], theorems: Mapping[str, Callable[[], Verdict]] |
     files = [_PaperFile.open(Path(path)) for path in paths]
     if theorems is None:
         needed = any("theorem" in claim for file in files for claim in file.claims)
-        theorems = theorems_for(files[0].toml.path) if needed else {}
+        theorems = paper_of(files[0].toml.path).theorems if needed else {}
     claims: list[Claim] = []
     owners: dict[str, str] = {}
     for file in files:
@@ -78,8 +79,11 @@ def merge(paths: Sequence[Path], theorems: Mapping[str, Callable[[], Verdict]] |
     for claim in claims:
         parts.setdefault(owners[claim.id], []).append(claim.id)
         parts.setdefault(claim.id, [claim.id])
-    for file in files:
-        file.check_inheritance(parts)
+    if any(name not in parts for claim in claims for name in claim.inherits):
+        sisters = list(dict.fromkeys(path for file in files for path in sisters_of(file.toml.path)))
+        parts = claim_ids(sisters) | parts
+        for file in files:
+            file.check_inheritance(parts, sisters)
     claims = [
         replace(claim, inherits=tuple(part for name in claim.inherits for part in parts[name]))
         for claim in claims
@@ -120,12 +124,13 @@ class _PaperFile:
         shared = notation_of(chain[:-1]) if len(chain) > 1 else None
         return _PaperFile(toml, title, doi, toml.text(("section",)), notation_of(chain), shared, claims)
 
-    def check_inheritance(self, known: Mapping[str, object]) -> None:
+    def check_inheritance(self, known: Mapping[str, object], sisters: Sequence[Path]) -> None:
+        elsewhere = f", here or in {', '.join(path.name for path in sisters)}" if sisters else ""
         for index, claim in enumerate(self.claims):
             for place, name in enumerate(claim.get("inherits", [])):
                 if name not in known:
                     path = ("claim", index, "inherits", place)
-                    raise self.toml.error_at_value(path, f"inherits: no claim has the id {name!r}")
+                    raise self.toml.error_at_value(path, f"inherits: no claim has the id {name!r}{elsewhere}")
 
 
 def _notation_chain(file: TomlFile) -> list[TomlFile]:

@@ -22,7 +22,9 @@ LAYERS = (
     ("verify",),
     ("results", "terminal"),
     ("repair", "report"),
-    ("checked", "cli", "pytest_plugin"),
+    ("checked", "cli_options", "pytest_plugin"),
+    ("cli_repair",),
+    ("cli",),
 )
 
 

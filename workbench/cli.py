@@ -3,70 +3,26 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 import sys
 import tempfile
 from collections.abc import Callable, Sequence
-from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-if TYPE_CHECKING:
-    from workbench.papers import Claim, Paper
-    from workbench.verify import ClaimResult
+from workbench.cli_options import Unusable, json_flag, json_text, paper_option, print_json, reports_faults
+from workbench.cli_repair import claims_with_proposals, errata, repair_claim
 
-INTERRUPTED = 130
+if TYPE_CHECKING:
+    from workbench.papers import Paper
+    from workbench.verify import ClaimResult
 
 #: Of a robot's motion: beyond it Drake's numbers, in doubles, have no correct digit left to compare with.
 HIGHEST_ORDER = 20
 
-
-class Unusable(click.ClickException):
-    """Input that cannot be used: one message on standard error, exit status 2."""
-
-    exit_code = 2
-
-
-class Defect(click.ClickException):
-    """The workbench contradicts itself."""
-
-    exit_code = 3
-
-
-def _reports_faults(command: Callable[..., None]) -> Callable[..., None]:
-    """Turns the errors that bad input gets into one message and exit status 2."""
-
-    @wraps(command)
-    def guarded(*arguments: Any, **options: Any) -> None:
-        from workbench.judge.verdict import EngineDisagreement
-        from workbench.papers import PaperError
-        from workbench.selection import SelectError
-
-        try:
-            command(*arguments, **options)
-        except (PaperError, SelectError) as error:
-            raise Unusable(str(error)) from None
-        except KeyboardInterrupt:
-            click.echo("interrupted", err=True)
-            sys.exit(INTERRUPTED)
-        except EngineDisagreement as error:
-            raise Defect(f"the engines disagree, so no verdict is given: {error}") from error
-
-    return guarded
-
-
-_paper_option = click.option(
-    "--paper",
-    "paper_name",
-    show_default="the installed paper chapter",
-    metavar="FILE",
-    help="A paper file, or the name of an installed paper.",
-)
-_json_flag = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 _proposals_flag = click.option(
     "--proposals/--no-proposals", default=True, help="Search for the right form of what is not right."
 )
@@ -94,11 +50,15 @@ def main() -> None:
         stream.reconfigure(errors="backslashreplace")  # where the locale has no Φ
 
 
+main.add_command(repair_claim)
+main.add_command(errata)
+
+
 @main.command("list")
 @click.argument("select", nargs=-1)
-@_paper_option
-@_json_flag
-@_reports_faults
+@paper_option
+@json_flag
+@reports_faults
 def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) -> None:
     """List the claims of a paper, without judging them."""
     from workbench.papers import find_paper
@@ -107,7 +67,7 @@ def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) ->
 
     claims = select_claims(find_paper(paper_name).claims, select)
     if as_json:
-        _print_json(
+        print_json(
             [
                 {
                     "id": claim.id,
@@ -125,10 +85,10 @@ def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) ->
 
 @main.command()
 @click.argument("select", nargs=-1)
-@_paper_option
-@_json_flag
+@paper_option
+@json_flag
 @_engine_options
-@_reports_faults
+@reports_faults
 def verify(
     select: Sequence[str], paper_name: str | None, as_json: bool, second_engine: bool, motions: bool
 ) -> None:
@@ -144,10 +104,10 @@ def verify(
 
 @main.command()
 @click.argument("claim_id", metavar="ID")
-@_paper_option
-@_json_flag
+@paper_option
+@json_flag
 @_proposals_flag
-@_reports_faults
+@reports_faults
 def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) -> None:
     """Show one claim in full: printed, read back, verdict, counterexample, correction, evidence.
     ID may also select several claims, as for verify."""
@@ -157,53 +117,15 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     from workbench.terminal import claim_lines, console
 
     results = _judged(find_paper(paper_name), [claim_id])
-    claims = _with_proposals([claim_dict(result) for result in results], results, proposals)
+    claims = claims_with_proposals([claim_dict(result) for result in results], results, proposals)
     if as_json:
-        _print_json(claims[0] if len(claims) == 1 else claims)
+        print_json(claims[0] if len(claims) == 1 else claims)
     else:
         terminal = console(sys.stdout)
         for claim in claims:
-            for line in (*claim_lines(claim), *proposal_lines(claim)):
+            for line in (*claim_lines(claim), *proposal_lines(claim, coloured=terminal.is_terminal)):
                 terminal.print(line)
     sys.exit(0 if all(result.passed for result in results) else 1)
-
-
-@main.command("repair")
-@click.argument("select", nargs=-1, required=True, metavar="ID...")
-@_paper_option
-@click.option("--seconds", default=60.0, show_default=True, help="The limit on time for one claim.")
-@click.option("--definitions", is_flag=True, help="Change the definitions that the claims share instead.")
-@_json_flag
-@_reports_faults
-def repair_claim(
-    select: Sequence[str], paper_name: str | None, seconds: float, definitions: bool, as_json: bool
-) -> None:
-    """Propose the right form of claims, from their printed forms alone; only proved forms are proposed.
-    Ctrl-C keeps what was found. Exit status 0 if there is a proposal for each, 1 if not."""
-    from workbench.papers import find_paper
-    from workbench.repair.repair import Limits
-    from workbench.repair.run import repair_claims
-    from workbench.repair.shown import repair_lines
-    from workbench.selection import select_claims
-    from workbench.terminal import console, progress_bar
-
-    if not 0 < seconds < math.inf:
-        raise Unusable(f"seconds: expected a positive number, got {seconds}")
-    claims = select_claims(find_paper(paper_name).claims, select)
-    if definitions:
-        _repair_definitions(claims, as_json)
-    with progress_bar(len(claims), "repairing") as advance:
-        repairs = repair_claims(claims, Limits(seconds=seconds), advance)
-    if as_json:
-        found = [repair.to_dict() for repair in repairs]
-        _print_json(found[0] if len(found) == 1 else found)
-    else:
-        terminal = console(sys.stdout)
-        for repair in repairs:
-            for line in repair_lines(repair.to_dict()):
-                terminal.print(line)
-    done = len(repairs) == len(claims) and all(repair.proposals for repair in repairs)
-    sys.exit(0 if done else 1)
 
 
 @main.command()
@@ -218,7 +140,7 @@ def repair_claim(
 )
 @_engine_options
 @_proposals_flag
-@_reports_faults
+@reports_faults
 def check(file: Path, json_out: str | None, second_engine: bool, motions: bool, proposals: bool) -> None:
     """Judge a paper file. Exit status: 0 if all claims are proved or definitions, 1 if some are not,
     2 if the file cannot be used."""
@@ -231,26 +153,27 @@ def check(file: Path, json_out: str | None, second_engine: bool, motions: bool, 
     paper = load_paper(file)
     results = _judged(paper, (), second_engine=second_engine, motions=motions)
     data = report_dict(paper, results)
-    data["claims"] = _with_proposals(data["claims"], results, proposals)
+    data["claims"] = claims_with_proposals(data["claims"], results, proposals)
     if json_out == "-":
-        _print_json(data)
+        print_json(data)
     else:
         if json_out is not None:
-            _write_atomically(Path(json_out), _json_text(data))
+            _write_atomically(Path(json_out), json_text(data))
         _print_results(paper, results, False)
+        terminal = console(sys.stdout)
         for claim in data["claims"]:
-            for line in repair_lines(claim) if claim["proposed"] else ():
-                console(sys.stdout).print(line)
+            for line in repair_lines(claim, terminal.is_terminal) if claim["proposed"] else ():
+                terminal.print(line)
     sys.exit(0 if all(result.verdict.outcome in HOLDS for result in results) else 1)
 
 
 @main.command()
 @click.argument("select", nargs=-1)
-@_paper_option
+@paper_option
 @click.option(
     "--out", default="report", show_default=True, type=click.Path(path_type=Path), help="The directory."
 )
-@_json_flag
+@json_flag
 @_engine_options
 @click.option(
     "--proposals/--no-proposals",
@@ -258,7 +181,7 @@ def check(file: Path, json_out: str | None, second_engine: bool, motions: bool, 
     show_default=True,
     help="Search for the right form of what is not right; takes minutes.",
 )
-@_reports_faults
+@reports_faults
 def report(
     select: Sequence[str],
     paper_name: str | None,
@@ -278,10 +201,10 @@ def report(
     results = _judged(paper, select, second_engine=second_engine, motions=motions)
     data = report_dict(paper, results)
     if proposals:
-        data["claims"] = _with_proposals(data["claims"], results, True)
+        data["claims"] = claims_with_proposals(data["claims"], results, True)
     written = _write_report_atomically(data, out)
     if as_json:
-        _print_json(data)
+        print_json(data)
     else:
         terminal = console(sys.stdout)
         for path in written:
@@ -310,8 +233,8 @@ def report(
     help="The position of a joint as a polynomial: c0 + c1 t + ... (rad or m). Joints not named stay at 0; "
     "if none is named, all follow sines.",
 )
-@_json_flag
-@_reports_faults
+@json_flag
+@reports_faults
 def motion(
     urdf: Path, body: str, order: int, point: str, at: float, joints: Sequence[str], as_json: bool
 ) -> None:
@@ -330,7 +253,7 @@ def motion(
         raise Unusable(str(error)) from None
     data = report.to_dict()
     if as_json:
-        _print_json(data)
+        print_json(data)
     else:
         terminal = console(sys.stdout)
         for line in motion_lines(data):
@@ -365,50 +288,16 @@ def _judged(paper: Paper, select: Sequence[str], **engines: bool) -> list[ClaimR
         return judge_paper(paper, select, progress=advance, **engines)
 
 
-def _repair_definitions(claims: Sequence[Claim], as_json: bool) -> None:
-    """Prints the changes of definitions that mend two or more of these false claims, and exits."""
-    from workbench.repair.definitions import repair_definitions
-
-    repairs = repair_definitions(claims)
-    if as_json:
-        _print_json([{"changed": r.changed, "mended": r.mended, "edit": r.edit} for r in repairs])
-    else:
-        click.echo("\n".join(r.edit for r in repairs) or "no change of definitions mends two of these claims")
-    sys.exit(0 if repairs else 1)
-
-
-def _with_proposals(
-    claims: Sequence[dict[str, Any]], results: Sequence[ClaimResult], wanted: bool
-) -> list[dict[str, Any]]:
-    """The claims of the report with what the machine proposes for those that are refuted or ill-formed."""
-    from workbench.repair.run import proposals_for, with_proposals
-    from workbench.terminal import progress_bar
-
-    proposed: dict[str, list[dict[str, Any]]] = {}
-    if wanted:
-        with progress_bar(len(results), "repairing") as advance:
-            proposed = proposals_for(results, progress=advance)
-    return [with_proposals(claim, proposed) for claim in claims]
-
-
 def _print_results(paper: Paper, results: Sequence[ClaimResult], as_json: bool) -> None:
     from workbench.results import report_dict
     from workbench.terminal import console, results_table, summary_line
 
     if as_json:
-        _print_json(report_dict(paper, results))
+        print_json(report_dict(paper, results))
     else:
         terminal = console(sys.stdout)
         terminal.print(results_table(results))
         terminal.print(summary_line(results))
-
-
-def _json_text(data: Any) -> str:
-    return json.dumps(data, ensure_ascii=False, indent=2) + "\n"
-
-
-def _print_json(data: Any) -> None:
-    click.echo(_json_text(data), nl=False)
 
 
 def _require_directory(out: Path) -> None:

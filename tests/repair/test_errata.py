@@ -1,0 +1,62 @@
+"""The errata of the chapter: what the machine finds from the printed forms alone, beside what was found by hand."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import pytest
+from click.testing import CliRunner
+from rich.console import Console
+
+from workbench.cli import main
+from workbench.papers import find_paper
+from workbench.repair.errata import compared, errata_table, known_errata, summary
+from workbench.repair.repair import Limits, Repair, repair
+from workbench.repair.run import repair_claims
+
+#: Of the errata of the chapter, at least so many are corrected as by hand.
+CORRECTED = 55
+
+
+@pytest.fixture(scope="module")
+def paper():
+    return find_paper()
+
+
+def named(paper, name):
+    return next(claim for claim in paper.claims if claim.id == name)
+
+
+def test_a_proposal_is_compared_with_the_correction_made_by_hand(paper):
+    claim = named(paper, "70.div")
+    found = repair(claim)
+    assert compared(found).result == "same"
+    other = replace(claim, corrected=named(paper, "70.curl").reading)
+    assert compared(replace(found, claim=other)).result == "different"
+    row = compared(Repair(claim, candidates=7))
+    assert row.result == "none" and "7 candidates" in row.why and "limit" in row.why
+    assert summary([row]) == "0 of 1 errata corrected by the machine as by hand; 0 otherwise, but proved; 1 not"
+
+
+def test_what_was_proved_or_needs_a_theorem_is_no_erratum_to_correct(paper):
+    ids = {claim.id for claim in known_errata(paper.claims)}
+    assert "70.div" in ids and not ids & {"58.det", "Theorem_1"}
+
+
+def test_command_line():
+    done = CliRunner().invoke(main, ["errata", "70.div", "58.det", "--json"])
+    assert done.exit_code == 0, done.output
+    (row,) = json.loads(done.stdout)
+    assert (row["id"], row["result"]) == ("70.div", "same")
+    done = CliRunner().invoke(main, ["errata", "102.A"])
+    assert done.exit_code == 1 and "0 of 1 errata" in done.stdout
+    assert CliRunner().invoke(main, ["errata", "--seconds", "nan"]).exit_code == 2
+
+
+@pytest.mark.slow
+def test_the_errata_of_the_chapter(paper, capsys):
+    rows = [compared(found) for found in repair_claims(known_errata(paper.claims), Limits(seconds=30.0))]
+    with capsys.disabled():
+        Console(width=110).print(errata_table(rows), "\n", summary(rows), sep="")
+    assert sum(row.is_same for row in rows) >= CORRECTED

@@ -138,6 +138,10 @@ def _basis(statement: Statement) -> Iterator[Term]:
             yield x
             if x.type.kind == "vector":
                 yield apply("skew", x)
+    heads = {term.head for _, term in places(statement) if isinstance(term, Apply)}
+    for head in ("det", "trace"):
+        if head in heads:
+            yield from (apply(head, body) for body in highest if body.type.kind == "tensor")
     for _, term in places(statement):
         is_derivative = isinstance(term, Derivative) and not isinstance(term.body, Symbol)
         if is_derivative or (isinstance(term, Apply) and term.head in _OF_ONE):

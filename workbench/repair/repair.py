@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -19,17 +18,18 @@ from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.integers import Linear
 from workbench.language.printer import to_latex
 from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Apply, Conjunction, Relation, Statement, Symbol, Term, Zero
+from workbench.language.terms import Statement, Symbol, Term
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
 from workbench.repair.aside import JudgeAside, OutOfTime
 from workbench.repair.difference import Difference, difference, in_colour
 from workbench.repair.edits import edits
-from workbench.repair.places import places, sides
+from workbench.repair.places import places
 from workbench.repair.readings import Readings
 from workbench.repair.sameness import Sameness
 from workbench.repair.screen import Screen
 from workbench.repair.search import Candidate, Change, Neighbourhood, candidate_of, cost
+from workbench.repair.vacuous import is_idle, is_vacuous
 
 _PROVED = (Outcome.PROVED, Outcome.DEFINITION)
 
@@ -165,6 +165,9 @@ class _Bench:
         self.integers = claim.orders.variables if claim.orders else ()
         self.seen: set[Statement] = set()
         self.proved: list[Statement] = []
+        self.idle: list[Candidate] = []
+        printed = claim.printed.statement
+        self.printed_size = None if printed is None else _size(printed)
         self.table = claim.notation.symbols
         self.aside = JudgeAside(judge, self.assume, claim.orders)
 
@@ -177,6 +180,12 @@ class _Bench:
             self._repair_false([Candidate(printed, ())])
         else:
             self._repair_ill_formed()
+        if not self.found.proposals:
+            self._judge_best(self.idle)
+
+    @cached_property
+    def screen(self) -> Screen | None:
+        return self._screen()
 
     @cached_property
     def sameness(self) -> Sameness:
@@ -188,7 +197,7 @@ class _Bench:
         if any(self._offer(stage) for stage in readings.that_hold()):
             return
         likeliest = list(readings.likeliest(self.limits.readings))
-        screen = self._screen()
+        screen = self.screen
         if screen is not None and self._offer(c for c in likeliest if screen.vanishes(c.statement)):
             return
         if screen is None or not self._is_equation(likeliest):
@@ -197,13 +206,11 @@ class _Bench:
             self._repair_false(likeliest)
 
     def _is_equation(self, read: Sequence[Candidate]) -> bool:
-        screen = self._screen()
-        return any(screen.residual(candidate.statement) is not None for candidate in read)
+        return any(self.screen.residual(candidate.statement) is not None for candidate in read)
 
     def _repair_false(self, read: Sequence[Candidate]) -> None:
         """One stage of the search after another, each for all readings."""
-        screen = self._screen()
-        if screen is None:
+        if self.screen is None:
             for candidate in read:
                 self._offer(_unscreened(candidate))
             return
@@ -241,11 +248,15 @@ class _Bench:
             return []
 
     def _offer(self, candidates: Iterator[Candidate]) -> bool:
-        """Judges the candidates of one stage, the likeliest first, as long as they have no more changes than
-        the first that was proved. Whether any was proved."""
+        """Judges the candidates of one stage. Whether any was proved."""
+        self._judge_best(list(islice(self._new(candidates), self.limits.judged)))
+        return bool(self.found.proposals)
+
+    def _judge_best(self, candidates: Sequence[Candidate]) -> None:
+        """Makes proposals of those that are proved, the likeliest first, as long as they have no more changes
+        than the first one."""
         proposals = self.found.proposals
-        batch = sorted(islice(self._new(candidates), self.limits.judged), key=self._rank)
-        for candidate in batch:
+        for candidate in sorted(candidates, key=self._rank):
             if proposals and len(candidate.changes) > len(proposals[0].changes):
                 break
             if any(self.sameness.same(known, candidate.statement) for known in self.proved):
@@ -256,34 +267,24 @@ class _Bench:
                 self.proved.append(candidate.statement)
                 if len(proposals) >= self.limits.proposals:
                     break
-        return bool(proposals)
 
     def _rank(self, candidate: Candidate) -> tuple:
-        """Few changes first; of as many, those that say more than 0 = 0, likely misprints, short formulas."""
-        size = sum(1 for _ in places(candidate.statement))
+        """Few changes first; of as many, likely misprints, and what does not make the formula longer."""
+        size = _size(candidate.statement)
+        growth = size - self.printed_size if self.printed_size else 0
         kind, *rest = candidate.unlikely or (0,)
-        return len(candidate.changes), self._is_idle(candidate.statement), kind, size, rest
-
-    def _is_idle(self, statement: Statement) -> bool:
-        """Whether all sides of an equation vanish though they are not printed as 0."""
-        screen = self._idle_screen
-        if screen is None:
-            return False
-        terms = [term for _, term in sides(statement)]
-        if any(isinstance(term, Zero) for term in terms):
-            return False
-        values = [screen.components(term, term) for term in terms]
-        return all(value is not None and not any(value) for value in values)
-
-    @cached_property
-    def _idle_screen(self) -> Screen | None:
-        return self._screen()
+        likely = kind + 2 * max(-1, min(growth, 3))
+        return len(candidate.changes), likely, size, rest
 
     def _new(self, candidates: Iterator[Candidate]) -> Iterator[Candidate]:
         for candidate in candidates:
             self._tick()
-            if candidate.statement not in self.seen and not is_vacuous(candidate.statement):
-                self.seen.add(candidate.statement)
+            if candidate.statement in self.seen or is_vacuous(candidate.statement):
+                continue
+            self.seen.add(candidate.statement)
+            if self.screen is not None and is_idle(candidate.statement, self.screen):
+                self.idle.append(candidate)
+            else:
                 yield candidate
 
     def _tick(self) -> None:
@@ -320,6 +321,10 @@ def _unscreened(printed: Candidate) -> Iterator[Candidate]:
             yield replace(candidate, changes=(*printed.changes, *candidate.changes))
 
 
+def _size(statement: Statement) -> int:
+    return sum(1 for _ in places(statement))
+
+
 def symbols_like(
     statement: Statement, table: SymbolTable, integers: Sequence[str] = ()
 ) -> tuple[list[Term], list[Term]]:
@@ -352,30 +357,3 @@ def symbols_like(
 
 def _is_known(name: str, index: tuple[Linear, ...], table: SymbolTable) -> bool:
     return name not in table.introduced or table.defines(name, index)
-
-
-def is_vacuous(statement: Statement) -> bool:
-    """Whether an equation of the statement holds by the order and cancelling of its addends alone, such as
-    b = b + c - c. It is proved, but says nothing that could have been meant."""
-    match statement:
-        case Relation(operator="="):
-            counts: Counter[Term] = Counter()
-            for sign, side in ((1, statement.left), (-1, statement.right)):
-                for factor, term in _addends(side, sign):
-                    counts[term] += factor
-            return not any(counts.values())
-        case Conjunction(parts=parts):
-            chain = [side for _, side in sides(statement)]
-            return len(set(chain)) < len(chain) or any(map(is_vacuous, parts))
-    return False
-
-
-def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
-    match term:
-        case Apply(head="add"):
-            for addend in term.arguments:
-                yield from _addends(addend, sign)
-        case Apply(head="neg", arguments=(inner,)):
-            yield from _addends(inner, -sign)
-        case _:
-            yield sign, term

@@ -82,7 +82,7 @@ class Neighbourhood:
         self._point = self.screen.points[-1]
         residual = self._point.residual(self.statement)
         self._scalings = list(self._find_scalings())
-        supply = Supply(self.statement, self.replacements, self._point.components)
+        supply = Supply(self.statement, self.replacements, self._components)
         self._missing = MissingAddends(self.statement, self.screen, supply, self.tick)
         outer = self._with_addends(self._missing.outer())
         yield chain(self._scaled(1), self._singles(residual), () if self.is_one_of_many else outer)
@@ -94,6 +94,10 @@ class Neighbourhood:
     def _passes(self, statement: Statement) -> bool:
         self.tick()
         return all(screen.vanishes(statement) for screen in (self.screen, *self.second))
+
+    def _components(self, product: Term) -> Vector | None:
+        self.tick()
+        return self._point.components(product)
 
     def _without_residual(self) -> Iterator[Candidate]:
         """Statements that are no equations: one-place edits, unscreened."""

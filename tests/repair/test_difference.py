@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench.papers import find_paper
+from workbench.repair.as_printed import as_printed
 from workbench.repair.difference import difference, tokens_of
 
 ERRATA = [
@@ -90,3 +91,21 @@ def test_all_in_a_new_accent_is_highlighted():
     found = difference(r"a + \tilde S t + u", r"a + \widetilde{S t} + u")
     assert found.highlighted(lambda text: f"<{text}>") == r"a + \widetilde{<S> <t>} + u"
     assert found.highlighted(lambda text: f"<{text}>", proposed=False) == r"a + <\tilde{S}> t + u"
+
+
+def test_lines_of_one_formula_are_no_difference():
+    one = r"\begin{aligned} a = & [b + c] \\ & + d \end{aligned}"
+    assert not difference(one, "a = (b + c) + d")
+    assert difference(r"a^{[n]}", r"a^{(n)}")
+    assert difference(r"\begin{bmatrix} a & b \end{bmatrix}", r"\begin{bmatrix} a \\ b \end{bmatrix}")
+
+
+def test_a_proposal_is_spelled_as_the_printed_form():
+    claim = next(claim for claim in find_paper().claims if claim.id == "58.det")
+    table = claim.notation.symbols
+    printed = r"\det \Phi_2 = -(\boldsymbol{\omega} \times \dot{\boldsymbol{\omega}})^2"
+    canonical = r"\det \Phi_{2} = \left(\omega \times \dot{\omega}\right)^{2}"
+    respelled = as_printed(canonical, printed, table, ())
+    assert str(difference(printed, respelled)) == str(difference(printed, printed.replace("-", ""))) != ""
+    assert as_printed(canonical, r"\mystery", table, ()) == canonical
+    assert as_printed(canonical, canonical, table, ()) == canonical

@@ -49,7 +49,7 @@ class Reading:
 
 def reading_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Reading:
     """The statements of all lines. Raises Fault and Misfit."""
-    clauses = _clauses(lines)
+    clauses = clauses_of(lines)
     ranges: list[Range] = []
     kept: list[Node] = []
     members: list[Node] = []  # a, b of "a, b ∈ S"
@@ -74,7 +74,7 @@ def reading_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Re
 
 def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
     """The one expression of a text without relations. Raises Fault and Misfit."""
-    clauses = _clauses(lines)
+    clauses = clauses_of(lines)
     if not clauses:
         raise Fault("expected an expression, got nothing", lines.at)
     if len(clauses) > 1:
@@ -86,13 +86,13 @@ def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
     return term
 
 
-def _clauses(lines: Lines) -> list[Node]:
+def clauses_of(lines: Lines) -> list[Node]:
     """The clauses of all lines; a line that begins with a sign and states nothing goes on with the last."""
     clauses: list[Node] = []
     for line in lines.lines:
         for place, clause in enumerate(line):
             if isinstance(clause, Lines):
-                clauses += _clauses(clause)
+                clauses += clauses_of(clause)
             elif place == 0 and clauses and isinstance(clause, Sum) and clause.addends[0][0]:
                 clauses[-1] = _continued(clauses[-1], clause)
             else:

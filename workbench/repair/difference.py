@@ -1,9 +1,9 @@
 """What differs between a printed formula and a proposed one, token by token.
 
 Tokens are what a reader would point at: a letter with its fonts and accents, a number, a sign; and the
-openings and closings of scripts, fractions and wide accents. What only formats (spacing, the size of
-brackets, which command makes bold, braces that group nothing) is no difference. Any text has tokens, also
-one that cannot be read.
+openings and closings of scripts, fractions and wide accents. What only formats is no difference: spacing,
+alignment, which command makes bold, braces that group nothing, the size of brackets and, outside of scripts,
+their shape. Any text has tokens, also one that cannot be read.
 """
 
 from __future__ import annotations
@@ -28,6 +28,8 @@ _TWO_ARGUMENTS = frozenset(("\\frac", "\\binom", "\\overset", "\\stackrel", "\\u
 #: How what is only printed, and what is only proposed, is marked in plain text.
 REMOVED = ("[-", "-]")
 ADDED = ("{+", "+}")
+_ALIGNED = frozenset(("aligned", "align", "split", "gathered"))
+_ROUND = {"[": "(", "]": ")"}
 _DEEPEST = 80
 
 
@@ -158,6 +160,8 @@ class _Tokens:
         self.raw = raw
         self.place = 0
         self.depth = 0
+        self.in_scripts = 0
+        self.aligned = 0
 
     def peek(self) -> str | None:
         return self.raw[self.place] if self.place < len(self.raw) else None
@@ -180,7 +184,9 @@ class _Tokens:
         scripts: dict[str, list[Token]] = {}
         while self.peek() in ("_", "^") and self.peek() not in scripts:
             sign = self.take()
+            self.in_scripts += 1
             scripts[sign] = _enclosed(sign + "{", self.argument())
+            self.in_scripts -= 1
         if scripts and len(nucleus) > 1 and _is_group(nucleus):
             nucleus = _enclosed("{", nucleus)
         return [*nucleus, *scripts.get("_", ()), *scripts.get("^", ())]
@@ -195,7 +201,15 @@ class _Tokens:
         if token in _WORDS:
             return [self.word(token)]
         if token == "\\begin" or token == "\\end":
-            return [Token(f"{token}{{{self.name()}}}", False)]
+            name = self.name()
+            if name in _ALIGNED:
+                self.aligned += 1 if token == "\\begin" else -1
+                return []
+            return [Token(f"{token}{{{name}}}", False)]
+        if self.aligned > 0 and token in ("&", "\\\\"):
+            return []
+        if not self.in_scripts:
+            token = _ROUND.get(token, token)
         if token in _TWO_ARGUMENTS:
             first, second = self.argument(), self.argument()
             if token in ("\\stackrel", "\\overset") and [t.text for t in second] == ["="]:

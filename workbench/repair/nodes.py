@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
+from functools import cache
 from typing import Any
 
 from workbench.language.syntax import (
@@ -60,8 +61,14 @@ def below(node: Node) -> Iterator[Node]:
 
 
 def children(node: Node) -> Iterator[Node]:
-    for field in fields(node):
-        yield from _nodes_in(getattr(node, field.name))
+    for name in _fields(type(node)):
+        yield from _nodes_in(getattr(node, name))
+
+
+@cache
+def _fields(kind: type[Node]) -> tuple[str, ...]:
+    """Where a node of this kind may hold others."""
+    return tuple(field.name for field in fields(kind) if field.type not in ("int", "str", "bool"))
 
 
 def _nodes_in(value: Any) -> Iterator[Node]:
@@ -77,11 +84,11 @@ def exchanged(node: Node, new: Mapping[int, Node]) -> Node:
     if id(node) in new:
         return new[id(node)]
     changed = {}
-    for field in fields(node):
-        value = getattr(node, field.name)
+    for name in _fields(type(node)):
+        value = getattr(node, name)
         other = _exchanged_in(value, new)
         if other is not value:
-            changed[field.name] = other
+            changed[name] = other
     return replace(node, **changed) if changed else node
 
 

@@ -106,6 +106,7 @@ class _Reader:
         self._taken_apart: list[_Parts] = []
 
     def statement(self, marks: Sequence[Mark]) -> Statement | None:
+        self.tick()
         try:
             found = reading_of(marked(marks, self.lines), self.table, self.integers).statements
         except (Fault, Misfit, IllFormed):

@@ -22,6 +22,7 @@ from workbench.language.terms import Statement, Symbol, Term
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
 from workbench.repair.aside import JudgeAside, OutOfTime
+from workbench.repair.as_printed import as_printed
 from workbench.repair.difference import Difference, difference, in_colour
 from workbench.repair.edits import edits
 from workbench.repair.places import places
@@ -99,9 +100,14 @@ class Repair:
 
     @property
     def printed(self) -> str:
-        """The printed form in the spelling of the proposals: the canonical one, if it can be read."""
+        """The printed form in the spelling of the proposals: the canonical one, if it can be read, in the
+        printed letters."""
         formula = self.claim.printed
-        return formula.latex if formula.statement is None else to_latex(formula.statement)
+        if formula.statement is None:
+            return formula.latex
+        integers = self.claim.orders.variables if self.claim.orders else ()
+        table = self.claim.notation.symbols
+        return as_printed(to_latex(formula.statement), formula.latex, table, integers)
 
     def proposed(self) -> list[dict[str, Any]]:
         return [proposal.to_dict(self.printed) for proposal in self.proposals]
@@ -295,12 +301,16 @@ class _Bench:
 
     def _latex(self, candidate: Candidate) -> str:
         """As it would have been printed, if that reads as the candidate; else the canonical LaTeX."""
-        if candidate.latex is not None:
+        canonical = to_latex(candidate.statement)
+        integers = self.claim.orders.variables if self.claim.orders else ()
+        respelled = as_printed(canonical, self.claim.printed.latex, self.table, integers)
+        for latex in (candidate.latex, respelled):
             with suppress(ReadError, IllFormedAt):
-                read, _ = read_statement(candidate.latex, self.claim.notation, self.claim.orders)
-                if read == candidate.statement:
-                    return candidate.latex
-        return to_latex(candidate.statement)
+                if latex is not None:
+                    read, _ = read_statement(latex, self.claim.notation, self.claim.orders)
+                    if read == candidate.statement:
+                        return latex
+        return canonical
 
     def _verdict(self, statement: Statement) -> Verdict | None:
         left = self.end - monotonic()

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import islice, product
 
 from workbench.language.errors import Fault, Misfit
-from workbench.language.statements import reading_of
+from workbench.language.statements import clauses_of, reading_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Bracket,
@@ -63,7 +63,7 @@ def _spelled(
     latex: str, steps: Sequence[_Step], table: SymbolTable, integers: frozenset[str]
 ) -> Iterator[Spelling]:
     for text, changes in _texts(latex):
-        found = [Spelling(parse(text), changes)]
+        found = [Spelling(_in_rows(parse(text)), changes)]
         for step in steps:
             found = [
                 Spelling(lines, (*before.changes, *more))
@@ -71,6 +71,22 @@ def _spelled(
                 for lines, more in step(before.lines, table, integers)
             ]
         yield from found
+
+
+def _in_rows(lines: Lines) -> Lines:
+    """One statement to a line, with the conditions that follow it; a line that goes on joined to the last."""
+    if (
+        not any(isinstance(clause, Lines) for line in lines.lines for clause in line)
+        and len(lines.lines) == 1
+    ):
+        return lines
+    rows: list[tuple[Node, ...]] = []
+    try:
+        for clause in clauses_of(lines):
+            rows[-1:] = [(*rows[-1], clause)] if rows and _is_range(clause) else [*rows[-1:], (clause,)]
+    except Fault:
+        return lines
+    return Lines(lines.at, tuple(rows))
 
 
 # text that cannot be parsed

@@ -62,6 +62,37 @@ def test_assumptions_and_orders():
     assert family.holds and family.verdict.scope
 
 
+@pytest.mark.parametrize("definitions", [{"K": r"a \times b", "n": r"K \times b"}, [r"K = a \times b", r"n := K \times b"]])
+def test_definitions_of_ones_own(definitions):
+    formula = r"n = (a \cdot b) b - b^2 a"
+    assert check(formula, AB, definitions=definitions).holds
+    assert check(r"n = K \times b", AB, definitions=definitions).outcome == Outcome.DEFINITION
+    assert check("K = b", AB, definitions=r"K = a \times b").outcome == Outcome.REFUTED
+
+
+def test_a_recurrence_of_ones_own_beside_the_notation_of_a_paper():
+    own = {r"\Psi_1": r"\Phi_1", r"\Psi_{n+1}": r"\dot{\Psi}_n + \Psi_n \Phi_1"}
+    assert check(r"\Psi_3 = \Phi_3", definitions=own).holds
+    assert check(r"\Psi_n = \Phi_n", paper=EVERY_VERDICT, definitions=own, orders="n = 1..4").holds
+    wrong = own | {r"\Psi_{n+1}": r"\dot{\Psi}_n - \Psi_n \Phi_1"}
+    assert check(r"\Psi_3 = \Phi_3", definitions=wrong).outcome == Outcome.REFUTED
+
+
+def test_a_notation_file_needs_no_claims(tmp_path):
+    file = tmp_path / "notation.toml"
+    file.write_text("[symbols]\n'x' = { kind = 'vector' }\n[definitions]\n'K' = '\\tilde{x}'\n")
+    assert check(r"K y = x \times y", {"y": "vector"}, notation=file).holds
+    assert check(r"K_2 = x^2", notation=str(file), definitions=["K_2 = x \\cdot x"]).holds
+
+
+def test_a_place_in_a_paper_has_symbols_of_its_own():
+    formula = r"\mathbf{P}_2 = \mathbf{D} + \tilde{\omega}"
+    with pytest.raises(ValueError, match="unknown symbol"):
+        check(formula)
+    assert check(formula, at="32").holds
+    assert check(formula, {"q": "scalar"}, at="32", definitions=["Q = q\\mathbf{P}_2"]).holds
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -78,6 +109,22 @@ def test_assumptions_and_orders():
         ({"latex": "a = b", "symbols": {r"\omega": "vector"}, "paper": EVERY_VERDICT}, "already"),
         ({"latex": "a = b", "paper": "no.toml"}, "no such file"),
         ({"latex": "a = b", "paper": "nothing"}, "no installed paper of that name"),
+        ({"latex": 3}, "latex: expected LaTeX, got 3"),
+        ({"latex": "a = b", "assume": [3]}, "assume: expected LaTeX"),
+        ({"latex": "a = b", "symbols": ["a", "b"]}, "symbols: expected LaTeX → kind"),
+        ({"latex": "a = b", "symbols": {"t": "scalar"}}, "t is the time"),
+        ({"latex": "a = b", "definitions": "K"}, "definitions: expected a symbol, = and what it is, got 'K'"),
+        ({"latex": "a = b", "definitions": {"K": 3}}, "definitions: expected LaTeX"),
+        ({"latex": "a = b", "definitions": 3}, "definitions: expected LaTeX, got 3"),
+        ({"latex": "a = b", "definitions": ["K = a \\times c"]}, "definitions: K: line 1, column 10: unknown symbol c"),
+        ({"latex": "a = b", "definitions": ["K = a b"]}, "definitions: K: line 1, column 3: juxtaposition"),
+        ({"latex": "a = b", "definitions": ["K = a", "K = b"]}, "definitions: K: this symbol is defined already"),
+        ({"latex": "a = b", "definitions": ["a + b = a"]}, "definitions: a + b: expected one symbol"),
+        ({"latex": "a = b", "definitions": ["K = M", "M = a"]}, "definitions: K: line 1, column 1: unknown symbol M"),
+        ({"latex": "a = b", "notation": "no.toml"}, "no.toml: no such file"),
+        ({"latex": "a = b", "notation": EVERY_VERDICT, "paper": "chapter"}, "not both"),
+        ({"latex": "a = b", "at": "999"}, "'999' selects no claim"),
+        ({"latex": "a = b", "at": "6"}, "'6' is in 02_rigid_motion.toml, "),
     ],
 )
 def test_bad_input_is_a_value_error_of_one_line(arguments, message):

@@ -19,6 +19,10 @@ def check(
     paper: Paper | Path | str | None = None,
     assume: Sequence[str] = (),
     orders: str | None = None,
+    *,
+    definitions: Mapping[str, str] | Sequence[str] = (),
+    notation: Path | str | None = None,
+    at: str | None = None,
 ) -> Checked | CheckedLines:
     """The verdict on a printed formula, which displays itself in Jupyter and on a terminal.
 
@@ -27,10 +31,16 @@ def check(
     paper: whose notation is meant: a paper file, an installed paper's name, or a Paper. If neither is given,
         the notation is that of the installed paper "chapter"; if both are, `symbols` come after the paper's.
     assume: relations (= or \\neq) to be assumed.   orders: the values of the indices, such as "n = 1..8".
+    definitions: what more symbols stand for, in order, each by what is known before it, recurrences too:
+        {r"K": r"a \\times b"} or [r"K = a \\times b"].
+    notation: a TOML file with [symbols] and [definitions] (claims are not needed), in place of a paper's.
+    at: the equation, id or section of the paper whose notation is meant, where its files have symbols of
+        their own: "32".
 
-    Raises ReadError (a ValueError, with line and column) for what cannot be read, and PaperError for a paper
-    that cannot be used. What can be read but makes no sense gets the verdict `ill-formed`.
+    Raises ReadError (a ValueError, with line and column) for what cannot be read, PaperError for a paper that
+    cannot be used, and ValueError for arguments that say nothing. What can be read but makes no sense gets
+    the verdict `ill-formed`.
     """
     from workbench.checked import check
 
-    return check(latex, symbols, paper, assume, orders)
+    return check(latex, symbols, paper, assume, orders, definitions, notation, at)

@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
-from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.symbols import SymbolTable
-from workbench.papers import Claim, Formula, Notation, Orders, Paper, find_paper
+from workbench.papers import Claim, Formula, Notation, Orders, Paper, find_paper, load_notation
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.lines import Line, split_lines
-from workbench.papers.notation import extended
+from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
 from workbench.results import claim_dict
+from workbench.selection import select_claims
 from workbench.terminal import claim_lines
 from workbench.verify import HOLDS, ClaimResult, PaperJudge
 
@@ -108,33 +109,89 @@ def check(
     paper: Paper | Path | str | None,
     assume: Sequence[str],
     orders: str | None,
+    definitions: Mapping[str, str] | Sequence[str],
+    notation: Path | str | None,
+    at: str | None,
 ) -> Checked | CheckedLines:
     """See `workbench.check`."""
-    notation = _notation(symbols, paper)
+    known = _notation(symbols, paper, notation, at)
+    known = _defined(known, definitions)
     given = None if orders is None else Orders.parse(orders)
-    judge = PaperJudge(Paper("", None, (), notation, ()))
-    lines = split_lines(latex)
+    judge = PaperJudge(Paper("", None, (), known, ()))
+    conditions = _texts("assume", assume)
+    lines = split_lines(*_texts("latex", latex))
     checked = []
     for number, line in enumerate(lines, start=1):
-        formula, values = _formula(line, notation, given)
-        supposed = tuple(_formula(Line(text), notation, values, "assume: ")[0] for text in assume)
+        formula, values = _formula(line, known, given)
+        supposed = tuple(_formula(Line(text), known, values, "assume: ")[0] for text in conditions)
         for condition in supposed:
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
         name = "check" if len(lines) == 1 else f"check.{number}"
-        checked.append(Checked(judge.result(Claim(name, formula, notation, assume=supposed, orders=values))))
+        checked.append(Checked(judge.result(Claim(name, formula, known, assume=supposed, orders=values))))
     return checked[0] if len(checked) == 1 else CheckedLines(checked)
 
 
+def _texts(name: str, given: str | Sequence[str]) -> tuple[str, ...]:
+    """One text or several."""
+    texts = (given,) if isinstance(given, str) else given
+    if not isinstance(texts, list | tuple) or not all(isinstance(text, str) for text in texts):
+        raise ValueError(f"{name}: expected LaTeX, got {given!r}")
+    return tuple(texts)
+
+
 def _notation(
-    symbols: Mapping[str, str | Mapping[str, Any]] | None, paper: Paper | Path | str | None
+    symbols: Mapping[str, str | Mapping[str, Any]] | None,
+    paper: Paper | Path | str | None,
+    notation: Path | str | None,
+    at: str | None,
 ) -> Notation:
+    """That of the file, of the paper or a claim of it, or an empty one; with the symbols after it."""
+    if not isinstance(symbols, Mapping | None):
+        raise ValueError(f'symbols: expected LaTeX → kind, such as {{"u": "vector"}}, got {symbols!r}')
+    if notation is not None and (paper is not None or at is not None):
+        raise ValueError("notation: give a notation file, or a paper and a place in it, not both")
     specs = {
         name: {"kind": spec} if isinstance(spec, str) else spec for name, spec in (symbols or {}).items()
     }
-    if paper is None and symbols is not None:
+    if notation is not None:
+        return extended(load_notation(notation), specs)
+    if paper is None and at is None and symbols is not None:
         return extended(Notation(SymbolTable(), Definitions(), {}), specs)
-    return extended((paper if isinstance(paper, Paper) else find_paper(paper)).notation, specs)
+    paper = paper if isinstance(paper, Paper) else find_paper(paper)
+    return extended(paper.notation if at is None else _notation_at(paper, at), specs)
+
+
+def _notation_at(paper: Paper, at: str) -> Notation:
+    claims = select_claims(paper.claims, [at])
+    if len({id(claim.notation) for claim in claims}) > 1:
+        files = ", ".join(sorted({claim.file.name for claim in claims}))
+        raise ValueError(f"at: {at!r} is in {files}, each with a notation of its own; name one claim")
+    return claims[0].notation
+
+
+def _defined(notation: Notation, definitions: Mapping[str, str] | Sequence[str]) -> Notation:
+    """The notation and the definitions, each checked by what stands before it."""
+    if isinstance(definitions, Mapping):
+        entries = list(definitions.items())
+        _texts("definitions", [text for entry in entries for text in entry])
+    else:
+        entries = [_sides(text) for text in _texts("definitions", definitions)]
+    for name, body in entries:
+        try:
+            notation = with_definitions(notation, {name: body})
+        except SpecError as error:
+            raise ValueError(f"definitions: {error}") from None
+        except (ReadError, IllFormedAt) as error:
+            raise ValueError(f"definitions: {name}: {error}") from None
+    return notation
+
+
+def _sides(definition: str) -> tuple[str, str]:
+    left, sign, right = definition.partition("=")
+    if not sign:
+        raise ValueError(f"definitions: expected a symbol, = and what it is, got {definition!r}")
+    return left.removesuffix(":").strip(), right.strip()
 
 
 def _formula(

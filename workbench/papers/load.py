@@ -40,6 +40,13 @@ def load_paper(path: Path | str) -> Paper:
     return merge([Path(path)])
 
 
+def load_notation(path: Path | str) -> Notation:
+    """The notation of a paper file or a notation file, which need not have claims. Raises PaperError."""
+    toml = TomlFile(Path(path))
+    toml.allow_keys((), _PAPER_KEYS)
+    return notation_of(_notation_chain(toml))
+
+
 @cache
 def load_installed(name: str) -> Paper:
     """The installed paper of that name, its files merged in order. Raises PaperError if there is none."""

@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from workbench.drake.bindings import BINDINGS
-from workbench.language.defining import read_definition
+from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.integers import as_linear
@@ -36,6 +36,12 @@ def notation_of(files: Sequence[TomlFile]) -> Notation:
 def extended(notation: Notation, specs: Mapping[str, Any]) -> Notation:
     """The notation and more symbols, which it must not know yet. Raises SpecError."""
     return replace(notation, symbols=notation.symbols.with_specs(specs))
+
+
+def with_definitions(notation: Notation, entries: Mapping[str, str]) -> Notation:
+    """The notation and more definitions, in their order. Raises SpecError, ReadError and IllFormedAt."""
+    more, symbols = read_definitions(entries, notation.symbols)
+    return replace(notation, symbols=symbols, definitions=Definitions([*notation.definitions, *more]))
 
 
 def _table(files: Sequence[TomlFile]) -> SymbolTable:

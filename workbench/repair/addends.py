@@ -26,8 +26,7 @@ class Supply:
     """Products of up to MOST_FACTORS symbols, derivatives, tildes, short ones first.
 
     others: terms that may be factors of products of two, though the statement does not hold them.
-    value: the components of a term at a random point. Of products that are multiples of one another the first
-    is enough.
+    value: the components of a term at a random point. Of products with one value the first is enough.
     """
 
     def __init__(
@@ -71,14 +70,12 @@ class Supply:
                 yield from (t for t in rare if t.weight == weight and not self._is_known(t, seen))
 
     def _is_known(self, product: Term, seen: set[object]) -> bool:
-        """Whether a multiple of it was met before; vectors and their tildes are two things."""
+        """Whether its value was met before, or the negative."""
         value = self._value(product)
-        leading = None if value is None else next((x for x in value if x), None)
-        if leading is None:
+        if value is None:
             key: object = product
         else:
-            inverse = pow(leading, -1, PRIME)
-            key = (product.type, product.weight, *(x * inverse % PRIME for x in value))
+            key = (product.type, product.weight, *min(value, tuple(-x % PRIME for x in value)))
         known = key in seen
         seen.add(key)
         return known

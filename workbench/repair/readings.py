@@ -156,8 +156,15 @@ class _Reader:
         good = next((number for number, term in enumerate(terms) if term is not None), None)
         if good is None:
             return []
-        bad = [n for n, term in enumerate(terms) if term is None or not _fits(term, terms[good])]
+        bad = [n for n, term in enumerate(terms) if not self._agree(terms[good], term)]
         return [Chain(chain.at, (chain.sides[good], chain.sides[n]), chain.relations[:1]) for n in bad]
+
+    def _agree(self, good: Term, other: Term | None) -> bool:
+        """Whether two sides have one type and weight, and one value at the points."""
+        if other is None or not _fits(other, good):
+            return False
+        values = self.screen.components(good, good), self.screen.components(other, good)
+        return None not in values and values[0] == values[1]
 
     def _anywhere(self) -> Iterator[Marks]:
         """One or two marks anywhere, for what is no equation."""

@@ -18,7 +18,7 @@ from workbench.repair.edits import edits
 from workbench.repair.marks import Mark, marked
 from workbench.repair.nodes import below, latex_of
 from workbench.repair.readings import all_marks
-from workbench.repair.repair import Limits, repair
+from workbench.repair.repair import STANDARD, Limits, repair
 from workbench.repair.sameness import Sameness
 from workbench.repair.screen import Screen
 
@@ -136,28 +136,26 @@ def same(claim: Claim, one: Statement, other: Statement) -> bool:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class Result:
+    """What the repair of a damaged claim came to. same: whether a proposal says what the claim said before."""
+
     kind: str
     id: str
     latex: str
-    proved: bool
-    same: bool
     verdicts: tuple[str, ...]
+    same: bool
     seconds: float
 
 
-def outcome(damaged: Damaged, seconds: float = 30.0) -> Outcome:
-    """What the repair of a damaged claim came to."""
+def repaired(damaged: Damaged, limits: Limits = STANDARD) -> Result:
     claim = damaged.claim
-    judge = Judge(claim.notation.definitions, motions=False)
-    found = repair(claim, Limits(seconds=seconds), judge=judge)
-    proposals = found.proposals
-    return Outcome(
+    found = repair(claim, limits, judge=Judge(claim.notation.definitions, motions=False))
+    forms = [read_or_fault(proposal.latex, claim) for proposal in found.proposals]
+    return Result(
         damaged.kind,
         claim.id,
         claim.printed.latex,
-        bool(proposals),
-        any(same(claim, read_or_fault(p.latex, claim).statement, damaged.original) for p in proposals),
-        tuple(str(p.verdict.outcome) for p in proposals),
+        tuple(str(proposal.verdict.outcome) for proposal in found.proposals),
+        any(same(claim, form.statement, damaged.original) for form in forms),
         found.seconds,
     )

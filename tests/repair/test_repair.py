@@ -6,26 +6,22 @@ import json
 from collections import Counter
 from dataclasses import replace
 from random import Random
-from statistics import median
 
 import pytest
 from click.testing import CliRunner
-from repair.damage import damages, outcome, read_or_fault, right_claims, same, twice
+from repair.damage import damages, read_or_fault, right_claims, same
 
 from workbench import check
 from workbench.cli import main
 from workbench.judge.judge import Judge
 from workbench.judge.rings import PRIME
-from workbench.judge.verdict import Outcome
 from workbench.papers import find_paper
 from workbench.repair.definitions import repair_definitions
 from workbench.repair.repair import Limits, repair
 from workbench.repair.screen import Screen
 from workbench.verify import HOLDS
 
-SAMPLE = 12
-CAMPAIGN = 1000
-TWO_DAMAGES = 150
+SAMPLE = 10
 
 
 @pytest.fixture(scope="module")
@@ -75,7 +71,7 @@ def test_damaged_claims_are_repaired_and_each_proposal_is_proved_again(paper):
     for damaged in chosen:
         claim = damaged.claim
         judge = Judge(claim.notation.definitions, motions=False)
-        found = repair(claim, Limits(candidates=2500, proposals=2), judge=judge)
+        found = repair(claim, Limits(seconds=10, proposals=2), judge=judge)
         forms = [read_or_fault(p.latex, claim).statement for p in found.proposals]
         assume = tuple(a.statement for a in claim.assume)
         for form in forms:
@@ -147,26 +143,3 @@ def test_command_line(paper):
     assert [p["verdict"] for p in json.loads(done.stdout)["proposed"]] == ["proved"]
     assert CliRunner().invoke(main, ["repair", "no-such-claim"]).exit_code == 2
     assert CliRunner().invoke(main, ["repair", "70.div", "--seconds", "-1"]).exit_code == 2
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("damage_count", [1, 2])
-def test_campaign(paper, damage_count, capsys):
-    random = Random(6)
-    pool = [d for claim, formula in right_claims(paper) for d in damages(claim, formula, random, 3)]
-    random.shuffle(pool)
-    if damage_count == 2:
-        pool = [d for d in (twice(d, random) for d in pool) if d is not None][:TWO_DAMAGES]
-    results = [outcome(damaged) for damaged in pool[:CAMPAIGN]]
-    with capsys.disabled():
-        print(f"\n{'damage':<28}{'claims':>8}{'proved':>8}{'same':>8}{'median s':>10}{'longest s':>11}")
-        for kind in [*sorted({r.kind for r in results}), None]:
-            of = [r for r in results if kind in (r.kind, None)]
-            proved, right = sum(r.proved for r in of), sum(r.same for r in of)
-            times = [r.seconds for r in of]
-            print(
-                f"{kind or 'all':<28}{len(of):>8}{proved:>8}{right:>8}{median(times):>10.2f}{max(times):>11.1f}"
-            )
-    assert {v for r in results for v in r.verdicts} <= {Outcome.PROVED, Outcome.DEFINITION}
-    assert sum(r.same for r in results) >= (0.95 if damage_count == 1 else 0.7) * len(results)
-    assert median(r.seconds for r in results) < 2

@@ -37,7 +37,7 @@ from workbench.repair.coefficients import Vector, combination, factor_between, r
 from workbench.repair.edits import Edit
 from workbench.repair.places import Place, places, replaced, sides, subterm
 from workbench.repair.screen import Screen, ScreenPoint
-from workbench.repair.variants import coefficient, factors_of, times, with_addend
+from workbench.repair.variants import number_and_rest, times, with_addend
 
 #: Solutions given for one place.
 _MOST = 3
@@ -246,7 +246,7 @@ class MissingAddends:
         return Edit("addend added", place, ("the addend {} is missing", addend), old, new, changed)
 
     def _is_multiple(self, addend: Term, other: Term) -> bool:
-        if _bare(addend) == _bare(other):
+        if number_and_rest(addend)[1] == number_and_rest(other)[1]:
             return True
         one, two = (self._components(len(self.screen.points) - 1, term) for term in (addend, other))
         return one is not None and two is not None and factor_between(one, two) is not None
@@ -342,15 +342,3 @@ def _under(head: str) -> Callable[[Term], Term]:
 def _before_operator(exponent: int) -> Callable[[Term], Term]:
     operator = time_operator() if exponent == 1 else power(time_operator(), exponent)
     return lambda term: operator if isinstance(term, Identity) else apply("mul", term, operator)
-
-
-def _bare(addend: Term) -> tuple[Term, ...]:
-    """An addend without sign and number."""
-    while isinstance(addend, Apply) and addend.head == "neg":
-        addend = addend.arguments[0]
-    if coefficient(addend) != 1:
-        try:
-            addend = times(1 / coefficient(addend), addend)
-        except (IllFormed, ZeroDivisionError):
-            return (addend,)
-    return tuple(factors_of(addend))

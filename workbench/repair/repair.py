@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import islice
+from itertools import islice, product
 from time import monotonic
 from typing import Any
 
@@ -21,8 +21,8 @@ from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Statement, Symbol, Term
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
-from workbench.repair.aside import JudgeAside, OutOfTime
 from workbench.repair.as_printed import as_printed
+from workbench.repair.aside import JudgeAside, OutOfTime
 from workbench.repair.difference import Difference, difference, in_colour
 from workbench.repair.edits import edits
 from workbench.repair.places import places
@@ -341,12 +341,11 @@ def symbols_like(
     """What of a paper may have stood in a statement, likely and less likely: symbols without index and
     members of families whose indices occur in the statement; members with other small indices."""
     terms = [term for _, term in places(statement)]
-    indices = dict.fromkeys(t.index for t in terms if isinstance(t, Symbol) and t.index)
+    occurring = dict.fromkeys(t.index for t in terms if isinstance(t, Symbol) and t.index)
     named = {t.declaration for t in terms if isinstance(t, Symbol)}
-    bare = [(Linear.variable(name),) for name in integers]
-    beside = [(Linear(1),), *((Linear.variable(name) + k,) for name in integers for k in (1, -1))]
-    others = [(Linear(k),) for k in range(7)]
-    others += [(Linear.variable(name) + k,) for name in integers for k in (0, 1, -1, 2, -2)]
+    variables = [Linear.variable(name) for name in integers]
+    entries = dict.fromkeys((*(i for index in occurring for i in index), *variables, Linear(1)))
+    small = [*map(Linear, range(7)), *(v + k for v in variables for k in (1, -1, 2, -2))]
     near: dict[Term, None] = {}
     far: dict[Term, None] = {}
     for declaration in table.symbols.values():
@@ -355,13 +354,13 @@ def symbols_like(
         if not declaration.indices:
             near[symbol(declaration)] = None
             continue
-        for index in indices:
-            if len(index) == declaration.indices and _is_known(declaration.name, index, table):
-                near[symbol(declaration, index)] = None
-        for index in others if declaration.indices == 1 else ():
-            if _is_known(declaration.name, index, table):
-                is_near = index in bare or (declaration in named and index in beside)
-                (near if is_near else far)[symbol(declaration, index)] = None
+        likely = [*occurring, *product(entries, repeat=declaration.indices)]
+        if declaration in named:
+            likely += [(v + k,) for v in variables for k in (1, -1)]
+        for family, indices in ((near, likely), (far, [(i,) for i in small])):
+            for index in indices:
+                if len(index) == declaration.indices and _is_known(declaration.name, index, table):
+                    family[symbol(declaration, index)] = None
     return list(near), [term for term in far if term not in near]
 
 

@@ -10,20 +10,24 @@ rearranged. Chains, equivalences and implications are compared part by part.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 from workbench.judge.case import NoDefinitions
-from workbench.judge.inventory import Lookup, NotExact
+from workbench.judge.inventory import Lookup, NotExact, has_gradient
 from workbench.judge.rings import PRIME
 from workbench.language.terms import (
+    Apply,
     Conjunction,
     Equivalence,
     Implication,
     Relation,
     Statement,
     Term,
+    Zero,
 )
 from workbench.repair.coefficients import Vector, factor_between
 from workbench.repair.screen import Screen
+from workbench.repair.variants import number_and_rest
 
 
 class Sameness:
@@ -86,12 +90,27 @@ class Sameness:
         return any(len(f) == 1 and None not in f for f in (factors, crossed))
 
     def _rearranged(self, one: Relation, other: Relation) -> bool:
-        for screen in (self._free, self._defined):
+        # a free symbol does not depend on the coordinate: its div and curl are 0
+        is_field = has_gradient([one.left, one.right, other.left, other.right])
+        for screen in (None if is_field else self._free, self._defined):
             if screen is not None:
                 before, after = (_difference(screen, r, one.left) for r in (one, other))
                 if before and after and any(before) and factor_between(before, after) is not None:
                     return True
-        return False
+        before, after = _numbers(one), _numbers(other)
+        ratios = {after[key] / before[key] for key in before} if before.keys() == after.keys() else ()
+        return len(ratios) == 1
+
+
+def _numbers(statement: Relation) -> dict[tuple[Term, ...], Fraction]:
+    """The addends of left − right and their numbers."""
+    found: dict[tuple[Term, ...], Fraction] = {}
+    for sign, side in ((1, statement.left), (-1, statement.right)):
+        for addend in side.arguments if isinstance(side, Apply) and side.head == "add" else (side,):
+            if not isinstance(addend, Zero):
+                number, rest = number_and_rest(addend)
+                found[rest] = found.get(rest, 0) + sign * number
+    return {rest: number for rest, number in found.items() if number}
 
 
 def _screen(

@@ -67,7 +67,9 @@ class RandomPoint(dict):
         self._seed = seed
 
     def __missing__(self, parameter: Parameter) -> nmod:
-        key = f"{self._seed} {parameter.symbol.declaration.name} {parameter.symbol.index} {parameter.part}"
+        symbol = parameter.symbol
+        place = f"{symbol.declaration.name} {symbol.index} {symbol.arguments or ''}"
+        key = f"{self._seed} {place} {parameter.part}"
         if parameter.part in SPHERES:
             self._put_on_sphere(parameter, Random(key))
         else:

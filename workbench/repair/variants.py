@@ -109,6 +109,21 @@ def coefficient(term: Term) -> Fraction:
     return term.value if isinstance(term, Number) else Fraction(1)
 
 
+def number_and_rest(addend: Term) -> tuple[Fraction, tuple[Term, ...]]:
+    """The sign and number of an addend, and its other factors."""
+    sign = Fraction(1)
+    while isinstance(addend, Apply) and addend.head == "neg":
+        addend, sign = addend.arguments[0], -sign
+    number_ = coefficient(addend)
+    if isinstance(addend, Number) or number_ in (0, 1):
+        return sign * number_, () if isinstance(addend, Number) else tuple(factors_of(addend))
+    sign_after = Fraction(1)
+    rest = times(1 / number_, addend)
+    while isinstance(rest, Apply) and rest.head == "neg":
+        rest, sign_after = rest.arguments[0], -sign_after
+    return sign * number_ * sign_after, tuple(factors_of(rest))
+
+
 def times(factor: Fraction | int, term: Term) -> Term:
     """factor·term as one would print it: the sign before the addend, the number in front of the product."""
     factor = Fraction(factor)

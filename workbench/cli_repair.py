@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -43,7 +44,7 @@ def repair_claim(
     limits = _limits(seconds)
     claims = select_claims(find_paper(paper_name).claims, select)
     if definitions:
-        _repair_definitions(claims, as_json)
+        _repair_definitions(claims, seconds, as_json)
     repairs = _repaired(claims, limits)
     if as_json:
         found = [repair.to_dict() for repair in repairs]
@@ -105,13 +106,13 @@ def _repaired(claims: Sequence[Claim], limits: Limits) -> list[Repair]:
         return repair_claims(claims, limits, advance)
 
 
-def _repair_definitions(claims: Sequence[Claim], as_json: bool) -> None:
+def _repair_definitions(claims: Sequence[Claim], seconds: float, as_json: bool) -> None:
     """Prints the changes of definitions that mend two or more of these false claims, and exits."""
     from workbench.repair.definitions import repair_definitions
 
-    repairs = repair_definitions(claims)
+    repairs = repair_definitions(claims, seconds=seconds)
     if as_json:
-        print_json([{"changed": r.changed, "mended": r.mended, "edit": r.edit} for r in repairs])
+        print_json([{**asdict(repair), "edit": repair.edit} for repair in repairs])
     else:
         click.echo("\n".join(r.edit for r in repairs) or "no change of definitions mends two of these claims")
     sys.exit(0 if repairs else 1)

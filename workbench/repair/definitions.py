@@ -1,32 +1,43 @@
-"""Definitions under repair: where several false claims share defined symbols, other coefficients in the
-definitions may mend them all at once.
+"""Definitions under repair: where several false claims share defined symbols, one change of a definition may
+mend them all at once.
 
-A claim that is linear in the symbols is an equation for the coefficients of their bodies: each addend of a
-body contributes what the claim's side becomes with the body cut down to that addend. What solves it for one
-claim is tried on the others, and a claim counts as mended only if the judge proves it under the change.
+Other coefficients: a claim that is linear in the symbols is an equation for the coefficients of their
+bodies; each addend of a body contributes what the claim's side becomes with the body cut down to that addend.
+One edit of a body, also of a recurrence: tried at random points modulo the prime on all claims that rest on
+it. A claim counts as mended only if the judge proves it under the change; those that are not are repaired
+under it too, for the definition may have hidden a misprint of their own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from time import monotonic
 
 from workbench.judge.assumptions import Unsatisfiable
 from workbench.judge.inventory import Lookup, NotExact
 from workbench.judge.judge import Judge
 from workbench.judge.rings import PRIME
 from workbench.judge.verdict import Outcome
-from workbench.language.construct import zero
+from workbench.language.construct import relation, symbol, zero
+from workbench.language.definitions import Definitions
 from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, IllFormed, Relation, Symbol, Term
+from workbench.language.terms import Apply, Definition, IllFormed, Relation, Symbol, Term
 from workbench.papers.model import Claim
 from workbench.repair.coefficients import Vector, fewest_changes
+from workbench.repair.edits import edits
 from workbench.repair.places import places
+from workbench.repair.repair import Limits, repair
 from workbench.repair.screen import Screen
+from workbench.repair.search import cost
 from workbench.repair.variants import sum_of, times
 
 _POINTS = 6
+
+#: For one claim that is repaired under changed definitions.
+_SECOND = Limits(seconds=10.0, candidates=20_000, proposals=1)
 
 
 @dataclass(frozen=True)
@@ -34,43 +45,142 @@ class Redefined:
     """Definitions in which some symbols have other bodies."""
 
     definitions: Lookup
-    bodies: dict[Symbol, Term]
+    bodies: Mapping[Symbol, Term]
 
     def lookup(self, symbol: Symbol) -> Term | None:
         return self.bodies[symbol] if symbol in self.bodies else self.definitions.lookup(symbol)
 
 
 @dataclass(frozen=True)
+class Redefinition:
+    """A change of definitions: other bodies of some symbols, or of what defines these names and indices."""
+
+    bodies: Mapping[Symbol, Term]
+    edited: Mapping[tuple[str, tuple], Term]
+
+    def of(self, definitions: Definitions) -> Lookup:
+        if not self.edited:
+            return Redefined(definitions, self.bodies)
+        return Definitions(
+            replace(d, body=self.edited.get((d.declaration.name, d.index), d.body)) for d in definitions
+        )
+
+
+@dataclass(frozen=True)
 class DefinitionRepair:
-    """Changed definitions, as LaTeX (symbol, body as it was, body as proposed), and the ids of the claims
-    that are proved under them and were false before."""
+    """Changed definitions, as LaTeX (symbol, body as it was, body as proposed), the ids of the claims that
+    are proved under them and were false before, and those that one more change makes true: (id, edit,
+    LaTeX)."""
 
     changed: tuple[tuple[str, str, str], ...]
     mended: tuple[str, ...]
+    with_edits: tuple[tuple[str, str, str], ...] = ()
 
     @property
     def edit(self) -> str:
         parts = [f"${name} = {new}$ instead of ${old}$" for name, old, new in self.changed]
-        return f"{' and '.join(parts)} mends {', '.join(self.mended)}"
+        said = f"{' and '.join(parts)} mends {', '.join(self.mended)}"
+        more = [f"{name} if {edit}" for name, edit, _ in self.with_edits]
+        return said + "".join(f"; and {text}" for text in more)
 
 
-def repair_definitions(claims: Sequence[Claim], least: int = 2) -> list[DefinitionRepair]:
-    """Changes of definitions that mend at least `least` of the false ones among the claims, the most mending
-    first."""
+def repair_definitions(
+    claims: Sequence[Claim], least: int = 2, seconds: float = 60.0
+) -> list[DefinitionRepair]:
+    """Changes of definitions that mend at least `least` of the false ones among the claims, with or without
+    one more change in the claim itself; at least one needs none. The most mending first. seconds: for the
+    search."""
+    end = monotonic() + seconds
     claims = [claim for claim in claims if not _holds(claim, claim.notation.definitions)]
     found: dict[tuple, DefinitionRepair] = {}
-    for claim in claims:
-        for bodies in _solutions(claim):
-            mended = tuple(
-                other.id for other in claims if _holds(other, Redefined(other.notation.definitions, bodies))
-            )
-            if len(mended) >= least:
-                changed = tuple(
-                    (to_latex(s), to_latex(claim.notation.definitions.lookup(s)), to_latex(body))
-                    for s, body in bodies.items()
-                )
-                found.setdefault(changed, DefinitionRepair(changed, mended))
-    return sorted(found.values(), key=lambda repair: -len(repair.mended))
+    for change, changed in (*_other_coefficients(claims), *_edited(claims, least, end)):
+        if changed in found:
+            continue
+        mended = [claim for claim in claims if _holds(claim, change.of(claim.notation.definitions))]
+        others = [claim for claim in claims if claim not in mended] if mended else []
+        with_edits = [entry for claim in others if (entry := _with_edit(claim, change)) is not None]
+        if len(mended) + len(with_edits) >= least:
+            ids = tuple(claim.id for claim in mended)
+            found[changed] = DefinitionRepair(changed, ids, tuple(with_edits))
+    return sorted(found.values(), key=lambda repair: (-len(repair.mended), -len(repair.with_edits)))
+
+
+def _with_edit(claim: Claim, change: Redefinition) -> tuple[str, str, str] | None:
+    """The claim with one change, if that makes it true under the other definitions."""
+    judge = Judge(change.of(claim.notation.definitions), motions=False)
+    for proposal in repair(claim, _SECOND, judge=judge).proposals:
+        if len(proposal.changes) == 1:
+            return claim.id, proposal.edit, proposal.latex
+    return None
+
+
+# one edit of a definition
+
+
+def _edited(claims: Sequence[Claim], least: int, end: float) -> Iterator[tuple[Redefinition, tuple]]:
+    """Edits of one definition under which at least `least` claims hold at random points."""
+    resting = {claim.id: _names_below(claim) for claim in claims}
+    counts = Counter(name for names in resting.values() for name in names)
+    definitions = {(d.declaration.name, d.index): d for claim in claims for d in claim.notation.definitions}
+    for key, definition in definitions.items():
+        dependents = [claim for claim in claims if key[0] in resting[claim.id]]
+        if counts[key[0]] < least or definition.parameters:
+            continue
+        name = symbol(definition.declaration, definition.index)
+        for body in _near_bodies(name, definition):
+            if monotonic() > end:
+                return
+            change = Redefinition({}, {key: body})
+            if sum(_holds_at_points(claim, change) for claim in dependents) >= least:
+                yield change, ((to_latex(name), to_latex(definition.body), to_latex(body)),)
+
+
+def _near_bodies(name: Symbol, definition: Definition) -> Iterator[Term]:
+    """Bodies with one edit that rest on nothing but what the old one rests on."""
+    try:
+        printed = relation("=", name, definition.body)
+    except IllFormed:
+        return
+    before = _rests_on(definition.body, name)
+    for edit in sorted(edits(printed, within=(1,)), key=cost):
+        if isinstance(edit.statement, Relation) and _rests_on(edit.statement.right, name) <= before:
+            yield edit.statement.right
+
+
+def _rests_on(body: Term, name: Symbol) -> set[tuple]:
+    """The names in a body, those of its own family with their indices."""
+    family = name.declaration.name
+    symbols = [term for term in body.walk() if isinstance(term, Symbol)]
+    return {(s.declaration.name, s.index if s.declaration.name == family else ()) for s in symbols}
+
+
+def _names_below(claim: Claim) -> set[str]:
+    """The names of the symbols on which the claim rests, through all definitions."""
+    of_name: dict[str, list[Definition]] = {}
+    for definition in claim.notation.definitions:
+        of_name.setdefault(definition.declaration.name, []).append(definition)
+    names: set[str] = set()
+    statement = claim.printed.statement
+    waiting = [] if statement is None else [t for _, term in places(statement) for t in term.walk()]
+    while waiting:
+        term = waiting.pop()
+        if isinstance(term, Symbol) and term.declaration.name not in names:
+            names.add(term.declaration.name)
+            for definition in of_name.get(term.declaration.name, ()):
+                waiting += definition.body.walk()
+    return names
+
+
+def _holds_at_points(claim: Claim, change: Redefinition) -> bool:
+    instances = list(claim.orders.assignments())[-2:] if claim.orders else [{}]
+    try:
+        screen = Screen(
+            change.of(claim.notation.definitions), tuple(a.statement for a in claim.assume), instances
+        )
+        residual = screen.residual(claim.printed.statement)
+    except (NotExact, IllFormed):
+        return False
+    return residual is not None and not any(residual)
 
 
 def _holds(claim: Claim, lookup: Lookup) -> bool:
@@ -83,6 +193,19 @@ def _holds(claim: Claim, lookup: Lookup) -> bool:
     except (Unsatisfiable, IllFormed, NotExact):
         return False
     return verdict.outcome == Outcome.PROVED
+
+
+# other coefficients
+
+
+def _other_coefficients(claims: Sequence[Claim]) -> Iterator[tuple[Redefinition, tuple]]:
+    for claim in claims:
+        for bodies in _solutions(claim):
+            changed = tuple(
+                (to_latex(s), to_latex(claim.notation.definitions.lookup(s)), to_latex(body))
+                for s, body in bodies.items()
+            )
+            yield Redefinition(bodies, {}), changed
 
 
 def _solutions(claim: Claim) -> Iterator[dict[Symbol, Term]]:

@@ -139,6 +139,8 @@ def _basis(statement: Statement) -> Iterator[Term]:
     for head in ("det", "trace"):
         if head in heads:
             yield from (apply(head, body) for body in highest if body.type.kind == "tensor")
+    for head, other in (("sin", "cos"), ("cos", "sin")):
+        yield from (apply(other, t.arguments[0]) for _, t in places(statement) if _is(t, head))
     for _, term in places(statement):
         is_derivative = isinstance(term, Derivative) and not isinstance(term.body, Symbol)
         if is_derivative or (isinstance(term, Apply) and term.head in _OF_ONE):
@@ -147,6 +149,10 @@ def _basis(statement: Statement) -> Iterator[Term]:
         yield identity()
     if any(term.type.dual for _, term in places(statement)):
         yield dual_unit()
+
+
+def _is(term: Term, head: str) -> bool:
+    return isinstance(term, Apply) and term.head == head
 
 
 def _pairs(left: Term, right: Term) -> Iterator[Term]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Accented, Group, Infix, Leaf, Node, Product, Scripted, Styled
+from workbench.language.syntax import Accented, Group, Infix, Leaf, Node, Product, Scripted, Styled, Summation
 from workbench.repair.nodes import below, children, exchanged, latex_of
 
 _INFIXES = {"·": "\\cdot", "×": "\\times", "⊗": "\\otimes"}
@@ -155,6 +155,7 @@ def product_marks(node: Node) -> Iterator[Mark]:
         if isinstance(part, Product):
             yield from _signs(part)
             yield from _tildes(part)
+            yield from _sums_uncovered(part)
         elif isinstance(part, Accented) and part.accent == "~" and core_of(part) is None:
             yield from _wide_tilde(part)
 
@@ -170,6 +171,16 @@ def _wide_tilde(over: Accented) -> Iterator[Mark]:
             moved = Product(body.at, (*body.items[:place], under, *body.items[place + 1 :]))
             said = f"the tilde of {shown} belongs over ${latex_of(item)}$ alone"
             yield Mark(over, Group(over.at, (moved,)), 1, "tilde", said, 0)
+
+
+def _sums_uncovered(product: Product) -> Iterator[Mark]:
+    """A tilde over a sum sign away, so that the sum is again of all that follows."""
+    for place, item in enumerate(product.items):
+        match item:
+            case Accented(accent="~", body=Group(parts=(Product(items=(Summation(), *_) as inner),))):
+                new = Product(product.at, (*product.items[:place], *inner, *product.items[place + 1 :]))
+                said = f"the tilde of ${latex_of(item)}$ does not belong there"
+                yield Mark(product, new, 1, "tilde", said, 0)
 
 
 def _signs(product: Product) -> Iterator[Mark]:

@@ -84,10 +84,10 @@ class Neighbourhood:
         self._scalings = list(self._find_scalings())
         supply = Supply(self.statement, self.replacements, self._components)
         self._missing = MissingAddends(self.statement, self.screen, supply, self.tick)
-        outer = self._with_addends(self._missing.outer())
-        yield chain(self._scaled(1), self._singles(residual), () if self.is_one_of_many else outer)
+        missing = self._with_addends(chain(self._missing.outer(), self._missing.inner()))
+        yield chain(self._scaled(1), self._singles(residual), () if self.is_one_of_many else missing)
         yield self._scaled(2)
-        yield chain(outer, self._with_addends(self._missing.inner()), self._singles(residual, self.farther))
+        yield chain(missing, self._singles(residual, self.farther))
         yield chain(self._pairs(residual), self._with_two_addends())
         yield self._nested_pairs()
 

@@ -84,8 +84,8 @@ class MissingAddends:
         self.statement, self.screen, self.supply, self.tick = statement, screen, supply, tick
         self._known: list[dict[int, Vector | None]] = [{} for _ in screen.points]
         self._residuals = [point.residual(statement) for point in screen.points]
-        operators = (t for _, t in places(statement) if t.type.kind == "operator")
-        self._degree = max(map(_degree, operators), default=0)
+        operators = [t for _, t in places(statement) if t.type.kind == "operator"]
+        self._degree = max((1, *map(_degree, operators))) if operators else 0
         self._is_dual = any(side.type.dual for _, side in sides(statement))
         self._heads = {t.head for _, t in places(statement) if isinstance(t, Apply)}
 
@@ -197,7 +197,7 @@ class MissingAddends:
         if kind not in _KINDS:
             return []
         forms: list[_Form] = [(_itself, "tensor" if kind == "operator" else kind, weight)]
-        if kind == "operator" and weight is not None:
+        if kind in ("operator", "tensor") and weight is not None:
             for power_ in range(1, self._degree + 1):
                 forms.append((_before_operator(power_), "tensor", weight - power_))
         if kind == "tensor":

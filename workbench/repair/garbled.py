@@ -97,6 +97,18 @@ def superscripts(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> 
     return [(marked(marks, lines), changes_of(marks))]
 
 
+def repeated_sides(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
+    """a = b = a says no more than a = b."""
+    marks = []
+    for part in below(lines):
+        if isinstance(part, Chain) and len(part.sides) > 2:
+            first, last = latex_of(part.sides[0]), latex_of(part.sides[-1])
+            if first == last:
+                new = Chain(part.at, part.sides[:-1], part.relations[:-1], part.universal)
+                marks.append(Mark(part, new, 1, "side", f"the side ${last}$ stands there twice"))
+    return [(marked(marks, lines), changes_of(marks))]
+
+
 def _row(node: Node) -> tuple[Node, ...]:
     inner = node.parts[0] if isinstance(node, Group) and len(node.parts) == 1 else node
     return inner.items if isinstance(inner, Product) else (inner,)

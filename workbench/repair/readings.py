@@ -19,6 +19,7 @@ from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault, Misfit
 from workbench.language.names import linear
 from workbench.language.statements import reading_of
+from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Chain, Fraction, Node, Styled, Sum
 from workbench.language.terms import Conjunction, IllFormed, Statement, Term
 from workbench.papers.model import Claim
@@ -92,6 +93,32 @@ class Readings:
                 yield Candidate(statement, (*reader.changes, *changes), latex)
 
 
+class _RememberingElaborator(Elaborator):
+    """Reads a node once, though it stands in many trees."""
+
+    def __init__(self, table: SymbolTable, variables: frozenset[str]) -> None:
+        super().__init__(table, variables)
+        self._free = variables
+        self._known: dict[tuple[int, frozenset[str]], tuple[Node, Term | Exception]] = {}
+
+    def alone(self, node: Node) -> Term:
+        """The term of a node that stands for itself. Raises Fault, Misfit or IllFormed."""
+        self.depth, self.variables = 0, self._free  # a fault leaves them as they were inside
+        return self.term(node)
+
+    def term(self, node: Node) -> Term:
+        key = id(node), self.variables
+        if key not in self._known:
+            try:
+                self._known[key] = node, super().term(node)
+            except (Fault, Misfit, IllFormed) as fault:
+                self._known[key] = node, fault
+        found = self._known[key][1]
+        if isinstance(found, Exception):
+            raise found
+        return found
+
+
 class _Reader:
     """One spelling of a formula and what is known of its integers."""
 
@@ -103,6 +130,7 @@ class _Reader:
         self.screen, self.tick = screen, tick
         self.integers = frozenset(claim.orders.variables if claim.orders else ())
         self.letters = letters_of(self.lines)
+        self._elaborator = _RememberingElaborator(self.table, self.integers)
         self._taken_apart: list[_Parts] = []
 
     def statement(self, marks: Sequence[Mark]) -> Statement | None:
@@ -116,7 +144,7 @@ class _Reader:
     def term(self, node: Node) -> Term | None:
         self.tick()
         try:
-            return Elaborator(self.table, self.integers).term(node)
+            return self._elaborator.alone(node)
         except (Fault, Misfit, IllFormed):
             return None
 
@@ -372,8 +400,11 @@ def _dots(marks: Sequence[Mark]) -> int | None:
 
 
 def _fits(term: Term, wanted: Term) -> bool:
+    """Whether it can stand beside the other: a tensor may beside an operator."""
     free = None in (term.weight, wanted.weight)
-    return term.type.kind == wanted.type.kind and (free or term.weight == wanted.weight)
+    kinds = {term.type.kind, wanted.type.kind}
+    is_same = len(kinds) == 1 or kinds == {"tensor", "operator"}
+    return is_same and (free or term.weight == wanted.weight)
 
 
 def _with_cost(letters: Sequence[list[Mark]], cost: int) -> Iterator[Marks]:

@@ -12,7 +12,15 @@ from workbench.language.errors import Fault
 from workbench.language.statements import clauses_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Lines, Node, parse
-from workbench.repair.garbled import Step, conditions, is_range, rates, stray_signs, superscripts
+from workbench.repair.garbled import (
+    Step,
+    conditions,
+    is_range,
+    rates,
+    repeated_sides,
+    stray_signs,
+    superscripts,
+)
 from workbench.repair.search import Change
 from workbench.repair.unknown_letters import arguments, arrows, known_letters, left_scripts
 
@@ -46,6 +54,7 @@ def spellings(latex: str, table: SymbolTable, integers: frozenset[str]) -> Itera
         left_scripts,
         known_letters,
         arguments,
+        repeated_sides,
     )
     yield from islice(_spelled(latex, steps, table, integers), MOST)
 

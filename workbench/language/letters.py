@@ -174,13 +174,21 @@ class _Lettering:
         return construct.counting("factorial", self.scope.integer(argument))
 
 
+def _is_upright_t(node: Node) -> bool:
+    """The T of A^{\\mathrm{T}}."""
+    match node:
+        case Styled(style="\\mathrm" | "\\mathsf", body=Leaf(text="T") | Group(parts=(Leaf(text="T"),))):
+            return True
+    return False
+
+
 def raised(scope: Scope, term: Term, sup: Node) -> Term:
     """term^sup: transpose, adjugate, inverse, derivative of an order, or power."""
     inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
     match inner:
         case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
             raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)
-        case Leaf(kind="LETTER" | "MARK", text="T"):
+        case _ if _is_upright_t(inner) or (isinstance(inner, Leaf) and inner.text == "T"):
             return scope.apply(sup.at, "transpose", term)
         case Leaf(kind="MARK", text="*"):
             return scope.apply(sup.at, "adjugate", term)

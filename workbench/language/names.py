@@ -15,6 +15,9 @@ LARGEST_INTEGER = 1000
 #: The letters that are index places in a declared name.
 INDEX_LETTERS = frozenset("ijklmnp")
 
+#: Superscripts that mean the transpose.
+TRANSPOSES = frozenset({"T", "\\mathrm{T}", "\\mathsf{T}"})
+
 _OUTERMOST_FIRST = ("\\underline", "\\overline", "\\bar", "\\vec")
 _CLOSING = {"(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
 
@@ -52,7 +55,7 @@ def variable_name(node: Node) -> str | None:
 def linear(node: Node, variables: Collection[str]) -> Linear | None:
     """The node as an integer expression in the variables; None if it is something else."""
     match node:
-        case Leaf(kind="NUMBER", text=text) if text.isdigit():
+        case Leaf(kind="NUMBER", text=text) if text.isdigit() and (text == "0" or text[0] != "0"):
             if len(text) > 9 or int(text) > LARGEST_INTEGER:
                 raise Fault(f"the integer {text[:20]} is too large here; at most {LARGEST_INTEGER}", node.at)
             return Linear(int(text))
@@ -101,14 +104,18 @@ def spell(base: str, scripts: Scripts, variables: Collection[str]) -> list[Piece
 
 
 def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
-    value = linear(node, variables)
+    while isinstance(node, Group) and len(node.parts) == 1:
+        (node,) = node.parts
+    value = None if isinstance(node, Bracket) else linear(node, variables)
     if value is not None:
         return [value]
     match node:
+        case Leaf(kind="FUNCTION", name=name):
+            return [" ".join(name if node.bare else (f"\\mathrm{{{letter}}}" for letter in name))]
         case Leaf():
             return [node.text]
         case Styled():
-            inner = _spell_script(node.body, variables)
+            inner = _spell_script(node.body, ())  # an upright n is a label
             return None if inner is None else [node.style, "{", *inner, "}"]
         case Group():
             return _spell_list(node.parts, ",", variables)
@@ -116,11 +123,17 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
             inner = _spell_list(node.parts, ",", variables)
             return None if inner is None else [node.kind, *inner, _CLOSING[node.kind]]
         case Product():
-            return _spell_list(node.items, " ", variables)
+            return _spell_list(node.items, " ", () if _is_word(node) else variables)
         case Scripted(sup=None, primes=0, factorial=False):
             inner = _spell_list((node.nucleus, node.sub), "_{", variables)
             return None if inner is None else [*inner, "}"]
     return None
+
+
+def _is_word(node: Product) -> bool:
+    """Whether the letters are a word such as rel, not indices in a row such as i j."""
+    letters = [item.text for item in node.items if isinstance(item, Leaf) and item.text.isalpha()]
+    return len(letters) == len(node.items) and not INDEX_LETTERS.issuperset(letters)
 
 
 def _spell_list(nodes: Sequence[Node], separator: str, variables: Collection[str]) -> list[Piece] | None:

@@ -345,7 +345,8 @@ def _mul(left: Term, right: Term) -> _Text:
         first = _Text(_bracket(first.text), _ATOM)
     may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= _INFIX
     acts = left.type.kind == "operator" and right.type.kind not in ("operator", "scalar")
-    if acts or second.text[0].isdigit() or not (second.level >= _FACTOR or may_end):
+    mixed = isinstance(left, Number) and isinstance(right, Number)
+    if acts or mixed or second.text[0].isdigit() or not (second.level >= _FACTOR or may_end):
         second = _Text(_bracket(second.text), _ATOM)
     if first.end == "symbol":
         second = _Text(_square(second.text), second.level, second.end)

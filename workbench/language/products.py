@@ -123,6 +123,9 @@ class _Row:
             term = factor.term
             if _is_numeral(factors[place - 1].node) and _is_numeral(factor.node):
                 raise Fault("two numbers side by side are printed as one; write \\cdot", factor.at)
+            is_fraction = isinstance(factor.node, Fraction) and isinstance(term, Number)
+            if _is_numeral(factors[place - 1].node) and is_fraction:
+                raise Fault("a mixed number or a product? write \\cdot for the product", factor.at)
             if result.type.kind == "operator" and term.type.kind not in ("operator", "scalar"):
                 self.operand(factor, factors[place + 1 :])
             if place == 1 and _is_integer(factors[0]) and isinstance(term, Integer) and _is_bare(factor.node):
@@ -224,11 +227,9 @@ class _Row:
         item = self.items[place]
         leaf = item.nucleus if isinstance(item, Scripted) else item
         head = leaf.text
-        if leaf.bare and all(self.scope.knows(letter) for letter in leaf.bare):
-            message = (
-                f"{leaf.bare} is a function and a product of symbols; write \\operatorname{{{leaf.bare}}}"
-            )
-            raise Fault(message, leaf.at)
+        if leaf.bare and all(self.scope.knows(letter) for letter in leaf.name):
+            message = f"a function and a product of symbols; write \\operatorname{{{leaf.name}}}"
+            raise Fault(f"{leaf.name} is {message}", leaf.at)
         if place + 1 == len(self.items):
             raise Fault(f"{_NAMES.get(head, head)} of nothing", leaf.at)
         argument, end = self.argument(head, leaf, place + 1)
@@ -285,6 +286,8 @@ class _Row:
             intent = "one order above and below, \\frac{d^k}{dt^k}"
             fault = IllFormed(f"d/dt of order {orders[0]} above and {orders[1]} below", intent)
             raise Misfit(fault, item.at)
+        if len(found.behind) > 1:
+            raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
         if found.behind:
             body = product(scope, found.behind)
             term = scope.build(item.at, construct.derivative, body, orders[0])

@@ -147,7 +147,8 @@ def _expect(arguments: tuple[Term, ...], *kinds: set[str]) -> None:
         if argument.type.kind not in allowed:
             expected = " or ".join(sorted(allowed))
             place = f"argument {position} is" if len(kinds) > 1 else "got"
-            raise IllFormed(f"expected a {expected}, {place} a {argument.type}")
+            article = "an" if expected[0] in "aeiou" else "a"
+            raise IllFormed(f"expected {article} {expected}, {place} a {argument.type}")
 
 
 def _function(takes: Sequence[str], gives: Type, weight: Callable[[tuple[Term, ...]], Weight]) -> Signature:

@@ -9,7 +9,7 @@ from workbench.language import construct
 from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
-from workbench.language.names import Scripts, base_name, linear, literal, spell, variable_name
+from workbench.language.names import INDEX_LETTERS, Scripts, base_name, linear, literal, spell, variable_name
 from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
@@ -56,7 +56,7 @@ def reading_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Re
     for clause in clauses:
         if isinstance(clause, Chain) and clause.universal and not clause.relations:
             members += clause.sides
-        elif isinstance(clause, Chain) and _is_range(clause):
+        elif isinstance(clause, Chain) and _is_range(clause, table, integers):
             ranges += _ranges(clause, members, table, integers)
             members = []
         elif isinstance(clause, Chain | Conditional):
@@ -117,11 +117,16 @@ def _refuse(members: Sequence[Node]) -> None:
 # ranges
 
 
-def _is_range(clause: Chain) -> bool:
+def _is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> bool:
     signs = [sign for sign, _ in clause.relations]
     if clause.universal or "∈" in signs or "≥" in signs or ">" in signs:
         return True
-    return signs == ["="] and _bar(clause.sides[1]) is not None
+    if signs != ["="]:
+        return False
+    name, value = variable_name(clause.sides[0]), clause.sides[1]
+    is_value = isinstance(value, Leaf) and value.text.isdigit()
+    is_variable = name in integers | INDEX_LETTERS and name not in table.symbols
+    return _bar(value) is not None or (is_value and is_variable)
 
 
 def _bar(node: Node) -> tuple[Node, ...] | None:
@@ -145,12 +150,18 @@ def _ranges(
     name = variable_name(left)
     if name is None:
         raise Fault("expected an integer variable before the bound", left.at)
+    if name in table.symbols:
+        raise _no_variable(name, left.at)
     ends = _bar(right) or (right,)
     bounds = [linear(end, integers | _letters(end)) for end in ends]
     if None in bounds:
         raise Fault("expected an integer bound", right.at)
     lower = bounds[0] + 1 if sign == ">" else bounds[0]
-    return [Range(name, lower, bounds[1] if len(bounds) == 2 else None)]
+    return [Range(name, lower, bounds[-1] if sign == "=" else None)]
+
+
+def _no_variable(name: str, at: int) -> Fault:
+    return Fault(f"{name} is a symbol; what is assumed of symbols is written with = and \\neq", at)
 
 
 def _letters(node: Node) -> frozenset[str]:
@@ -173,6 +184,9 @@ def _members(
     names = [variable_name(member) for member in members]
     if None in names:
         raise Fault("expected integer variables before \\in", members[names.index(None)].at)
+    for name, member in zip(names, members, strict=True):
+        if name in table.symbols:
+            raise _no_variable(name, member.at)
     return [Range(name, Linear(lower)) for name in names]
 
 

@@ -12,6 +12,7 @@ from workbench.language.errors import Fault, SpecError
 from workbench.language.integers import Linear
 from workbench.language.names import (
     INDEX_LETTERS,
+    TRANSPOSES,
     Piece,
     Scripts,
     base_name,
@@ -184,8 +185,14 @@ def _refuse_operation(pattern: str, key: str) -> None:
     """A superscript that means something else cannot be part of a name."""
     sup = pattern.rpartition("^{")[2].removesuffix("}") if pattern.endswith("}") else ""
     is_right = bool(pattern.rpartition("^{")[0].strip("{}"))
-    if is_right and (sup in ("T", "@") or sup.lstrip("-").isdigit()):
-        meaning = "the transpose" if sup == "T" else "a power"
+    meaning = None
+    if sup in TRANSPOSES:
+        meaning = "the transpose"
+    elif sup == "@" or sup.lstrip("-").isdigit():
+        meaning = "a power"
+    elif sup.startswith("(") and sup.endswith(")"):
+        meaning = "a derivative"
+    if is_right and meaning is not None:
         raise SpecError(
             f"the superscript {sup.replace('@', 'n')} would be read as {meaning}; try ^{{[n]}}", key
         )

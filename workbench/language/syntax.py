@@ -25,12 +25,13 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Leaf(Node):
-    """A letter, a number, a function (its head), or a mark (T, *, ∞). `bare`: the letters of a function name
-    that stands without a command, which may also be a product."""
+    """A letter, a number, a function (its head), or a mark (T, *, ∞). `name`: what a function is called;
+    `bare`: whether it stands there without a command, so that it may also be a product of letters."""
 
     kind: str
     text: str
-    bare: str = ""
+    name: str = ""
+    bare: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,7 +216,7 @@ class _Builder(Transformer):
         token = children[0]
         if token.type == "FUNCTION":
             name = token.removeprefix("\\")
-            return Leaf(token.start_pos, token.type, FUNCTIONS[name], name if name == token else "")
+            return Leaf(token.start_pos, token.type, FUNCTIONS[name], name, bare=name == token)
         return Leaf(token.start_pos, token.type, str(token))
 
     def group(self, children):

@@ -14,7 +14,9 @@ from workbench.language.vocabulary import (
     CHARACTERS,
     COMMANDS,
     CONVERSE,
+    DOTS,
     ENDS_A_FACTOR,
+    EXPECTED,
     FUNCTIONS,
     GOES_ON,
     LINES,
@@ -115,7 +117,11 @@ class _Tokenizer:
 
     def words(self, text: str, words: str, at: int) -> None:
         plain = " ".join(words.replace(",", " ").split()).rstrip(".")
-        if plain in FUNCTIONS:
+        is_script = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
+        is_label = is_script or [token.type for token in self.out[-2:]] == ["SUB", "LBRACE"]
+        if is_label and plain.isalpha() and not (plain in FUNCTIONS and not is_script):
+            self.label(plain, at, braced=is_script)
+        elif plain in FUNCTIONS:
             self.emit("FUNCTION", f"\\{plain}", at)
         elif plain in WORDS:
             kind = WORDS[plain]
@@ -123,12 +129,20 @@ class _Tokenizer:
                 self.emit(kind, CONVERSE[plain], at)
             elif kind == "FORALL" or not (self.out and self.out[-1].type == "COMMA"):
                 self.emit(kind, plain, at)
-        elif text.startswith("\\mathrm") and plain.isalpha():
-            for i, letter in enumerate(plain):
-                self.emit("STYLE", "\\mathrm", at)
-                self.emit("LETTER", letter, at + i)
+        elif plain.isalpha() and text.startswith("\\mathrm"):
+            self.label(plain, at)
         elif plain:
             raise Fault(f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}", at)
+
+    def label(self, letters: str, at: int, braced: bool = False) -> None:
+        """Upright letters; as a script that stands without braces they need some."""
+        if braced:
+            self.emit("LBRACE", "{", at)
+        for i, letter in enumerate(letters):
+            self.emit("STYLE", "\\mathrm", at)
+            self.emit("LETTER", letter, at + i)
+        if braced:
+            self.emit("RBRACE", "}", at)
 
     def command(self, name: str, text: str, at: int) -> None:
         if name in SPACING:
@@ -141,8 +155,10 @@ class _Tokenizer:
             kind, value = COMMANDS[name]
             self.bound_prefixes(kind, at)
             self.emit(kind, value, at)
-        elif name in ("dots", "ldots", "cdots", "vdots"):
-            raise Fault(f"{text} leaves terms to be guessed; write the sum with \\sum", at)
+        elif name in DOTS:
+            raise Fault(_guessed(text), at)
+        elif name in EXPECTED:
+            raise Fault(f"{text}: {EXPECTED[name]}", at)
         else:
             raise Fault(f"unknown command {text}", at)
 
@@ -168,6 +184,8 @@ class _Tokenizer:
                 raise Fault("& outside of a matrix or an aligned environment", at)
         elif text == "." and self.size:
             self.null_delimiter(at)
+        elif text == "…" or self.text.startswith("...", at):
+            raise Fault(_guessed("…"), at)
         elif text == ".":
             rest = self.text[at + 1 :].lstrip()
             if rest and not rest.startswith(("\\\\", "\\end", "\\quad", "}")):
@@ -238,6 +256,10 @@ class _Tokenizer:
     def inside(self) -> str:
         """What the innermost bracket or environment holds: "matrix", "lines" or ""."""
         return self.open[-1].contents if self.open else ""
+
+
+def _guessed(dots: str) -> str:
+    return f"{dots} leaves something to be guessed; write the sum with \\sum, the range as n \\geq 1"
 
 
 def _join_lines(tokens: list[Token]) -> list[Token]:

@@ -119,6 +119,15 @@ WORDS = {
 }
 CONVERSE = {"if": "⇐", "when": "⇐", "if and only if": "⇔", "iff": "⇔"}
 
+#: Ellipses; none of them can be read.
+DOTS = frozenset({"dots", "ldots", "cdots", "vdots", "ddots", "dotsb", "dotsc", "dotsi", "dotsm", "dotso"})
+#: What to write in place of commands that cannot be read.
+EXPECTED = {
+    **dict.fromkeys(("leq", "le", "lt"), "a range is written n \\geq 1 or n = \\overline{1,5}"),
+    "wedge": "the vector product is written \\times, the skew tensor of x \\tilde{x}",
+    "prime": "a prime is written '",
+}
+
 ENDS_A_FACTOR = frozenset(
     {"LETTER", "NUMBER", "MARK", "RBRACE", "CLOSE", "PRIME", "BANG", "END_MATRIX", "END_LINES"}
 )

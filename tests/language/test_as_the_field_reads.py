@@ -1,0 +1,216 @@
+"""Formulas with two readings: read as a paper means them, or refused with one error that says what to write."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench.language.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.reader import read, read_formula, read_term
+from workbench.language.symbols import SymbolTable
+
+KINDS = {
+    "a": "vector",
+    "b": "vector",
+    "c": "vector",
+    "u": "vector",
+    "S": "tensor",
+    "T": "tensor",
+    "s": "scalar",
+    r"\alpha": "scalar",
+    r"\beta": "scalar",
+    r"\omega": "vector",
+    "a_n": "vector",
+    r"\mathbf{a}^{[n]}": "vector",
+    r"\omega_{01}": "vector",
+    r"\omega_n": "vector",
+    r"v_{rel}": "vector",
+    r"v_{\mathrm{n}}": "vector",
+    r"v_{\text{rot}}": "vector",
+}
+TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()})
+
+SAME = [
+    (r"-a^2", r"-(a^2)"),
+    (r"-\alpha^2", r"-(\alpha^2)"),
+    (r"\alpha a \times b", r"(\alpha a) \times b"),
+    (r"T a \cdot b", r"(T a) \cdot b"),
+    (r"a \cdot T b", r"a \cdot (T b)"),
+    (r"a \times T b", r"a \times (T b)"),
+    (r"a \otimes T b", r"a \otimes (T b)"),
+    (r"\dot{\alpha} b", r"(\dot{\alpha}) b"),
+    (r"\dot{a} \times b", r"(\dot{a}) \times b"),
+    (r"\tilde{\omega}^2 a", r"(\tilde{\omega} )^2 a"),
+    (r"\sin 2\alpha", r"\sin(2 \alpha)"),
+    (r"\sin \alpha u", r"(\sin \alpha) u"),
+    (r"\sin \alpha^2", r"\sin(\alpha^2)"),
+    (r"\sin^2 \alpha", r"(\sin \alpha)^2"),
+    (r"\det T S", r"\det (T S)"),
+    (r"\det T \alpha", r"(\det T) \alpha"),
+    (r"a_n^{(2)}", r"\ddot{a}_n"),
+    (r"\dot{a}_n", r"\dot{a_n}"),
+    (r"\frac{d^2}{dt^2} a", r"\ddot{a}"),
+    (r"\frac{d(\alpha a)}{dt}", r"\frac{d}{dt} (\alpha a)"),
+    (r"T^{\mathrm{T}} + T^{\mathsf{T}}", r"T^T + T^\top"),
+    (r"\sum_{k=1}^{n} a_k \times b + c", r"(\sum_{k=1}^{n} (a_k \times b)) + c"),
+    (r"|a||b|", r"\|a\| \|b\|"),
+]
+
+
+@pytest.mark.parametrize(("printed", "meant"), SAME)
+def test_one_reading(printed: str, meant: str) -> None:
+    assert read_term(printed, TABLE, {"n"}) == read_term(meant, TABLE, {"n"})
+
+
+REFUSED = [
+    (r"a \times b \times c", 12, "several products"),
+    (r"a \times b \cdot c", 12, "several products"),
+    (r"a \cdot b \cdot c", 11, "several products"),
+    (r"a \otimes b \cdot c", 13, "several products"),
+    (r"a \times -b", 3, "nothing after ×"),
+    (r"a - -b", 5, "unexpected -"),
+    (r"\alpha/\beta s", 7, "unexpected character '/'"),
+    (r"\sin 2\alpha \beta", 1, "how far does sin reach"),
+    (r"\sin \alpha \beta", 1, "how far does sin reach"),
+    (r"\sin(\alpha)^2", 5, "a power of the function or of its argument"),
+    (r"\frac{d}{dt} a \times b", 1, "how far does d/dt reach"),
+    (r"\frac{d}{dt} T a", 1, "how far does d/dt reach"),
+    (r"\frac{d a \times b}{dt}", 1, "how far does d/dt reach"),
+    (r"\frac{d T a}{dt}", 1, "how far does d/dt reach"),
+    (r"\frac{d(T) a}{dt}", 1, "how far does d/dt reach"),
+    (r"2\frac{1}{2} a", 2, "a mixed number or a product"),
+    (r"2\frac12 a", 2, "a mixed number or a product"),
+    (r"1 2 a", 3, "two numbers side by side"),
+    (r"a_n^{[k]}", 5, "an order in round brackets"),
+    (r"\mathbf{a}^{(2)}", 9, r"unknown symbol \\mathbf\{a\}\^\{\(2\)\}"),
+    (r"\left. a \right|", 6, "one-sided bracket"),
+    (r"|a|b|", 5, "never closed"),
+    (r"a'", 1, "unknown symbol a'"),
+    (r"a^\prime", 2, "a prime is written '"),
+    (r"a \wedge b", 3, r"the vector product is written \\times"),
+]
+
+
+@pytest.mark.parametrize(("latex", "column", "message"), REFUSED)
+def test_two_readings_are_refused(latex: str, column: int, message: str) -> None:
+    with pytest.raises(ReadError, match=message) as caught:
+        read_term(latex, TABLE, {"n", "k"})
+    assert abs(caught.value.column - column) <= 1
+
+
+def test_an_order_of_a_number_and_a_fraction_can_be_written() -> None:
+    assert read_term(r"2 \cdot \frac{1}{2}", TABLE) == read_term(r"2 (\frac{1}{2})", TABLE)
+    assert read_term(r"2 \frac{n}{2} a", TABLE, {"n"})
+
+
+# ellipses
+
+
+@pytest.mark.parametrize(
+    "dots",
+    [
+        r"\dots",
+        r"\ldots",
+        r"\cdots",
+        r"\vdots",
+        r"\ddots",
+        r"\dotsb",
+        r"\dotsc",
+        r"\dotsm",
+        r"\dotsi",
+        r"\dotso",
+        "...",
+        "…",
+    ],
+)
+@pytest.mark.parametrize("formula", ["a = b + {} + c", "a_1 + {} + a_n = b", "a_n = b, n = 0, 1, {}"])
+def test_an_ellipsis_gets_an_error_that_says_what_to_write(dots: str, formula: str) -> None:
+    with pytest.raises(
+        ReadError, match=r"leaves something to be guessed; write the sum with \\sum, the range as n \\geq 1$"
+    ) as caught:
+        read(formula.format(dots), TABLE, {"n"})
+    assert (caught.value.line, caught.value.column) == (1, formula.index("{}") + 1)
+
+
+# names
+
+
+def test_numbers_with_a_leading_zero_are_labels() -> None:
+    assert read_term(r"\omega_{01}", TABLE).declaration.name == r"\omega_{01}"
+    assert read_term(r"\omega_1", TABLE).declaration.name == r"\omega_{@}"
+    with pytest.raises(ReadError, match=r"unknown symbol \\omega_\{02\}"):
+        read_term(r"\omega_{02}", TABLE)
+    with pytest.raises(ReadError, match="as superscript"):
+        read_term(r"\alpha^{02}", TABLE)
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        "v_{rel}",
+        r"v_{\mathrm{n}}",
+        r"v_\mathrm{n}",
+        r"v_{\text{rot}}",
+        r"v_\text{rot}",
+        r"v_{\mathrm{rot}}",
+        r"v_{\operatorname{rot}}",
+    ],
+)
+def test_words_and_upright_letters_are_labels(latex: str) -> None:
+    for variables in (set(), {"n", "l", "t"}):
+        term = read_term(latex, TABLE, variables)
+        assert term.index == () and "curl" not in term.declaration.name
+
+
+def test_a_derivative_is_no_part_of_a_name() -> None:
+    for name in ("a^{(n)}", "a^{(2)}", r"R^{\mathrm{T}}"):
+        with pytest.raises(SpecError, match="would be read as"):
+            SymbolTable.build({name: {"kind": "tensor"}})
+
+
+def test_an_index_in_brackets_is_another_name() -> None:
+    with pytest.raises(ReadError, match=r"unknown symbol a_\{\(1\)\}"):
+        read_term("a_{(1)}", TABLE)
+
+
+# conditions
+
+
+def test_the_value_of_an_index_is_a_range() -> None:
+    reading = read_formula("a_n = b, n = 1", TABLE)
+    assert len(reading.statements) == 1
+    ((variable, lower, upper),) = [(r.variable, str(r.lower), str(r.upper)) for r in reading.ranges]
+    assert (variable, lower, upper) == ("n", "1", "1")
+
+
+def test_the_value_of_a_symbol_is_a_statement() -> None:
+    assert len(read(r"a = b, s = 1", TABLE)) == 2
+    assert (
+        len(
+            read(
+                r"a = b, n = 1",
+                SymbolTable.build(
+                    {n: {"kind": k} for n, k in (("a", "vector"), ("b", "vector"), ("n", "scalar"))}
+                ),
+            )
+        )
+        == 2
+    )
+    with pytest.raises(ReadError, match="unknown symbol q"):
+        read(r"a = b, q = 1", TABLE)
+
+
+@pytest.mark.parametrize("condition", [r"s \geq 0", "s > 0", r"s \in \mathbb{N}"])
+def test_a_condition_on_a_symbol_is_not_dropped(condition: str) -> None:
+    with pytest.raises(ReadError, match="s is a symbol; what is assumed of symbols"):
+        read(f"a = b, {condition}", TABLE)
+
+
+@pytest.mark.parametrize("bound", [r"n \leq 5", r"1 \leq n \leq 5", r"n \le 5", r"n \lt 5"])
+def test_an_upper_bound_alone_says_what_to_write(bound: str) -> None:
+    with pytest.raises(ReadError, match=r"a range is written n \\geq 1 or n = \\overline\{1,5\}"):
+        read(f"a_n = b, {bound}", TABLE)
+
+
+def test_the_article_fits() -> None:
+    with pytest.raises(IllFormedAt, match="expected an operator or tensor"):
+        read_term(r"T \circ a", TABLE)

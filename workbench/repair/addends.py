@@ -106,6 +106,10 @@ class Supply:
                 if weight is None or _sum_is(other, term, weight):
                     yield from _pairs(other, term)
                     yield from _pairs(term, other)
+                elif term.type.kind == "scalar" and term.weight is not None:
+                    derived = differentiated_to(weight - term.weight, other)
+                    if derived is not None:
+                        yield from _pairs(term, derived)
         for left in self._others:
             for right in self._others if left.type.kind == "tensor" and weight is not None else ():
                 if _sum_is(left, right, weight):

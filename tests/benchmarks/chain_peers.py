@@ -106,17 +106,19 @@ class Workbench(Peer):
 
         load_kernel()
         joints = [joint for C in problem.links for joint in (Joint.fixed(C), Joint.revolute([0, 0, 1]))]
-        self.chain, self.problem = SerialChain(joints), problem
-        self.out = np.empty((len(problem.batch), problem.order + 1, 6))
+        chain = SerialChain(joints)
         self.single_out = np.empty((problem.order + 1, 6))
-        self.bound = self.chain.bind(problem.q, self.single_out)
+        self.batch_out = np.empty((len(problem.batch), problem.order + 1, 6))
+        self.single = chain.bind(problem.q, self.single_out)
+        self.batch = chain.bind(problem.batch, self.batch_out)
 
     def run_single(self):
-        self.bound()
+        self.single()
         return self.single_out
 
     def run_batch(self):
-        return self.chain.twist_derivatives(self.problem.batch, self.out)
+        self.batch()
+        return self.batch_out
 
     def results(self):
         return self.run_single(), self.run_batch()

@@ -173,7 +173,8 @@ def test_factorials_do_not_overflow():
     derivatives[:, 1:] *= np.arange(1, 172)
     expected = chain.twist_taylor(q) * factorials[:, None]
     assert np.isfinite(expected).all()
-    np.testing.assert_allclose(chain.twist_derivatives(derivatives), expected, rtol=1e-12)
+    deviation = np.abs(chain.twist_derivatives(derivatives) - expected).max(axis=-1)
+    assert (deviation <= 1e-12 * np.abs(expected).max(axis=-1)).all()
 
 
 @pytest.mark.parametrize("turns", [1, -3, 10**3, 10**6, 10**9, 10**15, 10**17])

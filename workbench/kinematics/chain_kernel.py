@@ -20,6 +20,7 @@ from workbench.kinematics.lanes import (
 
 OPTIONS = {"fastmath": {"contract"}, "error_model": "numpy"}  # contract: a·b + c at once
 compiled = njit(**OPTIONS)
+inlined = njit(forceinline=True, **OPTIONS)
 
 # -- trigonometry ---------------------------------------------------------------------------------
 
@@ -32,29 +33,26 @@ ROUNDING = 1.5 * 2.0**52  # adding it rounds to a whole number, which the last b
 
 @compiled
 def cosine_and_sine(x):
-    """Within 2^-52 of the values, by reduction to |r| ≤ π/4 and Taylor's polynomials there."""
+    """Within 2^-52 of the values, by reduction to |r| ≤ π/4 and the polynomials of Sun's fdlibm there."""
     shifted = 0.6366197723675814 * x + spread(ROUNDING)
     n = shifted - spread(ROUNDING)
     r = fused_multiply_add(n, spread(-HALF_PI[0]), x)
     r = fused_multiply_add(n, spread(-HALF_PI[1]), r)
     square = r * r
-    c = spread(1 / 20922789888000)  # 16!
-    c = c * square - spread(1 / 87178291200)
-    c = c * square + spread(1 / 479001600)
-    c = c * square - spread(1 / 3628800)
-    c = c * square + spread(1 / 40320)
-    c = c * square - spread(1 / 720)
-    c = c * square + spread(1 / 24)
-    c = c * square - spread(1 / 2)
+    c = spread(-1.13596475577881948265e-11)
+    c = c * square + spread(2.08757232129817482790e-09)
+    c = c * square - spread(2.75573143513906633035e-07)
+    c = c * square + spread(2.48015872894767294178e-05)
+    c = c * square - spread(1.38888888888741095749e-03)
+    c = c * square + spread(4.16666666666666019037e-02)
+    c = c * square - spread(0.5)
     c = c * square + spread(1.0)
-    s = spread(1 / 355687428096000)  # 17!
-    s = s * square - spread(1 / 1307674368000)
-    s = s * square + spread(1 / 6227020800)
-    s = s * square - spread(1 / 39916800)
-    s = s * square + spread(1 / 362880)
-    s = s * square - spread(1 / 5040)
-    s = s * square + spread(1 / 120)
-    s = s * square - spread(1 / 6)
+    s = spread(1.58969099521155010221e-10)
+    s = s * square - spread(2.50507602534068634195e-08)
+    s = s * square + spread(2.75573137070700676789e-06)
+    s = s * square - spread(1.98412698298579493134e-04)
+    s = s * square + spread(8.33333333332248946124e-03)
+    s = s * square - spread(1.66666666666666324348e-01)
     s = s * (square * r) + r
     return turned_by_quarters(shifted, c, s)
 
@@ -65,24 +63,6 @@ def cosine_and_sine(x):
 
 
 @compiled
-def extend_exponential(E, rate, k, terms, reciprocals):
-    """Coefficients k and k + 1 (if below `terms`) of E = e^{iα}, from E' = i α' E."""
-    c0, s0, c1, s1 = spread(0.0), spread(0.0), spread(0.0), spread(0.0)
-    next_rate = load(rate, k)
-    for j in range(k):
-        c, s, this_rate = load(E, 2 * j), load(E, 2 * j + 1), load(rate, k - 1 - j)
-        c0, s0 = c0 - this_rate * s, s0 + this_rate * c
-        c1, s1 = c1 - next_rate * s, s1 + next_rate * c
-        next_rate = this_rate
-    c, s = number(reciprocals, k) * c0, number(reciprocals, k) * s0
-    store(E, 2 * k, c)
-    store(E, 2 * k + 1, s)
-    if k + 1 < terms:
-        store(E, 2 * k + 2, number(reciprocals, k + 1) * (c1 - next_rate * s))
-        store(E, 2 * k + 3, number(reciprocals, k + 1) * (s1 + next_rate * c))
-
-
-@compiled
 def load2(E, first):
     return load(E, first), load(E, first + 1)
 
@@ -90,6 +70,56 @@ def load2(E, first):
 @compiled
 def load4(V, first):
     return load(V, first), load(V, first + 1), load(V, first + 2), load(V, first + 3)
+
+
+@compiled
+def add_turned(total, rate, e):
+    """total + i · rate · e, for total and e as (cos, sin)."""
+    return total[0] - rate * e[1], total[1] + rate * e[0]
+
+
+@compiled
+def store_exponential(E, k, reciprocals, total):
+    """Store and return the k-th coefficient of E, given k times that."""
+    c, s = number(reciprocals, k) * total[0], number(reciprocals, k) * total[1]
+    store(E, 2 * k, c)
+    store(E, 2 * k + 1, s)
+    return c, s
+
+
+@compiled
+def extend_exponential(E, rate, terms, reciprocals):
+    """All coefficients of E = e^{iα} from the 0-th, by E' = i α' E; as many as four at a time, since
+    they share their factors."""
+    nothing = (spread(0.0), spread(0.0))
+    first = 1
+    if (terms - 1) & 1:
+        store_exponential(E, 1, reciprocals, add_turned(nothing, load(rate, 0), load2(E, 0)))
+        first = 2
+    if (terms - 1) & 2:
+        t0, t1 = nothing, nothing
+        r1 = load(rate, first)
+        for j in range(first):
+            e, r0 = load2(E, 2 * j), load(rate, first - 1 - j)
+            t0, t1 = add_turned(t0, r0, e), add_turned(t1, r1, e)
+            r1 = r0
+        e = store_exponential(E, first, reciprocals, t0)
+        store_exponential(E, first + 1, reciprocals, add_turned(t1, r1, e))
+        first += 2
+    for k in range(first, terms, 4):
+        t0, t1, t2, t3 = nothing, nothing, nothing, nothing
+        r1, r2, r3 = load(rate, k), load(rate, k + 1), load(rate, k + 2)
+        for j in range(k):
+            e, r0 = load2(E, 2 * j), load(rate, k - 1 - j)
+            t0, t1 = add_turned(t0, r0, e), add_turned(t1, r1, e)
+            t2, t3 = add_turned(t2, r2, e), add_turned(t3, r3, e)
+            r1, r2, r3 = r0, r1, r2
+        e = store_exponential(E, k, reciprocals, t0)
+        t1, t2, t3 = add_turned(t1, r1, e), add_turned(t2, r2, e), add_turned(t3, r3, e)
+        e = store_exponential(E, k + 1, reciprocals, t1)
+        t2, t3 = add_turned(t2, r1, e), add_turned(t3, r2, e)
+        e = store_exponential(E, k + 2, reciprocals, t2)
+        store_exponential(E, k + 3, reciprocals, add_turned(t3, r1, e))
 
 
 @compiled
@@ -142,7 +172,7 @@ def add_along_and_step(W, k, across, V, rate, link):
     step(W, k, x, y, vx, vy, load(V, 6 * k + 4) + load(rate, k), load(V, 6 * k + 5), link)
 
 
-@compiled
+@inlined
 def rotate_and_step(V, W, E, rate, terms, link):
     """W = step(z α̇ + e^{iα} V), four coefficients at a time, since they share their factors."""
     zero = spread(0.0)
@@ -189,14 +219,13 @@ def slide(V, D, q, rate, pitch, reciprocals, terms):
 
 
 @compiled
-def turn(V, W, cosine, sine, terms):
-    """W = V turned about z by a constant angle."""
+def turn_and_step(V, W, cosine, sine, terms, link):
+    """W = step(V turned about z by a constant angle)."""
     for k in range(terms):
-        for part in (0, 2):
-            x, y = load(V, 6 * k + part), load(V, 6 * k + part + 1)
-            store(W, 6 * k + part, cosine * x - sine * y)
-            store(W, 6 * k + part + 1, sine * x + cosine * y)
-            store(W, 6 * k + 4 + part // 2, load(V, 6 * k + 4 + part // 2))
+        x, y, vx, vy = load4(V, 6 * k)
+        x, y = cosine * x - sine * y, sine * x + cosine * y
+        vx, vy = cosine * vx - sine * vy, sine * vx + cosine * vy
+        step(W, k, x, y, vx, vy, load(V, 6 * k + 4), load(V, 6 * k + 5), link)
 
 
 # -- the kernel -----------------------------------------------------------------------------------
@@ -222,12 +251,11 @@ def twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, re
             c, s = cosine_and_sine(alpha)
             store(E_joint, 0, number(row, 8) * c - number(row, 9) * s)
             store(E_joint, 1, number(row, 8) * s + number(row, 9) * c)
-    for k in range(1, terms, 2):
-        for joint in range(joints - 1):
-            angle = int(number(rows + 8 * ROW * joint, 0))
-            if angle >= 0:
-                rate = Q + 64 * (angle * columns + 1)
-                extend_exponential(E + 128 * terms * joint, rate, k, terms, reciprocals)
+    for joint in range(joints - 1):
+        angle = int(number(rows + 8 * ROW * joint, 0))
+        if angle >= 0:
+            rate = Q + 64 * (angle * columns + 1)
+            extend_exponential(E + 128 * terms * joint, rate, terms, reciprocals)
     for joint in range(joints - 1, -1, -1):
         row = rows + 8 * ROW * joint
         angle, sliding, pitch = int(number(row, 0)), int(number(row, 1)), number(row, 2)
@@ -246,17 +274,12 @@ def twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, re
                 vz = pitch * load(slide_rate, k) if sliding >= 0 else zero
                 step_along(W, k, z, vz, link)
         else:
-            if angle >= 0:
-                still = (spread(1.0), zero, zero, zero, zero)
-                first_link = link if sliding < 0 else still
-                rotate_and_step(V, W, E + 128 * terms * joint, rate, terms, first_link)
-            else:
-                turn(V, W, number(row, 8), number(row, 9), terms)
             if sliding >= 0:
-                slide(W, D, slide_rate - 64, slide_rate, pitch, reciprocals, terms)
-                for k in range(terms):
-                    x, y, vx, vy = load4(W, 6 * k)
-                    step(W, k, x, y, vx, vy, load(W, 6 * k + 4), load(W, 6 * k + 5), link)
+                slide(V, D, slide_rate - 64, slide_rate, pitch, reciprocals, terms)
+            if angle >= 0:
+                rotate_and_step(V, W, E + 128 * terms * joint, rate, terms, link)
+            else:
+                turn_and_step(V, W, number(row, 8), number(row, 9), terms, link)
         V, W = W, V
     for k in range(terms):
         factor = number(output_factors, k)

@@ -15,11 +15,9 @@ from itertools import combinations, islice, product
 from random import Random
 
 from workbench.judge.rings import PRIME
-from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault, Misfit
 from workbench.language.names import linear
 from workbench.language.statements import reading_of
-from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Chain, Fraction, Node, Styled, Sum
 from workbench.language.terms import Conjunction, IllFormed, Statement, Term
 from workbench.papers.model import Claim
@@ -29,6 +27,7 @@ from workbench.repair.integers import bound_variables, integer_marks
 from workbench.repair.letters import is_rate
 from workbench.repair.marks import Mark, letter_marks, marked, product_marks
 from workbench.repair.nodes import below, latex_of
+from workbench.repair.remembering import RememberingElaborator
 from workbench.repair.screen import Screen
 from workbench.repair.search import Candidate, Change
 from workbench.repair.spellings import Spelling, spellings
@@ -93,32 +92,6 @@ class Readings:
                 yield Candidate(statement, (*reader.changes, *changes), latex)
 
 
-class _RememberingElaborator(Elaborator):
-    """Reads a node once, though it stands in many trees."""
-
-    def __init__(self, table: SymbolTable, variables: frozenset[str]) -> None:
-        super().__init__(table, variables)
-        self._free = variables
-        self._known: dict[tuple[int, frozenset[str]], tuple[Node, Term | Exception]] = {}
-
-    def alone(self, node: Node) -> Term:
-        """The term of a node that stands for itself. Raises Fault, Misfit or IllFormed."""
-        self.depth, self.variables = 0, self._free  # a fault leaves them as they were inside
-        return self.term(node)
-
-    def term(self, node: Node) -> Term:
-        key = id(node), self.variables
-        if key not in self._known:
-            try:
-                self._known[key] = node, super().term(node)
-            except (Fault, Misfit, IllFormed) as fault:
-                self._known[key] = node, fault
-        found = self._known[key][1]
-        if isinstance(found, Exception):
-            raise found
-        return found
-
-
 class _Reader:
     """One spelling of a formula and what is known of its integers."""
 
@@ -130,7 +103,7 @@ class _Reader:
         self.screen, self.tick = screen, tick
         self.integers = frozenset(claim.orders.variables if claim.orders else ())
         self.letters = letters_of(self.lines)
-        self._elaborator = _RememberingElaborator(self.table, self.integers)
+        self._elaborator = RememberingElaborator(self.table, self.integers)
         self._taken_apart: list[_Parts] = []
 
     def statement(self, marks: Sequence[Mark]) -> Statement | None:

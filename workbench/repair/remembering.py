@@ -1,0 +1,35 @@
+"""Terms of nodes that stand in many trees: the variants of a formula share most of their nodes."""
+
+from __future__ import annotations
+
+from workbench.language.elaborate import Elaborator
+from workbench.language.errors import Fault, Misfit
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import Node
+from workbench.language.terms import IllFormed, Term
+
+
+class RememberingElaborator(Elaborator):
+    """Reads a node once, though it stands in many trees."""
+
+    def __init__(self, table: SymbolTable, variables: frozenset[str]) -> None:
+        super().__init__(table, variables)
+        self._free = variables
+        self._known: dict[tuple[int, frozenset[str]], tuple[Node, Term | Exception]] = {}
+
+    def alone(self, node: Node) -> Term:
+        """The term of a node that stands for itself. Raises Fault, Misfit or IllFormed."""
+        self.depth, self.variables = 0, self._free  # a fault leaves them as they were inside
+        return self.term(node)
+
+    def term(self, node: Node) -> Term:
+        key = id(node), self.variables
+        if key not in self._known:
+            try:
+                self._known[key] = node, super().term(node)
+            except (Fault, Misfit, IllFormed) as fault:
+                self._known[key] = node, fault
+        found = self._known[key][1]
+        if isinstance(found, Exception):
+            raise found
+        return found

@@ -99,6 +99,29 @@ def test_what_does_not_fit(formula: str, message: str) -> None:
         read(formula, TABLE)
 
 
+@pytest.mark.parametrize(
+    ("beside", "zero"),
+    [
+        ("x", r"\mathbf{0}_{3\times 3}"),
+        (r"\lambda", r"\mathbf{0}_{3\times 3}"),
+        ("x", r"\mathbf{0}_{1\times 3}"),
+        (DIAGONAL, r"-\mathbf{0}_{3\times 3}"),
+    ],
+)
+def test_a_zero_that_is_printed_with_its_shape_has_that_shape(beside: str, zero: str) -> None:
+    for formula in (f"{beside} = {zero}", f"{beside} + ({zero}) = 0"):
+        with pytest.raises(IllFormedAt, match="differ in type"):
+            read(formula, TABLE)
+    assert check(r"A + \mathbf{0}_{3\times 3} = A", KINDS).holds
+
+
+def test_zeros_and_their_multiples_do_not_hide_the_weight_of_a_block_matrix() -> None:
+    table = SymbolTable.build({"A": {"kind": "tensor", "weight": 2}, "x": {"kind": "vector", "weight": 2}})
+    for zero in (r"\mathbf{0}", "0", r"-\mathbf{0}", r"2\mathbf{0}"):
+        term = read_term(rf"\begin{{bmatrix}} A & x \\ {zero} & 0 \end{{bmatrix}}", table)
+        assert str(term.weight) == "2"
+
+
 def test_a_product_with_the_unit_tensor_is_no_multiple_of_it() -> None:
     assert str(read_term(r"\mathbf{I} x", TABLE).type) == "vector"
     assert check(r"\mathbf{I} x + y = y + x", KINDS).holds

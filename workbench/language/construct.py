@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Literal
 
 from workbench.language.integers import Linear, as_linear
-from workbench.language.shapes import filling, fitted, layout, shaped
+from workbench.language.shapes import filling, fitted, layout, multiple, shaped
 from workbench.language.signatures import SIGNATURES, agree
 from workbench.language.terms import (
     Apply,
@@ -134,7 +134,7 @@ def block(entries: Sequence[Sequence[Term]]) -> Block:
 
 def _block_weight(entries: Sequence[Sequence[Term]]) -> Weight:
     """A block matrix has a weight if all its entries share one; a homogeneous matrix [Φ a; 0 0] does."""
-    weights = {entry.weight for row in entries for entry in row if filling(entry) != "zero"}
+    weights = {entry.weight for row in entries for entry in row if multiple(entry) != "zero"}
     return weights.pop() if len(weights) == 1 else None
 
 

@@ -15,23 +15,30 @@ _SIZES: dict[str, Size] = {"tensor": (3, 3), "vector": (3, 1), "covector": (1, 3
 _OF_SIZE = {_SIZES[type_.kind]: type_ for type_ in (TENSOR, VECTOR, COVECTOR, SCALAR)}
 
 
-def filling(term: Term) -> Literal["zero", "identity"] | None:
-    """What a term without a shape of its own is a multiple of; None for a term that has a shape."""
+def multiple(term: Term) -> Literal["zero", "identity"] | None:
+    """Whether the term is written as a multiple of zero or of the unit tensor."""
     match term:
         case Zero():
             return "zero"
         case Identity():
             return "identity"
         case Apply(head="neg" | "div"):
-            return filling(term.arguments[0])
+            return multiple(term.arguments[0])
         case Apply(head="mul", arguments=(left, right)):
             if left.type.kind == "scalar":
-                return filling(right)
-            return filling(left) if right.type.kind == "scalar" else None
+                return multiple(right)
+            return multiple(left) if right.type.kind == "scalar" else None
         case Apply(head="add"):
-            found = {filling(argument) for argument in term.arguments}
+            found = {multiple(argument) for argument in term.arguments}
             return None if None in found else "identity" if "identity" in found else "zero"
     return None
+
+
+def filling(term: Term) -> Literal["zero", "identity"] | None:
+    """What a term without a shape of its own is a multiple of; None for a term that has a shape, such as
+    the zero 𝟎_{3×3}."""
+    found = multiple(term)
+    return None if found == "zero" and term.type.kind not in ("scalar", "vector") else found
 
 
 def shaped(term: Term, type_: Type) -> Term:

@@ -23,8 +23,11 @@ from workbench.repair.letters import occurrences
 from workbench.repair.marks import Mark, core_of
 from workbench.repair.nodes import below, latex_of
 
+#: A letter that may be missing, and its weight, if that is a number.
+Letter = tuple[Node, int | None]
 
-def factor_marks(node: Node, letters: Sequence[Node]) -> Iterator[Mark]:
+
+def factor_marks(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
     """Exponents that go on, surplus signs, and at a higher price factors that are missing; letters: those
     that the formula speaks of."""
     for part in below(node):
@@ -64,7 +67,7 @@ def _surplus_signs(product: Product) -> Iterator[Mark]:
             yield Mark(product, new, 1, "product", said, 0)
 
 
-def _missing_factors(node: Node, letters: Sequence[Node]) -> Iterator[Mark]:
+def _missing_factors(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
     items = node.items if isinstance(node, Product) else (node,)
     for place in range(len(items), -1, -1):
         before = items[place - 1] if place else None
@@ -73,10 +76,11 @@ def _missing_factors(node: Node, letters: Sequence[Node]) -> Iterator[Mark]:
             continue
         if place == 0 and isinstance(after, Leaf) and after.kind == "NUMBER":
             continue
-        for letter in letters:
+        for letter, weight in letters:
             new = Product(node.at, (*items[:place], letter, *items[place:]))
             where = f"after ${latex_of(before)}$" if before is not None else f"before ${latex_of(after)}$"
-            yield Mark(node, new, 2, "factor", f"the factor ${latex_of(letter)}$ is missing {where}")
+            said = f"the factor ${latex_of(letter)}$ is missing {where}"
+            yield Mark(node, new, 2, "factor", said, weight)
 
 
 def _is_left_script(node: Node | None) -> bool:

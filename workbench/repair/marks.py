@@ -19,8 +19,8 @@ FONTS = ("\\boldsymbol", "\\mathbf", "\\mathrm", "\\mathcal", "\\mathbb")
 
 @dataclass(frozen=True)
 class Mark:
-    """One node put for another: how many misprints that undoes, and what it is called. dots: how many dots
-    are added by it, if it changes no other weight; else None."""
+    """One node put for another: how many misprints that undoes, and what it is called. dots: how much
+    weight is added by it, in dots; None where that is not known."""
 
     old: Node
     new: Node

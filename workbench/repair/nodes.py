@@ -5,9 +5,9 @@ An ill-typed formula has no term, so its edits are made on what the parser saw.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, replace
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 from workbench.language.syntax import (
@@ -99,6 +99,36 @@ def _exchanged_in(value: Any, new: Mapping[int, Node]) -> Any:
         parts = tuple(_exchanged_in(part, new) for part in value)
         return value if all(a is b for a, b in zip(parts, value, strict=True)) else parts
     return value
+
+
+def hole(root: Node, inner: Node) -> Callable[[Node], Node]:
+    """What puts another node where `inner` stands in the tree."""
+    filled = _hole(root, inner)
+    if filled is None:
+        raise ValueError("expected a node of the tree")
+    return filled
+
+
+def _hole(value: Any, inner: Node) -> Callable[[Node], Any] | None:
+    if value is inner:
+        return lambda new: new
+    if isinstance(value, Node):
+        for name in _fields(type(value)):
+            if (filled := _hole(getattr(value, name), inner)) is not None:
+                return partial(_with_field, value, name, filled)
+    if isinstance(value, tuple):
+        for place, part in enumerate(value):
+            if (filled := _hole(part, inner)) is not None:
+                return partial(_with_part, value, place, filled)
+    return None
+
+
+def _with_field(node: Node, name: str, filled: Callable[[Node], Any], new: Node) -> Node:
+    return replace(node, **{name: filled(new)})
+
+
+def _with_part(parts: tuple, place: int, filled: Callable[[Node], Any], new: Node) -> tuple:
+    return (*parts[:place], filled(new), *parts[place + 1 :])
 
 
 def latex_of(node: Node) -> str:

@@ -8,9 +8,7 @@ add up to.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from heapq import heappop, heappush
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations, islice, product
 from random import Random
 
@@ -22,16 +20,16 @@ from workbench.language.syntax import Chain, Fraction, Node, Styled, Sum
 from workbench.language.terms import Conjunction, IllFormed, Statement, Term
 from workbench.papers.model import Claim
 from workbench.repair.addend_nodes import addends_of, alone
+from workbench.repair.choices import AddendChoices, Alternative, Marks
 from workbench.repair.factors import factor_marks, index_marks, letters_of
 from workbench.repair.integers import bound_variables, integer_marks
 from workbench.repair.letters import is_rate
 from workbench.repair.marks import Mark, letter_marks, marked, product_marks
-from workbench.repair.nodes import below, latex_of
+from workbench.repair.nodes import below, hole, latex_of
 from workbench.repair.remembering import RememberingElaborator
 from workbench.repair.screen import Screen
 from workbench.repair.search import Candidate, Change
 from workbench.repair.spellings import Spelling, spellings
-from workbench.repair.sums import zero_sums
 
 #: The most misprints undone in one addend, and the most alternatives of one addend that are read.
 MOST_MARKS = 4
@@ -41,24 +39,10 @@ MOST_CHOICES = 40_000
 #: The most misprints undone in an addend that has the right type and weight as printed, stage by stage.
 DEPTHS = (1, 3)
 
-#: Alternatives kept of each addend, in the rounds of the search for a sum that fits.
-_ROUNDS = (4, 12, 40, 100)
+#: Alternatives of an addend that have the same value.
+_MOST_ALIKE = 2
+
 _MOST_PAIRS = 3000
-
-Marks = tuple[Mark, ...]
-
-
-@dataclass(frozen=True)
-class _Alternative:
-    """What an addend may have been: its marks, the term it then is, and a number that tells its value."""
-
-    marks: Marks
-    term: Term
-    value: int | None
-
-    @property
-    def cost(self) -> int:
-        return sum(mark.cost for mark in self.marks)
 
 
 class Readings:
@@ -72,6 +56,7 @@ class Readings:
 
     def that_hold(self) -> Iterator[Iterator[Candidate]]:
         """Stage after stage, equations that hold at the screen's points, those with few marks first."""
+        yield (c for reader in self._readers for c in self._candidates(reader, reader.as_it_is()))
         for depth in DEPTHS:
             for reader in self._readers:
                 yield self._candidates(reader, reader.that_add_up(depth))
@@ -102,9 +87,9 @@ class _Reader:
         self.lines, self.changes = spelling.lines, spelling.changes
         self.screen, self.tick = screen, tick
         self.integers = frozenset(claim.orders.variables if claim.orders else ())
-        self.letters = letters_of(self.lines)
         self._elaborator = RememberingElaborator(self.table, self.integers)
-        self._taken_apart: list[_Parts] = []
+        self._taken_apart: list[AddendChoices] = []
+        self.letters = [(letter, self._weight(letter)) for letter in letters_of(self.lines)]
 
     def statement(self, marks: Sequence[Mark]) -> Statement | None:
         self.tick()
@@ -120,6 +105,18 @@ class _Reader:
             return self._elaborator.alone(node)
         except (Fault, Misfit, IllFormed):
             return None
+
+    def _weight(self, letter: Node) -> int | None:
+        term = self.term(letter)
+        weight = None if term is None else term.weight
+        return None if weight is None or not weight.is_number else int(weight)
+
+    def as_it_is(self) -> Iterator[Marks]:
+        """No marks, if the equation then holds at the points."""
+        statement = self.statement(()) if self.screen is not None and self.changes else None
+        residual = None if statement is None else self.screen.residual(statement)
+        if residual is not None and not any(residual):
+            yield ()
 
     def that_add_up(self, depth: int) -> Iterator[Marks]:
         """depth: how many marks are tried on an addend with which nothing is wrong by itself."""
@@ -195,8 +192,9 @@ class _Equation:
         self.variables = reader.integers | bound_variables(chain)
         random = Random(61)
         self.weights = [random.randrange(PRIME) for _ in range(400)]
+        self._known: dict[tuple, list[Marks]] = {}
 
-    def taken_apart(self) -> Iterator[_Parts]:
+    def taken_apart(self) -> Iterator[AddendChoices]:
         """The alternatives of all addends, for each way to read the denominators."""
         for context in self._contexts():
             printed = [self._slots(side, context, None) for side in self.chain.sides]
@@ -208,7 +206,7 @@ class _Equation:
                     found = self._slots(side, context, wanted, apart)
                     slots += [(sign, alternatives) for alternatives in found]
                 if all(alternatives for _, alternatives in slots):
-                    yield _Parts(context, slots)
+                    yield AddendChoices(context, slots)
 
     def _contexts(self) -> Iterator[Marks]:
         """What makes the denominators readable."""
@@ -235,16 +233,16 @@ class _Equation:
 
     def _slots(
         self, side: Node, context: Marks, wanted: Term | None, apart: bool = False
-    ) -> list[list[_Alternative]]:
+    ) -> list[list[Alternative]]:
         """The alternatives of each addend of a side; of a side that fits, unless `apart`, only as it is.
         wanted: a term of the type and weight that they must have; without it only what can be read as printed
         is given."""
         whole = self.reader.term(marked(context, side))
         if whole is not None and not apart and (wanted is None or _fits(whole, wanted)):
-            return [[_Alternative((), whole, self._value(whole, wanted))]]
+            return [[Alternative((), whole, self._value(whole, wanted))]]
         return [self._alternatives(side, leaf, context, wanted) for leaf in addends_of(side)]
 
-    def _wanted(self, found: Sequence[list[list[_Alternative]]]) -> list[Term]:
+    def _wanted(self, found: Sequence[list[list[Alternative]]]) -> list[Term]:
         """Terms of the types and weights that both sides may have: those of a whole side that can be read, or
         those that most addends have."""
         whole = [slots[0][0].term for slots in found if len(slots) == 1 and slots[0]]
@@ -257,22 +255,19 @@ class _Equation:
         terms = [t for t in terms if t.weight is not None] or terms
         return [max(terms, key=lambda t: sum(_fits(t, other) for other in terms))] if terms else []
 
-    def _alternatives(
-        self, side: Node, leaf: Node, context: Marks, wanted: Term | None
-    ) -> list[_Alternative]:
-        found: dict[object, _Alternative] = {}
+    def _alternatives(self, side: Node, leaf: Node, context: Marks, wanted: Term | None) -> list[Alternative]:
+        found: dict[object, list[Alternative]] = {}
         most, read, offset = MOST_MARKS, 0, None
-        lonely = alone(marked(context, side), leaf)
+        fill = hole(alone(marked(context, side), leaf), leaf)
         is_one_product = not any(isinstance(p, Sum) and not self._is_integer(p) for p in below(leaf))
-        choices = islice(self._choices(leaf), MOST_CHOICES) if wanted is not None else [()]
-        for marks in choices:
+        for marks in self._readable(leaf, wanted) if wanted is not None else [()]:
             if read == MOST_READ or sum(mark.cost for mark in marks) > most:
                 break
             dots = _dots(marks) if is_one_product else None
             if None not in (dots, offset) and dots != offset:
                 continue
             read += 1
-            term = self.reader.term(marked(marks, lonely))
+            term = self.reader.term(fill(marked(marks, leaf)))
             if term is not None and None not in (dots, wanted and wanted.weight, term.weight):
                 lacking = wanted.weight - term.weight
                 offset = dots + int(lacking) if lacking.is_number else None
@@ -281,8 +276,18 @@ class _Equation:
             value = self._value(term, wanted)
             if not marks:
                 most = self.depth  # nothing is wrong with it by itself
-            found.setdefault(term if value is None else value, _Alternative(marks, term, value))
-        return list(found.values())
+            alike = found.setdefault(term if value is None else value, [])
+            if len(alike) < _MOST_ALIKE and term not in [a.term for a in alike]:
+                alike.append(Alternative(marks, term, value))
+        alternatives = [alternative for alike in found.values() for alternative in alike]
+        if wanted is not None:
+            self._known[id(leaf), wanted.type.kind, wanted.weight] = [a.marks for a in alternatives]
+        return sorted(alternatives, key=lambda alternative: alternative.cost)
+
+    def _readable(self, leaf: Node, wanted: Term) -> Iterable[Marks]:
+        """Marks to try on an addend: once it was read beside one denominator, those that could be read."""
+        known = self._known.get((id(leaf), wanted.type.kind, wanted.weight))
+        return islice(self._choices(leaf), MOST_CHOICES) if known is None else known
 
     def _is_integer(self, node: Node) -> bool:
         try:
@@ -298,7 +303,7 @@ class _Equation:
             *index_marks(leaf, table),
             *integer_marks(leaf, self.variables),
         ]
-        products = [*product_marks(leaf), *factor_marks(leaf, self.reader.letters)]
+        products = [*factor_marks(leaf, self.reader.letters), *product_marks(leaf)]
         for cost in range(MOST_MARKS + 1):
             for on_products in range(min(cost, 2) + 1):
                 for on_letters in _with_cost(places, cost - on_products):
@@ -315,55 +320,6 @@ class _Equation:
         if components is None or len(components) > len(self.weights):
             return None
         return sum(w * x for w, x in zip(self.weights, components, strict=False)) % PRIME
-
-
-@dataclass(frozen=True)
-class _Parts:
-    """The addends of an equation with their signs and alternatives, those with few marks first. `context`:
-    the marks outside of the addends."""
-
-    context: Marks
-    slots: list[tuple[int, list[_Alternative]]]
-
-    def that_add_up(self) -> Iterator[Marks]:
-        """Choices whose values add up to 0."""
-        valued = [[a for a in alternatives if a.value is not None] for _, alternatives in self.slots]
-        if not all(valued):
-            return
-        for width in _ROUNDS:
-            cut = [alternatives[:width] for alternatives in valued]
-            values = [
-                [sign * a.value % PRIME for a in alternatives]
-                for (sign, _), alternatives in zip(self.slots, cut, strict=True)
-            ]
-            sums = zero_sums(values)
-            if sums is None:
-                return
-            fitting = [[a[place] for a, place in zip(cut, places, strict=True)] for places in sums]
-            fitting.sort(key=lambda chosen: sum(a.cost for a in chosen))
-            yield from ((*self.context, *(m for a in chosen for m in a.marks)) for chosen in fitting)
-            if fitting:
-                return
-
-    def cheapest(self, most: int) -> Iterator[Marks]:
-        """Choices with the fewest marks."""
-        ordered = [alternatives for _, alternatives in self.slots]
-        start = (0,) * len(ordered)
-        queue = [(sum(a[0].cost for a in ordered), start)]
-        seen = {start}
-        for _ in range(most):
-            if not queue:
-                return
-            cost, places = heappop(queue)
-            chosen = (a[place] for a, place in zip(ordered, places, strict=True))
-            yield (*self.context, *(m for a in chosen for m in a.marks))
-            for number, place in enumerate(places):
-                if place + 1 < len(ordered[number]):
-                    following = (*places[:number], place + 1, *places[number + 1 :])
-                    if following not in seen:
-                        seen.add(following)
-                        more = ordered[number][place + 1].cost - ordered[number][place].cost
-                        heappush(queue, (cost + more, following))
 
 
 def _dots(marks: Sequence[Mark]) -> int | None:

@@ -35,10 +35,12 @@ class Supply:
         self._basis = list(dict.fromkeys(_basis(statement)))
         self._others = others
         self._value = value
-        self._differentiates = any(
-            isinstance(term, Derivative) and not isinstance(term.body, Symbol)
-            for _, term in places(statement)
-        )
+        derivatives = [term for _, term in places(statement) if isinstance(term, Derivative)]
+        orders = [term.order for term in derivatives if not term.order.is_number]
+        if any(not isinstance(term.body, Symbol) for term in derivatives):
+            orders.append(Linear(1))
+        #: how often products may be differentiated
+        self._orders = tuple(dict.fromkeys(o for order in orders for o in (order, order - order.constant)))
         self._of_weight: dict[Weight, dict[str, list[Term]]] = {}
 
     def of(self, kind: str, weight: Weight) -> list[Term]:
@@ -91,9 +93,8 @@ class Supply:
                         yield from _pairs(left, right)
 
     def _derivatives(self, level: Sequence[Term]) -> Iterator[Term]:
-        for product in level if self._differentiates else ():
-            if product.type.kind != "operator":
-                yield derivative(product, 1)
+        for order in self._orders:
+            yield from (derivative(product, order) for product in level if product.type.kind != "operator")
 
     def _with_others(self, basis: Sequence[Term], weight: Weight) -> Iterator[Term]:
         """Symbols that the statement does not hold, alone and in products of two factors."""
@@ -110,6 +111,9 @@ class Supply:
                     derived = differentiated_to(weight - term.weight, other)
                     if derived is not None:
                         yield from _pairs(term, derived)
+                for order in self._orders if weight is not None else ():
+                    if _sum_is(other, term, weight - order):
+                        yield from self._derivatives([*_pairs(other, term), *_pairs(term, other)])
         for left in self._others:
             for right in self._others if left.type.kind == "tensor" and weight is not None else ():
                 if _sum_is(left, right, weight):
@@ -131,6 +135,11 @@ def _basis(statement: Statement) -> Iterator[Term]:
             highest[body] = max(highest[body], int(order))
         else:
             yield atom
+    for _, term in places(statement):
+        if isinstance(term, Derivative) and term.order.is_number:
+            for part in term.body.walk():
+                if part in highest:
+                    highest[part] = max(highest[part], int(term.order))
     for body, order in highest.items():
         is_still = body.declaration.constant or body.type.kind in ("operator", "block")
         moving = 0 if is_still else order + 1

@@ -191,8 +191,8 @@ class MissingAddends:
         return factor
 
     def _forms(self, term: Term) -> list[_Form]:
-        """A product as it is; times D, D², …; under a tilde; transposed, symmetric, … where the statement has
-        such terms."""
+        """A product as it is; times D, D², …; under a tilde; symmetric; transposed or antisymmetric
+        where the statement has such terms."""
         kind, weight = term.type.kind, term.weight
         if kind not in _KINDS:
             return []
@@ -201,7 +201,8 @@ class MissingAddends:
             for power_ in range(1, self._degree + 1):
                 forms.append((_before_operator(power_), "tensor", weight - power_))
         if kind == "tensor":
-            for head in ("symmetric", "antisymmetric", "transpose"):
+            forms.append((_under("symmetric"), "tensor", weight))
+            for head in ("antisymmetric", "transpose"):
                 if head in self._heads:
                     forms.append((_under(head), "tensor", weight))
             forms.append((_under("skew"), "vector", weight))

@@ -22,10 +22,12 @@ from workbench.language.terms import (
     Implication,
     Relation,
     Statement,
+    Symbol,
     Term,
     Zero,
 )
 from workbench.repair.coefficients import Vector, factor_between
+from workbench.repair.places import places
 from workbench.repair.screen import Screen
 from workbench.repair.variants import number_and_rest
 
@@ -37,6 +39,7 @@ class Sameness:
         self, definitions: Lookup, assume: Sequence[Statement], instances: Sequence[Mapping[str, int]]
     ) -> None:
         self._as_supposed = _screen(definitions, assume, instances, seed=11)
+        self._elsewhere = _screen(definitions, assume, instances, seed=911)
         self._defined = self._as_supposed if not assume else _screen(definitions, (), instances, seed=12)
         self._free = _screen(NoDefinitions(), (), instances, seed=13)
 
@@ -85,9 +88,15 @@ class Sameness:
         sides = [screen.components(side, one.left) for side in (one.left, one.right, other.left, other.right)]
         if None in sides or not any(sides[0]):
             return False
+        if self._is_constant(one.left, sides[0]) and _symbols(one) != _symbols(other):
+            return False
         factors = {factor_between(sides[0], sides[2]), factor_between(sides[1], sides[3])}
         crossed = {factor_between(sides[0], sides[3]), factor_between(sides[1], sides[2])}
         return any(len(f) == 1 and None not in f for f in (factors, crossed))
+
+    def _is_constant(self, side: Term, components: Vector) -> bool:
+        """Whether the side has this value everywhere, as both sides of R Rᵀ = I have."""
+        return self._elsewhere is not None and self._elsewhere.components(side, side) == components
 
     def _rearranged(self, one: Relation, other: Relation) -> bool:
         # a free symbol does not depend on the coordinate: its div and curl are 0
@@ -100,6 +109,10 @@ class Sameness:
         before, after = _numbers(one), _numbers(other)
         ratios = {after[key] / before[key] for key in before} if before.keys() == after.keys() else ()
         return len(ratios) == 1
+
+
+def _symbols(statement: Statement) -> frozenset[Symbol]:
+    return frozenset(term for _, term in places(statement) if isinstance(term, Symbol))
 
 
 def _numbers(statement: Relation) -> dict[tuple[Term, ...], Fraction]:

@@ -168,6 +168,24 @@ class ScreenPoint:
         finally:
             self.forget_candidate()
 
+    def parts(self, term: Term) -> tuple[list[int], list[int]] | None:
+        """The components of the real and of the dual part, those of an operator by rising power of D."""
+        try:
+            instance = self.instance(term)
+            is_operator = instance.type.kind == "operator"
+            values = self.engine.operator(instance, 0) if is_operator else (self.engine.value(instance, 0),)
+        except (ZeroDivisionError, NotExact, IllFormed, ValueError):
+            return None
+        real = [int(x) for value in values for x in value.re[0].ravel()]
+        dual = [0] * len(real)
+        if any(value.du is not None for value in values):
+            dual = [
+                0 if value.du is None else int(value.du[0].ravel()[i])
+                for value in values
+                for i in range(value.re[0].size)
+            ]
+        return real, dual
+
     def components(self, term: Term) -> tuple[int, ...] | None:
         """The term's own components. What is known of it stays, for products that it is a factor of."""
         kept, self.engine.keeps = self.engine.keeps, True
@@ -236,20 +254,17 @@ class Screen:
         return True
 
     def components(self, term: Term, shape: Term) -> tuple[int, ...] | None:
-        """The term at all points, with as many components as `shape` has: dual parts and coefficients of an
-        operator that the term lacks are 0."""
+        """The term at all points: a real and a dual part, each with as many components as the real part of
+        `shape`. Coefficients of an operator and dual parts that the term lacks are 0."""
         found: list[int] = []
         for point in self.points:
-            try:
-                known, other = point.instance(term), point.instance(shape)
-                filled = zip(
-                    point.engine.differences(known, other), point.engine.components(other), strict=True
-                )
-                found += [int(x + y) for x, y in filled]
-            except (ZeroDivisionError, NotExact, IllFormed, ValueError):
+            parts = point.parts(term)
+            count = point.parts(shape)
+            point.forget_candidate()
+            if parts is None or count is None or len(parts[0]) > len(count[0]):
                 return None
-            finally:
-                point.forget_candidate()
+            for part in parts:
+                found += part + [0] * (len(count[0]) - len(part))
         return tuple(found)
 
 

@@ -81,6 +81,7 @@ def variants(
         case Apply():
             yield from _operations(term, is_addend)
     yield from _dots(term)
+    yield from _squares(term)
     yield from _marks_added(term)
     yield from _other_symbols(term, atoms)
     is_sum = isinstance(term, Apply) and term.head == "add"
@@ -216,6 +217,12 @@ def _exponents(term: Power) -> Iterator[Variant]:
             continue
         said = ("the exponent {} of {} becomes {}", term.exponent, term.base, exponent)
         yield "exponent", said, partial(raised_to, term.base, exponent)
+
+
+def _squares(term: Term) -> Iterator[Variant]:
+    is_letter = isinstance(term, Symbol | Derivative) or (isinstance(term, Apply) and term.head == "skew")
+    if is_letter and term.type.kind in ("scalar", "tensor"):
+        yield "exponent", ("{} gets the exponent 2", term), partial(power, term, 2)
 
 
 def raised_to(base: Term, exponent: Linear) -> Term:

@@ -36,9 +36,9 @@ class JudgeAside:
 
     def verdict(self, statement: Statement, seconds: float) -> Verdict | None:
         """None where the statement cannot be judged. Raises OutOfTime, and what the judge itself raises."""
-        end = monotonic() + seconds
         if self._process is None:
             self._start()
+        end = monotonic() + seconds
         self._pipe.send(statement)
         if not self._pipe.poll(max(0.0, end - monotonic())):
             self.close()

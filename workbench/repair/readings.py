@@ -74,7 +74,8 @@ class Readings:
                 self._seen.add(statement)
                 changes = tuple(Change(mark.kind, mark.description) for mark in marks)
                 latex = latex_of(marked(marks, reader.lines))
-                yield Candidate(statement, (*reader.changes, *changes), latex)
+                dear = sum(mark.cost - 1 for mark in marks)
+                yield Candidate(statement, (*reader.changes, *changes), latex, (dear,))
 
 
 class _Reader:

@@ -149,7 +149,7 @@ def _basis(statement: Statement) -> Iterator[Term]:
             if x.type.kind == "vector":
                 yield apply("skew", x)
     heads = {term.head for _, term in places(statement) if isinstance(term, Apply)}
-    for head in ("det", "trace"):
+    for head in ("det", "trace", "adjugate"):
         if head in heads:
             yield from (apply(head, body) for body in highest if body.type.kind == "tensor")
     for head, other in (("sin", "cos"), ("cos", "sin")):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeVar
 
-from workbench.language.construct import rebuild, relation
-from workbench.language.terms import Conjunction, Equivalence, Implication, Relation, Statement, Term
+from workbench.language.construct import rebuild, relation, zero
+from workbench.language.terms import Conjunction, Equivalence, Implication, Relation, Statement, Term, Zero
 
 #: The way from a statement to a subterm: which part or side, then which child, and so on.
 Place = tuple[int, ...]
@@ -65,6 +65,8 @@ def replaced(node: Changed, place: Place, new: Term) -> Changed:
         case Relation():
             both = [node.left, node.right]
             both[number] = replaced(both[number], rest, new)
+            if isinstance(both[1 - number], Zero):
+                both[1 - number] = zero()  # of whatever stands there now
             return relation(node.operator, *both)
         case Equivalence() | Implication():
             both = [node.left, node.right]

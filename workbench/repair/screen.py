@@ -88,7 +88,7 @@ class RandomPoint(dict):
 class SharingEngine(JetEngine):
     """Keeps what it knows by the identity of terms: hashing a large term would cost more than its value.
 
-    `given`: symbols whose values are put in from outside, and have no derivatives.
+    `given`: symbols whose values are put in from outside, as if they were constant.
     """
 
     def __init__(self, source: Any, definitions: Lookup) -> None:
@@ -126,9 +126,9 @@ class SharingEngine(JetEngine):
         self._passing.clear()
 
     def _given(self, symbol: Symbol, depth: int) -> Value:
-        if depth:
-            raise NotExact("the derivative of a value that is put in")
-        return self.given[symbol]
+        value = self.given[symbol]
+        still = [[0 * value.re[0]] * depth, None if value.du is None else [0 * value.du[0]] * depth]
+        return Value(value.re + still[0], None if value.du is None else value.du + still[1])
 
 
 class ScreenPoint:

@@ -1,0 +1,99 @@
+"""Addends that are dropped are found again, in sides and in brackets; what says nothing is known as such."""
+
+from random import Random
+
+import pytest
+from repair.damage import read_or_fault, right_claims
+
+from workbench.judge.inventory import NotExact
+from workbench.language.terms import Apply, IllFormed
+from workbench.papers import find_paper
+from workbench.repair.addends import Supply
+from workbench.repair.missing import MissingAddends, is_linear
+from workbench.repair.places import places, replaced
+from workbench.repair.repair import symbols_like
+from workbench.repair.screen import Screen
+from workbench.repair.vacuous import is_idle, is_vacuous
+from workbench.repair.variants import sum_of
+
+
+@pytest.fixture(scope="module")
+def paper():
+    return find_paper()
+
+
+def screen_of(claim):
+    assignments = list(claim.orders.assignments()) if claim.orders else [{}]
+    return Screen(
+        claim.notation.definitions, tuple(a.statement for a in claim.assume), (assignments[-3:] * 3)[:3]
+    )
+
+
+def finder(claim, statement):
+    screen = screen_of(claim)
+    if screen.keep(statement) is None:
+        return None
+    near, _ = symbols_like(statement, claim.notation.symbols, claim.orders.variables if claim.orders else ())
+    return MissingAddends(statement, screen, Supply(statement, near, screen.points[-1].components)), screen
+
+
+def without_an_addend(claim, formula, random):
+    """The statement with one addend dropped where it is linear."""
+    sums = [
+        (place, term)
+        for place, term in places(formula.statement)
+        if isinstance(term, Apply) and term.head == "add" and is_linear(formula.statement, place)
+    ]
+    if not sums:
+        return None
+    place, term = random.choice(sums)
+    kept = list(term.arguments)
+    kept.pop(random.randrange(len(kept)))
+    try:
+        return replaced(formula.statement, place, sum_of(kept))
+    except IllFormed:
+        return None
+
+
+def test_a_dropped_addend_is_found_again(paper):
+    random = Random(7)
+    tried = found = 0
+    for claim, formula in right_claims(paper)[::13]:
+        damaged = without_an_addend(claim, formula, random)
+        try:
+            found_by = None if damaged is None else finder(claim, damaged)
+        except NotExact:
+            continue
+        if found_by is None or found_by[1].vanishes(damaged):
+            continue
+        search, screen = found_by
+        tried += 1
+        if any(screen.vanishes(edit.statement) for edit in (*search.outer(), *search.inner())):
+            found += 1
+    assert tried > 4
+    assert found >= 0.7 * tried
+
+
+VACUOUS = [
+    r"\ddot{\omega} + \omega \times \dot{\omega} = \omega \times \dot{\omega} + \ddot{\omega}",
+    r"\ddot{\omega} = \ddot{\omega} + \omega \times \dot{\omega} - \omega \times \dot{\omega}",
+]
+IDLE = [
+    r"\omega \times \omega = \tilde{\omega} \omega",
+    r"\dot{\omega} = \dot{\omega} + \omega \times \omega",
+]
+TELLING = [
+    r"\omega \times \omega = 0",
+    r"\tilde{\omega} \dot{\omega} = \omega \times \dot{\omega}",
+    r"\ddot{\omega} = \ddot{\omega} + \omega \times \dot{\omega}",
+]
+
+
+def test_what_says_nothing_is_told_from_what_says_something(paper):
+    claim = next(claim for claim in paper.claims if claim.id == "58.det")
+    screen = screen_of(claim)
+    for text in (*VACUOUS, *IDLE, *TELLING):
+        statement = read_or_fault(text, claim).statement
+        assert is_vacuous(statement) == (text in VACUOUS), text
+        if text not in VACUOUS:
+            assert is_idle(statement, screen) == (text in IDLE), text

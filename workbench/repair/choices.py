@@ -13,6 +13,7 @@ from workbench.repair.sums import zero_sums
 
 #: Alternatives kept of each addend, in the rounds of the search for a sum that fits.
 _ROUNDS = (4, 12, 40, 100)
+_FEW = 6
 
 Marks = tuple[Mark, ...]
 
@@ -39,24 +40,27 @@ class AddendChoices:
     slots: list[tuple[int, list[Alternative]]]
 
     def that_add_up(self) -> Iterator[Marks]:
-        """Choices whose values add up to 0."""
+        """Choices whose values add up to 0: among a few alternatives of each addend, then among more; then
+        among a few of all but one, and all of that."""
         valued = [[a for a in alternatives if a.value is not None] for _, alternatives in self.slots]
         if not all(valued):
             return
-        for width in _ROUNDS:
-            cut = [alternatives[:width] for alternatives in valued]
+        rounds = [[width] * len(valued) for width in _ROUNDS]
+        for deep in range(len(valued)):
+            rounds.append([_FEW if place != deep else None for place in range(len(valued))])
+        fitting: list[list[Alternative]] = []
+        for number, widths in enumerate(rounds):
+            if fitting and number <= len(_ROUNDS):
+                break
+            cut = [alternatives[:width] for alternatives, width in zip(valued, widths, strict=True)]
             values = [
                 [sign * a.value % PRIME for a in alternatives]
                 for (sign, _), alternatives in zip(self.slots, cut, strict=True)
             ]
-            sums = zero_sums(values)
-            if sums is None:
-                return
-            fitting = [[a[place] for a, place in zip(cut, places, strict=True)] for places in sums]
-            fitting.sort(key=lambda chosen: sum(a.cost for a in chosen))
-            yield from ((*self.context, *(m for a in chosen for m in a.marks)) for chosen in fitting)
-            if fitting:
-                return
+            for places in zero_sums(values) or ():
+                fitting.append([a[place] for a, place in zip(cut, places, strict=True)])
+        fitting.sort(key=lambda chosen: sum(a.cost for a in chosen))
+        yield from ((*self.context, *(m for a in chosen for m in a.marks)) for chosen in fitting)
 
     def cheapest(self, most: int) -> Iterator[Marks]:
         """Choices with the fewest marks."""

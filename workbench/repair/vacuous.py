@@ -7,7 +7,16 @@ from collections.abc import Iterator
 
 from workbench.judge.rings import PRIME
 from workbench.language.construct import derivative
-from workbench.language.terms import Apply, Conjunction, Relation, Statement, Term, TimeOperator, Zero
+from workbench.language.terms import (
+    Apply,
+    Conjunction,
+    Identity,
+    Relation,
+    Statement,
+    Term,
+    TimeOperator,
+    Zero,
+)
 from workbench.repair.places import places, sides
 from workbench.repair.screen import Screen
 
@@ -74,6 +83,8 @@ def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
                 yield from _addends(addend, sign)
         case Apply(head="neg", arguments=(inner,)):
             yield from _addends(inner, -sign)
+        case Apply(head="mul", arguments=(Identity(), x) | (x, Identity())) if x.type.kind == "tensor":
+            yield from _addends(x, sign)
         case Apply(head="mul", arguments=(TimeOperator(), x)) if x.type.kind != "operator":
             yield sign, derivative(x, 1)  # D x is only another way to write it
         case _:

@@ -27,7 +27,8 @@ from workbench.verify import HOLDS
 
 SAMPLE = 160
 SEED = 53
-OUTCOMES = ("refuted", "ill-formed", "equal")
+#: A change can leave what is exact (sin α², 1/det Ṙ); the judge then says so, and nothing counts as passed.
+OUTCOMES = ("refuted", "ill-formed", "equal", "unchecked")
 
 
 @pytest.fixture(scope="module")
@@ -78,6 +79,8 @@ class Campaign:
             return "equal"
         if verdict.outcome == Outcome.REFUTED:
             return "refuted"
+        if verdict.outcome == Outcome.UNCHECKED and verdict.reason:
+            return "unchecked"
         return f"{verdict.outcome}: {verdict.reason}"
 
     def is_defined(self, statement):
@@ -127,6 +130,7 @@ def test_a_sample_of_mutants(originals):
     assert not escaped, "\n".join(escaped)
     refuted = sum(n for (_, outcome), n in counts.items() if outcome == "refuted")
     assert refuted > SAMPLE // 2
+    assert sum(n for (_, outcome), n in counts.items() if outcome == "unchecked") < SAMPLE // 20
     assert sum(counts.values()) == SAMPLE
 
 

@@ -107,13 +107,15 @@ def _with_left(found: Occurrence, left: Scripted) -> Occurrence:
 def _letters_in(
     node: Node, styles: tuple[str, ...], scripts: Scripts, holder: Scripted | None
 ) -> Iterator[Occurrence]:
+    while isinstance(node, Group) and len(node.parts) == 1:
+        (node,) = node.parts
     if letter_of(node) is not None:
         yield Occurrence(node, styles, scripts, holder)
         return
     match node:
         case Styled(body=body):
             yield from _letters_in(body, (*styles, node.style), scripts, holder)
-        case Accented(body=body) | Group(parts=(body,)):
+        case Accented(body=body):
             yield from _letters_in(body, styles, scripts, holder)
         case Scripted(nucleus=nucleus, sub=sub, sup=sup):
             within = Scripts(None, None, sub or scripts.sub, sup or scripts.sup, node.primes)

@@ -90,7 +90,11 @@ class _Reader:
         self.integers = frozenset(claim.orders.variables if claim.orders else ())
         self._elaborator = RememberingElaborator(self.table, self.integers)
         self._taken_apart: list[AddendChoices] = []
-        self.letters = [(letter, self._weight(letter)) for letter in letters_of(self.lines)]
+        self.letters = [
+            (letter, self._weight(term))
+            for letter in letters_of(self.lines)
+            if (term := self.term(letter)) is not None
+        ]
 
     def statement(self, marks: Sequence[Mark]) -> Statement | None:
         self.tick()
@@ -107,10 +111,9 @@ class _Reader:
         except (Fault, Misfit, IllFormed):
             return None
 
-    def _weight(self, letter: Node) -> int | None:
-        term = self.term(letter)
-        weight = None if term is None else term.weight
-        return None if weight is None or not weight.is_number else int(weight)
+    @staticmethod
+    def _weight(term: Term) -> int | None:
+        return None if term.weight is None or not term.weight.is_number else int(term.weight)
 
     def as_it_is(self) -> Iterator[Marks]:
         """No marks, if the equation then holds at the points."""

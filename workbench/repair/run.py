@@ -85,9 +85,7 @@ def proposals_for(
     return {found.claim.id: found.proposed() for found in repairs}
 
 
-def with_proposals(
-    claim: Mapping[str, Any], proposed: Mapping[str, list[dict[str, Any]]]
-) -> dict[str, Any]:
+def with_proposals(claim: Mapping[str, Any], proposed: Mapping[str, list[dict[str, Any]]]) -> dict[str, Any]:
     """A claim of the report with the key "proposed": a list of {latex, edit, difference, verdict},
     few changes first."""
     return {**claim, "proposed": proposed.get(claim["id"], [])}

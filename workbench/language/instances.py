@@ -59,8 +59,8 @@ def instantiate(formula, values):
 
 
 class Instantiation:
-    """One substitution; terms are visited once each, whatever the sharing. `done` remembers them by identity, in
-    the order in which they were met."""
+    """One substitution; terms are visited once each, whatever the sharing. `done` remembers them by identity,
+    in the order in which they were met."""
 
     def __init__(self, values: Mapping[str, Linear]) -> None:
         self.values = values

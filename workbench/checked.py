@@ -16,6 +16,7 @@ from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.lines import Line, split_lines
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
+from workbench.repair.limits import STANDARD, Limits
 from workbench.results import claim_dict
 from workbench.selection import select_claims
 from workbench.terminal import claim_lines
@@ -57,11 +58,11 @@ class Checked:
     def holds(self) -> bool:
         return self.outcome in HOLDS
 
-    def repair(self, seconds: float = 60.0) -> Repair:
+    def repair(self, limits: Limits = STANDARD) -> Repair:
         """What the right form is, where this one is refuted or ill-formed: only proved forms."""
-        from workbench.repair.repair import Limits, repair
+        from workbench.repair.repair import repair
 
-        return repair(self.result.claim, Limits(seconds=seconds))
+        return repair(self.result.claim, limits)
 
     def __str__(self) -> str:
         return "\n".join(str(line) for line in claim_lines(claim_dict(self.result), with_expectation=False))

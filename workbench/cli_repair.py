@@ -11,23 +11,23 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from workbench.cli_options import Unusable, json_flag, paper_option, print_json, reports_faults
+from workbench.repair.limits import STANDARD, Limits
 
 if TYPE_CHECKING:
     from workbench.papers import Claim
-    from workbench.repair.repair import Limits, Repair
+    from workbench.repair.repair import Repair
     from workbench.verify import ClaimResult
 
 
-def _seconds_option(default: float):
-    return click.option(
-        "--seconds", default=default, show_default=True, help="The limit on time for one claim."
-    )
+_seconds_option = click.option(
+    "--seconds", default=STANDARD.seconds, show_default=True, help="The limit on time for one claim."
+)
 
 
 @click.command("repair")
 @click.argument("select", nargs=-1, required=True, metavar="ID...")
 @paper_option
-@_seconds_option(60.0)
+@_seconds_option
 @click.option("--definitions", is_flag=True, help="Change the definitions that the claims share instead.")
 @json_flag
 @reports_faults
@@ -61,7 +61,7 @@ def repair_claim(
 @click.command()
 @click.argument("select", nargs=-1)
 @paper_option
-@_seconds_option(30.0)
+@_seconds_option
 @json_flag
 @reports_faults
 def errata(select: Sequence[str], paper_name: str | None, seconds: float, as_json: bool) -> None:
@@ -85,8 +85,6 @@ def errata(select: Sequence[str], paper_name: str | None, seconds: float, as_jso
 
 
 def _limits(seconds: float) -> Limits:
-    from workbench.repair.repair import Limits
-
     if not 0 < seconds < math.inf:
         raise Unusable(f"seconds: expected a positive number, got {seconds}")
     return Limits(seconds=seconds)
@@ -110,7 +108,7 @@ def _repair_definitions(claims: Sequence[Claim], seconds: float, as_json: bool) 
     """Prints the changes of definitions that mend two or more of these false claims, and exits."""
     from workbench.repair.definitions import repair_definitions
 
-    repairs = repair_definitions(claims, seconds=seconds)
+    repairs = repair_definitions(claims, seconds=seconds * len(claims))
     if as_json:
         print_json([{**asdict(repair), "edit": repair.edit} for repair in repairs])
     else:

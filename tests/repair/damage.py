@@ -15,10 +15,11 @@ from workbench.language.terms import Statement
 from workbench.papers import Claim, Formula
 from workbench.papers.formulas import read_statement
 from workbench.repair.edits import edits
+from workbench.repair.limits import STANDARD, Limits
 from workbench.repair.marks import Mark, marked
 from workbench.repair.nodes import below, latex_of
 from workbench.repair.readings import all_marks
-from workbench.repair.repair import STANDARD, Limits, repair
+from workbench.repair.repair import repair
 from workbench.repair.sameness import Sameness
 from workbench.repair.screen import Screen
 

@@ -13,7 +13,8 @@ from workbench.judge.judge import Judge
 from workbench.judge.verdict import EngineDisagreement
 from workbench.papers import find_paper
 from workbench.repair.aside import JudgeAside, OutOfTime
-from workbench.repair.repair import Limits, repair
+from workbench.repair.limits import Limits
+from workbench.repair.repair import repair
 
 
 @pytest.fixture(scope="module")

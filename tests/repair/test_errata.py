@@ -12,7 +12,8 @@ from rich.console import Console
 from workbench.cli import main
 from workbench.papers import find_paper
 from workbench.repair.errata import compared, errata_table, known_errata, summary
-from workbench.repair.repair import Limits, Repair, repair
+from workbench.repair.limits import Limits
+from workbench.repair.repair import Repair, repair
 from workbench.repair.run import repair_claims
 
 #: Of the errata of the chapter, at least so many are corrected as by hand.

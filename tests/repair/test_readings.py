@@ -15,8 +15,9 @@ from workbench.language.syntax import parse
 from workbench.papers import Claim, Formula
 from workbench.papers.formulas import read_statement
 from workbench.repair.errata import compared
+from workbench.repair.limits import Limits
 from workbench.repair.nodes import latex_of
-from workbench.repair.repair import Limits, repair
+from workbench.repair.repair import repair
 from workbench.repair.spellings import spellings
 from workbench.repair.sums import zero_sums
 

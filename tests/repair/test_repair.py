@@ -17,7 +17,8 @@ from workbench.judge.judge import Judge
 from workbench.judge.rings import PRIME
 from workbench.papers import find_paper
 from workbench.repair.definitions import repair_definitions
-from workbench.repair.repair import Limits, repair
+from workbench.repair.limits import Limits
+from workbench.repair.repair import repair
 from workbench.repair.screen import Screen
 from workbench.verify import HOLDS
 

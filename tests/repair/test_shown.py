@@ -13,7 +13,8 @@ from rich.console import Console
 from workbench import check
 from workbench.cli import main
 from workbench.repair import shown
-from workbench.repair.repair import Limits, Repair
+from workbench.repair.limits import Limits
+from workbench.repair.repair import Repair
 from workbench.repair.shown import difference_text, repair_lines, search_bar
 
 PARTS = [{"same": "a ="}, {"printed": "", "proposed": "2"}, {"same": "b"}, {"printed": "+ c", "proposed": ""}]

@@ -28,8 +28,9 @@ from workbench.language.terms import Apply, Definition, IllFormed, Relation, Sym
 from workbench.papers.model import Claim
 from workbench.repair.coefficients import Vector, fewest_changes
 from workbench.repair.edits import edits
+from workbench.repair.limits import Limits
 from workbench.repair.places import places
-from workbench.repair.repair import Limits, repair
+from workbench.repair.repair import repair
 from workbench.repair.screen import Screen
 from workbench.repair.search import cost
 from workbench.repair.variants import sum_of, times

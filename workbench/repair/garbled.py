@@ -57,7 +57,7 @@ def conditions(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> li
         said = ", ".join(f"${latex_of(clause)}$" for clause in lost)
         ways.append((kept, (Change("condition", f"the condition {said} cannot be read"),)))
         found = [
-            (_withconditions(before, line, after), (*changes, *more))
+            (_with_conditions(before, line, after), (*changes, *more))
             for before, changes in found
             for after, more in ways
         ]
@@ -80,7 +80,7 @@ def is_range(clause: Node) -> bool:
     return barred or clause.universal or any(sign in "∈≥>" for sign, _ in clause.relations)
 
 
-def _withconditions(lines: Lines, old: tuple[Node, ...], conditions: tuple[Node, ...]) -> Lines:
+def _with_conditions(lines: Lines, old: tuple[Node, ...], conditions: tuple[Node, ...]) -> Lines:
     return Lines(lines.at, tuple((old[0], *conditions) if line is old else line for line in lines.lines))
 
 

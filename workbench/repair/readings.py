@@ -262,7 +262,10 @@ class _Equation:
     def _alternatives(self, side: Node, leaf: Node, context: Marks, wanted: Term | None) -> list[Alternative]:
         found: dict[object, list[Alternative]] = {}
         most, read, offset = MOST_MARKS, 0, None
-        fill = hole(alone(marked(context, side), leaf), leaf)
+        nodes = set(map(id, below(leaf)))
+        within = tuple(mark for mark in context if id(mark.old) in nodes)
+        around = [mark for mark in context if mark not in within]
+        fill = hole(alone(marked(around, side), leaf), leaf)
         is_one_product = not any(isinstance(p, Sum) and not self._is_integer(p) for p in below(leaf))
         for marks in self._readable(leaf, wanted) if wanted is not None else [()]:
             if read == MOST_READ or sum(mark.cost for mark in marks) > most:
@@ -271,7 +274,7 @@ class _Equation:
             if None not in (dots, offset) and dots != offset:
                 continue
             read += 1
-            term = self.reader.term(fill(marked(marks, leaf)))
+            term = self.reader.term(fill(marked((*within, *marks), leaf)))
             if term is not None and None not in (dots, wanted and wanted.weight, term.weight):
                 lacking = wanted.weight - term.weight
                 offset = dots + int(lacking) if lacking.is_number else None

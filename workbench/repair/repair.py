@@ -25,6 +25,7 @@ from workbench.repair.as_printed import as_printed
 from workbench.repair.aside import JudgeAside, OutOfTime
 from workbench.repair.difference import Difference, difference, in_colour
 from workbench.repair.edits import edits
+from workbench.repair.limits import STANDARD, Limits
 from workbench.repair.places import places
 from workbench.repair.readings import Readings
 from workbench.repair.sameness import Sameness
@@ -33,24 +34,6 @@ from workbench.repair.search import Candidate, Change, Neighbourhood, candidate_
 from workbench.repair.vacuous import is_idle, is_vacuous
 
 _PROVED = (Outcome.PROVED, Outcome.DEFINITION)
-
-
-@dataclass(frozen=True)
-class Limits:
-    """seconds: of wall time for one claim. judgement: seconds for one candidate. candidates: looked at.
-    proposals: made. judged: candidates of one stage that are given to the judge. readings: of an ill-formed
-    claim, whose neighbourhoods are searched."""
-
-    seconds: float = 25.0
-    judgement: float = 10.0
-    candidates: int = 200_000
-    proposals: int = 6
-    judged: int = 40
-    readings: int = 12
-
-
-#: What one claim gets by default. Results are the same everywhere, unless time runs out (`Repair.complete`).
-STANDARD = Limits()
 
 
 @dataclass(frozen=True)

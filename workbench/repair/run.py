@@ -14,7 +14,8 @@ from typing import Any
 from workbench.judge.verdict import Outcome
 from workbench.papers import load_paper
 from workbench.papers.model import Claim
-from workbench.repair.repair import STANDARD, Limits, Repair, repair
+from workbench.repair.limits import STANDARD, Limits
+from workbench.repair.repair import Repair, repair
 from workbench.verify import ClaimResult
 
 #: Verdicts on a printed form that ask for another form.

@@ -15,7 +15,8 @@ from workbench.repair.difference import ADDED, REMOVED
 from workbench.terminal import outcome_text
 
 if TYPE_CHECKING:
-    from workbench.repair.repair import Limits, Repair
+    from workbench.repair.limits import Limits
+    from workbench.repair.repair import Repair
 
 _GONE, _NEW = "red strike", "bold green underline"
 _INDENT = 17

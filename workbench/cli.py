@@ -179,7 +179,7 @@ def check(file: Path, json_out: str | None, second_engine: bool, motions: bool, 
     "--proposals/--no-proposals",
     default=False,
     show_default=True,
-    help="Search for the right form of what is not right; takes minutes.",
+    help="Search for the right form of what is not right; takes a minute or two.",
 )
 @reports_faults
 def report(

@@ -20,7 +20,7 @@ from workbench.kinematics.lanes import (
 
 OPTIONS = {"fastmath": {"contract"}, "error_model": "numpy"}  # contract: a·b + c at once
 compiled = njit(**OPTIONS)
-inlined = njit(forceinline=True, **OPTIONS)
+inlined = njit(forceinline=True, **OPTIONS)  # a call would put all registers into memory
 
 # -- trigonometry ---------------------------------------------------------------------------------
 
@@ -87,7 +87,7 @@ def store_exponential(E, k, reciprocals, total):
     return c, s
 
 
-@compiled
+@inlined
 def extend_exponential(E, rate, terms, reciprocals):
     """All coefficients of E = e^{iα} from the 0-th, by E' = i α' E; as many as four at a time, since
     they share their factors."""

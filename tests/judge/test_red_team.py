@@ -326,3 +326,22 @@ def test_a_counterexample_has_no_entry_too_many(latex):
     values = check(latex, SYMBOLS).verdict.counterexample.values
     entries = [x for components in values.values() for x in components if x != "0"]
     assert len(entries) <= 3 and set(entries) == {"1"}
+
+
+SINGULAR = r"\frac{1}{a \cdot (a \times b)}"
+
+
+@pytest.mark.parametrize(
+    ("latex", "more"),
+    [
+        (rf"{SINGULAR} = f", {}),
+        (rf"{SINGULAR} \neq 0", {}),
+        (rf"{SINGULAR} = 0 \Leftrightarrow f = 0", {}),
+        (rf"f = 0 \Rightarrow {SINGULAR} = 0", {}),
+        (r"x = \tilde{a}^{-1} b", {"definitions": {"x": r"\tilde{a}^{-1} b"}}),
+        (r"x = b", {"definitions": {"x": r"\tilde{a}^{-1} b"}}),
+    ],
+)
+def test_what_divides_by_zero_everywhere_is_unchecked_also_as_a_definition(latex, more):
+    found = check(latex, SYMBOLS, **more)
+    assert found.outcome == Outcome.UNCHECKED and "denominator" in found.verdict.reason

@@ -59,6 +59,12 @@ class Judge(Setting):
         )
 
     def _judge(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        try:
+            return self._judge_form(statement, assume)
+        except ZeroDivisionError:
+            return Verdict(Outcome.UNCHECKED, reason="a denominator is identically zero")
+
+    def _judge_form(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
         match statement:
             case Conjunction(parts=parts):
                 return _together([self._judge(part, assume) for part in parts])

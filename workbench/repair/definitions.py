@@ -17,7 +17,7 @@ from fractions import Fraction
 from time import monotonic
 
 from workbench.judge.assumptions import Unsatisfiable
-from workbench.judge.inventory import Lookup, NotExact
+from workbench.judge.inventory import NotExact
 from workbench.judge.judge import Judge
 from workbench.judge.rings import PRIME
 from workbench.judge.verdict import Outcome
@@ -42,29 +42,24 @@ _SECOND = Limits(seconds=10.0, candidates=20_000, proposals=1)
 
 
 @dataclass(frozen=True)
-class Redefined:
-    """Definitions in which some symbols have other bodies."""
-
-    definitions: Lookup
-    bodies: Mapping[Symbol, Term]
-
-    def lookup(self, symbol: Symbol) -> Term | None:
-        return self.bodies[symbol] if symbol in self.bodies else self.definitions.lookup(symbol)
-
-
-@dataclass(frozen=True)
 class Redefinition:
-    """A change of definitions: other bodies of some symbols, or of what defines these names and indices."""
+    """A change of definitions: other bodies for symbols without arguments."""
 
     bodies: Mapping[Symbol, Term]
-    edited: Mapping[tuple[str, tuple], Term]
 
-    def of(self, definitions: Definitions) -> Lookup:
-        if not self.edited:
-            return Redefined(definitions, self.bodies)
-        return Definitions(
-            replace(d, body=self.edited.get((d.declaration.name, d.index), d.body)) for d in definitions
-        )
+    def of(self, definitions: Definitions) -> Definitions:
+        """A member that only a definition for all n covered gets one of its own."""
+        bodies = {(s.declaration.name, s.index): (s, body) for s, body in self.bodies.items()}
+        changed = []
+        for definition in definitions:
+            key = definition.declaration.name, definition.index
+            changed.append(replace(definition, body=bodies.pop(key)[1]) if key in bodies else definition)
+        added = [Definition(s.declaration, s.index, (), body) for s, body in bodies.values()]
+        return Definitions((*changed, *added))
+
+    def concerns(self, claim: Claim) -> bool:
+        names = _names_below(claim)
+        return any(s.declaration.name in names for s in self.bodies)
 
 
 @dataclass(frozen=True)
@@ -98,7 +93,7 @@ def repair_definitions(
         if changed in found:
             continue
         mended = [claim for claim in claims if _holds(claim, change.of(claim.notation.definitions))]
-        others = [claim for claim in claims if claim not in mended] if mended else []
+        others = [c for c in claims if c not in mended and change.concerns(c)] if mended else []
         with_edits = [entry for claim in others if (entry := _with_edit(claim, change)) is not None]
         if len(mended) + len(with_edits) >= least:
             ids = tuple(claim.id for claim in mended)
@@ -131,7 +126,7 @@ def _edited(claims: Sequence[Claim], least: int, end: float) -> Iterator[tuple[R
         for body in _near_bodies(name, definition):
             if monotonic() > end:
                 return
-            change = Redefinition({}, {key: body})
+            change = Redefinition({name: body})
             if sum(_holds_at_points(claim, change) for claim in dependents) >= least:
                 yield change, ((to_latex(name), to_latex(definition.body), to_latex(body)),)
 
@@ -184,11 +179,11 @@ def _holds_at_points(claim: Claim, change: Redefinition) -> bool:
     return residual is not None and not any(residual)
 
 
-def _holds(claim: Claim, lookup: Lookup) -> bool:
+def _holds(claim: Claim, definitions: Definitions) -> bool:
     assume = tuple(a.statement for a in claim.assume)
     if claim.printed.statement is None:
         return False
-    judge = Judge(lookup, motions=False)
+    judge = Judge(definitions, motions=False)
     try:
         verdict = judge.judge(claim.printed.statement, assume=assume, orders=claim.orders)
     except (Unsatisfiable, IllFormed, NotExact):
@@ -206,7 +201,7 @@ def _other_coefficients(claims: Sequence[Claim]) -> Iterator[tuple[Redefinition,
                 (to_latex(s), to_latex(claim.notation.definitions.lookup(s)), to_latex(body))
                 for s, body in bodies.items()
             )
-            yield Redefinition(bodies, {}), changed
+            yield Redefinition(bodies), changed
 
 
 def _solutions(claim: Claim) -> Iterator[dict[Symbol, Term]]:
@@ -216,15 +211,15 @@ def _solutions(claim: Claim) -> Iterator[dict[Symbol, Term]]:
         return
     definitions = claim.notation.definitions
     symbols = list(dict.fromkeys(t for _, t in places(statement) if isinstance(t, Symbol)))
-    sums = {s: body.arguments for s in symbols if _is_sum(body := definitions.lookup(s))}
+    sums = {s: body.arguments for s in symbols if not s.arguments and _is_sum(body := definitions.lookup(s))}
     if not sums:
         return
     nothing = {s: zero(s.type) for s in sums}
-    start = _residual(claim, Redefined(definitions, nothing))
+    start = _residual(claim, Redefinition(nothing))
     parts = [(s, addend) for s, addends in sums.items() for addend in addends]
     columns = []
     for s, addend in parts:
-        residual = _residual(claim, Redefined(definitions, {**nothing, s: addend}))
+        residual = _residual(claim, Redefinition({**nothing, s: addend}))
         if residual is None or start is None:
             return
         columns.append(tuple((x - y) % PRIME for x, y in zip(residual, start, strict=True)))
@@ -236,9 +231,10 @@ def _is_sum(body: Term | None) -> bool:
     return isinstance(body, Apply) and body.head == "add"
 
 
-def _residual(claim: Claim, lookup: Lookup) -> Vector | None:
+def _residual(claim: Claim, change: Redefinition) -> Vector | None:
     try:
-        screen = Screen(lookup, tuple(a.statement for a in claim.assume), [{}] * _POINTS)
+        definitions = change.of(claim.notation.definitions)
+        screen = Screen(definitions, tuple(a.statement for a in claim.assume), [{}] * _POINTS)
         return screen.residual(claim.printed.statement)
     except NotExact:
         return None

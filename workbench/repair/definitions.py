@@ -14,6 +14,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cache
 from time import monotonic
 
 from workbench.judge.assumptions import Unsatisfiable
@@ -84,19 +85,23 @@ def repair_definitions(
     claims: Sequence[Claim], least: int = 2, seconds: float = 60.0
 ) -> list[DefinitionRepair]:
     """Changes of definitions that mend at least `least` of the false ones among the claims, with or without
-    one more change in the claim itself; at least one needs none. The most mending first. seconds: for the
-    search."""
+    one more change in the claim itself; at least one needs none. A claim that can be mended by itself counts
+    only where the change mends as many without any other. The most mending first. seconds: for the search."""
     end = monotonic() + seconds
     claims = [claim for claim in claims if not _holds(claim, claim.notation.definitions)]
+    mended_alone = cache(lambda place: bool(repair(claims[place], _SECOND).proposals))
     found: dict[tuple, DefinitionRepair] = {}
     for change, changed in (*_other_coefficients(claims), *_edited(claims, least, end)):
         if changed in found:
             continue
-        mended = [claim for claim in claims if _holds(claim, change.of(claim.notation.definitions))]
-        others = [c for c in claims if c not in mended and change.concerns(c)] if mended else []
-        with_edits = [entry for claim in others if (entry := _with_edit(claim, change)) is not None]
+        concerned = [place for place, claim in enumerate(claims) if change.concerns(claim)]
+        mended = [p for p in concerned if _holds(claims[p], change.of(claims[p].notation.definitions))]
+        if not mended or (len(mended) < least and any(map(mended_alone, mended))):
+            continue
+        others = [place for place in concerned if place not in mended and not mended_alone(place)]
+        with_edits = [entry for p in others if (entry := _with_edit(claims[p], change)) is not None]
         if len(mended) + len(with_edits) >= least:
-            ids = tuple(claim.id for claim in mended)
+            ids = tuple(claims[place].id for place in mended)
             found[changed] = DefinitionRepair(changed, ids, tuple(with_edits))
     return sorted(found.values(), key=lambda repair: (-len(repair.mended), -len(repair.with_edits)))
 

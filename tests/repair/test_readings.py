@@ -64,15 +64,15 @@ GARBLED = [
     (r"\Phi_3 = \dot{\Phi}_2 + \Phi_2 \Phi_1", r"\Phi_2 \Phi_1", r"\Phi_3 \Phi_1", r"$3$ in $\Phi_{3}$ should be $2$"),
     (r"\tilde{\sigma}_s \omega = \sigma_s \times \omega", r"\tilde{\sigma}_s", r"\tilde{\sigma}", r"should be $\sigma_{s}$"),
     (r"\tilde{\omega} \rho = \omega \times \rho", r"\tilde{\omega} \rho", r"\tilde{\omega} \times \rho", "should not be there"),
-    (r"\omega \times \rho = -\rho \times \omega", r"= -\rho", r"= \cdot -\rho", ""),
     (r"\rho \times \omega = \mathbf{f}(-\rho)", r"= ", r"= \cdot ", "is one too many"),
     (r"\omega \times {}_0\mathbf{x} = -{}_0\mathbf{x} \times \omega", r"\times {}_0", r"\times {}^0", r"${}^{0}$ should be ${}_{0}$"),
     (r"\mathbf{f}(\rho) = \omega \times \rho", r"\mathbf{f}", "f", r"$f$ should be $\mathbf{f}$"),
     (r"\mathbf{g}(\omega, \rho) = \omega \times \rho", r"(\omega, \rho)", r"(\rho)", "argument"),
-    (r"(\omega + \rho_P) {}_0\mathbf{x} = 0", "", "", ""),
+    (r"\tilde{\omega}^2 = \omega \otimes \omega - \omega^2 \mathbf{I}", r" \mathbf{I}", "", r"$\mathbf{I}$ is missing after"),
+    (r"\tilde{\omega} \tilde{\rho} = \rho \otimes \omega - (\omega \cdot \rho) \mathbf{I}", r"(\omega \cdot \rho) \mathbf{I}",
+     r"\omega \cdot \rho", r"$\mathbf{I}$ is missing after"),
     (r"\tilde{\omega} {}_0\mathbf{x} = \omega \times {}_0\mathbf{x}", r"\tilde{\omega} {}_0\mathbf{x}", r"(\tilde{\omega})_0 \mathbf{x}", "belongs to"),
 ]  # fmt: skip
-GARBLED = [entry for entry in GARBLED if entry[3]]
 
 
 def notation():

@@ -23,6 +23,8 @@ from workbench.repair.letters import occurrences
 from workbench.repair.marks import Mark, core_of
 from workbench.repair.nodes import below, latex_of
 
+_UNIT = parse("\\mathbf{I}").lines[0][0]
+
 #: A letter that may be missing, and its weight, if that is a number.
 Letter = tuple[Node, int | None]
 
@@ -34,6 +36,7 @@ def factor_marks(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
         if isinstance(part, Product):
             yield from _longer_exponents(part)
             yield from _surplus_signs(part)
+    yield _missing_unit(node)
     if not isinstance(node, Bracket | Fraction):
         yield from _missing_factors(node, letters)
 
@@ -81,6 +84,19 @@ def _missing_factors(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
             where = f"after ${latex_of(before)}$" if before is not None else f"before ${latex_of(after)}$"
             said = f"the factor ${latex_of(letter)}$ is missing {where}"
             yield Mark(node, new, 2, "factor", said, weight)
+
+
+def _missing_unit(node: Node) -> Mark:
+    """The unit tensor after a number, as in T* T = det T."""
+    items = node.items if isinstance(node, Product) else (node,)
+    if any(isinstance(item, Infix) or _is_function(item) for item in items):
+        items = (Bracket(node.at, "(", (node,)),)
+    new = Product(node.at, (*items, _UNIT))
+    return Mark(node, new, 1, "factor", f"the factor $\\mathbf{{I}}$ is missing after ${latex_of(node)}$", 0)
+
+
+def _is_function(node: Node) -> bool:
+    return isinstance(node, Leaf) and node.kind == "FUNCTION"
 
 
 def _is_left_script(node: Node | None) -> bool:

@@ -147,3 +147,9 @@ def test_command_line(paper):
     assert [p["verdict"] for p in json.loads(done.stdout)["proposed"]] == ["proved"]
     assert CliRunner().invoke(main, ["repair", "no-such-claim"]).exit_code == 2
     assert CliRunner().invoke(main, ["repair", "70.div", "--seconds", "-1"]).exit_code == 2
+
+
+def test_norms_are_beyond_the_random_points_but_not_beyond_the_judge():
+    printed = r"\|a \times b\|^2 = a^2 b^2 - a \cdot b"
+    found = check(printed, symbols={"a": "vector", "b": "vector"}).repair()
+    assert [p.edit for p in found.proposals] == [r"$a \cdot b$ gets the exponent 2"]

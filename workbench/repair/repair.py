@@ -204,6 +204,7 @@ class _Bench:
                 self._offer(_unscreened(candidate))
             return
         second = self._second_screens()
+        seen_at_points = {c.statement for c in read if self.screen.residual(c.statement) is not None}
         stages = []
         for candidate in read:
             near, far = symbols_like(candidate.statement, self.table, self.integers)
@@ -218,7 +219,8 @@ class _Bench:
                 if stage is None:
                     stages.remove(entry)
                     continue
-                if self._offer(replace(c, changes=(*before.changes, *c.changes)) for c in stage):
+                most = self.limits.judged if before.statement in seen_at_points else self.limits.unscreened
+                if self._offer((replace(c, changes=(*before.changes, *c.changes)) for c in stage), most):
                     return
 
     def _screen(self) -> Screen | None:
@@ -236,9 +238,9 @@ class _Bench:
         except NotExact:
             return []
 
-    def _offer(self, candidates: Iterator[Candidate]) -> bool:
-        """Judges the candidates of one stage. Whether any was proved."""
-        self._judge_best(list(islice(self._new(candidates), self.limits.judged)))
+    def _offer(self, candidates: Iterator[Candidate], most: int | None = None) -> bool:
+        """Judges up to `most` candidates of one stage. Whether any was proved."""
+        self._judge_best(list(islice(self._new(candidates), most or self.limits.judged)))
         return bool(self.found.proposals)
 
     def _judge_best(self, candidates: Sequence[Candidate]) -> None:

@@ -34,6 +34,8 @@ Variant = tuple[str, Said, Callable[[], Term]]
 
 _FACTORS = tuple(Fraction(text) for text in ("2", "1/2", "3", "1/3", "3/2", "2/3", "4", "1/4"))
 _PRODUCT_SIGNS = {"dot": "·", "cross": "×", "outer": "⊗", "mul": "juxtaposition"}
+#: Besides letters, what may stand in brackets or bars with an exponent.
+_SQUARED = frozenset(("skew", "dot", "outer", "triple", "det", "trace", "norm"))
 _OTHER_FUNCTION = {
     "symmetric": "antisymmetric",
     "antisymmetric": "symmetric",
@@ -220,8 +222,8 @@ def _exponents(term: Power) -> Iterator[Variant]:
 
 
 def _squares(term: Term) -> Iterator[Variant]:
-    is_letter = isinstance(term, Symbol | Derivative) or (isinstance(term, Apply) and term.head == "skew")
-    if is_letter and term.type.kind in ("scalar", "tensor"):
+    in_brackets = isinstance(term, Apply) and term.head in _SQUARED
+    if (in_brackets or isinstance(term, Symbol | Derivative)) and term.type.kind in ("scalar", "tensor"):
         yield "exponent", ("{} gets the exponent 2", term), partial(power, term, 2)
 
 

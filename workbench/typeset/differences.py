@@ -24,10 +24,6 @@ from workbench.typeset.latex_atoms import (
     opens,
 )
 
-#: How what is only printed, and what is only proposed, is marked in plain text.
-REMOVED = ("[-", "-]")
-ADDED = ("{+", "+}")
-
 # Below this share of common atoms a list of differences would be longer than the two formulas.
 _RECOGNISABLE = 0.35
 
@@ -73,7 +69,8 @@ class Difference:
 def difference(before: str, after: str) -> Difference | None:
     """What differs, or None where one of the formulas cannot be taken apart.
 
-    Bold, italic and upright letters count as the same unless they are all that differs.
+    Bold, italic and upright letters count as the same unless they are all that differs; the parts always tell
+    them apart.
     """
     try:
         first, second = (_canonical(atoms_of(latex)) for latex in (before, after))
@@ -92,7 +89,7 @@ def in_one_line(parts: Iterable[Mapping[str, str]]) -> str:
     pieces = []
     for part in parts:
         pieces.append(part.get("same", ""))
-        for key, (opening, closing) in (("printed", REMOVED), ("proposed", ADDED)):
+        for key, (opening, closing) in (("printed", ("[-", "-]")), ("proposed", ("{+", "+}"))):
             if part.get(key):
                 pieces.append(f"{opening}{part[key]}{closing}")
     return " ".join(filter(None, pieces))
@@ -184,11 +181,15 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
     changes, blocks, marked = [], [], (set(), set())
     for ends in _unequal_blocks(*units):
         spans = [(starts[side][ends[2 * side]], starts[side][ends[2 * side + 1]]) for side in (0, 1)]
-        within = _unequal_blocks(*(keys[side][slice(*spans[side])] for side in (0, 1)))
-        blocks += [[end + spans[side // 2][0] for side, end in enumerate(block)] for block in within]
+        offsets = [span[0] for span in spans for _ in range(2)]
+        within = [
+            [offset + end for offset, end in zip(offsets, block, strict=True)]
+            for block in _unequal_blocks(*(keys[side][slice(*spans[side])] for side in (0, 1)))
+        ]
+        blocks += within
         for side, span in enumerate(spans):
-            new = [range(*block[2 * side : 2 * side + 2]) for block in blocks[-len(within) :]]
-            leaves = _leaves_within(sides[side], [place for places in new for place in places])
+            new = [place for block in within for place in range(*block[2 * side : 2 * side + 2])]
+            leaves = _leaves_within(sides[side], new)
             marked[side].update(leaves or _leaves_within(sides[side], range(*span)))
         parts = [sides[side][slice(*spans[side])] for side in (0, 1)]
         changes.append(Change(_kind(*parts), *map(_fragment, parts), _preceding(second, spans[1][0])))
@@ -203,7 +204,6 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
 def _side_by_side(
     first: Sequence[Atom], second: Sequence[Atom], blocks: Iterable[Sequence[int]]
 ) -> Iterator[dict[str, str]]:
-    """What is the same, and what is not; here bold, italic and upright letters are never the same."""
     start = end = 0
     for a, b, c, d in (*blocks, (len(first),) * 2 + (len(second),) * 2):
         aligned = zip(first[start:a], second[end:c], strict=True)
@@ -276,7 +276,7 @@ def _unequal_blocks(first: Sequence[Any], second: Sequence[Any]) -> list[list[in
 
 def _leaves_within(atoms: Sequence[Atom], places: Iterable[int]) -> set[int]:
     """The leaves at the places, and those inside a mark, script or fraction that opens there."""
-    ends = {place: max(place, closing_of(atoms, place)) for place in places}
+    ends = {place: closing_of(atoms, place) for place in places}
     return {i for place, end in ends.items() for i in range(place, end + 1) if atoms[i].leaf}
 
 

@@ -143,6 +143,8 @@ def test_lines_of_one_formula_are_no_difference():
     assert differ(r"\begin{bmatrix} a & b \end{bmatrix}", r"\begin{bmatrix} a \\ b \end{bmatrix}")
     rows = r"\begin{aligned} \begin{bmatrix} a & b \end{bmatrix} \end{aligned}"
     assert not differ(rows, r"\begin{bmatrix} a & b \end{bmatrix}")
+    inner = r"\begin{bmatrix} \begin{aligned} a \end{aligned} & b \end{bmatrix}"
+    assert differ(inner, inner.replace("&", r"\\"))
 
 
 def test_a_printed_form_that_cannot_be_taken_apart_leaves_the_proposed_one_unmarked():

@@ -15,7 +15,7 @@ ROOT = Path(workbench.__file__).parent
 
 #: What a part of the engine may import: the parts before it.
 LAYERS = (
-    ("algebra", "language", "drake"),
+    ("algebra", "language", "drake", "typeset"),
     ("kinematics", "judge"),
     ("papers",),
     ("selection",),

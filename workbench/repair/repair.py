@@ -23,7 +23,6 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
 from workbench.repair.as_printed import as_printed
 from workbench.repair.aside import JudgeAside, OutOfTime
-from workbench.repair.difference import Difference, difference, in_colour
 from workbench.repair.edits import edits
 from workbench.repair.limits import STANDARD, Limits
 from workbench.repair.places import places
@@ -32,6 +31,8 @@ from workbench.repair.sameness import Sameness
 from workbench.repair.screen import Screen
 from workbench.repair.search import Candidate, Change, Neighbourhood, candidate_of, cost
 from workbench.repair.vacuous import is_idle, is_vacuous
+from workbench.typeset.differences import difference, in_one_line
+from workbench.typeset.latex_atoms import in_colour
 
 _PROVED = (Outcome.PROVED, Outcome.DEFINITION)
 
@@ -49,15 +50,22 @@ class Proposal:
         """The changes as a person would say them."""
         return "; ".join(change.description for change in self.changes)
 
-    def difference(self, printed: str) -> Difference:
-        return difference(printed, self.latex)
+    def difference(self, printed: str) -> list[dict[str, str]]:
+        """Both forms side by side (`Difference.parts`); this one alone where one cannot be taken apart."""
+        found = difference(printed, self.latex)
+        return list(found.parts) if found else [{"same": self.latex}]
+
+    def in_colour(self, printed: str) -> str:
+        """LaTeX with what differs from the printed form in green."""
+        found = difference(printed, self.latex)
+        return in_colour(self.latex, found.marked_after if found else ())
 
     def to_dict(self, printed: str) -> dict[str, Any]:
-        """For the report. difference: see `Difference.to_list`."""
+        """For the report."""
         return {
             "latex": self.latex,
             "edit": self.edit,
-            "difference": self.difference(printed).to_list(),
+            "difference": self.difference(printed),
             "verdict": str(self.verdict.outcome),
         }
 
@@ -97,7 +105,7 @@ class Repair:
 
     def __str__(self) -> str:
         lines = [
-            f"{p.latex}\n    {p.edit} ({p.verdict.outcome})\n    {p.difference(self.printed)}"
+            f"{p.latex}\n    {p.edit} ({p.verdict.outcome})\n    {in_one_line(p.difference(self.printed))}"
             for p in self.proposals
         ]
         return "\n".join(lines) or f"no proposal among {self.candidates} candidates"
@@ -105,10 +113,9 @@ class Repair:
     __repr__ = __str__
 
     def _repr_markdown_(self) -> str:
-        lines = []
-        for p in self.proposals:
-            shown = p.difference(self.printed).highlighted(in_colour)
-            lines.append(f"$$ {shown} $$\n\n{p.edit} (**{p.verdict.outcome}**)")
+        lines = [
+            f"$$ {p.in_colour(self.printed)} $$\n\n{p.edit} (**{p.verdict.outcome}**)" for p in self.proposals
+        ]
         return "\n\n".join(lines) or f"no proposal among {self.candidates} candidates"
 
 

@@ -11,8 +11,8 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.text import Text
 
-from workbench.repair.difference import ADDED, REMOVED
 from workbench.terminal import outcome_text
+from workbench.typeset.differences import in_one_line
 
 if TYPE_CHECKING:
     from workbench.repair.limits import Limits
@@ -47,18 +47,11 @@ def proposal_lines(claim: Mapping[str, Any], coloured: bool = False) -> Iterator
 
 
 def difference_text(parts: Sequence[Mapping[str, str]], coloured: bool) -> Text:
-    """A difference (`Difference.to_list`) in one line."""
-    pieces = []
-    for part in parts:
-        if "same" in part:
-            pieces.append(Text(part["same"]))
-            continue
-        for text, style, (opening, closing) in (
-            (part["printed"], _GONE, REMOVED),
-            (part["proposed"], _NEW, ADDED),
-        ):
-            if text:
-                pieces.append(Text(text, style=style) if coloured else Text(f"{opening}{text}{closing}"))
+    """A difference (`Difference.parts`) in one line."""
+    if not coloured:
+        return Text(in_one_line(parts))
+    styles = {"same": "", "printed": _GONE, "proposed": _NEW}
+    pieces = [Text(part[key], style=styles[key]) for part in parts for key in part if part[key]]
     return Text(" ").join(pieces)
 
 

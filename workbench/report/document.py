@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from workbench.report.differences import difference
 from workbench.report.prose import (
     Run,
     difference_runs,
@@ -18,6 +17,7 @@ from workbench.report.prose import (
     text,
     value_latex,
 )
+from workbench.typeset.differences import difference
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from workbench.report.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
 from workbench.report.prose import Run
+from workbench.typeset.latex_atoms import LatexNotTypesettable, atoms_of, in_colour
 
 _SPECIAL = re.compile(r"([\\`*_{}\[\]()<>#+\-.!|~$&])")
 
@@ -33,15 +33,7 @@ def display_math(latex: str, marked: frozenset[int] = frozenset(), colour: str =
     """A displayed formula, with the marked leaves (indices into its atoms) in a colour."""
     if not _is_safe(latex):
         return code(latex)
-    if marked:
-        latex = latex_of(atoms_of(latex), marked, lambda atom: _coloured(atom, colour))
-    return f"$$\n{_one_line(latex)}\n$$"
-
-
-def _coloured(atom: Atom, colour: str) -> str:
-    """For MathJax as GitHub has it; a sign keeps the spacing of its kind."""
-    around = {"bin": r"\mathbin", "rel": r"\mathrel"}.get(atom.family, "")
-    return rf"{around}{{\color{{{colour}}}{{{atom.latex}}}}}"
+    return f"$$\n{_one_line(in_colour(latex, marked, colour))}\n$$"
 
 
 def runs(sentence: Iterable[Run]) -> str:

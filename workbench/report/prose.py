@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from workbench.report.differences import Change, Difference
+from workbench.typeset.differences import Change, Difference
 
 _INLINE_MATH = re.compile(r"\$([^$\n]+)\$")
 _LISTED = 8

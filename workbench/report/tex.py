@@ -6,9 +6,9 @@ import re
 import unicodedata
 from collections.abc import Iterable
 
-from workbench.report import glyphs
-from workbench.report.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
 from workbench.report.prose import Run
+from workbench.typeset import glyphs
+from workbench.typeset.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
 
 _SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#",

@@ -45,6 +45,9 @@ FUNCTION_NAMES = {
 
 SYMBOLS = GREEK | BINARY_OPERATORS | RELATIONS | ORDINARY | FUNCTION_NAMES
 
+#: Characters that stand for another one.
+SAME = {"≜": "=", "⊤": "T", "⟺": "⇔"}
+
 # Full stops set over a letter keep clear of it in every font; the characters made for marks
 # (U+02D9, U+0307, U+20DB …) run into capitals, or are missing.
 ACCENTS = {

@@ -11,10 +11,12 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
-from workbench.report import glyphs as table
+from workbench.typeset import glyphs as table
 
 _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\d+|\s+|.", re.DOTALL)
 _DEEPEST = 60
+_NAMES = {r"\widetilde": "~", r"\tilde": "~", **dict.fromkeys(table.WEIGHT_STYLES, "bold")}
+_ALIGNMENTS = frozenset(("aligned", "split", "gathered"))
 _COLUMNS = {"cases": 2, "gathered": 1, "split": 2, "aligned": 8}
 
 
@@ -27,6 +29,7 @@ class Atom:
     """latex: its source. identity: what it is compared by (None: it does not count).
 
     shape: the identity with bold and upright letters taken as the same. leaf: it may be marked by itself.
+    place: its index among the atoms of the formula.
     """
 
     latex: str
@@ -35,6 +38,7 @@ class Atom:
     leaf: bool = False
     family: str = "ord"
     glyphs: str = ""
+    place: int = 0
 
     @property
     def is_accent(self) -> bool:
@@ -65,8 +69,55 @@ def latex_of(
     return " ".join(pieces)
 
 
-def _closing(latex: str = "}", identity: str | None = None) -> Atom:
-    return Atom(latex, identity, identity)
+def in_colour(latex: str, marked: Collection[int], colour: str = "green") -> str:
+    """The formula with the marked leaves in a colour, for MathJax as GitHub and notebooks have it; a sign
+    keeps the spacing of its kind."""
+    around = {"bin": r"\mathbin", "rel": r"\mathrel"}
+
+    def coloured(atom: Atom) -> str:
+        return rf"{around.get(atom.family, '')}{{\color{{{colour}}}{{{atom.latex}}}}}"
+
+    return latex_of(atoms_of(latex), marked, coloured) if marked else latex
+
+
+def decorated(command: str, atom: Atom, latex: str) -> Atom:
+    """A leaf, or several letters as one, with an accent or in a style. latex: its source without that."""
+    name = _NAMES.get(command, command[1:])
+    is_plain = command in table.WEIGHT_STYLES
+    return replace(
+        atom,
+        latex=f"{command}{{{latex}}}",
+        identity=f"{name}({atom.identity})",
+        shape=atom.shape if is_plain else f"{name}({atom.shape})",
+        leaf=True,
+        family="ord",
+        glyphs=atom.glyphs + table.ACCENTS.get(command, ""),
+    )
+
+
+def closing_of(atoms: Sequence[Atom], opening: int) -> int:
+    """Where what opens at a place is closed: that place itself, if nothing opens there."""
+    depth = 0
+    for place in range(opening, len(atoms)):
+        depth += opens(atoms[place])
+        if depth <= 0:
+            return place
+    return len(atoms) - 1
+
+
+def opens(atom: Atom) -> int:
+    """1 for what opens, -1 for what closes a brace."""
+    if atom.leaf or atom.latex.endswith((r"\{", r"\}")):
+        return 0
+    return atom.latex.count("{") - atom.latex.count("}")
+
+
+def _enclosed(opening: Atom, *parts: Sequence[Atom]) -> list[Atom]:
+    """An opening and its arguments, with what stands between them and closes the last."""
+    between = Atom("}{", "}{", "}{")
+    inner = [atom for part in parts for atom in (between, *part)][1:]
+    end = opening.identity and f"end {opening.identity}"
+    return [opening, *inner, Atom("}", end, end)]
 
 
 class _Parser:
@@ -74,12 +125,13 @@ class _Parser:
         self.tokens = [token for token in _TOKEN.findall(latex)]
         self.position = 0
         self.depth = 0
+        self.aligned = False
 
     def formula(self) -> list[Atom]:
         atoms = self.sequence()
         if self.peek() is not None:
             raise LatexNotTypesettable(f"unexpected {self.peek()}")
-        return atoms
+        return [replace(atom, place=place) for place, atom in enumerate(atoms)]
 
     def peek(self) -> str | None:
         while self.position < len(self.tokens) and self.tokens[self.position].isspace():
@@ -130,31 +182,27 @@ class _Parser:
         if token == "{":
             inner = self.sequence()
             self.expect("}")
-            return [Atom("{", None), *inner, _closing()]
+            return _enclosed(Atom("{", None), inner)
         if token in ("^", "_"):
-            return [Atom(token + "{", token, token), *self.argument(), _closing()]
+            return _enclosed(Atom(token + "{", token, token), self.argument())
         if token in ("&", r"\\"):
-            return [Atom(token, token, token)]
+            return [Atom(token, None) if self.aligned else Atom(token, token, token)]
         if token in table.SPACES:
             return [Atom(token, None)]
         if token in table.SYMBOLS:
             return [_symbol(token)]
-        if token in table.ACCENTS:
-            return self.accent(token)
-        if token in table.STYLES:
-            return self.style(token)
+        if token in table.ACCENTS or token in table.STYLES:
+            return self.decorated(token)
         if token in table.TEXT_COMMANDS:
             return [self.text(token)]
         if token in table.TWO_ARGUMENTS:
             return self.two_arguments(token)
         if token == r"\sqrt":
-            return [Atom(r"\sqrt{", "√", "√"), *self.argument(), _closing()]
+            return _enclosed(Atom(r"\sqrt{", "√", "√"), self.argument())
         if token == r"\left":
             return self.left_right()
         if token in table.SIZES:
-            delimiter = self.delimiter()
-            sized = Atom(token + delimiter, delimiter, delimiter)
-            return [replace(sized, glyphs=_glyph(delimiter))]
+            return [_sized(token, self.delimiter())]
         if token == r"\begin":
             return self.environment()
         if token.isascii() and token.isalnum():
@@ -171,35 +219,20 @@ class _Parser:
             raise LatexNotTypesettable(f"expected an argument, got {token}")
         return self.item()
 
-    def accent(self, command: str) -> list[Atom]:
-        return self.decorated(command, "~" if command == r"\widetilde" else command[1:])
-
-    def style(self, command: str) -> list[Atom]:
-        return self.decorated(command, command[1:])
-
-    def decorated(self, command: str, name: str) -> list[Atom]:
+    def decorated(self, command: str) -> list[Atom]:
         """One leaf where a single symbol is decorated, else an opening, the content and a brace."""
         inner = self.argument()
-        name = {"tilde": "~"}.get(name, name)
-        mark = table.ACCENTS.get(command, "")
         counted = [atom for atom in inner if atom.identity is not None]
-        word = command in table.STYLES and all(re.fullmatch("[A-Za-z]", a.latex) for a in counted)
-        if counted and (word or (len(counted) == 1 and counted[0].leaf)):
-            content = "".join(atom.latex for atom in counted) if word else latex_of(inner)
-            shape = "".join(atom.shape or "" for atom in counted)
-            identity = "".join(atom.identity or "" for atom in counted)
-            plain = command in table.WEIGHT_STYLES
-            return [
-                Atom(
-                    f"{command}{{{content}}}",
-                    f"{name}({identity})",
-                    shape if plain else f"{name}({shape})",
-                    leaf=True,
-                    glyphs="".join(atom.glyphs for atom in counted) + mark,
-                )
-            ]
-        opening = Atom(f"{command}{{", name, name, glyphs=mark)
-        return [opening, *inner, _closing()]
+        letters = command in table.STYLES and all(re.fullmatch("[A-Za-z]", a.latex) for a in counted)
+        if counted and (letters or (len(counted) == 1 and counted[0].leaf)):
+            word, shape, glyphs = (
+                "".join(getattr(atom, name) or "" for atom in counted)
+                for name in ("identity", "shape", "glyphs")
+            )
+            latex = "".join(atom.latex for atom in counted) if letters else latex_of(inner)
+            return [decorated(command, Atom(latex, word, shape, glyphs=glyphs), latex)]
+        name = _NAMES.get(command, command[1:])
+        return _enclosed(Atom(f"{command}{{", name, name, glyphs=table.ACCENTS.get(command, "")), inner)
 
     def text(self, command: str) -> Atom:
         self.expect("{")
@@ -210,14 +243,14 @@ class _Parser:
         self.expect("}")
         if not re.fullmatch(r"[A-Za-z0-9 ,.;:()=+\-]*", content):
             raise LatexNotTypesettable(f"cannot typeset {command}{{{content}}}")
-        return Atom(f"{command}{{{content}}}", content, content, leaf=True, glyphs=content)
+        word = content.strip()
+        return Atom(f"{command}{{{content}}}", word, word, leaf=True, glyphs=content)
 
     def two_arguments(self, command: str) -> list[Atom]:
         first, second = self.argument(), self.argument()
-        opening = Atom(command + "{", command, command)
-        if command == r"\binom":
-            opening = replace(opening, glyphs="()")
-        return [opening, *first, Atom("}{", "}{", "}{"), *second, _closing()]
+        name = r"\frac" if command in (r"\dfrac", r"\tfrac") else command
+        glyphs = "()" if command == r"\binom" else ""
+        return _enclosed(Atom(command + "{", name, name, glyphs=glyphs), first, second)
 
     def delimiter(self) -> str:
         token = self.take()
@@ -229,12 +262,7 @@ class _Parser:
         opening = self.delimiter()
         inner = self.sequence()
         self.expect(r"\right")
-        ends = [opening, self.delimiter()]
-        left, right = (
-            Atom(f"{side}{end}", end, end, glyphs="" if end == "." else _glyph(end))
-            for side, end in zip((r"\left", r"\right"), ends, strict=True)
-        )
-        return [left, *inner, right]
+        return [_sized(r"\left", opening), *inner, _sized(r"\right", self.delimiter())]
 
     def environment(self) -> list[Atom]:
         name = self.brace_word()
@@ -242,14 +270,17 @@ class _Parser:
             raise LatexNotTypesettable(f"cannot typeset the environment {name}")
         columns = "{" + self.brace_word() + "}" if name == "array" else ""
         width = len(columns) - 2 if columns else _COLUMNS.get(name, 10)
+        outer, self.aligned = self.aligned, name in _ALIGNMENTS
         inner = self.sequence(width)
+        self.aligned = outer
         self.expect(r"\end")
         ended = self.brace_word()
         if ended != name:
             raise LatexNotTypesettable(f"{name} is ended by {ended}")
         fences = {"cases": "{", "bmatrix": "[]", "pmatrix": "()", "vmatrix": "||"}.get(name, "")
-        begin = Atom(f"\\begin{{{name}}}{columns}", name, name, glyphs=fences)
-        return [begin, *inner, _closing(f"\\end{{{name}}}", f"end {name}")]
+        begin, end = (None, None) if name in _ALIGNMENTS else (name, f"end {name}")
+        opening = Atom(f"\\begin{{{name}}}{columns}", begin, begin, glyphs=fences)
+        return [opening, *inner, Atom(f"\\end{{{name}}}", end, end)]
 
     def brace_word(self) -> str:
         self.expect("{")
@@ -261,8 +292,10 @@ class _Parser:
         return word
 
 
-def _glyph(symbol: str) -> str:
-    return table.SYMBOLS[symbol]
+def _sized(size: str, delimiter: str) -> Atom:
+    if delimiter == ".":
+        return Atom(size + delimiter, None)
+    return replace(_symbol(delimiter), latex=size + delimiter, leaf=False)
 
 
 def _symbol(token: str) -> Atom:
@@ -271,5 +304,6 @@ def _symbol(token: str) -> Atom:
         family = "bin"
     elif token in table.RELATIONS:
         family = "rel"
-    glyph = _glyph(token)
-    return Atom(token, glyph, glyph, leaf=True, family=family, glyphs=glyph)
+    glyph = table.SYMBOLS[token]
+    meant = table.SAME.get(glyph, glyph)
+    return Atom(token, meant, meant, leaf=True, family=family, glyphs=glyph)

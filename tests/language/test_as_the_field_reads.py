@@ -214,3 +214,7 @@ def test_an_upper_bound_alone_says_what_to_write(bound: str) -> None:
 def test_the_article_fits() -> None:
     with pytest.raises(IllFormedAt, match="expected an operator or tensor"):
         read_term(r"T \circ a", TABLE)
+
+
+def test_a_backslash_at_the_end_of_a_line_is_a_space_as_in_tex():
+    assert read_term("a \\\n + a", TABLE) == read_term("a + a", TABLE)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from workbench.language.construct import integer
 from workbench.language.integers import Linear
+from workbench.language.shapes import multiple
 from workbench.language.symbols import pattern_of
 from workbench.language.terms import (
     Apply,
@@ -147,7 +148,7 @@ def _print(term: Term) -> _Text:
         case BigSum():
             return _big_sum(term)
         case Block():
-            rows = " \\\\ ".join(" & ".join(_entry(e) for e in row) for row in term.entries)
+            rows = " \\\\ ".join(map(" & ".join, _entries(term)))
             return _Text(f"\\begin{{bmatrix}} {rows} \\end{{bmatrix}}", _ATOM)
         case Apply():
             return _apply(term)
@@ -170,8 +171,18 @@ def _counting(term: Counting) -> _Text:
     return _Text(f"\\binom{{{top}}}{{{','.join(lower)}}}", _FACTOR)
 
 
-def _entry(term: Term) -> str:
-    if isinstance(term, Zero):
+def _entries(term: Block) -> list[list[str]]:
+    """A zero has its shape from its row and its column; where these have none, it is printed with it."""
+    firm = [[multiple(entry) != "zero" for entry in row] for row in term.entries]
+    in_row, in_column = [any(row) for row in firm], [any(column) for column in zip(*firm, strict=True)]
+    return [
+        [_entry(entry, in_row[i] and in_column[j]) for j, entry in enumerate(row)]
+        for i, row in enumerate(term.entries)
+    ]
+
+
+def _entry(term: Term, has_shape: bool) -> str:
+    if isinstance(term, Zero) and (has_shape or term.type.kind not in ("tensor", "covector")):
         return "0" if term.type.kind == "scalar" else "\\mathbf{0}"
     return _print(term).text
 

@@ -145,7 +145,7 @@ class _Tokenizer:
             self.emit("RBRACE", "}", at)
 
     def command(self, name: str, text: str, at: int) -> None:
-        if name in SPACING:
+        if name in SPACING or name.isspace():
             return
         if name in SIZES:
             self.size = name

@@ -29,6 +29,7 @@ from workbench.language.terms import (
     Term,
     TimeOperator,
     Zero,
+    is_accented_symbol,
 )
 
 # How tightly a text holds together.
@@ -359,7 +360,7 @@ def _mul(left: Term, right: Term) -> _Text:
     mixed = isinstance(left, Number) and isinstance(right, Number)
     if acts or mixed or second.text[0].isdigit() or not (second.level >= _FACTOR or may_end):
         second = _Text(_bracket(second.text), _ATOM)
-    if first.end == "symbol":
+    if first.end == "symbol" or is_accented_symbol(left):
         second = _Text(_square(second.text), second.level, second.end)
     return _Text(f"{first.text} {second.text}", _PRODUCT, second.end)
 

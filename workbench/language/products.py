@@ -26,7 +26,15 @@ from workbench.language.syntax import (
     Styled,
     Summation,
 )
-from workbench.language.terms import Apply, Derivative, IllFormed, Integer, Number, Symbol, Term, TimeOperator
+from workbench.language.terms import (
+    Apply,
+    IllFormed,
+    Integer,
+    Number,
+    Term,
+    TimeOperator,
+    is_accented_symbol,
+)
 
 _OF_TENSORS = {"det", "trace", "symmetric", "skew", "vect", "adjugate"}
 _DIFFERENTIATE = {"d/dt", "the operator", "divergence", "curl"}
@@ -215,7 +223,7 @@ class _Row:
         is_t = isinstance(part, Leaf) and part.text == "t"
         if is_t and "t" not in self.scope.table.symbols and "t" not in self.scope.variables:
             return True
-        lone = _is_symbol(term) and isinstance(part, Leaf | Styled | Accented | Scripted)
+        lone = is_accented_symbol(term) and isinstance(part, Leaf | Styled | Accented | Scripted)
         if lone and "scalar" in (term.type.kind, self.scope.term(part).type.kind):
             raise Fault(
                 "a function of what is in the bracket, or a product? a product needs no bracket", bracket.at
@@ -317,13 +325,6 @@ def _is_function(node: Node) -> bool:
 def _is_integer(factor: _Factor) -> bool:
     literal = isinstance(factor.node, Leaf) and isinstance(factor.term, Number)
     return literal and factor.term.value.denominator == 1
-
-
-def _is_symbol(term: Term) -> bool:
-    """Whether the term is a symbol under its accents."""
-    while isinstance(term, Derivative) or (isinstance(term, Apply) and term.head == "skew"):
-        (term,) = term.children
-    return isinstance(term, Symbol)
 
 
 def _is_numeral(node: Node) -> bool:

@@ -217,3 +217,10 @@ class Definition:
     index: tuple[Linear, ...]
     parameters: tuple[Declaration, ...]
     body: Term
+
+
+def is_accented_symbol(term: Term) -> bool:
+    """Whether the term is a symbol under dots, orders of derivatives and tildes."""
+    while isinstance(term, Derivative) or (isinstance(term, Apply) and term.head == "skew"):
+        (term,) = term.children
+    return isinstance(term, Symbol)

@@ -357,7 +357,7 @@ def _mul(left: Term, right: Term) -> _Text:
         first = _Text(_bracket(first.text), _ATOM)
     may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= _INFIX
     acts = left.type.kind == "operator" and right.type.kind not in ("operator", "scalar")
-    mixed = isinstance(left, Number) and isinstance(right, Number)
+    mixed = isinstance(left, Number | Zero) and isinstance(right, Number)
     if acts or mixed or second.text[0].isdigit() or not (second.level >= _FACTOR or may_end):
         second = _Text(_bracket(second.text), _ATOM)
     if first.end == "symbol" or is_accented_symbol(left):

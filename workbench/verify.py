@@ -72,7 +72,7 @@ class PaperJudge:
         try:
             return self._judge(claim.notation).judge(
                 formula.statement,
-                assume=tuple(a.statement for a in claim.assume),
+                assume=claim.supposed,
                 hypothesis=hypothesis and hypothesis.statement,
                 orders=claim.orders,
             )

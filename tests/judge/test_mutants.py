@@ -47,9 +47,9 @@ class Campaign:
 
     def __init__(self, claim, statement):
         self.claim, self.statement = claim, statement
-        self.assume = tuple(a.statement for a in claim.assume)
+        self.assume = claim.supposed
         self.judge = Judge(claim.notation.definitions, motions=False)
-        self.assignments = list(claim.orders.assignments()) if claim.orders else [{}]
+        self.assignments = claim.instances
         self.screens = []
         try:
             for values in self.assignments:

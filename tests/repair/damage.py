@@ -115,9 +115,7 @@ def _moved_tildes(root) -> Iterator[Mark]:
 
 
 def screens(claim: Claim) -> list[Screen]:
-    assignments = list(claim.orders.assignments()) if claim.orders else [{}]
-    assume = tuple(a.statement for a in claim.assume)
-    return [Screen(claim.notation.definitions, assume, [values], seed=5) for values in assignments]
+    return [Screen(claim.notation.definitions, claim.supposed, [v], seed=5) for v in claim.instances]
 
 
 def is_false(claim: Claim, statement: Statement) -> bool:
@@ -131,9 +129,7 @@ def is_false(claim: Claim, statement: Statement) -> bool:
 
 def same(claim: Claim, one: Statement, other: Statement) -> bool:
     """Whether two proved statements say the same, at the last two choices of the claim's integers."""
-    assignments = list(claim.orders.assignments()) if claim.orders else [{}]
-    assume = tuple(a.statement for a in claim.assume)
-    return Sameness(claim.notation.definitions, assume, assignments[-2:]).same(one, other)
+    return Sameness.under(claim).same(one, other)
 
 
 @dataclass(frozen=True)

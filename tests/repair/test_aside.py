@@ -38,7 +38,7 @@ class Broken(Judge):
 def test_the_verdict_is_that_of_the_judge_here(right):
     for claim, formula in right[::40]:
         judge = Judge(claim.notation.definitions, motions=False)
-        assume = tuple(a.statement for a in claim.assume)
+        assume = claim.supposed
         aside = JudgeAside(judge, assume, claim.orders)
         there = [aside.verdict(formula.statement, 60) for _ in range(2)]
         aside.close()

@@ -23,10 +23,7 @@ def paper():
 
 
 def screen_of(claim):
-    assignments = list(claim.orders.assignments()) if claim.orders else [{}]
-    return Screen(
-        claim.notation.definitions, tuple(a.statement for a in claim.assume), (assignments[-3:] * 3)[:3]
-    )
+    return Screen(claim.notation.definitions, claim.supposed, (claim.instances[-3:] * 3)[:3])
 
 
 def finder(claim, statement):

@@ -77,7 +77,7 @@ def test_damaged_claims_are_repaired_and_each_proposal_is_proved_again(paper):
         judge = Judge(claim.notation.definitions, motions=False)
         found = repair(claim, replace(PATIENT, proposals=2), judge=judge)
         forms = [read_or_fault(p.latex, claim).statement for p in found.proposals]
-        assume = tuple(a.statement for a in claim.assume)
+        assume = claim.supposed
         for form in forms:
             assert judge.judge(form, assume=assume, orders=claim.orders).outcome in HOLDS, damaged
         good += any(same(claim, form, damaged.original) for form in forms)
@@ -112,8 +112,8 @@ def test_the_search_ends_at_its_limit(paper):
 def test_a_point_is_put_on_the_supposed_equations(paper):
     for name in ("49", "50", "70.rho"):
         claim = named(paper, name)
-        for values in list(claim.orders.assignments()) if claim.orders else [{}]:
-            screen = Screen(claim.notation.definitions, tuple(a.statement for a in claim.assume), [values])
+        for values in claim.instances:
+            screen = Screen(claim.notation.definitions, claim.supposed, [values])
             residual = screen.residual(claim.printed.statement)
             assert residual is not None and not any(residual), name
 

@@ -82,6 +82,16 @@ class Claim:
             return Outcome.REFUTED
         return Outcome.PROVED if self.hypothesis is None else Outcome.CONDITIONAL
 
+    @property
+    def supposed(self) -> tuple[Statement, ...]:
+        """The conditions that the text states."""
+        return tuple(formula.statement for formula in self.assume)
+
+    @property
+    def instances(self) -> list[dict[str, int]]:
+        """All values of the claim's integers; {} alone for a claim without any."""
+        return list(self.orders.assignments()) if self.orders else [{}]
+
 
 @dataclass(frozen=True)
 class Paper:

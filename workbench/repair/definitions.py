@@ -173,11 +173,9 @@ def _names_below(claim: Claim) -> set[str]:
 
 
 def _holds_at_points(claim: Claim, change: Redefinition) -> bool:
-    instances = list(claim.orders.assignments())[-2:] if claim.orders else [{}]
     try:
-        screen = Screen(
-            change.of(claim.notation.definitions), tuple(a.statement for a in claim.assume), instances
-        )
+        definitions = change.of(claim.notation.definitions)
+        screen = Screen(definitions, claim.supposed, claim.instances[-2:])
         residual = screen.residual(claim.printed.statement)
     except (NotExact, IllFormed):
         return False
@@ -185,12 +183,11 @@ def _holds_at_points(claim: Claim, change: Redefinition) -> bool:
 
 
 def _holds(claim: Claim, definitions: Definitions) -> bool:
-    assume = tuple(a.statement for a in claim.assume)
     if claim.printed.statement is None:
         return False
     judge = Judge(definitions, motions=False)
     try:
-        verdict = judge.judge(claim.printed.statement, assume=assume, orders=claim.orders)
+        verdict = judge.judge(claim.printed.statement, assume=claim.supposed, orders=claim.orders)
     except (Unsatisfiable, IllFormed, NotExact):
         return False
     return verdict.outcome == Outcome.PROVED
@@ -239,7 +236,7 @@ def _is_sum(body: Term | None) -> bool:
 def _residual(claim: Claim, change: Redefinition) -> Vector | None:
     try:
         definitions = change.of(claim.notation.definitions)
-        screen = Screen(definitions, tuple(a.statement for a in claim.assume), [{}] * _POINTS)
+        screen = Screen(definitions, claim.supposed, [{}] * _POINTS)
         return screen.residual(claim.printed.statement)
     except NotExact:
         return None

@@ -78,13 +78,9 @@ def compared(repair: Repair) -> Erratum:
 
 
 def _says_the_same(claim: Claim, proposal: Proposal) -> bool:
-    instances = list(claim.orders.assignments())[-2:] if claim.orders else [{}]
-    assume = tuple(a.statement for a in claim.assume if a.statement is not None)
     with suppress(ReadError, IllFormedAt):
         proposed, _ = read_statement(proposal.latex, claim.notation, claim.orders)
-        return Sameness(claim.notation.definitions, assume, instances).same(
-            proposed, _by_hand(claim).statement
-        )
+        return Sameness.under(claim).same(proposed, _by_hand(claim).statement)
     return False
 
 

@@ -16,6 +16,7 @@ from workbench.language.syntax import (
     Node,
     Product,
     Scripted,
+    Styled,
     Summation,
     parse,
 )
@@ -23,7 +24,7 @@ from workbench.repair.letters import occurrences
 from workbench.repair.marks import Mark, core_of
 from workbench.repair.nodes import below, latex_of
 
-_UNIT = parse("\\mathbf{I}").lines[0][0]
+_UNIT = Styled(0, "\\mathbf", Leaf(0, "LETTER", "I"))
 
 #: A letter that may be missing, and its weight, if that is a number.
 Letter = tuple[Node, int | None]

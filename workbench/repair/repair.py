@@ -155,9 +155,7 @@ class _Bench:
     ) -> None:
         self.claim, self.judge, self.limits, self.found, self.progress = claim, judge, limits, found, progress
         self.end = monotonic() + limits.seconds
-        self.assume = tuple(a.statement for a in claim.assume if a.statement is not None)
-        assignments = list(claim.orders.assignments()) if claim.orders else [{}]
-        self.instances = assignments
+        self.assume, self.instances = claim.supposed, claim.instances
         self.integers = claim.orders.variables if claim.orders else ()
         self.seen: set[Statement] = set()
         self.proved: list[Statement] = []

@@ -26,6 +26,7 @@ from workbench.language.terms import (
     Term,
     Zero,
 )
+from workbench.papers.model import Claim
 from workbench.repair.coefficients import Vector, factor_between
 from workbench.repair.places import places
 from workbench.repair.screen import Screen
@@ -42,6 +43,11 @@ class Sameness:
         self._elsewhere = _screen(definitions, assume, instances, seed=911)
         self._defined = self._as_supposed if not assume else _screen(definitions, (), instances, seed=12)
         self._free = _screen(NoDefinitions(), (), instances, seed=13)
+
+    @classmethod
+    def under(cls, claim: Claim) -> Sameness:
+        """For forms of the claim, at the last two choices of its integers."""
+        return cls(claim.notation.definitions, claim.supposed, claim.instances[-2:])
 
     def same(self, one: Statement, other: Statement) -> bool:
         """Whether two statements say the same; they must be true."""

@@ -3,10 +3,11 @@
 from pathlib import Path
 
 from proofs.theorems import (
+    adjugate,
     aronhold_kennedy,
     chains,
     dual,
-    dual_rotations,
+    dual_arguments,
     fields,
     kinds_of_displacement,
     least_accelerations,
@@ -17,10 +18,10 @@ from proofs.theorems import (
     triangular,
     twist,
 )
-from proofs.theorems.adjugate import adjugate_is_unique
 from workbench.papers import InstalledPaper
 
 _CHAPTER = Path(__file__).parent / "chapter"
+_TEXTS = Path(__file__).parent / "texts"
 
 #: Higher-Order Kinematics in Dual Lie Algebra (D. Condurache, 2020), section by section.
 chapter = InstalledPaper(
@@ -44,9 +45,9 @@ chapter = InstalledPaper(
     theorems={
         **fields.THEOREMS,
         **polynomials.THEOREMS,
-        "adjugate_is_unique": adjugate_is_unique,
+        **adjugate.THEOREMS,
         **dual.THEOREMS,
-        **dual_rotations.THEOREMS,
+        **dual_arguments.THEOREMS,
         **screws.THEOREMS,
         **kinds_of_displacement.THEOREMS,
         **twist.THEOREMS,
@@ -58,3 +59,19 @@ chapter = InstalledPaper(
         **manipulators.THEOREMS,
     },
 )
+
+#: Learn Multibody Dynamics (J. K. Moore): vectors, orientation, angular and translational kinematics.
+vectors = InstalledPaper((_TEXTS / "learn-multibody-dynamics" / "vectors.toml",))
+orientation = InstalledPaper((_TEXTS / "learn-multibody-dynamics" / "orientation.toml",))
+angular = InstalledPaper((_TEXTS / "learn-multibody-dynamics" / "angular.toml",))
+translational = InstalledPaper((_TEXTS / "learn-multibody-dynamics" / "translational.toml",))
+
+#: Principia (R. Leroy and others): two notes on frames.
+rotational_motion = InstalledPaper((_TEXTS / "principia" / "rotational_motion.toml",))
+rotating_pulsating = InstalledPaper((_TEXTS / "principia" / "rotating_pulsating.toml",))
+
+#: kindr: cheat sheet of rotations and their rates.
+kindr = InstalledPaper((_TEXTS / "kindr" / "cheatsheet.toml",))
+
+#: Notes on quaternions (R. Jia).
+quaternions = InstalledPaper((_TEXTS / "quaternions" / "quaternion.toml",))

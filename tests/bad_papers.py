@@ -233,7 +233,9 @@ SYMBOL_FAULTS = [
     BadPaper(
         "motion by an unknown name", HEAD + "[motion]\n'\\omega' = «'omega_WB'\n" + GOOD_CLAIM, "omega_WB"
     ),
-    BadPaper("motion of the wrong type", HEAD + "[motion]\n'\\omega' = «'R_WB'\n" + GOOD_CLAIM, "has the shape"),
+    BadPaper(
+        "motion of the wrong type", HEAD + "[motion]\n'\\omega' = «'R_WB'\n" + GOOD_CLAIM, "has the shape"
+    ),
     BadPaper("motion of the wrong weight", HEAD + "[motion]\n'\\omega' = «'p_WP'\n" + GOOD_CLAIM, "weight"),
     BadPaper(
         "motion that is a number", HEAD + "[motion]\n'\\omega' = «1\n" + GOOD_CLAIM, "expected a string"

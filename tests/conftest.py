@@ -1,7 +1,12 @@
 """Campaigns of minutes run only with --slow, on other random cases each time; all else on the same ones."""
 
+import os
+
 import pytest
 from hypothesis import settings
+
+#: Papers that tests judge themselves: what they claim is not all right.
+collect_ignore_glob = ["judge/papers/*.toml"]
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -9,6 +14,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    os.environ.setdefault(
+        "WORKBENCH_CACHE", os.devnull
+    )  # tests judge anew: a file that cannot be is no cache
     settings.register_profile("same cases", derandomize=True)
     if not config.getoption("--slow"):
         settings.load_profile("same cases")

@@ -18,9 +18,7 @@ TYPICAL = [
 ]
 
 _letters = st.sampled_from(["a", "t", r"\omega", r"\Phi", r"\rho", "2", "13", r"\varepsilon"])
-_marks = st.sampled_from(
-    [r"\dot", r"\ddot", r"\dddot", r"\ddddot", r"\tilde", r"\widetilde", r"\underline"]
-)
+_marks = st.sampled_from([r"\dot", r"\ddot", r"\dddot", r"\ddddot", r"\tilde", r"\widetilde", r"\underline"])
 _styles = st.sampled_from([r"\mathbf", r"\boldsymbol"])
 _operators = st.sampled_from([" + ", " - ", r" \cdot ", r" \times ", r" \otimes ", " = ", " ", r" \, "])
 

@@ -19,11 +19,12 @@ DRAKE = {
 
 
 def claim(identity: str, equation: str | None, section: str, verdict: str, **rest: Any) -> dict[str, Any]:
+    fault = {"refuted": "error", "ill-formed": "misprint", "conditional": "hypothesis"}.get(verdict)
     blank = {
         "id": identity, "equation": equation, "section": section, "statement": None,
         "printed": None, "read_back": None, "verdict": verdict, "scope": None, "reading": None,
         "corrected": None, "hypothesis": None, "counterexample": None, "evidence": [],
-        "inherits": [], "note": None,
+        "inherits": [], "note": None, "fault": fault,
     }  # fmt: skip
     return blank | rest
 

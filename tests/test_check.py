@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -27,7 +28,7 @@ EVERY_VERDICT = Path(__file__).parent / "papers" / "every_verdict.toml"
 def test_outcomes(latex, outcome):
     checked = check(latex, AB)
     assert checked.outcome == outcome
-    assert checked.holds == (outcome == Outcome.PROVED)
+    assert checked.holds == bool(checked) == (outcome == Outcome.PROVED)
     assert str(outcome) in str(checked) and str(checked) == repr(checked)
     assert str(outcome) in checked._repr_markdown_() and latex in checked._repr_markdown_()
 
@@ -40,12 +41,19 @@ def test_a_refutation_shows_its_counterexample():
 def test_lines_are_a_tuple_of_verdicts():
     lines = check(r"\begin{aligned} a \cdot b &= b \cdot a \\ a \cdot b &= 0 \end{aligned}", AB)
     assert isinstance(lines, tuple) and [line.outcome for line in lines] == [Outcome.PROVED, Outcome.REFUTED]
-    assert not lines.holds
+    assert not lines.holds and not lines
     assert lines._repr_markdown_().count("$$") == 4
 
 
 def test_the_notation_of_the_installed_paper_is_the_default():
     assert check(r"\det \Phi_2 = -(\omega \times \dot{\omega})^2").holds
+
+
+def test_the_notation_of_the_installed_paper_is_read_without_its_claims():
+    from workbench.papers import installed_notation, load_installed
+
+    whole, alone = load_installed("chapter").notation, installed_notation("chapter")
+    assert alone.symbols == whole.symbols and list(alone.definitions) == list(whole.definitions)
 
 
 def test_the_notation_of_a_paper_file_and_more_symbols():
@@ -62,7 +70,9 @@ def test_assumptions_and_orders():
     assert family.holds and family.verdict.scope
 
 
-@pytest.mark.parametrize("definitions", [{"K": r"a \times b", "n": r"K \times b"}, [r"K = a \times b", r"n := K \times b"]])
+@pytest.mark.parametrize(
+    "definitions", [{"K": r"a \times b", "n": r"K \times b"}, [r"K = a \times b", r"n := K \times b"]]
+)
 def test_definitions_of_ones_own(definitions):
     formula = r"n = (a \cdot b) b - b^2 a"
     assert check(formula, AB, definitions=definitions).holds
@@ -116,11 +126,20 @@ def test_a_place_in_a_paper_has_symbols_of_its_own():
         ({"latex": "a = b", "definitions": "K"}, "definitions: expected a symbol, = and what it is, got 'K'"),
         ({"latex": "a = b", "definitions": {"K": 3}}, "definitions: expected LaTeX"),
         ({"latex": "a = b", "definitions": 3}, "definitions: expected LaTeX, got 3"),
-        ({"latex": "a = b", "definitions": ["K = a \\times c"]}, "definitions: K: line 1, column 10: unknown symbol c"),
+        (
+            {"latex": "a = b", "definitions": ["K = a \\times c"]},
+            "definitions: K: line 1, column 10: unknown symbol c",
+        ),
         ({"latex": "a = b", "definitions": ["K = a b"]}, "definitions: K: line 1, column 3: juxtaposition"),
-        ({"latex": "a = b", "definitions": ["K = a", "K = b"]}, "definitions: K: this symbol is defined already"),
+        (
+            {"latex": "a = b", "definitions": ["K = a", "K = b"]},
+            "definitions: K: this symbol is defined already",
+        ),
         ({"latex": "a = b", "definitions": ["a + b = a"]}, "definitions: a + b: expected one symbol"),
-        ({"latex": "a = b", "definitions": ["K = M", "M = a"]}, "definitions: K: line 1, column 1: unknown symbol M"),
+        (
+            {"latex": "a = b", "definitions": ["K = M", "M = a"]},
+            "definitions: K: line 1, column 1: unknown symbol M",
+        ),
         ({"latex": "a = b", "notation": "no.toml"}, "no.toml: no such file"),
         ({"latex": "a = b", "notation": EVERY_VERDICT, "paper": "chapter"}, "not both"),
         ({"latex": "a = b", "at": "999"}, "'999' selects no claim"),
@@ -141,12 +160,13 @@ def test_import_is_light():
     code = "import sys, workbench; print(sorted(set(sys.modules) & set(sys.argv[1:])))"
     done = subprocess.run([sys.executable, "-c", code, *HEAVY], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
-    assert workbench.__all__ == ["check"]
+    assert workbench.__all__ == ["__version__", "check"]
+    assert workbench.__version__ == version("kinematics-workbench")
 
 
 def test_judging_on_all_cores_gives_what_one_core_gives(monkeypatch):
-    from workbench import verify
     from workbench.papers import find_paper
+    from workbench.verify import claims as verify
 
     paper = find_paper(None)
     serial = verify.judge_paper(paper, ["53-57"], motions=False)

@@ -15,17 +15,19 @@ ROOT = Path(workbench.__file__).parent
 
 #: What a part of the engine may import: the parts before it.
 LAYERS = (
-    ("algebra", "language", "drake", "typeset"),
+    ("algebra", "budget", "language", "drake", "typeset"),
     ("kinematics", "judge"),
     ("papers",),
-    ("selection",),
     ("verify",),
-    ("results", "terminal"),
-    ("repair", "report"),
-    ("checked", "cli_options", "pytest_plugin"),
-    ("cli_repair",),
+    ("repair", "report", "ingest", "certificates"),
     ("cli",),
+    ("checked", "pytest_plugin"),
 )
+
+#: The same inside of a part. The two engines stand beside each other: neither imports the other.
+ROOMS = {
+    "judge": (("verdict", "subject"), ("first", "second"), ("evidence",), ("kernel",), ("theorems",)),
+}
 
 
 def modules(root: Path) -> dict[str, str]:
@@ -70,18 +72,23 @@ def circle(edges: Mapping[str, set[str]]) -> list[str]:
     return []
 
 
-def part(module: str) -> str:
-    return module.removeprefix("workbench").removeprefix(".").split(".")[0]
+def part(module: str, root: str = "workbench") -> str:
+    """The part of a package in which a module stands; "" for the package itself and for what is outside."""
+    return module.removeprefix(f"{root}.").split(".")[0] if module.startswith(f"{root}.") else ""
 
 
-def upward(edges: Mapping[str, set[str]]) -> list[str]:
+def upward(
+    edges: Mapping[str, set[str]], layers: tuple[tuple[str, ...], ...] = LAYERS, root: str = "workbench"
+) -> list[str]:
     """Imports of a part that stands beside or above."""
-    level = {name: height for height, names in enumerate(LAYERS) for name in names}
+    level = {name: height for height, names in enumerate(layers) for name in names}
     return [
         f"{module} imports {other}"
         for module, others in edges.items()
         for other in others
-        if part(module) not in ("", part(other)) and level[part(module)] <= level[part(other)]
+        if part(module, root) not in ("", part(other, root))
+        and part(other, root)
+        and level[part(module, root)] <= level[part(other, root)]
     ]
 
 
@@ -93,6 +100,22 @@ def test_no_part_of_the_engine_imports_one_beside_or_above_it() -> None:
     sources = modules(ROOT)
     assert {part(module) for module in sources} - {""} == {name for names in LAYERS for name in names}
     assert upward(graph(sources)) == []
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_no_room_imports_one_beside_or_above_it(room: str) -> None:
+    sources = modules(ROOT)
+    root = f"workbench.{room}"
+    assert {part(module, root) for module in sources} - {""} == {n for names in ROOMS[room] for n in names}
+    assert upward(graph(sources), ROOMS[room], root) == []
+
+
+def test_an_engine_that_imports_the_other_is_seen() -> None:
+    name = "workbench.judge.first.exact"
+    sources = {"workbench.judge.second.jets": f"from {name} import value\n", name: ""}
+    assert upward(graph(sources), ROOMS["judge"], "workbench.judge") == [
+        f"workbench.judge.second.jets imports {name}"
+    ]
 
 
 def test_the_engine_knows_no_paper() -> None:

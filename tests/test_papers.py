@@ -84,7 +84,10 @@ def two_files(tmp_path):
     one = tmp_path / "one.toml"
     one.write_text(LATER.format(id="1", printed=r"\omega = \omega") + "inherits = ['2', '2.1', '3']\n")
     two = tmp_path / "two.toml"
-    two.write_text(LATER.format(id="2", printed=TWO_LINES) + LATER.format(id="3", printed=r"\omega = 0").partition("\n\n")[2])
+    two.write_text(
+        LATER.format(id="2", printed=TWO_LINES)
+        + LATER.format(id="3", printed=r"\omega = 0").partition("\n\n")[2]
+    )
     return one, two
 
 
@@ -96,7 +99,9 @@ def test_a_file_alone_may_name_heirs_in_the_other_files_of_its_paper(two_files):
 def test_an_heir_that_no_file_of_the_paper_has_is_an_error(two_files):
     one, two = two_files
     one.write_text(one.read_text().replace("'3'", "'4'"))
-    with pytest.raises(PaperError, match=r"one\.toml:6:25: inherits: no claim has the id '4', here or in two\.toml$"):
+    with pytest.raises(
+        PaperError, match=r"one\.toml:6:25: inherits: no claim has the id '4', here or in two\.toml$"
+    ):
         load_paper(one)
     two.write_text("[[claim")
     with pytest.raises(PaperError, match=r"one\.toml:6:13: inherits: no claim has the id '2'$"):
@@ -278,7 +283,8 @@ def test_unreadable_as_printed_is_a_verdict_only_beside_a_reading(paper_of):
 
 def test_theorems_come_from_the_installed_paper_alone(tmp_path, monkeypatch):
     (path,) = write(
-        tmp_path, p=f"{HEAD}[[claim]]\nid = 'T'\ntheorem = 'unique'\nstatement = 'There is one.'\n"
+        tmp_path,
+        p=f"{HEAD}[[claim]]\nid = 'T'\ntheorem = 'unique'\nargued = 'In words.'\nstatement = 'There is one.'\n",
     )
     paper = InstalledPaper((path,), {"unique": lambda: None})
     assert merge(paper.files, paper.theorems).claims[0].theorem == "unique"
@@ -288,10 +294,11 @@ def test_theorems_come_from_the_installed_paper_alone(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("words", [r"\text{for every v}", r"\omega \neq \mathbf{0}"])
 def test_a_theorem_may_have_its_hypothesis_in_words(tmp_path, words):
-    text = f"{HEAD}[[claim]]\nid = 'T'\ntheorem = 'unique'\nstatement = 'One.'\nhypothesis = '{words}'\n"
+    claim = "id = 'T'\ntheorem = 'unique'\nargued = 'In words.'\nstatement = 'One.'"
+    text = f"{HEAD}[[claim]]\n{claim}\nhypothesis = '{words}'\n"
     (path,) = write(tmp_path, p=text)
     read = merge((path,), {"unique": lambda: None}).claims[0]
-    assert (read.hypothesis.latex, read.expected) == (words, Outcome.CONDITIONAL)
+    assert (read.hypothesis.latex, read.expected) == (words, Outcome.ARGUED)
     assert (read.hypothesis.statement is None) == words.startswith(r"\text")
 
 

@@ -10,7 +10,15 @@ if TYPE_CHECKING:
     from workbench.checked import Checked, CheckedLines
     from workbench.papers import Paper
 
-__all__ = ["check"]
+__all__ = ["__version__", "check"]
+
+
+def __getattr__(name: str) -> str:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("kinematics-workbench")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def check(
@@ -23,6 +31,8 @@ def check(
     definitions: Mapping[str, str] | Sequence[str] = (),
     notation: Path | str | None = None,
     at: str | None = None,
+    seconds: float | None = None,
+    megabytes: float | None = None,
 ) -> Checked | CheckedLines:
     """The verdict on a printed formula, which displays itself in Jupyter and on a terminal.
 
@@ -36,11 +46,15 @@ def check(
     notation: a TOML file with [symbols] and [definitions] (claims are not needed), in place of a paper's.
     at: the equation, id or section of the paper whose notation is meant, where its files have symbols of
         their own: "32".
+    seconds, megabytes: of processor time and memory for each judgement, beyond which the verdict is
+        `unchecked`; 20 s and 4000 MB if neither is given.
 
     Raises ReadError (a ValueError, with line and column) for what cannot be read, PaperError for a paper that
     cannot be used, and ValueError for arguments that say nothing. What can be read but makes no sense gets
     the verdict `ill-formed`.
     """
+    from workbench.budget import Budget
     from workbench.checked import check
 
-    return check(latex, symbols, paper, assume, orders, definitions, notation, at)
+    budget = Budget.of(seconds=seconds, megabytes=megabytes)
+    return check(latex, symbols, paper, assume, orders, definitions, notation, at, budget)

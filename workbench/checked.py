@@ -7,38 +7,39 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from workbench.budget import Budget
+from workbench.cli.terminal import claim_lines
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.symbols import SymbolTable
-from workbench.papers import Claim, Formula, Notation, Orders, Paper, find_paper, load_notation
+from workbench.papers import (
+    Claim,
+    Formula,
+    Notation,
+    Orders,
+    Paper,
+    find_paper,
+    installed_notation,
+    load_notation,
+)
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.lines import Line, split_lines
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
-from workbench.repair.limits import STANDARD, Limits
-from workbench.results import claim_dict
-from workbench.selection import select_claims
-from workbench.terminal import claim_lines
-from workbench.verify import HOLDS, ClaimResult, PaperJudge
+from workbench.papers.selection import select_claims
+from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.report.kinds import VERDICTS
+from workbench.verify.claims import HOLDS, ClaimResult, judge_paper
+from workbench.verify.results import claim_dict
 
 if TYPE_CHECKING:
-    from workbench.repair.repair import Repair
-
-_SIGNS = {
-    Outcome.PROVED: "✓",
-    Outcome.DEFINITION: "≔",
-    Outcome.CONDITIONAL: "◐",
-    Outcome.REFUTED: "✗",
-    Outcome.ILL_FORMED: "✗",
-    Outcome.PROBABLE: "?",
-    Outcome.UNCHECKED: "?",
-}
+    from workbench.repair.propose.repair import Repair
 
 
 @dataclass(frozen=True, repr=False)
 class Checked:
-    """A formula and the verdict on it. `holds`: proved, or a definition."""
+    """A formula and the verdict on it. `holds`, and so its truth: proved, or a definition."""
 
     result: ClaimResult
 
@@ -58,9 +59,12 @@ class Checked:
     def holds(self) -> bool:
         return self.outcome in HOLDS
 
+    def __bool__(self) -> bool:
+        return self.holds
+
     def repair(self, limits: Limits = STANDARD) -> Repair:
         """What the right form is, where this one is refuted or ill-formed: only proved forms."""
-        from workbench.repair.repair import repair
+        from workbench.repair.propose.repair import repair
 
         return repair(self.result.claim, limits)
 
@@ -71,7 +75,7 @@ class Checked:
 
     def _repr_markdown_(self) -> str:
         verdict = self.verdict
-        parts = [f"$$ {_one_line(self.latex)} $$", f"{_SIGNS[self.outcome]} **{self.outcome}**"]
+        parts = [f"$$ {_one_line(self.latex)} $$", f"{VERDICTS[self.outcome].sign} **{self.outcome}**"]
         if verdict.scope:
             parts[-1] += f" ({verdict.scope})"
         if verdict.reason:
@@ -95,6 +99,9 @@ class CheckedLines(tuple[Checked, ...]):
     def holds(self) -> bool:
         return all(line.holds for line in self)
 
+    def __bool__(self) -> bool:
+        return self.holds
+
     def __str__(self) -> str:
         return "\n\n".join(map(str, self))
 
@@ -113,15 +120,15 @@ def check(
     definitions: Mapping[str, str] | Sequence[str],
     notation: Path | str | None,
     at: str | None,
+    budget: Budget | None,
 ) -> Checked | CheckedLines:
     """See `workbench.check`."""
     known = _notation(symbols, paper, notation, at)
     known = _defined(known, definitions)
     given = None if orders is None else Orders.parse(orders)
-    judge = PaperJudge(Paper("", None, (), known, ()))
     conditions = _texts("assume", assume)
     lines = split_lines(*_texts("latex", latex))
-    checked = []
+    claims = []
     for number, line in enumerate(lines, start=1):
         formula, values = _formula(line, known, given)
         supposed = tuple(_formula(Line(text), known, values, "assume: ")[0] for text in conditions)
@@ -129,7 +136,9 @@ def check(
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
         name = "check" if len(lines) == 1 else f"check.{number}"
-        checked.append(Checked(judge.result(Claim(name, formula, known, assume=supposed, orders=values))))
+        claims.append(Claim(name, formula, known, assume=supposed, orders=values))
+    results = judge_paper(Paper("", None, (), known, tuple(claims)), budget=budget)
+    checked = [Checked(result) for result in results]
     return checked[0] if len(checked) == 1 else CheckedLines(checked)
 
 
@@ -159,6 +168,8 @@ def _notation(
         return extended(load_notation(notation), specs)
     if paper is None and at is None and symbols is not None:
         return extended(Notation(SymbolTable(), Definitions(), {}), specs)
+    if paper is None and at is None:
+        return extended(installed_notation(), specs)
     paper = paper if isinstance(paper, Paper) else find_paper(paper)
     return extended(paper.notation if at is None else _notation_at(paper, at), specs)
 
@@ -199,7 +210,7 @@ def _formula(
     line: Line, notation: Notation, orders: Orders | None, what: str = ""
 ) -> tuple[Formula, Orders | None]:
     try:
-        statement, ranges = read_statement(line.latex, notation, orders)
+        statement, ranges = read_statement(line.latex, notation, orders, as_condition=bool(what))
     except IllFormedAt as error:
         return Formula(line.latex, ill_formed=why_ill_formed(error)), orders
     except ReadError as error:

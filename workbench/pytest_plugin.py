@@ -14,7 +14,7 @@ import pytest
 
 if TYPE_CHECKING:
     from workbench.papers import Claim
-    from workbench.verify import ClaimResult, PaperJudge
+    from workbench.verify.claims import ClaimResult, PaperJudge
 
 _CLAIM_HEADER = re.compile(rb"^\s*\[\[\s*(claim|\"claim\"|'claim')\s*\]\]", re.MULTILINE)
 
@@ -39,7 +39,7 @@ class PaperFile(pytest.File):
 
     def collect(self) -> Iterator[ClaimItem]:
         from workbench.papers import PaperError, load_paper
-        from workbench.verify import PaperJudge
+        from workbench.verify.claims import PaperJudge
 
         try:
             paper = load_paper(self.path)
@@ -71,9 +71,9 @@ class ClaimItem(pytest.Item):
             raise NotAsExpected(result)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: object = None) -> object:
+        from workbench.cli.terminal import claim_lines
         from workbench.papers import PaperError
-        from workbench.results import claim_dict
-        from workbench.terminal import claim_lines
+        from workbench.verify.results import claim_dict
 
         if isinstance(excinfo.value, PaperError):
             return str(excinfo.value)

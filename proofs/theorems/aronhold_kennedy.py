@@ -21,7 +21,7 @@ from proofs.theorems import screw_velocities as by_points
 from proofs.theorems.three_bodies import drake_checks, rational_checks
 from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import as_vector, cross, dot, scale, triple
-from workbench.judge.arguments import Engine, Step, Way, argue, vanishing
+from workbench.judge.theorems.arguments import Engine, Step, Way, argue, vanishing
 from workbench.judge.verdict import Counterexample, Verdict
 from workbench.kinematics.aronhold_kennedy import Configuration
 
@@ -80,9 +80,7 @@ def remark_7_parallel() -> Verdict:
     Their common perpendiculars are the lines of that plane along Du(ω̲₁ × ω̲₂); no line has ω̲₁ × ω̲₂."""
     return argue(
         [
-            _identity(
-                "ω̲₁ × ω̲₂ = ε μ ω₁² times the vector between the axes", _between, by_points.between
-            ),
+            _identity("ω̲₁ × ω̲₂ = ε μ ω₁² times the vector between the axes", _between, by_points.between),
             _identity("the third axis is parallel, in the plane of the two", _third, by_points.third),
             _identity(
                 "the lines across that plane meet all three at right angles", _across, by_points.across
@@ -304,18 +302,14 @@ def _across(sign: int) -> Iterator[Any]:
 def _no_others(sign: int) -> Iterator[Any]:
     a, p, q, _m, h, _k, s, _first, _second, apart = _parallel_pair()
     between_any_points = q + scale(s, a) - sign * (p + scale(h, a))
-    yield (
-        scale(dot(a, a), between_any_points) - scale(dot(a, between_any_points), a) - apart
-    )
+    yield (scale(dot(a, a), between_any_points) - scale(dot(a, between_any_points), a) - apart)
 
 
 def _one_line(sign: int) -> Iterator[Any]:
     a, p, m, h, k, s = _flint("ap", "mhks")
     first, second = _screw(a, h, p), _screw(scale(m, a), k, p + scale(s, a))
     yield cross(first, sign * second + (1 - sign) * Dual(p))
-    yield first + second - Dual(
-        scale(1 + m, a), scale(h + m * k, a) + scale(1 + m, cross(p, a))
-    )
+    yield first + second - Dual(scale(1 + m, a), scale(h + m * k, a) + scale(1 + m, cross(p, a)))
 
 
 def _pencil(sign: int) -> Iterator[Any]:
@@ -348,9 +342,7 @@ def _translated(sign: int) -> Iterator[Any]:
     yield cross(first, second) - Dual(0 * v, sign * cross(v, b))
     moved = scale(square, q) + cross(b, v)
     pitch = square * k + dot(v, b)
-    yield scale(square, first + second) - Dual(
-        scale(square, b), scale(pitch, b) + cross(moved, b)
-    )
+    yield scale(square, first + second) - Dual(scale(square, b), scale(pitch, b) + cross(moved, b))
     line = _line(cross(b, v), q + scale(s, b))
     yield from (dot(line, second), dot(line, first + second), dot(line, first))
 

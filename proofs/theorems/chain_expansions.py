@@ -16,7 +16,7 @@ from proofs.theorems.chain_words import (
     products_of_Phi,
     total_Phi,
 )
-from workbench.judge.arguments import Engine, Step, Way, vanishing, vanishing_to
+from workbench.judge.theorems.arguments import Engine, Step, Way, vanishing, vanishing_to
 
 MOST_BODIES, HIGHEST_ORDER = 5, 8
 DRAKE_TOLERANCE = 1e-10  # of the largest entry; the references' own errors are below 1e-13 of it

@@ -13,8 +13,8 @@ from __future__ import annotations
 from functools import cache
 
 from proofs.theorems.chain_expansions import expanded_tensors, expanded_twists, twists_of_chains
-from workbench.judge.arguments import Step, argue
-from workbench.judge.formula_steps import Letters
+from workbench.judge.theorems.arguments import Step, argue
+from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.verdict import Verdict
 
 _TENSOR = {"kind": "dual tensor"}
@@ -98,18 +98,6 @@ def twists_add() -> Verdict:
     return argue([*_adding_twists(), twists_of_chains()], scope="all m")
 
 
-def one_letter_for_two_twists() -> Verdict:
-    """(121) as printed: with the ω̲ₖ of (120) on both sides it needs a rotation about its own axis."""
-    formula = r"\underline{\Omega}_2 = {}^0\underline{\mathbf{R}}_1 \underline{\Omega}_2"
-    true = r"\underline{\Omega}_2^2 = ({}^0\underline{\mathbf{R}}_1 \underline{\Omega}_2)^2"
-    return argue(
-        [_TWISTS.refutation("a rotation leaves its own axis alone, not every vector", formula, but_not=true)],
-        refutes=True,
-        counterexample=_TWISTS.counterexample(formula),
-        reason="the ω̲ₖ of (120) is resolved in body k−1, the one of (122) in C₀",
-    )
-
-
 def lemma() -> Verdict:
     """(123) for every n: (R̲ Ω̲)⁽ⁿ⁾ = Σ C(n, k) Φ̲ₙ₋ₖ R̲ Ω̲⁽ᵏ⁾."""
     return argue(_lemma(), scope="all n")
@@ -155,35 +143,9 @@ def theorem_11() -> Verdict:
     )
 
 
-def left_side_of_131() -> Verdict:
-    """(131) as printed says ω̲ₘ⁽ⁿ⁾ for ₀ω̲ₘ⁽ⁿ⁾: for m = 2, n = 0, ω̲₂ = ω̲₁ + ω̲₂."""
-    formula = r"\underline{\omega}_2 = \underline{\omega}_1 + \underline{\omega}_2"
-    true = r"\underline{\omega}_2 + \underline{\omega}_1 = \underline{\omega}_1 + \underline{\omega}_2"
-    return argue(
-        [_TWISTS.refutation("ω̲₂ = ω̲₁ + ω̲₂ does not hold", formula, but_not=true)],
-        refutes=True,
-        counterexample=_TWISTS.counterexample(formula),
-        reason="for m ≥ 2 the sum is the twist of body m in C₀, not the one relative to body m − 1",
-    )
-
-
 def multinomial_identity() -> Verdict:
     """(132) with k!/(k₁! … ) and with Φ̲(ω̲ᵢ) formed in the frame of body i−1: for every k and p."""
     return argue([_pascal(), *_multinomial(), expanded_tensors()], scope="all k, p")
-
-
-def multinomial_identity_as_printed() -> Verdict:
-    """(132) with n!/(k₁! …): for p = 3, k = 1 and n = 2 the right side is twice the left one."""
-    twice = (
-        r"\widetilde{\underline{\omega}_1 + \underline{\omega}_2}"
-        r" = %d (\tilde{\underline{\omega}}_1 + \tilde{\underline{\omega}}_2)"
-    )
-    return argue(
-        [_TWISTS.refutation("p = 3, k = 1, n = 2", twice % 2, but_not=twice % 1)],
-        refutes=True,
-        counterexample=_TWISTS.counterexample(twice % 2),
-        reason="the coefficient n!/(k₁! … ) is n!/k! times too large, and n does not occur on the left",
-    )
 
 
 def closed_form_133() -> Verdict:
@@ -196,22 +158,6 @@ def closed_form_133() -> Verdict:
             expanded_twists(),
         ],
         scope="all m, n",
-    )
-
-
-def closed_form_133_as_printed() -> Verdict:
-    """(133) with C(n, k) n!/(k₁! …): for m = n = 2 it has 4 ω̲̃₁ ω̲₂^[1] for 2 ω̲̃₁ ω̲₂^[1]."""
-    formula = (
-        r"\frac{d^2}{dt^2} (\underline{\omega}_1 + \underline{\omega}_2) = \ddot{\underline{\omega}}_1"
-        r" + (\mathbf{D} - \tilde{\underline{\omega}}_1)^2 \underline{\omega}_2"
-        r" + %d \tilde{\underline{\omega}}_1 (\mathbf{D} - \tilde{\underline{\omega}}_1) \underline{\omega}_2"
-        r" + (\dot{\tilde{\underline{\omega}}}_1 + \tilde{\underline{\omega}}_1^2) \underline{\omega}_2"
-    )
-    return argue(
-        [_TWISTS.refutation("m = n = 2", formula % 4, but_not=formula % 2)],
-        refutes=True,
-        counterexample=_TWISTS.counterexample(formula % 4),
-        reason="true for n ≤ 1 only; for n ≥ 2 every term with 0 < k < n has the factor n!/k! too much",
     )
 
 
@@ -316,15 +262,11 @@ THEOREMS = {
     for proof in (
         motion_of_last_body,
         twists_add,
-        one_letter_for_two_twists,
         lemma,
         tensors_by_recurrence,
         tensors_by_polynomials,
         theorem_11,
-        left_side_of_131,
         multinomial_identity,
-        multinomial_identity_as_printed,
         closed_form_133,
-        closed_form_133_as_printed,
     )
 }

@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import Any
 
-from workbench.judge.arguments import Engine, Step, Way, vanishing
+from workbench.judge.theorems.arguments import Engine, Step, Way, vanishing
 
 Row = list[Any]
 
@@ -119,7 +119,7 @@ def _flint_ring() -> Sequence[Any]:
 
 
 def _sympy_ring() -> Sequence[Any]:
-    from workbench.judge.sympy_ring import QQ, lex, polynomial_ring
+    from workbench.judge.second.sympy_gate import QQ, lex, polynomial_ring
 
     return polynomial_ring([f"r{i}" for i in range(9)], QQ, lex)[1:]
 
@@ -138,8 +138,7 @@ def _flint_rank(polynomials: Sequence[Any]) -> int:
 
 
 def _sympy_rank(polynomials: Sequence[Any]) -> int:
-    from sympy.polys.domains import QQ
-    from sympy.polys.matrices import DomainMatrix
+    from workbench.judge.second.sympy_gate import QQ, DomainMatrix
 
     rows = [[QQ.convert(x) for x in row] for row in _coefficients(polynomials)]
     return DomainMatrix(rows, (len(rows), len(rows[0])), QQ).rank()

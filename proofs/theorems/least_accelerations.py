@@ -5,8 +5,20 @@ w + ε m stands for ω̲⁽ⁿ⁾ at an instant, a(x) = m + w × x for the reduc
 
 from __future__ import annotations
 
-from workbench.judge.arguments import Step, argue
-from workbench.judge.formula_steps import Letters
+from workbench.judge.theorems.arguments import Step, argue
+from workbench.judge.theorems.formula_steps import Letters
+from workbench.judge.theorems.proofs import (
+    At,
+    Each,
+    Follows,
+    Impossible,
+    Kernel,
+    Part,
+    Proven,
+    Squares,
+    Use,
+    Witness,
+)
 from workbench.judge.verdict import Counterexample, Verdict
 
 _LETTERS = Letters(
@@ -60,86 +72,6 @@ def locus_of_the_least_reduced_acceleration() -> Verdict:
     )
 
 
-def least_reduced_acceleration() -> Verdict:
-    """(102): min ‖a(x)‖ = |w·m|/‖w‖ = |Du |w + ε m||, and ‖m‖ where w = 0."""
-    return argue(_least())
-
-
-def least_reduced_jounce_as_printed() -> Verdict:
-    """The last line of (102) with ω̲̈ where the least value is that of ω̲⃛."""
-    return argue(
-        [
-            *_least(),
-            _LETTERS.step(
-                "with ω̲⃛ = n + ε n, n a unit vector, ‖H_ρ‖² is 1 and a square, whatever the lower"
-                " derivatives are",
-                r"(n + n \times x)^2 = 1 + (n \times x)^2",
-                but_not=r"(n + n \times x)^2 = (n \times x)^2",
-            ),
-            _LETTERS.refutation(
-                "so it is not 0, the printed value where ω̲̈ = 0",
-                r"(n + n \times x)^2 - (n \times x)^2 = 0",
-                but_not=r"(n + n \times x) \cdot (n \times x) = (n \times x)^2",
-            ),
-        ],
-        refutes=True,
-        counterexample=Counterexample(
-            values={
-                r"\omega": ("0", "0", "0"),
-                r"\dot{\omega}": ("0", "0", "0"),
-                r"\ddot{\omega}": ("0", "0", "0"),
-                r"\dddot{\omega}": ("0", "0", "1"),
-                r"\mathbf{v}": ("0", "0", "0"),
-                r"\dot{\mathbf{v}}": ("0", "0", "0"),
-                r"\ddot{\mathbf{v}}": ("0", "0", "0"),
-                r"\dddot{\mathbf{v}}": ("0", "0", "1"),
-            },
-            left=("1",),
-            right=("0",),
-        ),
-        reason="ω̲̈ may be 0 where ω̲⃛ = e₃ + ε e₃, and then ‖H_ρ‖ is at least 1 everywhere",
-    )
-
-
-def plane_motion() -> Verdict:
-    """ω = φ n with a constant n and v across n: ω⁽ᵏ⁾·v⁽ᵏ⁾ = 0; a rolling wheel where ω⁽ᵏ⁾ = 0."""
-    return argue(
-        [
-            *_least(),
-            _LETTERS.step(
-                "in a plane motion v = n × y stays across n and ω = φ n along n, and so do their derivatives",
-                r"\frac{d}{dt}(n \times y) = n \times \dot{y}",
-                r"\frac{d}{dt}(\phi n) = \dot{\phi} n",
-                but_not=r"\frac{d}{dt}(n \times y) = n \times y",
-            ),
-            _LETTERS.step(
-                "so w·m = (φ⁽ᵏ⁾ n)·(n × y⁽ᵏ⁾) = 0: where φ⁽ᵏ⁾ ≠ 0, the least value |w·m|/‖w‖ is 0",
-                r"(k n) \cdot (n \times y) = 0",
-                but_not=r"(k n) \cdot y = 0",
-            ),
-            _LETTERS.step(
-                "a rolling wheel, ω = n and ρ̇ = c constant with c across n: v̇ = −n × c, as long as c, at"
-                " all points",
-                r"\frac{d}{dt}(\dot{\rho} - n \times \rho) = \ddot{\rho} - n \times \dot{\rho}",
-                r"(n \times c)^2 = c^2 - (n \cdot c)^2",
-                but_not=r"\frac{d}{dt}(\dot{\rho} - n \times \rho) = \ddot{\rho} + n \times \dot{\rho}",
-            ),
-        ],
-        hypothesis=r"\omega^{(n)} \neq \mathbf{0}",
-        counterexample=Counterexample(
-            values={
-                r"\omega": ("0", "0", "1"),
-                r"\dot{\omega}": ("0", "0", "0"),
-                r"\dot{\rho}": ("1", "0", "0"),
-                r"\ddot{\rho}": ("0", "0", "0"),
-            },
-            left=("1",),
-            right=("0",),
-        ),
-        reason="a wheel that rolls at constant speed has the reduced acceleration −ω × ρ̇ ≠ 0 at all points",
-    )
-
-
 def _decomposition() -> list[Step]:
     return [
         _LETTERS.step(
@@ -148,20 +80,6 @@ def _decomposition() -> list[Step]:
             r"w \cdot a = w \cdot m",
             but_not=r"w^2 a^2 = (w \times a)^2",
         )
-    ]
-
-
-def _least() -> list[Step]:
-    return [
-        *_decomposition(),
-        _LETTERS.step(
-            "the square vanishes at f = w × m/w², so that a² is (w·m)²/w² there, which is the square of Du"
-            " |w + ε m|",
-            r"w \times (m + w \times f) = 0",
-            r"(\operatorname{Du} |W|)^2 = \frac{(w \cdot m)^2}{w^2}",
-            but_not=r"(\operatorname{Du} |W|)^2 = (w \cdot m)^2",
-        ),
-        _uniform(),
     ]
 
 
@@ -175,11 +93,18 @@ def _uniform() -> Step:
 
 #: Name in the claim files → proof.
 THEOREMS = {
-    proof.__name__: proof
-    for proof in (
-        locus_of_the_least_reduced_acceleration,
-        least_reduced_acceleration,
-        least_reduced_jounce_as_printed,
-        plane_motion,
-    )
+    "locus_of_the_least_reduced_acceleration": locus_of_the_least_reduced_acceleration,
+    # ‖m + w × x‖² = (w·m)²/w² + (w × (m + w × x))²/w², and the second square is 0 at x = w × m/w²
+    "least_reduced_acceleration": Proven(
+        Each(
+            Kernel(),
+            Squares(r"\frac{w \times (m + w \times x)}{\|w\|}"),
+            Witness({"x": r"\frac{w \times m}{w^2}"}),
+            Follows(r"m + Y \times x", Y=Use(0)),
+        )
+    ),
+    "plane_motion": Proven(
+        Each(Witness({"x": r"-\frac{1}{k} b"}), Kernel()),
+        against=Part(0, At({"k": "0"}, Impossible(Follows("Y", Y=Use(-1)), so=r"n \times b = \mathbf{0}"))),
+    ),
 }

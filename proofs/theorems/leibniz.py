@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from workbench.judge.arguments import Step
-from workbench.judge.formula_steps import Letters
+from workbench.judge.theorems.arguments import Step
+from workbench.judge.theorems.formula_steps import Letters
 
 _LETTERS = Letters(
     {name: {"kind": "vector"} for name in "xy"}

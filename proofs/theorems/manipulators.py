@@ -21,11 +21,11 @@ import numpy as np
 from workbench.algebra.differential_ring import DifferentialRing
 from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import cross, scale
-from workbench.judge.arguments import Engine, Step, Way, argue, vanishing, vanishing_to
-from workbench.judge.exact import ExactEngine
-from workbench.judge.inventory import take_inventory
-from workbench.judge.jets import JetEngine
-from workbench.judge.rings import PointSource
+from workbench.judge.first.exact import ExactEngine
+from workbench.judge.second.jets import JetEngine
+from workbench.judge.second.rings import PointSource
+from workbench.judge.subject.inventory import take_inventory
+from workbench.judge.theorems.arguments import Engine, Step, Way, argue, vanishing, vanishing_to
 from workbench.judge.verdict import Verdict
 from workbench.kinematics.cylindrical_chains import (
     current_lines,
@@ -109,9 +109,7 @@ def _ways(joints: int, formulas: TwistDerivatives, entries: int) -> list[Way]:
     return [*ways, Way(Engine.DRAKE, check, but_not)]
 
 
-def _printed_ways(
-    joints: int, latex: Sequence[str], formulas: TwistDerivatives
-) -> Iterator[Way]:
+def _printed_ways(joints: int, latex: Sequence[str], formulas: TwistDerivatives) -> Iterator[Way]:
     for engine, printed in (
         (Engine.FLINT, _printed_in_flint),
         (Engine.SYMPY, _printed_in_sympy),
@@ -137,10 +135,7 @@ def _misprinted(formulas: TwistDerivatives) -> TwistDerivatives:
 
 def _rates(joints: int, entries: int, value: Callable[[str], Any]) -> list[list[Dual]]:
     """ω̲ᵢ⁽ᵏ⁾ = wi_k + ε di_k for every joint i and k < entries."""
-    return [
-        [Dual(value(f"w{i}_{k}"), value(f"d{i}_{k}")) for k in range(entries)]
-        for i in range(joints)
-    ]
+    return [[Dual(value(f"w{i}_{k}"), value(f"d{i}_{k}")) for k in range(entries)] for i in range(joints)]
 
 
 def _rate_names(joints: int, entries: int) -> list[str]:
@@ -208,7 +203,7 @@ class SympyChain:
     """Poses as products of exponentials of 4×4 matrices, in powers of t up to that of `entries`."""
 
     def __init__(self, joints: int, entries: int) -> None:
-        from workbench.judge.sympy_ring import QQ, lex, polynomial_ring
+        from workbench.judge.second.sympy_gate import QQ, lex, polynomial_ring
 
         self.order, self._fraction = entries, QQ
         names = ["s", "c", "l", *(f"{part}{axis}" for part in "vm" for axis in "xyz")]
@@ -228,9 +223,7 @@ class SympyChain:
         self.rates = _rates(joints, entries, g.__getitem__)
 
     def residuals(self, formulas: TwistDerivatives) -> Iterator[np.ndarray]:
-        for claimed, twist in zip(
-            formulas(self.lines, self.rates), self._twist_derivatives(), strict=True
-        ):
+        for claimed, twist in zip(formulas(self.lines, self.rates), self._twist_derivatives(), strict=True):
             yield self._reduce(_array([*claimed.re, *claimed.du]) - twist)
 
     def _twist_derivatives(self) -> Iterator[np.ndarray]:
@@ -332,8 +325,10 @@ def _printed(
     right_sides = [read(formula, table)[0].right for formula in latex]
     lines = [read_term(rf"\underline{{\mathbf{{u}}}}_{i}", table) for i in range(1, joints + 1)]
     rates = [
-        [read_term(rf"{dots}{{\underline{{\omega}}}}_{i}" if dots else rf"\underline{{\omega}}_{i}",
-                   table) for dots in _DOTS]
+        [
+            read_term(rf"{dots}{{\underline{{\omega}}}}_{i}" if dots else rf"\underline{{\omega}}_{i}", table)
+            for dots in _DOTS
+        ]
         for i in range(1, joints + 1)
     ]
     components, normal = engine_over([*right_sides, *lines, *(w for row in rates for w in row)])
@@ -351,9 +346,7 @@ def _printed(
         yield _array([normal(entry) for entry in (*difference.re, *difference.du)])
 
 
-def _printed_in_flint(
-    joints: int, latex: Sequence[str], formulas: TwistDerivatives
-) -> Iterator[Any]:
+def _printed_in_flint(joints: int, latex: Sequence[str], formulas: TwistDerivatives) -> Iterator[Any]:
     def engine_over(terms: Sequence[Any]) -> tuple[Callable, Callable]:
         engine = ExactEngine(take_inventory(terms, Definitions()), Definitions())
         return lambda term: engine.parts(engine.value(term)), engine.ring.reduce
@@ -361,11 +354,9 @@ def _printed_in_flint(
     return _printed(joints, latex, formulas, engine_over)
 
 
-def _printed_in_sympy(
-    joints: int, latex: Sequence[str], formulas: TwistDerivatives
-) -> Iterator[Any]:
+def _printed_in_sympy(joints: int, latex: Sequence[str], formulas: TwistDerivatives) -> Iterator[Any]:
     def engine_over(terms: Sequence[Any]) -> tuple[Callable, Callable]:
-        from workbench.judge.sympy_ring import SympyRing
+        from workbench.judge.second.sympy_ring import SympyRing
 
         inventory = take_inventory(terms, Definitions())
         ring = SympyRing(inventory)

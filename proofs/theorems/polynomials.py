@@ -6,13 +6,24 @@ free A and a free y for x⁽ᵏ⁾, holds for the sum, of any degree.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from fractions import Fraction
 from typing import Any
 
-from workbench.algebra.matrices import Matrix, add, flat, matrix, product, skew
-from workbench.judge.arguments import Engine, Step, Way, argue
-from workbench.judge.formula_steps import Letters
+from workbench.judge.theorems.arguments import Step, argue
+from workbench.judge.theorems.formula_steps import Letters
+from workbench.judge.theorems.proofs import (
+    At,
+    Broken,
+    Each,
+    False_,
+    Follows,
+    Have,
+    Impossible,
+    Induction,
+    Kernel,
+    Proven,
+    Use,
+    Witness,
+)
 from workbench.judge.verdict import Counterexample, Verdict
 
 _TENSOR, _VECTOR = {"kind": "tensor"}, {"kind": "vector"}
@@ -43,44 +54,6 @@ _RING = Letters(
         "Z": r"A T + B \dot{T}",
     },
 )
-
-
-def homogeneous_matrices_are_a_ring() -> Verdict:
-    """(34): a ring, not commutative, with units on the left only."""
-    return argue(
-        [
-            _RING.step(
-                "sums, differences and products of matrices [Φ a; 0 0] are such matrices",
-                "A + B = " + _homogeneous("F + G", "f + g"),
-                "A - B = " + _homogeneous("F - G", "f - g"),
-                "A B = " + _homogeneous("F G", "F g"),
-                but_not="A B = " + _homogeneous("F G", "F g + f"),
-            ),
-            _RING.step(
-                "the laws of associativity and distributivity hold",
-                "(A B) C = A (B C)",
-                "A (B + C) = A B + A C",
-                "(A + B) C = A C + B C",
-                but_not="A (B C) = (B A) C",
-            ),
-            _RING.step(
-                "not commutative: M = [G 0; 0 0] and N = [0 c; 0 0] have N M = 0, but M N = [0 G c; 0 0]",
-                "N M + A = A",
-                "M N = " + _homogeneous("0 F", "G c"),
-                but_not="M N + A = A",
-            ),
-            _RING.step(
-                "[I c; 0 0] is a unit from the left, whatever c is",
-                "L A = A",
-                but_not="A L = A",
-            ),
-            _RING.step(
-                "none is a unit U from the right: N U = 0 for all of them, and not N",
-                "N Y + A = A",
-                but_not="Y N + A = A",
-            ),
-        ]
-    )
 
 
 def operators_are_a_ring() -> Verdict:
@@ -115,170 +88,6 @@ def _leibniz() -> Step:
     )
 
 
-def _recurrence() -> Step:
-    return _RING.step(
-        "D (A + B D) + Z with Z = A Ψ₁ + B Ψ̇₁ = Ψₙ makes Ψ̇ₙ + Ψₙ Ψ₁ = Ψₙ₊₁ of Ψ₁",
-        r"\dot{A} T + A \dot{T} + \dot{B} \dot{T} + B \ddot{T} + Z T = \dot{Z} + Z T",
-        but_not=r"A \dot{T} + B \ddot{T} + Z T = \dot{Z} + Z T",
-    )
-
-
-def twist_operator_recurrence() -> Verdict:
-    """The recurrence of (37), by (33)."""
-    return argue([_leibniz(), _recurrence()], scope="all n")
-
-
-def twist_operator_exists() -> Verdict:
-    """Theorem 2 by induction on n: P₁ = [I 0; 0 0], which is in the ring, and the recurrence of (37)."""
-    begin = _RING.step("begin: P₁ = [I 0; 0 0] has P₁ Ψ₁ = Ψ₁", "E T = T", but_not="T E = T")
-    inside = _RING.step(
-        "the new coefficients Ȧ, A and Ψₙ are in the ring",
-        r"\dot{A} = " + _homogeneous(r"\dot{F}", r"\dot{f}"),
-        "A T = " + _homogeneous(r"F \tilde{\omega}", "F v"),
-        but_not="A T = " + _homogeneous(r"F \tilde{\omega}", "F v + f"),
-    )
-    return argue([begin, _leibniz(), _recurrence(), inside], scope="all n")
-
-
-def twist_operator_is_not_unique() -> Verdict:
-    """The second polynomial: Pₙ + [0 c; 0 0] Dʲ for any c and j."""
-    return argue(
-        [
-            _RING.step(
-                "[0 c; 0 0] Y = 0 for every Y of the ring, so for Ψ₁ and its derivatives",
-                "N Y + A = A",
-                r"N T + N \dot{T} + A = A",
-                but_not="Y N + A = A",
-            ),
-            _RING.step(
-                "both [I 0; 0 0] and [I c; 0 0] have the value Ψ₁",
-                "E T = T",
-                "L T = T",
-                "L - E = N",
-                but_not="L = E",
-            ),
-        ],
-        refutes=True,
-        reason="for every motion and every n there are others",
-        counterexample=Counterexample(
-            values={
-                r"\mathbf{P}_1": _strings(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0),
-                r"\mathbf{P}'_1": _strings(1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0),
-                r"\omega": _strings(0, 0, 1),
-                r"\mathbf{v}": _strings(1, 0, 0),
-                r"\mathbf{P}_1 \Psi_1 = \mathbf{P}'_1 \Psi_1": _strings(
-                    0, -1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
-                ),
-            },
-            left=_strings(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0),
-            right=_strings(1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0),
-        ),
-    )
-
-
-_REST = Letters(
-    {
-        r"\mathbf{R}": {"kind": "rotation"},
-        r"\mathbf{Q}": {"kind": "rotation", "constant": True},
-        "p": {"kind": "vector", "constant": True},
-        **{letter: _VECTOR for letter in (r"\rho", "f", "k")},
-        **{letter: _TENSOR for letter in ("F", "K")},
-    },
-    {
-        "A": _homogeneous("F", "f"),
-        "B": _homogeneous("K", "k"),
-        "S": _homogeneous(r"\dot{\mathbf{Q}} \mathbf{Q}^T", r"\dot{p} - \dot{\mathbf{Q}} \mathbf{Q}^T p"),
-    },
-)
-
-
-def no_operator_for_n_0() -> Verdict:
-    """(36) for n = 0: Ψ₀ is [I 0; 0 0] for every motion, P(D) Ψ₁ is 0 for every P if the body is at rest."""
-    return argue(
-        [
-            _REST.step(
-                "Φ₀ = R Rᵀ = I and a₀ = ρ − Φ₀ ρ = 0, whatever the motion is",
-                r"\mathbf{R} \mathbf{R}^T = \mathbf{I}",
-                r"\rho - \mathbf{R} \mathbf{R}^T \rho = \mathbf{0}",
-                but_not=r"\dot{\mathbf{R}} \mathbf{R}^T = \mathbf{I}",
-            ),
-            _REST.step(
-                "at rest A Ψ₁⁽ᵏ⁾ = 0 for every A",
-                "A S + B = B",
-                r"A \dot{S} + B = B",
-                but_not="B A + B = B",
-            ),
-        ],
-        refutes=True,
-        reason="for n = 0: false for a body at rest",
-        counterexample=Counterexample(
-            values={r"\mathbf{R}": _strings(1, 0, 0, 0, 1, 0, 0, 0, 1), r"\Psi_1": _strings(*[0] * 16)},
-            left=_strings(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0),
-            right=_strings(*[0] * 16),
-        ),
-    )
-
-
-def twist_operator_begins_at_1() -> Verdict:
-    """(37) with P₀ = I: then P₁ Ψ₁ is Ψ₂, by the recurrence Pₙ Ψ₁ is Ψₙ₊₁, and Ψ₂ need not be Ψ₁."""
-    return argue(
-        [
-            _RING.step(
-                "P₀ = I has P₀ Ψ₁ = Ψ₁, where (36) has Ψ₀",
-                "U T = T",
-                but_not="T U = E",
-            ),
-            _recurrence(),
-            _RING.step(
-                "the next one, P₁ = D + Ψ₁, makes Ψ₂ as in (42) of Ψ₁",
-                r"\dot{T} + T T = "
-                + _homogeneous(r"\dot{\tilde{\omega}} + \tilde{\omega}^2", r"\dot{v} + \tilde{\omega} v"),
-                but_not=r"\dot{T} + T T = T",
-            ),
-            _steady_rotation(),
-        ],
-        refutes=True,
-        reason="P₀ = I makes Ψₙ₊₁ of Ψ₁",
-        counterexample=Counterexample(
-            values={
-                r"\omega": _strings(0, 0, 1),
-                r"\dot{\omega}": _strings(0, 0, 0),
-                r"\mathbf{v}": _strings(0, 0, 0),
-                r"\dot{\mathbf{v}}": _strings(0, 0, 0),
-            },
-            left=_strings(0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0),
-            right=_strings(-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0),
-        ),
-    )
-
-
-def _steady_rotation() -> Step:
-    """ω = e₃ constant and v = 0: Ψ₁ and Ψ₂ have the tensors ω̃ and ω̃², which differ."""
-
-    def differ(other: Callable[[Matrix], Matrix]) -> Iterator[bool]:
-        first = skew((Fraction(0), Fraction(0), Fraction(1)))
-        yield flat(first) != flat(other(first))
-
-    def differ_in_sympy(power: int) -> Iterator[bool]:
-        from sympy import Matrix as SympyMatrix
-        from sympy import eye
-
-        omega = SympyMatrix([0, 0, 1])
-        first = SympyMatrix.hstack(*(omega.cross(eye(3)[:, j]) for j in range(3)))
-        yield first != first**power
-
-    return Step(
-        "and Ψ₂ is not Ψ₁: ω̃² is not ω̃ for the steady rotation ω = (0, 0, 1)",
-        Way(
-            Engine.FRACTIONS,
-            lambda: differ(lambda a: product(a, a)),
-            but_not=lambda: differ(lambda a: add(a, matrix([Fraction(0)] * 9, 3))),
-        ),
-        Way(Engine.SYMPY, lambda: differ_in_sympy(2), but_not=lambda: differ_in_sympy(5)),
-        by_example=True,
-    )
-
-
 # y and Y: v⁽ᵏ⁾ and ω̃⁽ᵏ⁾, on which the term A Dᵏ of an operator acts; a second term has B and D.
 _TENSORS = Letters(
     {
@@ -292,34 +101,6 @@ _TENSORS = Letters(
         "q(x, y, z)": "A x + B y + C z",
     },
 )
-
-
-def operator_polynomial_exists() -> Verdict:
-    """Theorem 3, existence, by induction on n from P₁ = I with the recurrences (39) and (20)."""
-    return argue(
-        [
-            _TENSORS.step(
-                "begin: P₁ = I has P₁ v = v = a₁ and P₁ ω̃ = ω̃ = Φ₁",
-                r"\mathbf{I} v = v",
-                r"\mathbf{I} \tilde{\omega} = \tilde{\omega}",
-                but_not=r"\mathbf{I} v = \dot{v}",
-            ),
-            _TENSORS.step(
-                "D (A Dᵏ) = Ȧ Dᵏ + A Dᵏ⁺¹, of v and of ω̃",
-                r"\frac{d}{dt} (A y) = \dot{A} y + A \dot{y}",
-                r"\frac{d}{dt} (A Y) = \dot{A} Y + A \dot{Y}",
-                but_not=r"\frac{d}{dt} (A y) = \dot{A} y + \dot{A} \dot{y}",
-            ),
-            _TENSORS.step(
-                "step: D (A + B D) + Φₙ with aₙ = A v + B v̇, Φₙ = A ω̃ + B ω̃' makes ȧₙ + Φₙ v and Φ̇ₙ + Φₙ ω̃",
-                r"\dot{A} v + A \dot{v} + \dot{B} \dot{v} + B \ddot{v} + \Phi v = \dot{a} + \Phi v",
-                r"\dot{A} \tilde{\omega} + A \dot{\tilde{\omega}} + \dot{B} \dot{\tilde{\omega}}"
-                r" + B \ddot{\tilde{\omega}} + \Phi \tilde{\omega} = \dot{\Phi} + \Phi \tilde{\omega}",
-                but_not=r"A \dot{v} + B \ddot{v} + \Phi v = \dot{a} + \Phi v",
-            ),
-        ],
-        scope="all n",
-    )
 
 
 def operator_polynomial_is_unique() -> Verdict:
@@ -397,17 +178,45 @@ def _strings(*entries: Any) -> tuple[str, ...]:
     return tuple(str(entry) for entry in entries)
 
 
-THEOREMS = {
+_FIELDS, _TENSORS_OF_39 = Use(-1), Use(-1, part=1)
+_NEXT = Each(
+    Follows(r"\dot{Y} + Z \mathbf{v}", Y=_FIELDS, Z=_TENSORS_OF_39),
+    Follows(r"\dot{Z} + Z \tilde{\omega}", Z=_TENSORS_OF_39),
+)
+_P_N = Have(
+    r"\forall n \geq 1 : \mathbf{a}_n = \mathbf{P}_n \mathbf{v} \wedge \Phi_n = \mathbf{P}_n \tilde{\omega}",
+    Induction(step=_NEXT),
+    Witness(
+        {"P": r"\mathbf{P}_n"},
+        Each(Follows("Y", Y=Use(0, {"n": "n"})), Follows("Y", Y=Use(0, {"n": "n"}, part=1))),
+    ),
+)
+_AT_REST = {r"\omega": "0", r"\mathbf{v}": "0"}
+
+PROOFS = {
+    "homogeneous_matrices_are_a_ring": Proven(
+        Each(
+            Witness({"H": "F + G", "h": "f + g"}),
+            Witness({"H": "F - G", "h": "f - g"}),
+            Witness({"H": "F G", "h": "F g"}),
+            Kernel(),
+            Kernel(),
+            Kernel(),
+        )
+    ),
+    "operator_polynomial_exists": Proven(Each(_P_N, Kernel())),
+    "operator_polynomial_exists_for_fields": Proven(_P_N),
+    "twist_operator_is_not_unique": Proven(against=Broken(False_())),
+    "no_operator_for_n_0": Proven(
+        against=At(_AT_REST, Impossible(Follows(r"1 - \frac{1}{3} \operatorname{tr} Y", Y=Use(-1, part=1))))
+    ),
+    "twist_operator_recurrence": Proven(_NEXT),
+}
+
+THEOREMS = PROOFS | {
     theorem.__name__: theorem
     for theorem in (
-        homogeneous_matrices_are_a_ring,
         operators_are_a_ring,
-        twist_operator_exists,
-        twist_operator_is_not_unique,
-        no_operator_for_n_0,
-        twist_operator_recurrence,
-        twist_operator_begins_at_1,
-        operator_polynomial_exists,
         operator_polynomial_is_unique,
         twist_determines_the_fields,
     )

@@ -175,7 +175,7 @@ def translations(sign: int) -> Iterator[Any]:
 
 
 def _ring(names: str) -> list[Any]:
-    from workbench.judge.sympy_ring import QQ, lex, polynomial_ring
+    from workbench.judge.second.sympy_gate import QQ, lex, polynomial_ring
 
     return list(polynomial_ring(names.split(), QQ, lex)[1:])
 

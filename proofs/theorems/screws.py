@@ -6,8 +6,8 @@
 from __future__ import annotations
 
 from proofs.theorems.euler import rotations_are_unit_quaternions
-from workbench.judge.arguments import Step, argue
-from workbench.judge.formula_steps import Letters
+from workbench.judge.theorems.arguments import Step, argue
+from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.verdict import Counterexample, Verdict
 
 SCREW = Letters(
@@ -64,78 +64,6 @@ def exponential_of_a_screw() -> Verdict:
     return argue(_exponential())
 
 
-def structural_from_natural_invariants() -> Verdict:
-    """Theorem 8: (80) is (I + ε ρ̃) Q with Q and ρ of (83); by Theorem 5 it is so in no other way."""
-    return argue(
-        [
-            SCREW.step(
-                "(80) for the dual angle a + ε d and the unit dual vector w + ε m is (I + ε ρ̃) Q",
-                r"\mathbf{I} + \sin(a + \varepsilon d) \widetilde{(w + \varepsilon m)}"
-                r" + (1 - \cos(a + \varepsilon d)) \widetilde{(w + \varepsilon m)}^2 "
-                r" = (\mathbf{I} + \varepsilon \tilde{\rho}) Q",
-                but_not=r"\mathbf{I} + \sin(a + \varepsilon d) \widetilde{(w + \varepsilon m)}"
-                r" + (1 - \cos(a + \varepsilon d)) \widetilde{(w + \varepsilon m)}^2 "
-                r" = Q (\mathbf{I} + \varepsilon \tilde{\rho})",
-            ),
-            SCREW.step(
-                "and Q is a rotation",
-                r"Q Q^T = \mathbf{I}",
-                r"\det Q = 1",
-                but_not=r"Q Q = \mathbf{I}",
-            ),
-        ]
-    )
-
-
-def mozzi_chasles_axis() -> Verdict:
-    """The points of the line u̲ = w + ε p × w move by d along it, and space turns by a about it."""
-    return argue(
-        [
-            SCREW.step(
-                "a unit dual vector is w + ε m with m·w = 0, the line through the point w × m along w",
-                r"(\operatorname{Re}(u))^2 = 1",
-                r"\operatorname{Re}(u) \cdot \operatorname{Du}(u) = 0",
-                r"(\operatorname{Re}(u) \times \operatorname{Du}(u)) \times \operatorname{Re}(u) ="
-                r" \operatorname{Du}(u)",
-                but_not=r"\operatorname{Re}(u) \times \operatorname{Du}(u) = \operatorname{Du}(u)",
-            ),
-            SCREW.step(
-                "a point p + k w of the axis goes to p + (k + d) w",
-                r"Q (p + k w) + \rho = p + (k + d) w",
-                but_not=r"Q (p + x) + \rho = p + x + d w",
-            ),
-            SCREW.step(
-                "a vector across the axis turns by the angle a about w",
-                r"(w \times x) \cdot (Q (w \times x)) = (\cos a) (w \times x)^2",
-                r"w \cdot ((w \times x) \times (Q (w \times x))) = (\sin a) (w \times x)^2",
-                but_not=r"x \cdot (Q x) = (\cos a) x^2",
-            ),
-        ]
-    )
-
-
-def freedom_of_the_natural_invariants() -> Verdict:
-    """(80) has the same value at (−α̲, −u̲) and after full turns; u₀ is free for a translation."""
-    return argue(
-        [
-            SCREW.step(
-                "(−α, −u) gives the same tensor as (α, u)",
-                r"\mathbf{I} + \sin(-\alpha) \widetilde{(-u)} + (1 - \cos(-\alpha)) \widetilde{(-u)}^2 = X",
-                but_not=r"\mathbf{I} + \sin(-\alpha) \tilde{u} + (1 - \cos(-\alpha)) \tilde{u}^2 = X",
-            ),
-            SCREW.step(
-                "of a translation the moment of the axis is free, since its tensor is I + ε d w̃ for every p",
-                r"\mathbf{I} + \sin(\varepsilon d) \widetilde{(w + \varepsilon m)}"
-                r" + (1 - \cos(\varepsilon d)) \widetilde{(w + \varepsilon m)}^2 = \mathbf{I} +"
-                r" \varepsilon d \tilde{w}",
-                but_not=r"\mathbf{I} + \sin(\varepsilon d) \widetilde{(w + \varepsilon m)} = \mathbf{I} +"
-                r" \varepsilon d \tilde{m}",
-            ),
-            *full_turn(),
-        ]
-    )
-
-
 def lie_algebra_of_the_dual_group() -> Verdict:
     """Skew dual tensors are the velocities of curves of the group at I, and closed under commutators."""
     return argue(
@@ -148,29 +76,6 @@ def lie_algebra_of_the_dual_group() -> Verdict:
             *_exponential(),
             *_lie_algebra(),
         ]
-    )
-
-
-def bracket_without_a_commutator() -> Verdict:
-    """b̃ c̃ is not skew: it is c ⊗ b − (b·c) I."""
-    return argue(
-        [
-            SCREW.step(
-                "b̃ c̃ + (b̃ c̃)ᵀ = b ⊗ c + c ⊗ b − 2 (b·c) I, which is 0 for skew tensors only",
-                r"\tilde{b} \tilde{c} + (\tilde{b} \tilde{c})^T = b \otimes c + c \otimes b - 2 (b \cdot"
-                r" c) \mathbf{I}",
-                but_not=r"\tilde{b} \tilde{c} + (\tilde{b} \tilde{c})^T = 0",
-            ),
-            SCREW.refutation(
-                "b̃ c̃ is not skew",
-                r"\tilde{b} \tilde{c} = -(\tilde{b} \tilde{c})^T",
-                but_not=r"\tilde{b} = -\tilde{b}^T",
-            ),
-            *_lie_algebra(),
-        ],
-        refutes=True,
-        counterexample=SCREW.counterexample(r"\tilde{b} \tilde{c} = -(\tilde{b} \tilde{c})^T"),
-        reason="a product of skew dual tensors is not skew; the commutator is",
     )
 
 
@@ -329,11 +234,7 @@ THEOREMS = {
     for proof in (
         representation_theorem,
         exponential_of_a_screw,
-        structural_from_natural_invariants,
-        mozzi_chasles_axis,
-        freedom_of_the_natural_invariants,
         lie_algebra_of_the_dual_group,
-        bracket_without_a_commutator,
         exponential_is_onto,
         logarithm_is_a_set,
         logarithm_is_no_inverse,

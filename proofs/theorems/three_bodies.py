@@ -100,18 +100,14 @@ def examples(configuration: Configuration, first_translates: bool) -> list[tuple
     return (JOINTS_FIRST_TRANSLATES if first_translates else JOINTS)[configuration]
 
 
-def rational_checks(
-    configuration: Configuration, first_translates: bool, spoilt: bool
-) -> Iterator[bool]:
+def rational_checks(configuration: Configuration, first_translates: bool, spoilt: bool) -> Iterator[bool]:
     """In Fractions, by the velocities of points; ``spoilt``: of lines moved off the axes."""
     for joints in examples(configuration, first_translates):
         first, second = (joint.twist() for joint in joints)
         found = three_axes(first, second)
         yield found.configuration == _expected(configuration, spoilt)
         for line in _perpendiculars(found, spoilt):
-            for twist, has_axis in zip(
-                (first, second, first + second), found.has_axis, strict=True
-            ):
+            for twist, has_axis in zip((first, second, first + second), found.has_axis, strict=True):
                 if not has_axis:
                     yield dot(line.re, twist.du) == 0
                     continue
@@ -120,9 +116,7 @@ def rational_checks(
                 yield not np.any(cross(twist.re, twist.du + cross(twist.re, foot)))
 
 
-def drake_checks(
-    configuration: Configuration, first_translates: bool, spoilt: bool
-) -> Iterator[bool]:
+def drake_checks(configuration: Configuration, first_translates: bool, spoilt: bool) -> Iterator[bool]:
     """The same on a plant: twists and the velocities of points are Drake's, the line is ours."""
     for joints in examples(configuration, first_translates):
         plant, context = _plant(joints)
@@ -159,10 +153,7 @@ def _drake_residuals(
 def _plant(joints: tuple[Any, Any]) -> tuple[Any, Any]:
     from workbench.drake.plants import CylindricalAxis, cylindrical_chain, set_state
 
-    axes = [
-        CylindricalAxis(tuple(map(float, j.direction)), tuple(map(float, j.point)))
-        for j in joints
-    ]
+    axes = [CylindricalAxis(tuple(map(float, j.direction)), tuple(map(float, j.point))) for j in joints]
     plant = cylindrical_chain(axes, ("A", "B"))
     context = plant.CreateDefaultContext()
     rates = [float(rate) for joint in joints for rate in (joint.slide, joint.turn)]

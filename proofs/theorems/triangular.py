@@ -7,9 +7,9 @@ F and h stand for R⁽ⁿ⁾ and ρ⁽ⁿ⁾ for some n ≥ 1, as free functions
 from __future__ import annotations
 
 from proofs.theorems.leibniz import leibniz_rule
-from workbench.judge.arguments import Step, argue
-from workbench.judge.formula_steps import Letters
-from workbench.judge.verdict import Counterexample, Verdict
+from workbench.judge.theorems.arguments import Step, argue
+from workbench.judge.theorems.formula_steps import Letters
+from workbench.judge.verdict import Verdict
 
 _MOTION = Letters(
     {name: {"kind": "vector"} for name in (r"\rho", "h", "y")}
@@ -38,62 +38,10 @@ _INVARIANTS = Letters(
     },
 )
 
-#: Blocks below the diagonal: any tensors.
-_BLOCKS = Letters(
-    {name: {"kind": "tensor"} for name in "ABCEFG"} | {r"\omega": {"kind": "vector"}},
-    {
-        "M": r"\begin{bmatrix} \mathbf{I} & \mathbf{0} & \mathbf{0} & \mathbf{0} \\ A & \mathbf{I} &"
-        r" \mathbf{0} & \mathbf{0} \\"
-        r" B & C & \mathbf{I} & \mathbf{0} \\ E & F & G & \mathbf{I} \end{bmatrix}",
-        "J": r"\begin{bmatrix} \mathbf{I} & \mathbf{0} & \mathbf{0} & \mathbf{0} \\"
-        r" \mathbf{0} & \mathbf{I} & \mathbf{0} & \mathbf{0} \\"
-        r" \mathbf{0} & \mathbf{0} & \mathbf{I} & \mathbf{0} \\"
-        r" \mathbf{0} & \mathbf{0} & \mathbf{0} & \mathbf{I} \end{bmatrix}",
-        "N": "M - J",
-        "L": r"\begin{bmatrix} \mathbf{I} & \mathbf{0} & \mathbf{0} & \mathbf{0} \\"
-        r" -\tilde{\omega} & \mathbf{I} & \mathbf{0} & \mathbf{0} \\"
-        r" -2\dot{\tilde{\omega}} & -\tilde{\omega} & \mathbf{I} & \mathbf{0} \\"
-        r" -3\ddot{\tilde{\omega}} & -3\dot{\tilde{\omega}} & -\tilde{\omega} & \mathbf{I} \end{bmatrix}",
-        "U": r"\begin{bmatrix} \mathbf{I} & \mathbf{0} & \mathbf{0} & \mathbf{0} \\"
-        r" \tilde{\omega} & \mathbf{I} & \mathbf{0} & \mathbf{0} \\"
-        r" 2\dot{\tilde{\omega}} + \tilde{\omega}^2 & \tilde{\omega} & \mathbf{I} & \mathbf{0} \\"
-        r" 3\ddot{\tilde{\omega}} + 2\tilde{\omega}\dot{\tilde{\omega}} + 3\dot{\tilde{\omega}}\tilde{\omega}"
-        r" + \tilde{\omega}^3 & 3\dot{\tilde{\omega}} + \tilde{\omega}^2 & \tilde{\omega} & \mathbf{I}"
-        r" \end{bmatrix}",
-    },
-)
-
 
 def twist_derivatives_from_accelerations() -> Verdict:
     """(116) for every n ≥ 1, by Leibniz' rule for Ṙ = ω̃ R and ρ̇ = ω̃ ρ + v."""
     return argue(_every_order(), scope="all n")
-
-
-def triangular_systems_are_inverse() -> Verdict:
-    """(114) and (115), and their continuations by (116), are inverse to each other.
-
-    For v, v̇, … at an instant are arbitrary: if L and U send (Ψ₁, Ψ₂, …) to (T, Ṫ, …) and back for every
-    motion, then L U w = w for every w.
-    """
-    return argue(
-        [
-            _BLOCKS.step(
-                "the printed matrices have the products L U = I and U L = I",
-                r"L U = \mathbf{I}",
-                r"U L = \mathbf{I}",
-                but_not=r"L L = \mathbf{I}",
-            ),
-            _BLOCKS.step(
-                "with any blocks below the diagonal N⁴ = 0 for four rows, and Nⁿ = 0 for n, so that I + N"
-                " has one inverse",
-                "N^4 = N - N",
-                r"M (J - N + N^2 - N^3) = J",
-                but_not="N^3 = N - N",
-            ),
-            *_every_order(),
-        ],
-        scope="all n",
-    )
 
 
 def accelerations_from_twist_derivatives() -> Verdict:
@@ -118,27 +66,6 @@ def accelerations_from_twist_derivatives() -> Verdict:
             ),
         ],
         scope="all n",
-    )
-
-
-def accelerations_counted_from_zero() -> Verdict:
-    """Theorem 10 with the velocity as order 0: then the field of order n holds v⁽ⁿ⁾ itself."""
-    return argue(
-        [
-            *_every_order(),
-            _INVARIANTS.refutation(
-                "a₁ = v, what (107) calls the order 0, is not fixed by an empty set of derivatives",
-                "a_1 = v - v",
-                but_not="a_1 = v",
-            ),
-        ],
-        refutes=True,
-        counterexample=Counterexample(
-            values={"n": ("0",), r"\omega": ("0", "0", "0"), r"\mathbf{v}": ("0", "0", "1")},
-            left=("0", "0", "1"),
-            right=("0", "0", "0"),
-        ),
-        reason="for n = 0 nothing is given, and the velocity of one motion is not that of another",
     )
 
 
@@ -188,8 +115,6 @@ THEOREMS = {
     proof.__name__: proof
     for proof in (
         twist_derivatives_from_accelerations,
-        triangular_systems_are_inverse,
         accelerations_from_twist_derivatives,
-        accelerations_counted_from_zero,
     )
 }

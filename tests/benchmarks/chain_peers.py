@@ -109,8 +109,8 @@ class Workbench(Peer):
         chain = SerialChain(joints)
         self.single_out = np.empty((problem.order + 1, 6))
         self.batch_out = np.empty((len(problem.batch), problem.order + 1, 6))
-        self.single = chain.bind(problem.q, self.single_out)
-        self.batch = chain.bind(problem.batch, self.batch_out)
+        self.single = chain.bind(np.moveaxis(problem.q, -1, 0), np.moveaxis(self.single_out, -2, 0))
+        self.batch = chain.bind(np.moveaxis(problem.batch, -1, 0), np.moveaxis(self.batch_out, -2, 0))
 
     def run_single(self):
         self.single()

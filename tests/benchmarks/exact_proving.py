@@ -13,10 +13,10 @@ from time import perf_counter
 
 import sympy
 
-from workbench.judge.drake_ring import recheck_by_drake
-from workbench.judge.exact import ExactEngine
-from workbench.judge.inventory import take_inventory
-from workbench.judge.sympy_ring import recheck
+from workbench.judge.first.exact import ExactEngine
+from workbench.judge.second.drake_ring import recheck_by_drake
+from workbench.judge.second.sympy_ring import recheck
+from workbench.judge.subject.inventory import take_inventory
 from workbench.language.defining import read_definition
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read

@@ -37,9 +37,7 @@ chain = pytest.mark.parametrize("motion", CHAINS, ids=lambda motion: motion.name
 def leibniz(multiply, a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """The jet of a product, from the jets of its factors."""
     orders = range(min(len(a), len(b)))
-    return np.array(
-        [sum(comb(n, k) * multiply(a[k], b[n - k]) for k in range(n + 1)) for n in orders]
-    )
+    return np.array([sum(comb(n, k) * multiply(a[k], b[n - k]) for k in range(n + 1)) for n in orders])
 
 
 def matmul_transposed(a, b):
@@ -126,9 +124,7 @@ def test_rates(motion, quantity, its_rate):
 @every_motion
 def test_velocity_field(motion):
     """Eq. (5), and (92) for the point at the origin."""
-    for w, v_Bo, v_P, v_0, p_Bo, p_P in jets(
-        motion, "w_WB", "v_WBo", "v_WP", "v_WB0", "p_WBo", "p_WP"
-    ):
+    for w, v_Bo, v_P, v_0, p_Bo, p_P in jets(motion, "w_WB", "v_WBo", "v_WP", "v_WB0", "p_WBo", "p_WP"):
         close(v_P - v_Bo, leibniz(np.cross, w, p_P - p_Bo))
         close(v_0, v_Bo - leibniz(np.cross, w, p_Bo))
 
@@ -214,9 +210,7 @@ def test_joints_turn_and_slide_along_their_axes(motion):
 
 @chain
 def test_axes(motion):
-    for u_2, u_2A, R_1, u_1, w_1 in jets(
-        motion, "dual_u2_W", "dual_u2_A", "dual_R_WA", "u1_W", "w_WA"
-    ):
+    for u_2, u_2A, R_1, u_1, w_1 in jets(motion, "dual_u2_W", "dual_u2_A", "dual_R_WA", "u1_W", "w_WA"):
         close(u_2, leibniz(dual_apply, R_1, u_2A))
         close(np.cross(u_1[0], w_1), np.zeros_like(w_1))
         assert np.dot(u_1[0], u_1[0]) == pytest.approx(1.0)
@@ -318,8 +312,7 @@ def test_weights(make):
     path = PATH_4 if make == "chain" else PATH_6
     fast_path = JointPath(path.coefficients * np.array([[1.0], [2.0], [4.0]]))
     slow, fast = (
-        chain_motion("c", AXES, p) if make == "chain" else free_body_motion("f", p)
-        for p in (path, fast_path)
+        chain_motion("c", AXES, p) if make == "chain" else free_body_motion("f", p) for p in (path, fast_path)
     )
     for name in slow.available_bindings():
         weight = slow.binding(name).weight

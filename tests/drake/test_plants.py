@@ -66,8 +66,7 @@ def test_acceleration_is_the_rate_of_velocity(name):
     for body in bodies:
         for (q, v, vdot), p in states(plant, seed=1):
             before, after = (
-                body_motion(plant, body, q + s * v + s * s / 2 * vdot, v + s * vdot, vdot, p)
-                for s in (-h, h)
+                body_motion(plant, body, q + s * v + s * s / 2 * vdot, v + s * vdot, vdot, p) for s in (-h, h)
             )
             now = body_motion(plant, body, q, v, vdot, p)
             np.testing.assert_allclose((after.V_WBp - before.V_WBp) / (2 * h), now.A_WBp, atol=2e-7)

@@ -184,8 +184,7 @@ def test_joints_that_hardly_turn(tiny):
     """The body all but translates; the estimate must not be lost in endless windows."""
     path = JointPath([[0, 0, 0, 0], [0.5, tiny, 0.25, tiny], [0, 0, 0.5, 0], [0.25, 0, 0, 0]])
     exact, estimated = (
-        twist_derivatives(CHAIN, "B", path, 0.3, 5, POINT, method)
-        for method in ("expression", "chebyshev")
+        twist_derivatives(CHAIN, "B", path, 0.3, 5, POINT, method) for method in ("expression", "chebyshev")
     )
     for one, other in zip(exact, estimated, strict=True):
         assert_agree(one, other)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from workbench.algebra.dual import Dual
-from workbench.judge.arguments import Engine, Step, Way, argue, vanishing, vanishing_to
+from workbench.judge.theorems.arguments import Engine, Step, Way, argue, vanishing, vanishing_to
 from workbench.judge.verdict import Counterexample, Outcome
 
 X, Y = flint.fmpq_mpoly_ctx.get(("x", "y"), "lex").gens()

@@ -7,11 +7,11 @@ import pytest
 from judge.random_terms import random_term
 
 from workbench import check
-from workbench.judge.exact import ExactEngine
-from workbench.judge.inventory import NotExact, take_inventory
-from workbench.judge.jets import JetEngine
-from workbench.judge.rings import PointSource, RationalRing, ResidueRing, sample
-from workbench.judge.sympy_ring import SympyRing
+from workbench.judge.first.exact import ExactEngine
+from workbench.judge.second.jets import JetEngine
+from workbench.judge.second.rings import PointSource, RationalRing, ResidueRing, sample
+from workbench.judge.second.sympy_ring import SympyRing
+from workbench.judge.subject.inventory import NotExact, take_inventory
 from workbench.language.construct import apply, derivative, relation
 from workbench.language.definitions import Definitions
 

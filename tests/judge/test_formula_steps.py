@@ -2,8 +2,8 @@
 
 import pytest
 
-from workbench.judge.arguments import Engine, argue
-from workbench.judge.formula_steps import Letters
+from workbench.judge.theorems.arguments import Engine, argue
+from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.verdict import Outcome
 from workbench.language.errors import IllFormedAt, ReadError
 

@@ -4,8 +4,8 @@ from fractions import Fraction
 
 import pytest
 
-from workbench.judge.assumptions import Unsatisfiable
-from workbench.judge.judge import Judge
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.verdict import EngineDisagreement, Outcome
 from workbench.language.defining import read_definition
 from workbench.language.definitions import Definitions
@@ -252,14 +252,14 @@ class TestDefects:
         assert judged(r"a \times b = a \times b").outcome == Outcome.UNCHECKED
 
     def test_engines_that_disagree_are_a_defect(self, monkeypatch):
-        import workbench.judge.sympy_ring as second
+        import workbench.judge.second.sympy_ring as second
 
         monkeypatch.setattr(second, "recheck", lambda *arguments: False)
         with pytest.raises(EngineDisagreement):
             judged(TRUE["Lagrange"])
 
     def test_a_wrong_first_engine_is_found_out(self, monkeypatch):
-        import workbench.judge.exact as exact
+        import workbench.judge.first.exact as exact
 
         monkeypatch.setitem(exact._HEADS, "cross", exact._HEADS["add"])
         with pytest.raises(EngineDisagreement):

@@ -2,8 +2,8 @@
 
 import pytest
 
-from workbench.judge.arguments import argue
-from workbench.judge.formula_steps import Letters
+from workbench.judge.theorems.arguments import argue
+from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.verdict import Outcome
 
 LETTERS = Letters({"a": {"kind": "vector"}, "b": {"kind": "vector"}, "R": {"kind": "rotation"}})

@@ -3,15 +3,15 @@
 import pytest
 
 from workbench import check
-from workbench.judge.inventory import NotExact
-from workbench.judge.symbolic_orders import symbolic_orders, with_free_derivatives
+from workbench.judge.kernel.symbolic_orders import symbolic_orders, with_free_derivatives
+from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome
 from workbench.language.instances import instantiate
 from workbench.language.reader import read_term
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Derivative
 from workbench.papers import load_paper
-from workbench.verify import judge_paper
+from workbench.verify.claims import judge_paper
 
 SYMBOLS = {
     "x": {"kind": "vector", "weight": 0},

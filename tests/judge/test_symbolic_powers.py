@@ -2,8 +2,8 @@
 
 import pytest
 
-from workbench.judge.inventory import NotExact, take_inventory
-from workbench.judge.judge import Judge
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.subject.inventory import NotExact, take_inventory
 from workbench.judge.verdict import Outcome
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read, read_term

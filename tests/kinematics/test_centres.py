@@ -7,6 +7,7 @@ import pytest
 from flint import fmpq
 from pydrake.symbolic import Expression, Variable
 
+from workbench.algebra.dual_tensors import apply, cross, dot, outer
 from workbench.kinematics import fields, frames
 from workbench.kinematics.centres import (
     acceleration_centre,
@@ -14,7 +15,6 @@ from workbench.kinematics.centres import (
     points_with_acceleration,
     regular_point,
 )
-from workbench.kinematics.tensors import apply, cross, dot, outer
 
 TYPES = {
     "float": float,

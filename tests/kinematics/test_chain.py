@@ -76,7 +76,7 @@ def test_one_joint_turns_about_its_constant_screw(kind):
     rng = np.random.default_rng(1)
     joint = random_joint(rng, kind)
     chain = SerialChain([joint])
-    q = rng.normal(size=(chain.dof, 7))
+    q = rng.normal(size=(7, chain.dof))
     rotation = np.concatenate([joint.axis, np.cross(joint.point, joint.axis)])
     translation = np.concatenate([np.zeros(3), joint.axis])
     screws = {
@@ -85,7 +85,7 @@ def test_one_joint_turns_about_its_constant_screw(kind):
         "cylindrical": [rotation, translation],
         "helical": [rotation + joint.pitch * translation],
     }[kind]
-    close(chain.twist_derivatives(q), q[:, 1:].T @ np.array(screws), 14)
+    close(chain.twist_derivatives(q), q[1:] @ np.array(screws), 14)
 
 
 @pytest.mark.parametrize("first", MOVING)
@@ -95,9 +95,9 @@ def test_two_joints_obey_the_leibniz_rule_with_the_bracket(first, second):
     rng = np.random.default_rng(2)
     joints = [random_joint(rng, first), random_joint(rng, second)]
     inner, outer, both = SerialChain(joints[:1]), SerialChain(joints[1:]), SerialChain(joints)
-    q = rng.normal(size=(both.dof, 9))
-    V1 = inner.twist_derivatives(q[: inner.dof])
-    relative = outer.twist_derivatives(q[inner.dof :]) @ adjoint(inner.pose(q[: inner.dof, 0])).T
+    q = rng.normal(size=(9, both.dof))
+    V1 = inner.twist_derivatives(q[:, : inner.dof])
+    relative = outer.twist_derivatives(q[:, inner.dof :]) @ adjoint(inner.pose(q[0, : inner.dof])).T
     carried = {(0, k): relative[k] for k in range(8)}  # (j, k): j-th derivative of Ad(X₁) V₂^(k)
     for j in range(1, 8):
         for k in range(8 - j):
@@ -111,10 +111,10 @@ def test_two_joints_obey_the_leibniz_rule_with_the_bracket(first, second):
 def test_the_twist_is_the_velocity_of_the_pose(seed):
     rng = np.random.default_rng(seed)
     chain = SerialChain(random_joints(rng, 6))
-    q = rng.normal(size=(chain.dof, 2))
+    q = rng.normal(size=(2, chain.dof))
     h = 1e-5
-    X_dot = (chain.pose(q[:, 0] + h * q[:, 1]) - chain.pose(q[:, 0] - h * q[:, 1])) / (2 * h)
-    W = X_dot @ np.linalg.inv(chain.pose(q[:, 0]))
+    X_dot = (chain.pose(q[0] + h * q[1]) - chain.pose(q[0] - h * q[1])) / (2 * h)
+    W = X_dot @ np.linalg.inv(chain.pose(q[0]))
     close(chain.twist_derivatives(q)[0], [W[2, 1], W[0, 2], W[1, 0], *W[:3, 3]], 8)
 
 
@@ -123,9 +123,9 @@ def test_equivariance_under_change_of_base_frame(seed):
     rng = np.random.default_rng(seed)
     joints, X = random_joints(rng, 6), random_pose(rng)
     chain, moved = SerialChain(joints), SerialChain([Joint.fixed(X), *joints])
-    q = rng.normal(size=(3, chain.dof, 7))
+    q = rng.normal(size=(7, 3, chain.dof))
     close(moved.twist_derivatives(q), chain.twist_derivatives(q) @ adjoint(X).T)
-    close(moved.pose(q[..., 0]), X @ chain.pose(q[..., 0]))
+    close(moved.pose(q[0]), X @ chain.pose(q[0]))
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -135,9 +135,9 @@ def test_fixed_joints_merge(seed):
     before, after = random_joints(rng, 3), random_joints(rng, 3)
     split = SerialChain([*before, Joint.fixed(A), Joint.fixed(B), *after, Joint.fixed(A)])
     merged = SerialChain([*before, Joint.fixed(A @ B), *after])
-    q = rng.normal(size=(split.dof, 6))
+    q = rng.normal(size=(6, split.dof))
     close(split.twist_derivatives(q), merged.twist_derivatives(q))
-    close(split.pose(q[:, 0]), merged.pose(q[:, 0]) @ A)
+    close(split.pose(q[0]), merged.pose(q[0]) @ A)
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -147,7 +147,7 @@ def test_a_joint_s_axis_may_be_named_by_any_of_its_points_and_multiples(seed):
     tail = random_joints(rng, 3)
     one = SerialChain([*tail, Joint.revolute(axis, point), *tail])
     other = SerialChain([*tail, Joint.revolute(7 * axis, point + 3 * axis), *tail])
-    q = rng.normal(size=(one.dof, 6))
+    q = rng.normal(size=(6, one.dof))
     close(one.twist_derivatives(q), other.twist_derivatives(q))
 
 
@@ -158,12 +158,12 @@ def test_composite_joints_are_products_of_simple_ones(seed):
     head, tail = random_joints(rng, 2), random_joints(rng, 2)
     pair = SerialChain([*head, Joint.revolute(axis, point), Joint.prismatic(axis), *tail])
     cylindrical = SerialChain([*head, Joint.cylindrical(axis, point), *tail])
-    q = rng.normal(size=(pair.dof, 7))
+    q = rng.normal(size=(7, pair.dof))
     close(cylindrical.twist_derivatives(q), pair.twist_derivatives(q))
     helical = SerialChain([*head, Joint.helical(axis, point, pitch=0.3), *tail])
     angle = SerialChain(head).dof
-    q[angle + 1] = 0.3 * q[angle]
-    close(helical.twist_derivatives(np.delete(q, angle + 1, axis=0)), pair.twist_derivatives(q))
+    q[:, angle + 1] = 0.3 * q[:, angle]
+    close(helical.twist_derivatives(np.delete(q, angle + 1, axis=1)), pair.twist_derivatives(q))
 
 
 @pytest.mark.parametrize("tilt", [0, 1e-300, 1e-17, 1e-15, 1e-12, 1e-8, 1e-3, 0.09, 0.11])
@@ -175,9 +175,9 @@ def test_neighbouring_axes_may_be_nearly_parallel_coincident_or_intersecting(til
         Joint.revolute([tilt, 0, 1], [0.1 + apart, 0.2 + 2 * apart, 5]),
         Joint.revolute([1, 2, 3], [0.5, -0.4, 0.3]),
     ]
-    q = np.array([[0.7, 1.1], [0.4, -0.6], [0.2, 0.9]])
+    q = np.array([[0.7, 0.4, 0.2], [1.1, -0.6, 0.9]])
     expected, X = np.zeros(6), np.eye(4)
-    for joint, (angle, rate) in zip(joints, q, strict=True):
+    for joint, (angle, rate) in zip(joints, q.T, strict=True):
         screw = np.concatenate([joint.axis, np.cross(joint.point, joint.axis)])
         expected += adjoint(X) @ screw * rate
         X = X @ SerialChain([joint]).pose([angle])
@@ -189,28 +189,28 @@ def test_a_batch_is_its_states(states):
     rng = np.random.default_rng(3)
     chain = SerialChain(random_joints(rng, 6))
     for n in (0, 1, 4, 7):
-        q = rng.normal(size=(*states, chain.dof, n + 2))
+        q = rng.normal(size=(n + 2, *states, chain.dof))
         V = chain.twist_derivatives(q)
-        assert V.shape == (*states, n + 1, 6)
+        assert V.shape == (n + 1, *states, 6)
         for state in np.ndindex(states):
-            close(V[state], chain.twist_derivatives(q[state]), 13)
+            close(V[:, *state], chain.twist_derivatives(q[:, *state]), 13)
 
 
 def test_derivatives_and_taylor_coefficients_differ_by_factorials():
     rng = np.random.default_rng(4)
     chain = SerialChain(random_joints(rng, 4))
-    q = rng.normal(size=(chain.dof, 8))
+    q = rng.normal(size=(8, chain.dof))
     factorials = np.array([factorial(k) for k in range(8)], dtype=float)
-    V = chain.twist_taylor(q / factorials)
+    V = chain.twist_taylor(q / factorials[:, None])
     close(V * factorials[:7, None], chain.twist_derivatives(q), 14)
 
 
 def test_a_longer_series_begins_with_the_shorter_one():
     rng = np.random.default_rng(5)
     chain = SerialChain(random_joints(rng, 5))
-    q = rng.normal(size=(chain.dof, 12))
+    q = rng.normal(size=(12, chain.dof))
     for n in range(10):
-        shorter, longer = chain.twist_derivatives(q[:, : n + 2]), chain.twist_derivatives(q)
+        shorter, longer = chain.twist_derivatives(q[: n + 2]), chain.twist_derivatives(q)
         close(shorter, longer[: n + 1], 13)
 
 
@@ -223,59 +223,62 @@ def test_the_kernel_equals_numpy_for_every_size_of_state_and_block(states, count
     rng = np.random.default_rng(states)
     for n in range(12):
         chain = SerialChain(random_joints(rng, count))
-        q = rng.normal(size=(states, chain.dof, n + 2))
+        q = rng.normal(size=(n + 2, states, chain.dof))
         V = chain.twist_derivatives(q)
-        plain = chain._of_derivatives._in_numpy(q)
+        plain = chain._of_derivatives._in_numpy(np.moveaxis(q, 0, -1))
         for k in range(n + 1):
-            close(V[:, k], plain[:, k], 13)
+            close(V[k], plain[:, k], 13)
 
 
 def test_any_array_of_numbers_will_do():
     rng = np.random.default_rng(6)
     chain = SerialChain(random_joints(rng, 3))
-    q = rng.integers(-3, 4, size=(4, chain.dof, 5))
+    q = rng.integers(-3, 4, size=(5, 4, chain.dof))
     V = chain.twist_derivatives(q.astype(float))
     read_only = q.astype(float)
     read_only.flags.writeable = False
     for same in (q, q.tolist(), q.astype(np.float32), read_only, np.asfortranarray(q * 1.0)):
         np.testing.assert_array_equal(chain.twist_derivatives(same), V)
-    for state, expected in zip(read_only, V, strict=True):
+    for state, expected in zip(read_only.swapaxes(0, 1), V.swapaxes(0, 1), strict=True):
         close(chain.twist_derivatives(state), expected, 13)
         close(chain.twist_derivatives(state.tolist()), expected, 13)
-    every_other = np.repeat(q * 1.0, 2, axis=0)[::2]
+    every_other = np.repeat(q * 1.0, 2, axis=1)[:, ::2]
     np.testing.assert_array_equal(chain.twist_derivatives(every_other), V)
     out = np.empty_like(V)
     assert chain.twist_derivatives(q, out) is out
     np.testing.assert_array_equal(out, V)
-    first = np.empty_like(V[0])
-    assert chain.twist_derivatives(q[0] * 1.0, first) is first
-    close(first, V[0], 13)
+    first = np.empty_like(V[:, 0])
+    assert chain.twist_derivatives(q[:, 0] * 1.0, first) is first
+    close(first, V[:, 0], 13)
 
 
 def test_a_bound_call_follows_what_is_in_its_arrays():
     rng = np.random.default_rng(8)
     chain = SerialChain(random_joints(rng, 3))
     for states in ((), (11,)):
-        q, out = np.empty((*states, chain.dof, 6)), np.empty((*states, 5, 6))
+        q, out = chain.workspace(4, states)
         update = chain.bind(q, out)
         for _ in range(3):
             q[...] = rng.normal(size=q.shape)
             assert update()
             close(out, chain.twist_derivatives(q), 13)
-    q[..., 0] = 1e17
+    q[0] = 1e17
     if any(joint.kind != "prismatic" for joint in chain.joints[:-1]):
         assert not update()
-    with pytest.raises(ValueError, match="q: expected a contiguous, writable array of doubles"):
-        chain.bind(q[::2], out)
-    with pytest.raises(ValueError, match="out: expected a contiguous array"):
-        chain.bind(q, out[:, :4])
+    with pytest.raises(ValueError, match="q: expected an array of doubles"):
+        chain.bind(q.tolist(), out)
+    with pytest.raises(ValueError, match=r"layout of SerialChain\.workspace"):
+        chain.bind(np.ascontiguousarray(q), out)
+    with pytest.raises(ValueError, match="out: expected a writable array"):
+        chain.bind(q, out[:4])
 
 
 def test_a_bound_call_outlives_its_chain():
     joints = random_joints(np.random.default_rng(9), 3)
     chain = SerialChain(joints)
-    q, out = np.ones((chain.dof, 40)), np.empty((39, 6))
-    expected = chain.twist_taylor(q / [1.0 * factorial(k) for k in range(40)])
+    q, out = chain.workspace(38)
+    q[...] = 1
+    expected = chain.twist_taylor(q / [[1.0 * factorial(k)] for k in range(40)])
     plans = chain._of_derivatives._plans
     update = chain.bind(q, out)
     (plan,) = [entry for shape, entry in plans.items() if shape == q.shape]
@@ -285,14 +288,16 @@ def test_a_bound_call_outlives_its_chain():
     close(out, expected * [[1.0 * factorial(k)] for k in range(39)], 11)
 
 
-def test_not_a_number_stays_in_its_state():
+@pytest.mark.parametrize("states", [(), (10,)])
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_what_is_not_finite_is_refused_at_every_order(states, bad):
     chain = SerialChain(random_joints(np.random.default_rng(7), 3))
-    q = np.ones((10, chain.dof, 4))
-    expected = chain.twist_derivatives(q)
-    q[3] = np.nan
-    V = chain.twist_derivatives(q)
-    assert np.isnan(V[3]).any()
-    close(np.delete(V, 3, axis=0), np.delete(expected, 3, axis=0), 14)
+    for k in range(4):
+        q = np.ones((4, *states, chain.dof))
+        chain.twist_derivatives(q)
+        q[k, ..., 0] = bad
+        with pytest.raises(ValueError, match="finite"):
+            chain.twist_derivatives(q)
 
 
 def test_small_tasks_are_done_without_numba():
@@ -301,10 +306,10 @@ import sys
 import numpy as np
 from workbench.kinematics.chain import Joint, SerialChain
 chain = SerialChain([Joint.revolute([0, 0, 1]), Joint.revolute([1, 0, 0])])
-chain.twist_derivatives(np.ones((2, 6)))
-chain.twist_derivatives(np.ones((32, 2, 3)))
+chain.twist_derivatives(np.ones((6, 2)))
+chain.twist_derivatives(np.ones((3, 32, 2)))
 assert "numba" not in sys.modules and "pydrake" not in sys.modules
-chain.twist_derivatives(np.ones((2, 7)))
+chain.twist_derivatives(np.ones((7, 2)))
 assert "numba" in sys.modules
 """
     subprocess.run([sys.executable, "-c", program], check=True)
@@ -316,7 +321,7 @@ def test_many_small_tasks_load_the_kernel(monkeypatch):
     monkeypatch.setattr(chain_engine, "_plain_tasks_left", 2)
     chain = SerialChain([Joint.revolute([0, 0, 1])])
     for expected in (True, True, False):
-        chain.twist_derivatives(np.ones((1, 4)))
+        chain.twist_derivatives(np.ones((4, 1)))
         assert (chain_engine._twist_kernel is None) == expected
 
 
@@ -324,8 +329,11 @@ def test_many_small_tasks_load_the_kernel(monkeypatch):
 
 
 def test_bad_joints_are_named():
-    with pytest.raises(ValueError, match="revolute joint: expected an axis of non-zero length"):
+    with pytest.raises(ValueError, match="revolute joint: axis: expected non-zero length"):
         Joint.revolute([0, 0, 0])
+    for raw in (("spin", [0, 0, 1], 1.0), ("revolute", [0, 0], 1.0), ("helical", [0, 0, 1], np.nan)):
+        with pytest.raises(ValueError, match="expected"):
+            Joint(raw[0], raw[1], [0, 0, 0], raw[2], np.eye(4))
     with pytest.raises(ValueError, match="cylindrical joint: point: expected three finite"):
         Joint.cylindrical([0, 0, 1], [0, 1])
     with pytest.raises(ValueError, match="prismatic joint: axis: expected three finite"):
@@ -338,6 +346,11 @@ def test_bad_joints_are_named():
         Joint.fixed(np.eye(3))
 
 
+@pytest.mark.parametrize("size", [1e200, 1e-200, 5e-324, 1e308])
+def test_an_axis_of_any_length_is_a_direction(size):
+    np.testing.assert_allclose(Joint.revolute([size, size, 0]).axis, [0.5**0.5, 0.5**0.5, 0], atol=1e-15)
+
+
 def test_bad_chains_are_named():
     with pytest.raises(ValueError, match="at least one moving joint"):
         SerialChain([Joint.fixed(np.eye(4))])
@@ -347,15 +360,15 @@ def test_bad_chains_are_named():
 
 def test_bad_derivatives_are_named():
     chain = SerialChain([Joint.revolute([0, 0, 1]), Joint.prismatic([1, 0, 0])])
-    with pytest.raises(ValueError, match=r"shape \(\.\.\., 2, n \+ 2\).*got \(3, 4\)"):
+    with pytest.raises(ValueError, match=r"shape \(n \+ 2, \.\.\., 2\).*order first.*got \(3, 4\)"):
         chain.twist_derivatives(np.zeros((3, 4)))
-    with pytest.raises(ValueError, match=r"got \(2, 1\)"):
-        chain.twist_derivatives(np.zeros((2, 1)))
+    with pytest.raises(ValueError, match=r"got \(1, 2\)"):
+        chain.twist_derivatives(np.zeros((1, 2)))
     with pytest.raises(ValueError, match="expected real joint derivatives"):
-        chain.twist_derivatives(np.zeros((2, 4), dtype=complex))
-    with pytest.raises(ValueError, match=r"out: expected a contiguous .* shape \(3, 6\), got"):
-        chain.twist_derivatives(np.zeros((2, 4)), np.zeros((2, 6)))
+        chain.twist_derivatives(np.zeros((4, 2), dtype=complex))
+    with pytest.raises(ValueError, match=r"out: expected a writable .* shape \(3, 6\), got"):
+        chain.twist_derivatives(np.zeros((4, 2)), np.zeros((2, 6)))
     with pytest.raises(ValueError, match="at most 170, got 171; use twist_taylor"):
-        chain.twist_derivatives(np.zeros((2, 173)))
+        chain.twist_derivatives(np.zeros((173, 2)))
     with pytest.raises(ValueError, match=r"coordinates of shape \(\.\.\., 2\), got \(3,\)"):
         chain.pose(np.zeros(3))

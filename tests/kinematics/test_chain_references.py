@@ -11,7 +11,7 @@ from numpy.polynomial import Chebyshev
 
 from workbench.kinematics import chain_engine
 from workbench.kinematics.chain import Joint, SerialChain
-from workbench.kinematics.chain_from_plant import serial_chain_from_plant
+from workbench.kinematics.robot import Robot
 
 MOVING = ("revolute", "prismatic", "cylindrical", "helical")
 
@@ -129,7 +129,7 @@ class ExactChain:
             else:
                 joints.append(Joint.helical(*where, pitch=float_of(self.pitch)))
             q += {"prismatic": [slide], "cylindrical": [angle, slide]}.get(kind, [angle])
-        return SerialChain(joints), np.array(q)
+        return SerialChain(joints), np.array(q).T
 
 
 def float_of(x):
@@ -166,11 +166,11 @@ def test_a_hundred_joints_to_order_twenty_lose_two_digits():
 def test_factorials_do_not_overflow():
     """Order 170 by derivatives, whose factorials are the largest, equals that by coefficients."""
     chain, q = ExactChain(1, 3, 171).in_doubles()
-    q *= 0.5 ** np.arange(172)
+    q *= 0.5 ** np.arange(172)[:, None]
     factorials = np.array([float(factorial(k)) for k in range(171)])
     derivatives = q.copy()
-    derivatives[:, 1:] *= factorials
-    derivatives[:, 1:] *= np.arange(1, 172)
+    derivatives[1:] *= factorials[:, None]
+    derivatives[1:] *= np.arange(1, 172)[:, None]
     expected = chain.twist_taylor(q) * factorials[:, None]
     assert np.isfinite(expected).all()
     deviation = np.abs(chain.twist_derivatives(derivatives) - expected).max(axis=-1)
@@ -182,9 +182,9 @@ def test_large_angles_are_reduced_exactly(turns):
     """Beyond 2⁵⁰ rad the kernel hands over to NumPy; below, both reduce like the C library."""
     chain = SerialChain([Joint.revolute([0, 0, 1]), Joint.prismatic([1, 0, 0])])
     angle = 2 * np.pi * turns + 0.3
-    V = chain.twist_derivatives(np.array([[[angle, 0.0], [0.0, 1.0]]] * 9))
+    V = chain.twist_derivatives(np.array([[[angle, 0.0]] * 9, [[0.0, 1.0]] * 9]))
     expected = [0, 0, 0, np.cos(angle), np.sin(angle), 0]
-    np.testing.assert_allclose(V[:, 0], [expected] * 9, rtol=0, atol=4e-16)
+    np.testing.assert_allclose(V[0], [expected] * 9, rtol=0, atol=4e-16)
 
 
 # -- Drake ----------------------------------------------------------------------------------------
@@ -235,7 +235,7 @@ def plant_of_all_joints(rng):
 def test_drake_agrees_on_pose_velocity_and_acceleration(seed):
     rng = np.random.default_rng(seed)
     plant, body = plant_of_all_joints(rng)
-    chain, positions = serial_chain_from_plant(plant, body)
+    chain, positions = Robot.from_plant(plant).chain(body.name())
     q, v, vdot = rng.normal(size=(3, plant.num_positions()))
     context = plant.CreateDefaultContext()
     plant.SetPositions(context, q)
@@ -243,7 +243,7 @@ def test_drake_agrees_on_pose_velocity_and_acceleration(seed):
     X_WB = plant.EvalBodyPoseInWorld(context, body)
     V_WB = plant.EvalBodySpatialVelocityInWorld(context, body)
     A_WB = plant.CalcSpatialAccelerationsFromVdot(context, vdot)[int(body.index())]
-    twist, twist_dot = chain.twist_derivatives(np.stack([q, v, vdot], axis=1)[positions])
+    twist, twist_dot = chain.twist_derivatives(np.stack([q, v, vdot])[:, positions])
     p_WB = X_WB.translation()
     velocity = twist[3:] + np.cross(twist[:3], p_WB)
     acceleration = twist_dot[3:] + np.cross(twist_dot[:3], p_WB) + np.cross(twist[:3], velocity)
@@ -279,15 +279,15 @@ def test_robots_follow_drake_s_velocity_along_a_path_to_order_six(urdf, root, ti
         plant.WeldFrames(plant.world_frame(), plant.GetFrameByName(root))
     plant.Finalize()
     body = plant.GetBodyByName(tip)
-    chain, positions = serial_chain_from_plant(plant, body)
+    chain, positions = Robot.from_plant(plant).chain(body.name())
     rng = np.random.default_rng(0)
-    q = rng.uniform(-1, 1, size=(plant.num_positions(), 8))
+    q = rng.uniform(-1, 1, size=(8, plant.num_positions()))
     context = plant.CreateDefaultContext()
 
     def twist_at(t):
         powers = np.array([t**k / factorial(k) for k in range(8)])
-        plant.SetPositions(context, q @ powers)
-        plant.SetVelocities(context, q[:, 1:] @ powers[:-1])
+        plant.SetPositions(context, powers @ q)
+        plant.SetVelocities(context, powers[:-1] @ q[1:])
         V_WB = plant.EvalBodySpatialVelocityInWorld(context, body)
         p_WB = plant.EvalBodyPoseInWorld(context, body).translation()
         at_origin = V_WB.translational() - np.cross(V_WB.rotational(), p_WB)
@@ -296,7 +296,7 @@ def test_robots_follow_drake_s_velocity_along_a_path_to_order_six(urdf, root, ti
     half = 0.6
     nodes = half * np.cos(np.pi * (np.arange(25) + 0.5) / 25)
     samples = np.array([twist_at(t) for t in nodes])
-    V = chain.twist_derivatives(q[positions])
+    V = chain.twist_derivatives(q[:, positions])
     for component in range(6):
         fit = Chebyshev.fit(nodes, samples[:, component], 24, domain=[-half, half])
         for k in range(7):
@@ -304,24 +304,93 @@ def test_robots_follow_drake_s_velocity_along_a_path_to_order_six(urdf, root, ti
             assert abs(fit.deriv(k)(0.0) - V[k, component]) < scale * 10.0 ** (k - 12), k
 
 
-def test_what_no_chain_can_be_made_of_is_named():
-    from pydrake.math import RigidTransform
+def test_every_joint_of_drake_s_moves_as_drake_says():
+    """Ball, quaternion and rpy floating joints: position, velocity and acceleration, natively by Drake."""
+    from pydrake.multibody import tree
+    from pydrake.multibody.plant import MultibodyPlant
+
+    rng = np.random.default_rng(3)
+    plant = MultibodyPlant(0.0)
+    inner = add_body(plant, "first")
+    plant.AddJoint(tree.QuaternionFloatingJoint("free", plant.world_frame(), inner.body_frame()))
+    for name, maker in (
+        ("ball", lambda F, M: tree.BallRpyJoint("ball", F, M)),
+        ("rpy", lambda F, M: tree.RpyFloatingJoint("rpy", F, M)),
+        ("turn", lambda F, M: tree.RevoluteJoint("turn", F, M, [1, 2, 3])),
+    ):
+        outer = add_body(plant, name)
+        plant.AddJoint(maker(offset_frame(plant, inner, rng), offset_frame(plant, outer, rng)))
+        inner = outer
+    plant.Finalize()
+    robot = Robot.from_plant(plant)
+    assert (len(robot.positions), len(robot.velocities)) == (plant.num_positions(), plant.num_velocities())
+    q = rng.normal(size=plant.num_positions())
+    q[:4] /= np.linalg.norm(q[:4])
+    v, vdot = rng.normal(size=(2, plant.num_velocities()))
+    context = plant.CreateDefaultContext()
+    plant.SetPositions(context, q)
+    plant.SetVelocities(context, v)
+    A = plant.CalcSpatialAccelerationsFromVdot(context, vdot)
+    motion = robot.motion(q, np.stack([v, vdot]))
+    for name in ("first", "ball", "rpy", "turn"):
+        body = plant.GetBodyByName(name)
+        frame = motion.frame(name)
+        near = {"rtol": 0, "atol": 1e-11}
+        np.testing.assert_allclose(
+            frame.pose, plant.EvalBodyPoseInWorld(context, body).GetAsMatrix4(), **near
+        )
+        V = plant.EvalBodySpatialVelocityInWorld(context, body).get_coeffs()
+        np.testing.assert_allclose(frame.twist(0), V, **near)
+        np.testing.assert_allclose(frame.twist(1), A[int(body.index())].get_coeffs(), **near)
+        J = plant.CalcJacobianSpatialVelocity(
+            context,
+            tree.JacobianWrtVariable.kV,
+            body.body_frame(),
+            [0.1, 0.2, 0.3],
+            *[plant.world_frame()] * 2,
+        )
+        np.testing.assert_allclose(frame.jacobian(point=(0.1, 0.2, 0.3)), J, **near)
+    qdot = plant.MapVelocityToQDot(context, v)
+    by_rates = robot.motion(np.stack([q, qdot]))
+    np.testing.assert_allclose(by_rates.rates[0], v, atol=1e-12)
+
+
+def test_bodies_of_one_name_are_asked_by_their_model():
     from pydrake.multibody import tree
     from pydrake.multibody.plant import MultibodyPlant
 
     plant = MultibodyPlant(0.0)
-    arm, ball, free = (add_body(plant, name) for name in ("arm", "ball", "free"))
-    world = plant.world_frame()
-    with pytest.raises(ValueError, match="expected a finalized plant"):
-        serial_chain_from_plant(plant, arm)
-    plant.AddJoint(tree.WeldJoint("weld", world, arm.body_frame(), RigidTransform()))
-    plant.AddJoint(tree.BallRpyJoint("socket", world, ball.body_frame()))
+    inertia = tree.SpatialInertia.SolidSphereWithDensity(1000, 0.1)
+    for model in ("left", "right"):
+        instance = plant.AddModelInstance(model)
+        hand = plant.AddRigidBody("hand", instance, inertia)
+        plant.AddJoint(tree.RevoluteJoint("wrist", plant.world_frame(), hand.body_frame(), [0, 0, 1]))
     plant.Finalize()
-    with pytest.raises(ValueError, match="no body named 'leg'"):
-        serial_chain_from_plant(plant, "leg")
-    with pytest.raises(ValueError, match=r"no moving joint connects body .arm."):
-        serial_chain_from_plant(plant, arm)
-    with pytest.raises(ValueError, match=r"joint 'socket': expected a weld, .* got ball_rpy"):
-        serial_chain_from_plant(plant, ball)
-    with pytest.raises(ValueError, match=r"joint 'free': .* got quaternion_floating"):
-        serial_chain_from_plant(plant, free)
+    robot = Robot.from_plant(plant)
+    assert robot.bodies == ("left::hand", "right::hand")
+    motion = robot.motion(np.array([[0.0, 0.0], [1.0, 2.0]]))
+    np.testing.assert_allclose(motion.frame("right::hand").twist().angular, [0, 0, 2])
+    with pytest.raises(
+        ValueError, match="more than one body 'hand': expected one of left::hand, right::hand"
+    ):
+        motion.frame("hand")
+
+
+def test_what_no_robot_can_be_made_of_is_named():
+    from pydrake.multibody import tree
+    from pydrake.multibody.plant import MultibodyPlant
+
+    plant = MultibodyPlant(0.0)
+    arm, leg = (add_body(plant, name) for name in ("arm", "leg"))
+    with pytest.raises(ValueError, match="expected a finalized plant"):
+        Robot.from_plant(plant)
+    plant.AddJoint(tree.BallRpyJoint("socket", plant.world_frame(), arm.body_frame()))
+    plant.AddJoint(tree.BallRpyJoint("hip", leg.body_frame(), arm.body_frame()))
+    try:
+        plant.Finalize()
+    except RuntimeError:
+        pytest.skip("this Drake builds no such tree")
+    with pytest.raises(
+        ValueError, match=r"joint 'hip': expected one from the world outwards .* got ball_rpy"
+    ):
+        Robot.from_plant(plant)

@@ -8,7 +8,7 @@ import pytest
 from proofs.theorems import manipulators
 from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import apply, cross, scale
-from workbench.judge.judge import Judge
+from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome
 from workbench.kinematics.chain import Joint, SerialChain
 from workbench.kinematics.cylindrical_chains import (
@@ -52,21 +52,18 @@ def float_chain(seed, joints, entries, states=()):
     """Joints, their derivatives for the engine, and the same as lines and rates."""
     rng = np.random.default_rng(seed)
     directions, points = rng.normal(size=(2, joints, 3))
-    engine = SerialChain(
-        [Joint.cylindrical(u, p) for u, p in zip(directions, points, strict=True)]
-    )
-    q = rng.normal(size=(*states, 2 * joints, entries + 1))
-    angles = [Dual(q[..., 2 * i, 0], q[..., 2 * i + 1, 0]) for i in range(joints)]
+    engine = SerialChain([Joint.cylindrical(u, p) for u, p in zip(directions, points, strict=True)])
+    q = rng.normal(size=(entries + 1, *states, 2 * joints))
+    angles = [Dual(q[0, ..., 2 * i], q[0, ..., 2 * i + 1]) for i in range(joints)]
     homes = [line_through(p, u) for u, p in zip(directions, points, strict=True)]
     rates = [
-        [Dual(q[..., 2 * i, k], q[..., 2 * i + 1, k]) for k in range(1, entries + 1)]
-        for i in range(joints)
+        [Dual(q[k, ..., 2 * i], q[k, ..., 2 * i + 1]) for k in range(1, entries + 1)] for i in range(joints)
     ]
     return engine, q, current_lines(homes, angles), rates
 
 
 def assert_close(actual, expected):
-    actual = np.stack([np.concatenate([a.re, a.du], axis=-1) for a in actual], axis=-2)
+    actual = np.stack([np.concatenate([a.re, a.du], axis=-1) for a in actual])
     np.testing.assert_allclose(actual, expected, rtol=0, atol=1e-13 * np.abs(expected).max())
 
 
@@ -165,10 +162,15 @@ def notation(joints):
     table[r"\underline{\boldsymbol{\omega}}"]["aliases"] = ["W"]
     for i in range(1, joints + 1):
         table[rf"\underline{{\omega}}_{i}"] = {
-            "kind": "dual scalar", "weight": 1, "aliases": [f"w_{i}"],
+            "kind": "dual scalar",
+            "weight": 1,
+            "aliases": [f"w_{i}"],
         }
         table[rf"\underline{{\mathbf{{u}}}}_{i}"] = {
-            "kind": "dual vector", "weight": 0, "aliases": [f"u_{i}"], "unit": i < joints,
+            "kind": "dual vector",
+            "weight": 0,
+            "aliases": [f"u_{i}"],
+            "unit": i < joints,
         }
     return SymbolTable.build(table)
 
@@ -193,9 +195,10 @@ def test_each_printed_line_is_a_derivative_of_the_twist(joints, latex, expanded)
     for dots, formula in zip(("", r"\dot", r"\ddot", r"\dddot"), formulas, strict=True):
         (statement,) = read(formula, notation(joints))
         twist = r"\underline{\boldsymbol{\omega}}"
-        assert read(f"{dots}{{{twist}}} = 0" if dots else f"{twist} = 0", notation(joints))[
-            0
-        ].left == statement.left
+        assert (
+            read(f"{dots}{{{twist}}} = 0" if dots else f"{twist} = 0", notation(joints))[0].left
+            == statement.left
+        )
         assert to_latex(statement)
 
 

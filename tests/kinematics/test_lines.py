@@ -147,3 +147,26 @@ def test_bad_input_gets_one_clear_error():
         lines.line_through([1, 2], [0, 1])
     assert not lines.is_line(Dual(np.array([0.0, 0, 1]), np.array([0.0, 0, 1])), 1e-9)
     assert not lines.is_line(Dual(np.array([0.0, 0, 2]), np.zeros(3)))
+
+
+def test_lists_and_integers_are_numbers_too():
+    for kind in (list, np.array):
+        line, other = (
+            lines.line_joining(kind([1, 2, 3]), kind([0, 2, 0])),
+            lines.line_through(kind([0, 0, 1]), kind([0, 1, 2])),
+        )
+        expected = lines.line_joining(np.array([1.0, 2, 3]), np.array([0.0, 2, 0]))
+        np.testing.assert_allclose(np.asarray(line.re, float), expected.re, atol=1e-15)
+        assert np.isclose(
+            lines.distance(line, other),
+            lines.distance(expected, lines.line_through(np.array([0.0, 0, 1]), np.array([0.0, 1, 2]))),
+        )
+        assert np.isclose(
+            float(lines.distance_to_point(line, kind([4, 5, 6]))),
+            lines.distance_to_point(expected, np.array([4.0, 5, 6])),
+        )
+
+
+def test_what_is_not_finite_is_refused():
+    with pytest.raises(ValueError, match="line_through: expected finite numbers"):
+        lines.line_through([0, 0, np.nan], [0, 0, 1])

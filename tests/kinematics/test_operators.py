@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from workbench.algebra.dual_tensors import skew
 from workbench.kinematics.fields import acceleration_tensors, invariant_vectors
 from workbench.kinematics.operators import D, I, OperatorPolynomial, P, TensorPolynomial
-from workbench.kinematics.tensors import skew
 
 OMEGA = TensorPolynomial.letter()
 words = st.lists(st.integers(0, 3), max_size=3).map(tuple)

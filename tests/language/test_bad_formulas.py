@@ -61,7 +61,7 @@ UNREADABLE = [
     (r"[\omega, \omega, \omega] = 0", 1, "triple product has three"),
     (r"(\omega = \omega) = 0", 9, "inside an expression"),
     (r"\foo = 0", 1, r"unknown command \foo"),
-    (r"\hat{\omega} = 0", 1, r"unknown command \hat"),
+    (r"\hat{\omega} = 0", 6, r"unknown symbol \hat{\omega}"),
     (r"\int \omega = 0", 1, r"unknown command \int"),
     (r"\input{/etc/passwd} = 0", 1, r"unknown command \input"),
     (r"\def\x{1} = 0", 1, r"unknown command \def"),
@@ -98,7 +98,7 @@ UNREADABLE = [
     (r"\omega^{2,3} = 0", 8, "superscript"),
     (r"\omega^{[2]} = 0", 8, "superscript"),
     (r"\omega^\omega = 0", 8, "superscript"),
-    (r"\omega^{1/2} = 0", 10, "unexpected character '/'"),
+    (r"\omega^{1/2} = 0", 8, "superscript"),
     (r"\alpha^{0.5} = 0", 8, "superscript"),
     (r"\alpha^12 = 0", 8, "first digit"),
     (r"\alpha^{1001} = 0", 9, "too large"),
@@ -168,7 +168,7 @@ UNREADABLE = [
     (r"$\omega = 0$", 1, "unexpected character '$'"),
     (r"\omega = 0 % note", 12, "unexpected character '%'"),
     (r"\omega # = 0", 8, "unexpected character '#'"),
-    ("ω = 0", 1, "U+03C9"),
+    ("ж = 0", 1, "U+0436"),
     ("\\omega\0 = 0", 7, "U+0000"),
     ("\\omega\x1b[31m = 0", 7, "U+001B"),
     ("\\omega\ud800 = 0", 7, "U+D800"),
@@ -286,10 +286,10 @@ HUGE = {
 
 @pytest.mark.parametrize("latex", HUGE.values(), ids=HUGE.keys())
 def test_huge_input_gets_an_error_at_once(latex: str) -> None:
-    began = time.perf_counter()
+    began = time.process_time()
     with pytest.raises((ReadError, IllFormedAt)) as caught:
         read(latex, TABLE)
-    assert time.perf_counter() - began < 5
+    assert time.process_time() - began < 5
     assert caught.value.line == 1
     assert caught.value.column >= 1
     assert len(caught.value.message) < 300

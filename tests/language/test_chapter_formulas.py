@@ -39,7 +39,7 @@ def test_one_statement_a_line(tables: dict[str, SymbolTable]) -> None:
     assert [len(read(latex[e], tables["real"], "nm")) for e in ("2", "18", "20", "40", "53")] == [
         2,
         2,
-        4,
+        2,  # the recurrences; what stands behind "where" is their condition
         3,
         2,
     ]

@@ -62,7 +62,7 @@ def test_written_out(latex: str, n: int, expected: str) -> None:
     [
         (r"\Phi_{n-3}", "negative index -1"),
         (r"\omega^{(n-3)}", "negative order -1"),
-        (r"\mathbf{S}^{n-3}", "negative exponent -1"),
+        (r"\omega^{2n-6}", "negative exponent -2"),
         (r"(n-3)!", "negative number -1"),
         (r"\sum_{k=0}^{1000 n} \omega", "at most 2000"),
         (r"\sum_{p_1+p_2+p_3=100n} \omega", "at most 2000"),

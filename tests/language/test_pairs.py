@@ -21,7 +21,7 @@ def test_a_pair_is_the_matrix_of_one_row():
     pair = read_term("(a, A)", TABLE)
     assert isinstance(pair, Block)
     assert pair == read_term(r"\begin{bmatrix} a & A \end{bmatrix}", TABLE)
-    assert (pair.type.rows, pair.type.columns) == ((3,), (1, 3))
+    assert str(pair.type) == "matrix 3×4"
     assert pair.weight == read_term("a", TABLE).weight
 
 

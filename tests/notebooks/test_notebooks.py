@@ -1,4 +1,4 @@
-"""The notebooks as files: what a reader needs is there, and no output is committed. CI executes them."""
+"""The notebooks as files: what a reader needs is there, with what it printed. CI executes them and compares."""
 
 from __future__ import annotations
 
@@ -17,8 +17,11 @@ NAMES = [
     "04_drake_reference",
     "05_aronhold_kennedy",
     "06_chains_2C_3C",
+    "07_jerk_of_a_robot",
+    "08_from_the_printed_line_to_a_theorem",
 ]
 LONGEST_CELL = 80
+LARGEST = 1_000_000  # bytes, with its figures
 
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 
@@ -35,10 +38,14 @@ def faults(notebook: nbformat.NotebookNode) -> list[str]:
             found.append(f"cell {number} is empty")
         if cell.metadata:
             found.append(f"cell {number} has metadata")
-        if cell.cell_type == "code" and (cell.outputs or cell.execution_count is not None):
-            found.append(f"cell {number} has outputs")
+        if cell.cell_type == "code" and cell.execution_count is None:
+            found.append(f"cell {number} was not executed")
+        if cell.cell_type == "code" and any(out.output_type == "error" for out in cell.outputs):
+            found.append(f"cell {number} ends in an error")
         if cell.cell_type == "code" and len(cell.source.splitlines()) > LONGEST_CELL:
             found.append(f"cell {number} is longer than {LONGEST_CELL} lines")
+    if not any(cell.get("outputs") for cell in notebook.cells):
+        found.append("it shows nothing")
     if notebook.metadata.get("kernelspec", {}).get("name") != "python3":
         found.append("its kernel is not python3")
     if set(notebook.metadata) - {"kernelspec", "language_info"}:
@@ -63,10 +70,11 @@ def test_these_notebooks_exist():
 
 
 @each_notebook
-def test_valid_and_without_outputs(path):
+def test_valid_and_executed(path):
     notebook = nbformat.read(path, as_version=4)
     nbformat.validate(notebook)
     assert faults(notebook) == []
+    assert path.stat().st_size < LARGEST
 
 
 def _dirty(change) -> nbformat.NotebookNode:
@@ -75,20 +83,27 @@ def _dirty(change) -> nbformat.NotebookNode:
     return notebook
 
 
-def _set_output(notebook):
+def _end_in_error(notebook):
     code = next(cell for cell in notebook.cells if cell.cell_type == "code")
-    code.outputs = [nbformat.v4.new_output("stream", text="42")]
+    code.outputs = [nbformat.v4.new_output("error", ename="E", evalue="e", traceback=[])]
 
 
-def _set_count(notebook):
-    next(cell for cell in notebook.cells if cell.cell_type == "code").execution_count = 1
+def _forget_count(notebook):
+    next(cell for cell in notebook.cells if cell.cell_type == "code").execution_count = None
+
+
+def _forget_outputs(notebook):
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            cell.outputs = []
 
 
 @pytest.mark.parametrize(
     ("change", "expected"),
     [
-        (_set_output, "outputs"),
-        (_set_count, "outputs"),
+        (_end_in_error, "error"),
+        (_forget_count, "not executed"),
+        (_forget_outputs, "shows nothing"),
         (lambda n: n.cells[1].metadata.update(collapsed=True), "metadata"),
         (lambda n: n.cells.append(nbformat.v4.new_code_cell("")), "empty"),
         (lambda n: n.cells.append(nbformat.v4.new_code_cell("x\n" * 99)), "longer"),

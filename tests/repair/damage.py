@@ -6,22 +6,22 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from random import Random
 
-from workbench.judge.inventory import NotExact
-from workbench.judge.judge import Judge
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.subject.inventory import NotExact
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.printer import to_latex
 from workbench.language.syntax import Accented, Group, Infix, Product, parse
 from workbench.language.terms import Statement
 from workbench.papers import Claim, Formula
 from workbench.papers.formulas import read_statement
-from workbench.repair.edits import edits
-from workbench.repair.limits import STANDARD, Limits
-from workbench.repair.marks import Mark, marked
-from workbench.repair.nodes import below, latex_of
-from workbench.repair.readings import all_marks
-from workbench.repair.repair import repair
-from workbench.repair.sameness import Sameness
-from workbench.repair.screen import Screen
+from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.repair.propose.repair import repair
+from workbench.repair.screening.sameness import Sameness
+from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.edits import edits
+from workbench.repair.trees.marks import Mark, marked
+from workbench.repair.trees.nodes import below, latex_of
+from workbench.repair.trees.readings import all_marks
 
 
 @dataclass(frozen=True)
@@ -146,7 +146,7 @@ class Result:
 
 def repaired(damaged: Damaged, limits: Limits = STANDARD) -> Result:
     claim = damaged.claim
-    found = repair(claim, limits, judge=Judge(claim.notation.definitions, motions=False))
+    found = repair(claim, limits, judge=Judge(claim.notation.definitions))
     forms = [read_or_fault(proposal.latex, claim) for proposal in found.proposals]
     return Result(
         damaged.kind,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from workbench.judge.judge import Judge
+from workbench.judge.kernel.judge import Judge
 from workbench.papers import find_paper, load_paper
 from workbench.papers.formulas import read_statement
-from workbench.repair.definitions import repair_definitions
-from workbench.verify import HOLDS
+from workbench.repair.propose.definitions import repair_definitions
+from workbench.verify.claims import HOLDS
 
 HOPELESS = r"""
 title = "What no definition near this one makes true"
@@ -84,6 +84,7 @@ def test_where_no_change_mends_two_claims_there_is_none(tmp_path):
     assert repair_definitions(claims_of(tmp_path, HOPELESS), seconds=5.0) == []
 
 
+@pytest.mark.slow
 def test_under_repaired_definitions_66_holds_of_S_4():
     """(67) repaired from (64); then (66) holds of S₄, whose determinant it gives, in place of Φ₄."""
     chosen = [claim for claim in find_paper().claims if claim.id in ("64.split", "66")]
@@ -96,7 +97,7 @@ def test_under_repaired_definitions_66_holds_of_S_4():
     right = claim.printed.latex.replace(r"\Phi_4", r"\mathbf{S}_4")
     for letter in (r"\mathbf{w}", r"\alpha"):
         right, latex = (text.replace(letter, f"{letter}_c") for text in (right, latex))
-    judge = Judge(claim.notation.definitions, motions=False)
+    judge = Judge(claim.notation.definitions)
     for text in (right, latex):
         assert judge.judge(read_statement(text, claim.notation, None)[0]).outcome in HOLDS
 
@@ -107,6 +108,7 @@ def test_true_claims_need_no_other_definitions(tmp_path, text):
     assert repair_definitions(claims_of(tmp_path, right)) == []
 
 
+@pytest.mark.slow
 def test_claims_with_misprints_of_their_own_are_not_blamed_on_a_definition():
     """A transpose in the recurrence of Φₙ would mend div Φ₄, and the others with one change each."""
     claims = {claim.id: claim for claim in find_paper().claims}

@@ -6,14 +6,14 @@ from random import Random
 import pytest
 from repair.damage import read_or_fault, right_claims
 
-from workbench.judge.rings import PRIME
+from workbench.judge.second.rings import PRIME
 from workbench.language.syntax import parse
 from workbench.papers import find_paper
-from workbench.repair.coefficients import LARGEST, fewest_changes, rational
-from workbench.repair.edits import KINDS, edits
-from workbench.repair.nodes import latex_of
-from workbench.repair.places import places, replaced, subterm
-from workbench.repair.variants import coefficient, times
+from workbench.repair.terms.coefficients import LARGEST, fewest_changes, rational
+from workbench.repair.terms.edits import KINDS, edits
+from workbench.repair.terms.places import places, replaced, subterm
+from workbench.repair.terms.variants import coefficient, times
+from workbench.repair.trees.nodes import latex_of
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +70,9 @@ def test_the_fewest_coefficients_are_changed():
         size, changed = 2 + trial % 5, 1 + trial % 2
         columns = [tuple(random.randrange(PRIME) for _ in range(size + 4)) for _ in range(size)]
         wrong = random.sample(range(size), changed)
-        factors = [Fraction(random.choice((-2, -1, 0, 2, 3))) if i in wrong else Fraction(1) for i in range(size)]
+        factors = [
+            Fraction(random.choice((-2, -1, 0, 2, 3))) if i in wrong else Fraction(1) for i in range(size)
+        ]
         target = tuple(
             sum(int(f) * c[row] for f, c in zip(factors, columns, strict=True)) % PRIME
             for row in range(size + 4)

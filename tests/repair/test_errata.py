@@ -9,12 +9,12 @@ import pytest
 from click.testing import CliRunner
 from rich.console import Console
 
-from workbench.cli import main
+from workbench.cli.commands import main
 from workbench.papers import find_paper
-from workbench.repair.errata import compared, errata_table, known_errata, summary
-from workbench.repair.limits import Limits
-from workbench.repair.repair import Repair, repair
-from workbench.repair.run import repair_claims
+from workbench.repair.propose.errata import compared, errata_table, known_errata, summary
+from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.repair import Repair, repair
+from workbench.repair.propose.run import repair_claims
 
 #: Of the errata of the chapter, at least so many are corrected as by hand.
 CORRECTED = 62
@@ -37,7 +37,9 @@ def test_a_proposal_is_compared_with_the_correction_made_by_hand(paper):
     assert compared(replace(found, claim=other)).result == "different"
     row = compared(Repair(claim, candidates=7))
     assert row.result == "none" and "7 candidates" in row.why and "limit" in row.why
-    assert summary([row]) == "0 of 1 errata corrected by the machine as by hand; 0 otherwise, but proved; 1 not"
+    assert (
+        summary([row]) == "0 of 1 errata corrected by the machine as by hand; 0 otherwise, but proved; 1 not"
+    )
 
 
 def test_what_was_proved_or_needs_a_theorem_is_no_erratum_to_correct(paper):

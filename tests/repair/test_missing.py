@@ -5,16 +5,16 @@ from random import Random
 import pytest
 from repair.damage import read_or_fault, right_claims
 
-from workbench.judge.inventory import NotExact
+from workbench.judge.subject.inventory import NotExact
 from workbench.language.terms import Apply, IllFormed
 from workbench.papers import find_paper
-from workbench.repair.addends import Supply
-from workbench.repair.missing import MissingAddends, is_linear
-from workbench.repair.places import places, replaced
-from workbench.repair.repair import symbols_like
-from workbench.repair.screen import Screen
-from workbench.repair.vacuous import is_idle, is_vacuous
-from workbench.repair.variants import sum_of
+from workbench.repair.propose.repair import symbols_like
+from workbench.repair.screening.screen import Screen
+from workbench.repair.screening.vacuous import is_idle, is_vacuous
+from workbench.repair.terms.addends import Supply
+from workbench.repair.terms.missing import MissingAddends, is_linear
+from workbench.repair.terms.places import places, replaced
+from workbench.repair.terms.variants import sum_of
 
 
 @pytest.fixture(scope="module")

@@ -10,16 +10,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench import check
-from workbench.judge.rings import PRIME
+from workbench.judge.second.rings import PRIME
 from workbench.language.syntax import parse
 from workbench.papers import Claim, Formula
 from workbench.papers.formulas import read_statement
-from workbench.repair.errata import compared
-from workbench.repair.limits import Limits
-from workbench.repair.nodes import latex_of
-from workbench.repair.repair import repair
-from workbench.repair.spellings import spellings
-from workbench.repair.sums import zero_sums
+from workbench.repair.propose.errata import compared
+from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.repair import repair
+from workbench.repair.screening.sums import zero_sums
+from workbench.repair.trees.nodes import latex_of
+from workbench.repair.trees.spellings import spellings
 
 SYMBOLS = {
     r"\omega": {"kind": "vector", "weight": 1},
@@ -45,11 +45,13 @@ DEFINITIONS = {
 
 ROTATED = r"e^{\varepsilon \tilde{\rho}} = \mathbf{I} + \varepsilon \tilde{\rho}"
 BETWEEN = r"e^{\varepsilon (\tilde{\rho}_Q - \tilde{\rho}_P)} = \mathbf{I} + \varepsilon (\tilde{\rho}_Q - \tilde{\rho}_P)"
-AXIS = r"e^{\underline{\alpha} \tilde{\underline{\mathbf{u}}}} \underline{\mathbf{u}} = \underline{\mathbf{u}}"
+AXIS = (
+    r"e^{\underline{\alpha} \tilde{\underline{\mathbf{u}}}} \underline{\mathbf{u}} = \underline{\mathbf{u}}"
+)
 
 #: (right, what is printed of it, what is printed instead, what the edit says)
 GARBLED = [
-    (r"\tilde{\omega} \rho = \omega \times \rho", r"\tilde", r"\hat", r"\hat should be \tilde"),
+    (r"\tilde{\omega} \rho = \omega \times \rho", r"\tilde", r"\hat", r"should be $\tilde{\omega}$"),
     (r"\ddot{\omega} \times \rho = -\rho \times \ddot{\omega}", r"\ddot{", r"\overset{\circ}{", r"\circ} should be \ddot"),
     (r"\omega \times (\rho \times \omega) = \omega^2 \rho - (\omega \cdot \rho) \omega", r"omega) =", r"omega =", "missing"),
     (r"\omega \cdot \rho = \rho \cdot \omega", r"\rho = ", r"\rho) = ", "is one too many"),

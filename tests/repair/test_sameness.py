@@ -9,7 +9,7 @@ from repair.damage import damages, read_or_fault, right_claims, same
 from workbench.language.construct import relation
 from workbench.language.terms import Conjunction, IllFormed, Relation, Zero
 from workbench.papers import find_paper
-from workbench.repair.variants import times
+from workbench.repair.terms.variants import times
 
 
 @pytest.fixture(scope="module")
@@ -26,21 +26,57 @@ def statements(claim, *texts):
 
 
 ALIKE = [
-    ("20.a_1", r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q", r"\mathbf{a}_1 + \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q = \mathbf{v}_Q"),
-    ("20.a_1", r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q", r"\mathbf{a}_1 = \dot{\boldsymbol{\rho}}_Q - \boldsymbol{\omega} \times \boldsymbol{\rho}_Q"),
-    ("20.a_1", r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q", r"2 \mathbf{v}_Q - 2 \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q = 2 \mathbf{a}_1"),
-    ("58.det", r"\det \Phi_2 = 0 \Leftrightarrow \omega \times \dot{\omega} = 0", r"\dot{\omega} \times \omega = 0 \Leftrightarrow \det \Phi_2 = 0"),
+    (
+        "20.a_1",
+        r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q",
+        r"\mathbf{a}_1 + \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q = \mathbf{v}_Q",
+    ),
+    (
+        "20.a_1",
+        r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q",
+        r"\mathbf{a}_1 = \dot{\boldsymbol{\rho}}_Q - \boldsymbol{\omega} \times \boldsymbol{\rho}_Q",
+    ),
+    (
+        "20.a_1",
+        r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q",
+        r"2 \mathbf{v}_Q - 2 \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q = 2 \mathbf{a}_1",
+    ),
+    (
+        "58.det",
+        r"\det \Phi_2 = 0 \Leftrightarrow \omega \times \dot{\omega} = 0",
+        r"\dot{\omega} \times \omega = 0 \Leftrightarrow \det \Phi_2 = 0",
+    ),
     ("58.det", r"\det \Phi_2 \neq 0", r"-\det \Phi_2 \neq 0"),
-    ("4.velocity", r"\mathbf{a}_1 = \mathbf{v} - \boldsymbol{\Phi}_1 \boldsymbol{\rho} = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q", r"\mathbf{a}_1 = -\boldsymbol{\Phi}_1 \boldsymbol{\rho} + \mathbf{v} = \mathbf{v}_Q - \boldsymbol{\omega} \times \boldsymbol{\rho}_Q"),
+    (
+        "4.velocity",
+        r"\mathbf{a}_1 = \mathbf{v} - \boldsymbol{\Phi}_1 \boldsymbol{\rho} = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q",
+        r"\mathbf{a}_1 = -\boldsymbol{\Phi}_1 \boldsymbol{\rho} + \mathbf{v} = \mathbf{v}_Q - \boldsymbol{\omega} \times \boldsymbol{\rho}_Q",
+    ),
 ]
 
 DIFFERENT = [
-    ("20.a_1", r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q", r"\mathbf{v}_Q = \dot{\boldsymbol{\rho}}_Q"),
-    ("20.a_1", r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q", r"\boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q = \boldsymbol{\omega} \times \boldsymbol{\rho}_Q"),
+    (
+        "20.a_1",
+        r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q",
+        r"\mathbf{v}_Q = \dot{\boldsymbol{\rho}}_Q",
+    ),
+    (
+        "20.a_1",
+        r"\mathbf{a}_1 = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q",
+        r"\boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q = \boldsymbol{\omega} \times \boldsymbol{\rho}_Q",
+    ),
     ("58.det", r"\omega \times \omega = 0", r"\dot{\omega} \times \dot{\omega} = 0"),
     ("58.det", r"\det \Phi_2 \neq 0", r"\det \Phi_2 = 0"),
-    ("58.det", r"\det \Phi_2 = 0 \Leftrightarrow \omega \times \dot{\omega} = 0", r"\det \Phi_2 = 0 \Leftrightarrow \dot{\omega} = 0"),
-    ("4.velocity", r"\mathbf{a}_1 = \mathbf{v} - \boldsymbol{\Phi}_1 \boldsymbol{\rho} = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q", r"\mathbf{a}_1 = \mathbf{v} - \boldsymbol{\Phi}_1 \boldsymbol{\rho}"),
+    (
+        "58.det",
+        r"\det \Phi_2 = 0 \Leftrightarrow \omega \times \dot{\omega} = 0",
+        r"\det \Phi_2 = 0 \Leftrightarrow \dot{\omega} = 0",
+    ),
+    (
+        "4.velocity",
+        r"\mathbf{a}_1 = \mathbf{v} - \boldsymbol{\Phi}_1 \boldsymbol{\rho} = \mathbf{v}_Q - \boldsymbol{\Phi}_1 \boldsymbol{\rho}_Q",
+        r"\mathbf{a}_1 = \mathbf{v} - \boldsymbol{\Phi}_1 \boldsymbol{\rho}",
+    ),
 ]
 
 
@@ -70,7 +106,10 @@ def test_a_multiple_is_the_same_and_a_damaged_equation_is_not(paper):
                 false += 1
         if isinstance(statement, Relation) and statement.operator == "=":
             factor = Fraction(random.choice((-3, 2, 5)), random.choice((1, 2)))
-            sides = (side if isinstance(side, Zero) else times(factor, side) for side in (statement.right, statement.left))
+            sides = (
+                side if isinstance(side, Zero) else times(factor, side)
+                for side in (statement.right, statement.left)
+            )
             try:
                 scaled = relation("=", *sides)
             except IllFormed:  # the n-th derivative of a symbol without a weight

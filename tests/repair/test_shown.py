@@ -11,11 +11,11 @@ from click.testing import CliRunner
 from rich.console import Console
 
 from workbench import check
-from workbench.cli import main
-from workbench.repair import shown
-from workbench.repair.limits import Limits
-from workbench.repair.repair import Repair
-from workbench.repair.shown import difference_text, repair_lines, search_bar
+from workbench.cli import proposals as shown
+from workbench.cli.commands import main
+from workbench.cli.proposals import difference_text, repair_lines, search_bar
+from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.repair import Repair
 
 PARTS = [{"same": "a ="}, {"printed": "", "proposed": "2"}, {"same": "b"}, {"printed": "+ c", "proposed": ""}]
 

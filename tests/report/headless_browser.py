@@ -12,11 +12,7 @@ from pathlib import Path
 from typing import Any
 
 EXECUTABLE = next(
-    (
-        path
-        for name in ("chromium", "chromium-browser", "google-chrome")
-        if (path := shutil.which(name))
-    ),
+    (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))),
     None,
 )
 
@@ -27,9 +23,7 @@ class Browser:
     def __init__(self, profile: Path):
         to_browser, self._out = os.pipe()
         self._in, from_browser = os.pipe()
-        flags = (
-            "--headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking"
-        )
+        flags = "--headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking"
         self._process = subprocess.Popen(
             [EXECUTABLE, *flags.split(), "--remote-debugging-pipe", f"--user-data-dir={profile}"],
             preexec_fn=lambda: _as_descriptors_3_and_4(to_browser, from_browser),
@@ -44,9 +38,7 @@ class Browser:
         self._count = 0
         self._session: str | None = None
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
-        self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)[
-            "sessionId"
-        ]
+        self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         self.requests: list[str] = []
         self.call("Page.enable")
         self.call("Network.enable")
@@ -93,9 +85,7 @@ class Browser:
         file.write_bytes(base64.b64decode(answer["data"]))
 
     def pdf(self, file: Path) -> None:
-        file.write_bytes(
-            base64.b64decode(self.call("Page.printToPDF", printBackground=False)["data"])
-        )
+        file.write_bytes(base64.b64decode(self.call("Page.printToPDF", printBackground=False)["data"]))
 
     def close(self) -> None:
         os.killpg(self._process.pid, signal.SIGKILL)

@@ -11,9 +11,9 @@ from workbench.typeset.latex_atoms import LatexNotTypesettable, atoms_of, latex_
 @pytest.mark.parametrize("latex", TYPICAL)
 def test_typical_formulas_keep_their_source(latex):
     rewritten = latex_of(atoms_of(latex))
-    assert rewritten.replace(" ", "").replace("{", "").replace("}", "") == latex.replace(
-        " ", ""
-    ).replace("{", "").replace("}", "")
+    assert rewritten.replace(" ", "").replace("{", "").replace("}", "") == latex.replace(" ", "").replace(
+        "{", ""
+    ).replace("}", "")
 
 
 @given(formulas)

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.papers import find_paper
-from workbench.repair.as_printed import as_printed
-from workbench.repair.repair import Proposal
+from workbench.repair.propose.repair import Proposal
+from workbench.repair.trees.as_printed import as_printed
 from workbench.typeset.differences import difference, in_one_line
 from workbench.typeset.latex_atoms import LatexNotTypesettable, atoms_of, in_colour
 
@@ -23,7 +23,23 @@ ERRATA = [
 PRINTED = sorted({claim.printed.latex for claim in find_paper().claims if claim.printed.latex})
 SNIPPETS = st.lists(
     st.sampled_from(
-        ["a", "\\omega", "\\dot{", "\\tilde", "{", "}", "_", "^", "2", "\\mathbf", "+", "\\frac", "\\text{vect}", "[", " "]
+        [
+            "a",
+            "\\omega",
+            "\\dot{",
+            "\\tilde",
+            "{",
+            "}",
+            "_",
+            "^",
+            "2",
+            "\\mathbf",
+            "+",
+            "\\frac",
+            "\\text{vect}",
+            "[",
+            " ",
+        ]
     ),
     max_size=25,
 ).map("".join)
@@ -132,7 +148,10 @@ def test_what_differs_is_marked_in_plain_text(one, other, shown):
 def test_all_in_a_new_accent_is_highlighted():
     one, other = r"a + \tilde S t + u", r"a + \widetilde{S t} + u"
     found = difference(one, other)
-    assert in_colour(other, found.marked_after, "red") == r"a + \widetilde{ {\color{red}{S}} {\color{red}{t}} } + u"
+    assert (
+        in_colour(other, found.marked_after, "red")
+        == r"a + \widetilde{ {\color{red}{S}} {\color{red}{t}} } + u"
+    )
     assert in_colour(one, found.marked_before, "red") == r"a + {\color{red}{\tilde{S}}} t + u"
 
 

@@ -1,0 +1,1 @@
+"""Exact worlds: polynomials with a derivation, matrices, dual numbers, tensors and functions."""

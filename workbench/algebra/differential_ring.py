@@ -135,6 +135,11 @@ class DifferentialRing:
         """What was divided by, up to numbers, in normal form."""
         return tuple(d for _, d in self._reciprocals)
 
+    @property
+    def relations(self) -> tuple[Polynomial, ...]:
+        """The square relations, each a polynomial that is 0."""
+        return tuple(self.generators[name] ** 2 - value for name, value in self._squares.items())
+
     def clear(self, p: Polynomial) -> Polynomial:
         """p times powers of the denominators so that no reciprocal is left: 0 exactly if p is, where no
         denominator vanishes. A later reciprocal can hold earlier ones below: the last one goes first."""

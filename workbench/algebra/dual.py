@@ -35,7 +35,7 @@ class Dual:
     def __init__(self, re: Any, du: Any = 0):
         if isinstance(re, Dual) or isinstance(du, Dual):
             raise TypeError("a dual number over dual numbers: expected re and du in a real ring")
-        if isinstance(re, np.ndarray) or isinstance(du, np.ndarray):
+        if isinstance(re, np.ndarray | list | tuple) or isinstance(du, np.ndarray | list | tuple):
             re, du = _entries(re, du)
         else:
             re, du = _in_one_ring(re, du)
@@ -72,9 +72,7 @@ class Dual:
     def __mul__(self, other: Any) -> "Dual":
         if not isinstance(other, Dual):
             return Dual(_mul(self.re, other), _mul(self.du, other))
-        return Dual(
-            _mul(self.re, other.re), _add(_mul(self.re, other.du), _mul(self.du, other.re))
-        )
+        return Dual(_mul(self.re, other.re), _add(_mul(self.re, other.du), _mul(self.du, other.re)))
 
     __rmul__ = __mul__
 
@@ -94,11 +92,9 @@ class Dual:
         """
         re, du = _parts(other)
         if _vanishes(re):
-            raise ZeroDivisor(
-                f"division by {other!r}: its real part is zero, so it has no inverse"
-            )
-        quotient = _divide(self.re, re)
-        return Dual(quotient, _divide(_add(self.du, -_mul(quotient, du)), re))
+            raise ZeroDivisor(f"division by {other!r}: its real part is zero, so it has no inverse")
+        quotient = divide(self.re, re)
+        return Dual(quotient, divide(_add(self.du, -_mul(quotient, du)), re))
 
     def __rtruediv__(self, other: Any) -> "Dual":
         return Dual(other, 0 * self.du) / self
@@ -108,9 +104,7 @@ class Dual:
         try:
             n = operator.index(n)
         except TypeError:
-            raise TypeError(
-                f"power of a dual number: expected an integer exponent, got {n!r}"
-            ) from None
+            raise TypeError(f"power of a dual number: expected an integer exponent, got {n!r}") from None
         if n < 0:
             return 1 / self**-n
         if n == 0:
@@ -214,7 +208,13 @@ _without_fractions = np.frompyfunc(lambda a: _fmpq(a) if isinstance(a, Fraction)
 
 
 def _exact_quotient(a: Any, b: Any) -> Any:
-    return Fraction(a, b) if isinstance(a, int) and isinstance(b, int) else a / b
+    if isinstance(a, int) and isinstance(b, int):
+        return Fraction(a, b)
+    if type(a).__name__ == "fmpz" and (isinstance(b, int) or _is_flint(b)):
+        from flint import fmpq
+
+        return fmpq(a, 1) / b
+    return a / b
 
 
 def _ring_operation(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
@@ -238,7 +238,7 @@ def _ring_operation(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any]
 
 _add = _ring_operation(operator.add)
 _mul = _ring_operation(operator.mul)
-_divide = _ring_operation(_exact_quotient)
+divide = _ring_operation(_exact_quotient)
 
 
 def is_zero(a: Any) -> bool:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from workbench.algebra.dual import Dual, Re, ZeroDivisor, _divide, _is_flint, _vanishes
+from workbench.algebra.dual import Dual, Re, ZeroDivisor, _is_flint, _vanishes, divide
 
 
 def extend(f: Callable[[Any], Any], fprime: Callable[[Any], Any]) -> Callable[[Any], Any]:
@@ -35,9 +35,7 @@ def _is_exact(a: Any) -> bool:
     return isinstance(a, int | Fraction) or _is_flint(a)
 
 
-def _real_function(
-    name: str, ufunc: np.ufunc, exact: Callable[[Any], Any] | None
-) -> Callable[[Any], Any]:
+def _real_function(name: str, ufunc: np.ufunc, exact: Callable[[Any], Any] | None) -> Callable[[Any], Any]:
     """``ufunc`` on every scalar, with ``exact`` in its place on exact ones (None: not exact)."""
 
     def on_scalar(a: Any) -> Any:
@@ -106,7 +104,7 @@ def sqrt(a: Any) -> Any:
         return root
     if _vanishes(a.re):
         raise ZeroDivisor(f"sqrt({a!r}): expected a real part that is not zero")
-    return Dual(root, _divide(a.du, 2 * root))
+    return Dual(root, divide(a.du, 2 * root))
 
 
 def log(a: Any) -> Any:
@@ -114,7 +112,7 @@ def log(a: Any) -> Any:
     if _vanishes(Re(a)):
         raise ZeroDivisor(f"log({a!r}): expected a real part that is not zero")
     _require_not_negative("log", Re(a))
-    return Dual(_log(a.re), _divide(a.du, a.re)) if isinstance(a, Dual) else _log(a)
+    return Dual(_log(a.re), divide(a.du, a.re)) if isinstance(a, Dual) else _log(a)
 
 
 def atan2(y: Any, x: Any) -> Any:
@@ -129,7 +127,7 @@ def atan2(y: Any, x: Any) -> Any:
     radius_squared = x.re * x.re + y.re * y.re
     if _vanishes(radius_squared):
         raise ZeroDivisor(f"atan2({y!r}, {x!r}): both real parts are zero")
-    return Dual(_real_atan2(y.re, x.re), _divide(x.re * y.du - y.re * x.du, radius_squared))
+    return Dual(_real_atan2(y.re, x.re), divide(x.re * y.du - y.re * x.du, radius_squared))
 
 
 def _real_atan2(y: Any, x: Any) -> Any:
@@ -141,8 +139,6 @@ def _real_atan2(y: Any, x: Any) -> Any:
 
 
 def _require_not_negative(name: str, a: Any):
-    is_float = isinstance(a, float | np.floating) or (
-        isinstance(a, np.ndarray) and a.dtype != object
-    )
+    is_float = isinstance(a, float | np.floating) or (isinstance(a, np.ndarray) and a.dtype != object)
     if is_float and np.any(np.asarray(a) < 0):
         raise ValueError(f"{name}: expected a real part > 0, got {a}")

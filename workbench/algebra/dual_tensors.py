@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from workbench.algebra.dual import Du, Dual, Re, ZeroDivisor, _divide, _vanishes, as_array, is_zero
+from workbench.algebra.dual import Du, Dual, Re, ZeroDivisor, _vanishes, as_array, divide, is_zero
 from workbench.algebra.dual_functions import sqrt
 
 Array = np.ndarray | Dual
@@ -128,7 +128,7 @@ def skew(a):
 def vect(T):
     """The axial vector of the skew part of T, so that vect(ã) = a: (..., 3, 3) → (..., 3)."""
     twice = [T[..., k, j : j + 1] - T[..., j, k : k + 1] for j, k in ((1, 2), (2, 0), (0, 1))]
-    return _divide(np.concatenate(twice, axis=-1), 2)
+    return divide(np.concatenate(twice, axis=-1), 2)
 
 
 @linear
@@ -196,7 +196,7 @@ def _norm_of_objects(a: np.ndarray, a0: np.ndarray) -> tuple[Any, Any]:
     if is_zero(a):
         return 0 * a[0], sqrt(dot(a0, a0))
     length = sqrt(dot(a, a))
-    return length, _divide(dot(a0, a), length)
+    return length, divide(dot(a0, a), length)
 
 
 def _norm_of_floats(a: np.ndarray, a0: np.ndarray) -> Dual:

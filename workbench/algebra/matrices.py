@@ -66,6 +66,15 @@ def det(a: Matrix) -> Entry:
     return sum_of_products(r1, cross(r2, r3))
 
 
+def on_entries(a: Matrix, rows: int) -> Matrix:
+    """The matrix that combines blocks of so many rows as `a` combines numbers: the product of a and I."""
+    return tuple(
+        tuple(entry if i == j else 0 * entry for entry in row for j in range(rows))
+        for row in a
+        for i in range(rows)
+    )
+
+
 def flat(a: Matrix) -> list[Entry]:
     return [entry for row in a for entry in row]
 

@@ -8,28 +8,36 @@ a vector is expressed in; without one it is W.
 A ``0`` in place of a point is the point of the body that passes the origin of W (or of the frame
 named) at that instant: v_WB0 is the chapter's v, Eq. (92). ``dual_`` quantities have the real part
 at index 0 and the dual part at index 1 of the first axis.
+
+A binding's name can be followed by ``^(k)``, its k-th time derivative in W (``p_WP^(n)`` is a_ρ^[n] of
+Eq. (13)), and the name of a family by ``[k]``, its k-th member (``Phi_WB[n]``): `bound` reads both.
 """
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
+from difflib import get_close_matches
 
 
 @dataclass(frozen=True)
 class Binding:
-    """``weight``: the power of 1/second it carries (0 for angles and lengths)."""
+    """``weight``: the power of 1/second it carries (0 for angles and lengths); of a family's n-th member it
+    is n + ``weight``. ``made_of``: the bindings of whose jets it is made, where a motion does not have it."""
 
     name: str
     shape: tuple[int, ...]
     weight: int
     meaning: str
+    made_of: tuple[str, ...] = ()
 
 
 VECTOR, TENSOR, DUAL_SCALAR, DUAL_VECTOR, DUAL_TENSOR = (3,), (3, 3), (2,), (2, 3), (2, 3, 3)
+POSE = (4, 4)
 
 BODY_BINDINGS = (
     Binding("R_WB", TENSOR, 0, "rotation of B in W; the chapter's R"),
-    Binding("X_WB", (4, 4), 0, "pose of B in W, homogeneous; g of Eq. (23)"),
+    Binding("X_WB", POSE, 0, "pose of B in W, homogeneous; g of Eq. (23)"),
     Binding("p_WBo", VECTOR, 0, "position of Bo; ρ of Eq. (86)"),
     Binding("p_WP", VECTOR, 0, "position of P; ρ of Eq. (1)"),
     Binding("p_WQ", VECTOR, 0, "position of Q; ρ_Q of Eq. (1)"),
@@ -38,6 +46,7 @@ BODY_BINDINGS = (
     Binding("p_QP_B", VECTOR, 0, "P from Q, in B: constant; r of Eq. (1)"),
     Binding("p_PQ_W", VECTOR, 0, "Q from P, in W; PQ of Eq. (97)"),
     Binding("w_WB", VECTOR, 1, "angular velocity; ω"),
+    Binding("w_WB_B", VECTOR, 1, "angular velocity, expressed in B"),
     Binding("alpha_WB", VECTOR, 2, "angular acceleration; ε of Eq. (9)"),
     Binding("v_WBo", VECTOR, 1, "velocity of Bo"),
     Binding("v_WP", VECTOR, 1, "velocity of P; v of Eq. (2)"),
@@ -49,15 +58,16 @@ BODY_BINDINGS = (
     Binding("a_WB0", VECTOR, 2, "acceleration of the point of B at Wo; a₂ of Eq. (4)"),
     Binding("dual_R_WB", DUAL_TENSOR, 0, "dual rotation (I + ε p̃) R; Eq. (87)"),
     Binding("dual_w_WB", DUAL_VECTOR, 1, "dual twist ω + ε v; Eq. (90)"),
+    Binding("dual_v_WBo", DUAL_VECTOR, 1, "dual velocity ω + ε v of Bo: Drake's V_WB; Eq. (93)"),
     Binding("dual_v_WP", DUAL_VECTOR, 1, "dual velocity ω + ε v_P of the point P; Eq. (93)"),
     Binding("dual_v_WQ", DUAL_VECTOR, 1, "dual velocity ω + ε v_Q of the point Q; Eq. (93)"),
 )
 
-CHAIN_BINDINGS = (
+RELATIVE_BINDINGS = (
     Binding("R_WA", TENSOR, 0, "rotation of A in W"),
     Binding("R_AB", TENSOR, 0, "rotation of B in A"),
-    Binding("X_WA", (4, 4), 0, "pose of A in W, homogeneous"),
-    Binding("X_AB", (4, 4), 0, "pose of B in A, homogeneous"),
+    Binding("X_WA", POSE, 0, "pose of A in W, homogeneous"),
+    Binding("X_AB", POSE, 0, "pose of B in A, homogeneous"),
     Binding("p_WAo", VECTOR, 0, "position of Ao"),
     Binding("p_ABo_A", VECTOR, 0, "position of Bo from Ao, in A"),
     Binding("w_WA", VECTOR, 1, "angular velocity of A"),
@@ -72,6 +82,9 @@ CHAIN_BINDINGS = (
     Binding("dual_w_WA", DUAL_VECTOR, 1, "dual twist of A; ω₁ of Eqs. (120)-(122)"),
     Binding("dual_w_AB_W", DUAL_VECTOR, 1, "dual twist of B in A, seen from W; ω₂ of Eq. (121)"),
     Binding("dual_w_AB_A", DUAL_VECTOR, 1, "dual twist of B in A, in A; Ω₂ of Eq. (120)"),
+)
+
+CYLINDER_BINDINGS = (
     Binding("theta1", (), 0, "angle of the first joint; α₁"),
     Binding("theta2", (), 0, "angle of the second joint; α₂"),
     Binding("d1", (), 0, "displacement along the first joint"),
@@ -86,8 +99,140 @@ CHAIN_BINDINGS = (
     Binding("dual_u2_W", DUAL_VECTOR, 0, "second axis as a line, in W; u₂ of Eq. (140)"),
 )
 
+THIRD_BODY_BINDINGS = (
+    Binding("X_WC", POSE, 0, "pose of C in W, homogeneous: C is the third body of a 3C chain"),
+    Binding("dual_R_WC", DUAL_TENSOR, 0, "⁰R₃ of Eq. (117), dual"),
+    Binding("dual_R_BC", DUAL_TENSOR, 0, "²R₃ of Eq. (117), dual"),
+    Binding("dual_w_WC", DUAL_VECTOR, 1, "dual twist of C; ₀ω₃ of Eq. (119)"),
+    Binding("dual_w_BC_W", DUAL_VECTOR, 1, "dual twist of C in B, seen from W; ω₃ of Eq. (121)"),
+    Binding("dual_w_BC_B", DUAL_VECTOR, 1, "dual twist of C in B, in B; Ω₃ of Eq. (120)"),
+    Binding("theta3", (), 0, "angle of the third joint; α₃"),
+    Binding("d3", (), 0, "displacement along the third joint"),
+    Binding("dual_theta3", DUAL_SCALAR, 0, "θ₃ + ε d₃"),
+    Binding("dual_u3_W", DUAL_VECTOR, 0, "third axis as a line, in W; u₃"),
+)
+
+CHAIN_BINDINGS = (*RELATIVE_BINDINGS, *CYLINDER_BINDINGS)
+
+FAMILIES = (
+    Binding("Phi_WB", TENSOR, 0, "R⁽ⁿ⁾Rᵀ of R_WB; Φₙ of Eq. (15)", ("R_WB",)),
+    Binding("a_WB0", VECTOR, 0, "n-th derivative of the point of B at Wo; aₙ of Eq. (16)", ("R_WB", "p_WBo")),
+    Binding("Psi_WB", POSE, 0, "Φₙ and aₙ as a block, X⁽ⁿ⁾X⁻¹ for n ≥ 1; Ψₙ of Eq. (29)", ("R_WB", "p_WBo")),
+    Binding(
+        "A_WP",
+        VECTOR,
+        1,
+        "n-th rate, at the place of P, of the velocity field; A^[n] of P",
+        ("dual_w_WB", "p_WP"),
+    ),
+    Binding("A_WQ", VECTOR, 1, "the same at the place of Q", ("dual_w_WB", "p_WQ")),
+    Binding("A_WBo", VECTOR, 1, "the same at the place of Bo", ("dual_w_WB", "p_WBo")),
+    Binding("A_W0", VECTOR, 1, "the same at Wo", ("dual_w_WB", "R_WB", "p_WBo")),
+    Binding("dual_A_WP", DUAL_VECTOR, 1, "ω⁽ⁿ⁾ + ε A^[n] of P; Eq. (103)", ("dual_w_WB", "p_WP")),
+    Binding("dual_A_WQ", DUAL_VECTOR, 1, "ω⁽ⁿ⁾ + ε A^[n] of Q", ("dual_w_WB", "p_WQ")),
+    Binding("dual_A_WBo", DUAL_VECTOR, 1, "ω⁽ⁿ⁾ + ε A^[n] of Bo", ("dual_w_WB", "p_WBo")),
+    Binding("dual_A_W0", DUAL_VECTOR, 1, "ω⁽ⁿ⁾ + ε A^[n] at Wo", ("dual_w_WB", "R_WB", "p_WBo")),
+    Binding("dual_Phi_WB", DUAL_TENSOR, 0, "R̲⁽ⁿ⁾R̲ᵀ of dual_R_WB", ("dual_R_WB",)),
+    Binding("dual_Phi_WA", DUAL_TENSOR, 0, "R̲⁽ⁿ⁾R̲ᵀ of dual_R_WA; Φ̲ₙ of Eq. (125)", ("dual_R_WA",)),
+    Binding(
+        "dual_w_AB",
+        DUAL_VECTOR,
+        1,
+        "R̲_WA times the n-th rate of dual_w_AB_A; ω̲₂^[n]",
+        ("dual_R_WA", "dual_w_AB_A"),
+    ),
+    Binding(
+        "dual_w_BC",
+        DUAL_VECTOR,
+        1,
+        "R̲_WB times the n-th rate of dual_w_BC_B; ω̲₃^[n]",
+        ("dual_R_WB", "dual_w_BC_B"),
+    ),
+)
+
+#: The chapter looks at fields at the origin: the place of the body's point that is there at that instant.
+DERIVED = (
+    Binding(
+        "p_W0", VECTOR, 0, "the point of B at Wo: 0, with the derivatives of that point", ("R_WB", "p_WBo")
+    ),
+)
+
 ALIASES = {"v_W0": "v_WB0", "u1": "u1_W", "u2": "u2_W"}
 
 #: Every binding by its name and by its aliases.
-BINDINGS = {binding.name: binding for binding in (*BODY_BINDINGS, *CHAIN_BINDINGS)}
+BINDINGS = {
+    binding.name: binding for binding in (*BODY_BINDINGS, *CHAIN_BINDINGS, *THIRD_BODY_BINDINGS, *DERIVED)
+}
 BINDINGS |= {alias: BINDINGS[name] for alias, name in ALIASES.items()}
+MEMBERS = {binding.name: binding for binding in FAMILIES}
+
+_NAME = re.compile(r"(?P<name>\w+)(?:\[(?P<member>[^\]]+)\])?(?:\^\((?P<rate>[^)]+)\))?")
+_COUNT = re.compile(r"(?P<variable>[a-z])?(?P<shift>[+-]?\d+)?")
+
+
+@dataclass(frozen=True)
+class Count:
+    """An integer, or n + an integer for the index n of the bound symbol."""
+
+    variable: str | None
+    shift: int
+
+    def of(self, index: int) -> int:
+        return self.shift if self.variable is None else index + self.shift
+
+
+@dataclass(frozen=True)
+class Bound:
+    """What a symbol is bound to: a binding, which member of it if it is a family, which derivative."""
+
+    text: str
+    binding: Binding
+    member: Count | None = None
+    rate: Count | None = None
+
+    @property
+    def weight(self) -> tuple[int, int]:
+        """(a, b): a symbol of index n must have the weight a n + b."""
+        counts = [c for c in (self.member, self.rate) if c is not None]
+        return sum(c.variable is not None for c in counts), self.binding.weight + sum(c.shift for c in counts)
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """The quantities that a motion must have."""
+        return self.binding.made_of or (self.binding.name,)
+
+    def order(self, index: int) -> int:
+        """How often the quantities are differentiated for the symbol of this index."""
+        return sum(count.of(index) for count in (self.member, self.rate) if count is not None)
+
+    @property
+    def variables(self) -> frozenset[str]:
+        return frozenset(c.variable for c in (self.member, self.rate) if c is not None and c.variable)
+
+
+def bound(text: str) -> Bound:
+    """Reads a name of `BINDINGS` or a member of `MEMBERS`, with ``^(k)`` or ``^(n+1)`` for a derivative.
+
+    ValueError for what is neither: it names what is near.
+    """
+    match = _NAME.fullmatch(text.replace(" ", ""))
+    member = _count(match["member"]) if match and match["member"] else None
+    rate = _count(match["rate"]) if match and match["rate"] else None
+    table = BINDINGS if member is None else MEMBERS
+    if match is None or match["name"] not in table:
+        known = [*BINDINGS, *(f"{name}[n]" for name in MEMBERS)]
+        near = get_close_matches(text, known, 3, 0.5) or sorted(known)
+        raise ValueError(f"unknown quantity {text!r}; expected {' or '.join(near)}")
+    return Bound(text, table[match["name"]], member, rate)
+
+
+def alternatives(text: str) -> tuple[Bound, ...]:
+    """Reads ``p_WP or p_W0``: of several the first with which the premises of a claim hold."""
+    return tuple(bound(part) for part in text.split(" or "))
+
+
+def _count(text: str) -> Count:
+    match = _COUNT.fullmatch(text)
+    if match is None or not text:
+        raise ValueError(f"expected a number, or an index and a number such as n-1, got {text!r}")
+    return Count(match["variable"], int(match["shift"] or 0))

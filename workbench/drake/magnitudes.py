@@ -4,22 +4,26 @@ On a chain of joints R_WB is a product of rotations by the joint angles qᵢ, ea
 ‖dⁿ/dtⁿ exp(qᵢ ũ)‖ ≤ n! [sⁿ] exp(Σ_k |qᵢ^(k)| s^k / k!). The product is thus bounded by the same
 with Σᵢ |qᵢ^(k)|, and p_WBo, a sum of such products times link lengths and displacements, by that
 series times the series of the lengths. The bound is that of a sum of absolute values of terms; the
-value itself may be smaller by cancellation, its rounding error not.
+value itself may be smaller by cancellation, its rounding error not. The same holds of each qᵢ^(k):
+its error is measured against the terms of the path that it is summed from, and carried on.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import factorial
 
 import numpy as np
-from pydrake.multibody.plant import MultibodyPlant
-from pydrake.multibody.tree import Joint
 
-from workbench.drake.joint_paths import JointPath
+from workbench.drake.gate import Joint, MultibodyPlant
+from workbench.drake.joint_paths import Path
 from workbench.drake.plants import body_named
 
 EPSILON = np.finfo(float).eps
+
+#: In rad/s: joints that turn slower do not widen the windows of `Reach.half_widths` beyond all bounds.
+SLOWEST = 1e-3
 
 
 @dataclass(frozen=True)
@@ -34,27 +38,51 @@ class Reach:
     def joints(self) -> int:
         return len(set(self.rotations + self.translations))
 
-    def turning(self, path: JointPath, t: float, order: int) -> np.ndarray:
+    def turning(self, path: Path, t: float, order: int) -> np.ndarray:
         """Σᵢ |qᵢ^(k)| / k! over the rotations, k = 0 .. order."""
-        return self._summed(path, t, order, self.rotations)
+        return _taylor(np.abs(path.jet(t, order)), self.rotations)
 
-    def bound(self, path: JointPath, t: float, order: int) -> float:
+    def bound(self, path: Path, t: float, order: int) -> float:
         """A bound on the terms of the n-th derivatives of R_WB and p_WBp, n = order."""
-        exponent = self.turning(path, t, order)
-        lengths = self._summed(path, t, order, self.translations)
+        return self._bound(np.abs(path.jet(t, order)))
+
+    def rounding_error(self, path: Path, t: float, order: int) -> float:
+        """Of Drake's n-th derivative: some roundings for every joint, on terms of this size, and those of the
+        path's own values, on the terms of the path."""
+        sizes = np.abs(path.jet(t, order))
+        noise = 8 * EPSILON * path.magnitudes(t, order)
+        turned = noise[0, list(self.rotations)].sum()
+        bound, disturbed = self._bound(sizes), self._bound(sizes + noise)
+        return (8 * (self.joints + 1) * EPSILON + turned) * disturbed + (disturbed - bound)
+
+    def _bound(self, sizes: np.ndarray) -> float:
+        order = len(sizes) - 1
+        lengths = _taylor(sizes, self.translations)
         lengths[0] += self.length
-        rotation = _exponential(exponent)
+        rotation = _exponential(_taylor(sizes, self.rotations))
         position = np.convolve(rotation, lengths)[order]
         return factorial(order) * float(max(rotation[order], position))
 
-    def rounding_error(self, path: JointPath, t: float, order: int) -> float:
-        """Of Drake's n-th derivative: some roundings for every joint, on terms of this size."""
-        return 8 * (self.joints + 1) * EPSILON * self.bound(path, t, order)
+    def half_widths(self, path: Path, turns: Sequence[float]) -> list[float]:
+        """Half-widths around t = 0, in s, in which the joints turn by no more than each of `turns`, in rad,
+        together."""
+        near = path.taylor(0.0)
+        turning = self.turning(near, 0.0, max(1, near.degree))
+        turning[0] = 0.0
+        if not np.any(turning):
+            return [0.5, 1.0]
+        turning[1] = max(turning[1], SLOWEST)
+        widths = []
+        for turn in turns:
+            polynomial = turning.copy()
+            polynomial[0] = -turn
+            roots = np.roots(np.trim_zeros(polynomial[::-1], "f"))
+            widths.append(max(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root)))
+        return widths
 
-    @staticmethod
-    def _summed(path: JointPath, t: float, order: int, joints: tuple[int, ...]) -> np.ndarray:
-        jet = np.abs(path.jet(t, order))[:, list(joints)].sum(axis=1)
-        return jet / np.array([float(factorial(k)) for k in range(order + 1)])
+
+def _taylor(sizes: np.ndarray, joints: tuple[int, ...]) -> np.ndarray:
+    return sizes[:, list(joints)].sum(axis=1) / np.array([float(factorial(k)) for k in range(len(sizes))])
 
 
 def _exponential(series: np.ndarray) -> np.ndarray:

@@ -7,27 +7,27 @@ angular acceleration above the (classical) acceleration of Bo. Everything is exp
 
 from __future__ import annotations
 
-import logging
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
 import numpy as np
-from pydrake.math import RigidTransform
-from pydrake.multibody.parsing import Parser
-from pydrake.multibody.plant import MultibodyPlant
-from pydrake.multibody.tree import (
+
+from workbench.drake.gate import (
     BodyIndex,
+    Context,
     FixedOffsetFrame,
+    MultibodyPlant,
+    Parser,
     PrismaticJoint,
     RevoluteJoint,
     RigidBody,
+    RigidTransform,
     RpyFloatingJoint,
     SpatialInertia,
 )
-from pydrake.systems.framework import Context
+from workbench.drake.urdf import kinematic_urdf
 
 ROBOT_DATA = "example-robot-data"
 
@@ -38,7 +38,7 @@ class PlantError(ValueError):
 
 @dataclass(frozen=True)
 class CylindricalAxis:
-    """A cylindrical joint: turn θ about, and slide d along, the same line.
+    """A cylindrical joint: turn θ about, and slide d along, the same line. Raises PlantError for bad numbers.
 
     ``direction``: shape (3,), along the line; ``point``: shape (3,), metres, on the line; both in
     the parent body's frame when θ = d = 0. There the two bodies' frames coincide, so that the
@@ -47,6 +47,14 @@ class CylindricalAxis:
 
     direction: tuple[float, float, float]
     point: tuple[float, float, float]
+
+    def __post_init__(self):
+        for name in ("direction", "point"):
+            values = np.asarray(getattr(self, name))
+            if values.shape != (3,) or not np.isfinite(values.astype(float)).all():
+                raise PlantError(f"{name}: expected three finite numbers, got {getattr(self, name)}")
+        if not np.any(np.asarray(self.direction)):
+            raise PlantError("direction: expected non-zero length, got (0, 0, 0)")
 
 
 def cylindrical_chain(axes: Sequence[CylindricalAxis], body_names: Sequence[str]) -> MultibodyPlant:
@@ -63,12 +71,8 @@ def cylindrical_chain(axes: Sequence[CylindricalAxis], body_names: Sequence[str]
         slider = plant.AddRigidBody(f"{name}_slider", _any_inertia())
         body = plant.AddRigidBody(name, _any_inertia())
         X_on_axis = RigidTransform(np.array(axis.point, dtype=float))
-        on_parent = plant.AddFrame(
-            FixedOffsetFrame(f"{name}_axis_on_parent", parent.body_frame(), X_on_axis)
-        )
-        on_body = plant.AddFrame(
-            FixedOffsetFrame(f"{name}_axis_on_body", body.body_frame(), X_on_axis)
-        )
+        on_parent = plant.AddFrame(FixedOffsetFrame(f"{name}_axis_on_parent", parent.body_frame(), X_on_axis))
+        on_body = plant.AddFrame(FixedOffsetFrame(f"{name}_axis_on_body", body.body_frame(), X_on_axis))
         direction = np.array(axis.direction, dtype=float)
         plant.AddJoint(PrismaticJoint(f"{name}_d", on_parent, slider.body_frame(), direction))
         plant.AddJoint(RevoluteJoint(f"{name}_theta", slider.body_frame(), on_body, direction))
@@ -91,41 +95,27 @@ def _any_inertia() -> SpatialInertia:
     return SpatialInertia.SolidSphereWithMass(1.0, 0.1)
 
 
-def load_urdf(path: str | Path, packages: Mapping[str, str | Path] | None = None) -> MultibodyPlant:
-    """The plant of a URDF file, its base welded to the world; meshes are not read.
+def load_urdf(path: str | Path, base: str = "fixed") -> MultibodyPlant:
+    """The plant of a URDF file; meshes are not read.
 
-    ``packages`` maps a package name of the file's ``package://`` addresses to its directory.
-    Raises PlantError, in one line, when the file is missing or Drake cannot read it.
+    base: "fixed" welds its root to the world; "floating" lets it move, by the positions base_x, base_y,
+    base_z, base_qz, base_qy, base_qx (in m; yaw, pitch, roll), and so does any floating joint of the file
+    by its own. A joint that mimics another has a position of its own. Raises PlantError, in one line, when
+    the file is missing or Drake cannot read it.
     """
     path = Path(path)
     if not path.is_file():
         raise PlantError(f"no URDF file at {path}")
     plant = MultibodyPlant(0.0)
-    parser = Parser(plant)
-    for package, directory in (packages or {}).items():
-        parser.package_map().Add(package, str(directory))
     try:
-        with _without_parser_warnings():
-            parser.AddModels(str(path))
-            _weld_bases(plant)
-            plant.Finalize()
-    except RuntimeError as error:
+        Parser(plant).AddModelsFromString(kinematic_urdf(path, base), "urdf")
+        _weld_bases(plant)
+        plant.Finalize()
+    except (RuntimeError, ValueError) as error:
         raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error
     if plant.num_bodies() == 1:
         raise PlantError(f"{path} holds no body")
     return plant
-
-
-@contextmanager
-def _without_parser_warnings() -> Iterator[None]:
-    """Tags about safety limits, friction and motors do not concern kinematics."""
-    log = logging.getLogger("drake")
-    level = log.level
-    log.setLevel(logging.ERROR)
-    try:
-        yield
-    finally:
-        log.setLevel(level)
 
 
 def _first_line(error: Exception) -> str:
@@ -164,7 +154,7 @@ def robot_urdf(name: str) -> Path:
 
 def load_robot(name: str) -> MultibodyPlant:
     """The plant of a robot of ``example-robot-data``, its base welded to the world."""
-    return load_urdf(robot_urdf(name), {ROBOT_DATA: robot_data_directory()})
+    return load_urdf(robot_urdf(name))
 
 
 def body_named(plant: MultibodyPlant, name: str) -> RigidBody:

@@ -22,12 +22,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from pydrake.autodiffutils import AutoDiffXd, ExtractGradient
-from pydrake.multibody.plant import MultibodyPlant
-from pydrake.symbolic import Variable
 
 from workbench.drake import chebyshev
-from workbench.drake.joint_paths import JointPath
+from workbench.drake.gate import AutoDiffXd, ExtractGradient, MultibodyPlant, Variable
+from workbench.drake.joint_paths import Path, ShiftedPath
 from workbench.drake.magnitudes import Reach, reach
 from workbench.drake.plants import PlantError, body_motion
 from workbench.drake.symbolic_motions import SymbolicMotion, evaluated
@@ -37,9 +35,6 @@ SMALL_PLANT = 3
 
 TURNS = (3.0, 5.0, 8.0, 12.0, 18.0)
 """Sums of joint angles, in rad, swept in half of a window: five windows to choose from."""
-
-SLOWEST = 1e-3
-"""In rad/s: joints that turn slower do not widen the windows beyond all bounds."""
 
 METHODS = ("auto", "expression", "chebyshev")
 
@@ -58,7 +53,7 @@ class Reference:
 def twist_derivatives(
     plant: MultibodyPlant,
     body: str,
-    path: JointPath,
+    path: Path,
     t: float,
     order: int,
     p_BoBp_B: Sequence[float] = (0.0, 0.0, 0.0),
@@ -79,7 +74,7 @@ def twist_derivatives(
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     if not np.isfinite(t):
         raise ValueError(f"t: expected a finite time in s, got {t}")
-    motion = _BodyPoint(plant, body, path.shifted(t), np.asarray(p_BoBp_B, dtype=float))
+    motion = BodyPoint(plant, body, path, t, p_BoBp_B)
     found = motion.double()
     if order > 2:
         found.append(motion.jerk())
@@ -94,7 +89,7 @@ def point_derivatives(
     plant: MultibodyPlant,
     body: str,
     p_BoP_B: Sequence[float],
-    path: JointPath,
+    path: Path,
     t: float,
     order: int,
     method: str = "auto",
@@ -104,14 +99,15 @@ def point_derivatives(
     Arguments and errors as for `twist_derivatives`; ``p_BoP_B``: the point P fixed in the body.
     """
     rates = twist_derivatives(plant, body, path, t, order, p_BoP_B, method)
-    motion = _BodyPoint(plant, body, path.shifted(t), np.asarray(p_BoP_B, dtype=float))
+    motion = BodyPoint(plant, body, path, t, p_BoP_B)
     return [motion.position(), *(Reference(r.value[3:], r.error, r.method) for r in rates)]
 
 
-class _BodyPoint:
+class BodyPoint:
     """A point Bp of a body of the plant, carried along a path whose clock starts now."""
 
-    def __init__(self, plant: MultibodyPlant, body: str, path: JointPath, p_BoBp_B: np.ndarray):
+    def __init__(self, plant: MultibodyPlant, body: str, path: Path, t: float, p_BoBp_B: Sequence[float]):
+        p_BoBp_B = np.asarray(p_BoBp_B, dtype=float)
         if path.joints != plant.num_positions():
             raise PlantError(
                 f"the path has {path.joints} joints, the plant {plant.num_positions()} positions"
@@ -121,11 +117,12 @@ class _BodyPoint:
                 "references need joints whose velocities are the rates of their positions; "
                 "this plant has a ball joint or a floating base"
             )
-        self.plant, self.body, self.path, self.p_BoBp_B = plant, body, path, p_BoBp_B
+        self.plant, self.body, self.p_BoBp_B = plant, body, p_BoBp_B
+        self.path = ShiftedPath(path, t)
         self.reach: Reach = reach(plant, body, p_BoBp_B)
         self._context = plant.CreateDefaultContext()
 
-    def _rounding(self, derivative_of_V: int) -> float:
+    def rounding(self, derivative_of_V: int) -> float:
         return self.reach.rounding_error(self.path, 0.0, derivative_of_V + 1)
 
     def _at(self, s: float):
@@ -133,15 +130,13 @@ class _BodyPoint:
         return body_motion(self.plant, self.body, *state, self.p_BoBp_B, self._context)
 
     def position(self) -> Reference:
-        return Reference(
-            self._at(0.0).p_WBp, self.reach.rounding_error(self.path, 0.0, 0), "double"
-        )
+        return Reference(self._at(0.0).p_WBp, self.reach.rounding_error(self.path, 0.0, 0), "double")
 
     def double(self) -> list[Reference]:
         now = self._at(0.0)
         return [
-            Reference(now.V_WBp, self._rounding(0), "double"),
-            Reference(now.A_WBp, self._rounding(1), "double"),
+            Reference(now.V_WBp, self.rounding(0), "double"),
+            Reference(now.A_WBp, self.rounding(1), "double"),
         ]
 
     def jerk(self) -> Reference:
@@ -153,43 +148,27 @@ class _BodyPoint:
         moving = body_motion(self.plant.ToAutoDiffXd(), self.body, *state, self.p_BoBp_B)
         gradient = ExtractGradient(moving.A_WBp)
         value = gradient[:, 0] if gradient.size else np.zeros(6)
-        return Reference(value, self._rounding(2), "AutoDiffXd")
+        return Reference(value, self.rounding(2), "AutoDiffXd")
 
     def by_expression(self, order: int) -> list[Reference]:
         """d^k V / dt^k for k = 3 .. order - 1. Powers of t that cannot count are left out."""
         t = Variable("t")
-        path = JointPath(self.path.coefficients[: order + 1])
-        motion = SymbolicMotion(self.plant, path, t)
+        motion = SymbolicMotion(self.plant, self.path.taylor(0.0, order), t)
         derivative = motion.twist(self.body, self.p_BoBp_B)
         found = []
         for k in range(order):
             if k > 2:
                 value = evaluated(derivative, t, 0.0)
-                found.append(Reference(value, self._rounding(k), "Expression"))
+                found.append(Reference(value, self.rounding(k), "Expression"))
             derivative = motion.rate(derivative)
         return found
 
     def by_chebyshev(self, order: int) -> list[Reference]:
         """d^k V / dt^k for k = 3 .. order - 1, from the acceleration."""
         found = chebyshev.derivatives(
-            lambda s: self._at(s).A_WBp, self._half_widths(), highest=order - 2
+            lambda s: self._at(s).A_WBp, self.reach.half_widths(self.path, TURNS), highest=order - 2
         )
         return [
-            Reference(d.value, d.error + self._rounding(k), "Chebyshev")
+            Reference(d.value, d.error + self.rounding(k), "Chebyshev")
             for k, d in enumerate(found[1:], start=3)
         ]
-
-    def _half_widths(self) -> list[float]:
-        """Half-widths, in s, in which the joints turn by no more than each of `TURNS` together."""
-        turning = self.reach.turning(self.path, 0.0, max(1, self.path.degree))
-        turning[0] = 0.0
-        if not np.any(turning):
-            return [0.5, 1.0]
-        turning[1] = max(turning[1], SLOWEST)
-        widths = []
-        for turn in TURNS:
-            polynomial = turning.copy()
-            polynomial[0] = -turn
-            roots = np.roots(np.trim_zeros(polynomial[::-1], "f"))
-            widths.append(max(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root)))
-        return widths

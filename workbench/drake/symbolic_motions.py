@@ -12,10 +12,15 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from pydrake.multibody.plant import MultibodyPlant
-from pydrake.multibody.tree import BodyIndex, SpatialInertia_, UnitInertia_
-from pydrake.symbolic import Expression, Variable
 
+from workbench.drake.gate import (
+    BodyIndex,
+    Expression,
+    MultibodyPlant,
+    SpatialInertia_,
+    UnitInertia_,
+    Variable,
+)
 from workbench.drake.joint_paths import JointPath
 from workbench.drake.plants import body_named, set_state
 
@@ -50,10 +55,11 @@ class SymbolicMotion:
 
     @expressions_are_not_nan
     def __init__(self, plant: MultibodyPlant, path: JointPath, t: Variable):
+        self.numeric_plant, self.path = plant, path
         self.plant = plant.ToSymbolic()
         self.context = self.plant.CreateDefaultContext()
         self._give_every_body_mass()
-        self._time = t
+        self.time = t
         self.q = expanded(path(Expression(t)))
         self.plant.SetPositions(self.context, self.q)
         qdot = self.rate(self.q)
@@ -70,7 +76,7 @@ class SymbolicMotion:
             self.plant.get_body(BodyIndex(index)).SetSpatialInertiaInBodyFrame(self.context, unit)
 
     def rate(self, quantity: np.ndarray) -> np.ndarray:
-        return rate(quantity, self._time)
+        return rate(quantity, self.time)
 
     def frame(self, name: str):
         return self.plant.GetFrameByName(name)

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from typing import Any
 
 
 class Outcome(StrEnum):
-    """The seven verdicts of the report."""
+    """The verdicts of the report. ARGUED: steps are checked, and prose joins them; it never counts as
+    proved."""
 
     PROVED = "proved"
     CONDITIONAL = "conditional"
     REFUTED = "refuted"
     ILL_FORMED = "ill-formed"
     DEFINITION = "definition"
+    ARGUED = "argued"
     PROBABLE = "probable"
     UNCHECKED = "unchecked"
 
@@ -35,6 +37,11 @@ class Evidence:
     def to_dict(self) -> dict[str, Any]:
         return {"method": self.method, "outcome": self.outcome, **self.figures}
 
+    @staticmethod
+    def from_dict(data: Mapping[str, Any]) -> Evidence:
+        figures = {name: value for name, value in data.items() if name not in ("method", "outcome")}
+        return Evidence(data["method"], data["outcome"], figures)
+
 
 @dataclass(frozen=True)
 class Counterexample:
@@ -49,6 +56,11 @@ class Counterexample:
         values = {name: list(entries) for name, entries in self.values.items()}
         return {"values": values, "lhs": list(self.left), "rhs": list(self.right)}
 
+    @staticmethod
+    def from_dict(data: Mapping[str, Any]) -> Counterexample:
+        values = {name: tuple(entries) for name, entries in data["values"].items()}
+        return Counterexample(values, tuple(data["lhs"]), tuple(data["rhs"]))
+
 
 @dataclass(frozen=True)
 class Verdict:
@@ -58,6 +70,7 @@ class Verdict:
     read_back: canonical LaTeX of the term that was judged.
     reason: why, for ill-formed (with line and column), unchecked and conditional.
     hypothesis: canonical LaTeX of the condition that the text does not state, for conditional.
+    no_motion: why no motion is among the evidence; empty where one is.
     """
 
     outcome: Outcome
@@ -67,3 +80,22 @@ class Verdict:
     hypothesis: str | None = None
     counterexample: Counterexample | None = None
     evidence: tuple[Evidence, ...] = ()
+    no_motion: str = ""
+
+    def to_dict(self) -> dict[str, Any]:
+        own = {field.name: getattr(self, field.name) for field in fields(self)}
+        against = self.counterexample.to_dict() if self.counterexample else None
+        return own | {"counterexample": against, "evidence": [e.to_dict() for e in self.evidence]}
+
+    @staticmethod
+    def from_dict(data: Mapping[str, Any]) -> Verdict:
+        """What `to_dict` gives, back. Raises KeyError, ValueError or TypeError for anything else."""
+        against = data["counterexample"]
+        return Verdict(
+            **{
+                **data,
+                "outcome": Outcome(data["outcome"]),
+                "counterexample": Counterexample.from_dict(against) if against else None,
+                "evidence": tuple(Evidence.from_dict(entry) for entry in data["evidence"]),
+            }
+        )

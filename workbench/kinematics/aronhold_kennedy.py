@@ -35,12 +35,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from workbench.algebra.dual import Dual, _divide, as_array
+from workbench.algebra.dual import Dual, as_array, divide
 from workbench.algebra.dual_tensors import cross, dot, scale, vector
 
 if TYPE_CHECKING:
-    from pydrake.multibody.plant import MultibodyPlant
-    from pydrake.systems.framework import Context
+    from workbench.drake.gate import Context, MultibodyPlant
 
 ROUNDING = 64 * np.finfo(float).eps
 """Of the size of its terms: what of a float sum is taken for rounding."""
@@ -187,9 +186,7 @@ def _broadcast(a: Dual, b: Dual) -> tuple[Dual, Dual]:
 
 
 def _stack(twists: list[Dual]) -> Dual:
-    return Dual(
-        np.stack([t.re for t in twists], axis=-2), np.stack([t.du for t in twists], axis=-2)
-    )
+    return Dual(np.stack([t.re for t in twists], axis=-2), np.stack([t.du for t in twists], axis=-2))
 
 
 def _size(a: np.ndarray) -> np.ndarray:
@@ -242,7 +239,7 @@ def _pitches_and_axes(twists: Dual, has_axis: np.ndarray) -> tuple[np.ndarray, D
     """p = ω · v / ω · ω and the line ω + ε (v − p ω), which is (1 − ε p) ω̲."""
     exists = has_axis[..., None]
     square = np.where(exists, _inner(twists.re, twists.re), 1)
-    pitches = np.where(exists, _divide(_inner(twists.re, twists.du), square), 0)
+    pitches = np.where(exists, divide(_inner(twists.re, twists.du), square), 0)
     moments = twists.du - pitches * twists.re
     return pitches[..., 0], Dual(np.where(exists, twists.re, 0), np.where(exists, moments, 0))
 
@@ -252,13 +249,13 @@ def _perpendicular(
 ) -> Dual:
     oblique, apart = oblique[..., None], apart[..., None]
     square = np.where(oblique, _inner(product.re, product.re), 1)
-    along = _divide(_inner(product.re, product.du), square)
+    along = divide(_inner(product.re, product.du), square)
     moment_if_oblique = product.du - along * product.re
 
     axis = Dual(_first(axes.re, has_axis), _first(axes.du, has_axis))
     exists = has_axis.any(axis=-1)[..., None]
     square = np.where(exists, _inner(axis.re, axis.re), 1)
-    foot = _divide(cross(axis.re, axis.du), square)
+    foot = divide(cross(axis.re, axis.du), square)
     basis_vector = np.eye(3, dtype=int)[np.argmin(np.abs(axis.re), axis=-1)]
     direction = np.where(apart, product.du, cross(axis.re, basis_vector))
     direction = np.where(exists, direction, 0)

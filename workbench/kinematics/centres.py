@@ -14,21 +14,19 @@ from math import comb
 
 import numpy as np
 
-from .fields import paired_derivatives, solve
-from .tensors import (
+from workbench.algebra.dual_tensors import (
     adjugate,
     apply,
-    as_tensors,
-    as_vectors,
     cross,
-    det,
-    divide,
+    determinant,
     dot,
     outer,
-    scalar_kind,
     skew,
     transpose,
 )
+from workbench.kinematics.tensors import as_tensors, as_vectors, divide, scalar_kind
+
+from .fields import paired_derivatives, solve
 
 KINDS = {-1: "none", 0: "point", 1: "line", 2: "plane", 3: "space"}
 
@@ -175,8 +173,8 @@ def _exact_locus(Phi: np.ndarray, target: np.ndarray) -> Locus:
 def _exact_solution(Phi, b) -> tuple[int, list[np.ndarray], np.ndarray]:
     """(rank, basis of the null space, shortest least-squares solution ρ of Φ ρ = b) in rationals only."""
     cofactors = adjugate(Phi)
-    if det(Phi) != 0:
-        return 3, [], divide(apply(cofactors, b), det(Phi))
+    if determinant(Phi) != 0:
+        return 3, [], divide(apply(cofactors, b), determinant(Phi))
     if np.any(cofactors != 0):
         # Φ* is a multiple of right ⊗ left, the null vectors of Φ and Φᵀ. The bordered tensor is regular,
         # and for a target across `left` its solution is across `right`: the shortest one.

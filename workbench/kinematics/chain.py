@@ -51,29 +51,35 @@ class SerialChain:
     def twist_derivatives(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """The twist of the last body and its time derivatives, Eq. (119) differentiated.
 
-        q: (..., dof, n + 2), where q[..., i, k] is the k-th time derivative of coordinate i, from
-           the coordinate itself (k = 0) to order n + 1. Leading axes are states.
+        q: (n + 2, ..., dof), where q[k, ..., i] is the k-th time derivative of coordinate i, from
+           the coordinate itself (k = 0) to order n + 1. The axes between are states.
         out: if given, the result is written there (spares large batches the fresh memory).
-        Returns (..., n + 1, 6): entry k is d^k/dt^k (ω; v) in rad/s^{k+1} and m/s^{k+1}.
+        Returns (n + 1, ..., 6): entry k is d^k/dt^k (ω; v) in rad/s^{k+1} and m/s^{k+1}.
 
-        Raises ValueError for a wrong shape, a complex array, or n > 170 (whose factorials exceed
-        the doubles: use `twist_taylor`).
+        Raises ValueError for a wrong shape, a complex array, a NaN or an infinity, or n > 170 (whose
+        factorials exceed the doubles: use `twist_taylor`).
         """
         return self._of_derivatives.twist(q, out)
 
     def twist_taylor(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
-        """The same from and to Taylor coefficients: q[..., i, k] is q_i^{(k)} / k!.
+        """The same from and to Taylor coefficients: q[k, ..., i] is q_i^{(k)} / k!.
 
-        q: (..., dof, n + 2). Returns (..., n + 1, 6): entry k is (1/k!) d^k/dt^k (ω; v).
+        q: (n + 2, ..., dof). Returns (n + 1, ..., 6): entry k is (1/k!) d^k/dt^k (ω; v).
         """
         return self._of_taylor.twist(q, out)
 
+    def workspace(self, order: int, states: tuple[int, ...] = ()) -> tuple[np.ndarray, np.ndarray]:
+        """Zeros (q, out) for `bind`, (order + 2, *states, dof) and (order + 1, *states, 6): in memory each
+        state's numbers lie side by side, which is the layout that the compiled kernel works on."""
+        q, out = np.zeros((*states, self.dof, order + 2)), np.zeros((*states, order + 1, 6))
+        return np.moveaxis(q, -1, 0), np.moveaxis(out, -2, 0)
+
     def bind(self, q: np.ndarray, out: np.ndarray) -> Callable[[], bool]:
         """`twist_derivatives` for a control loop: a call without arguments that reads the arrays q
-        (..., dof, n + 2) and writes out (..., n + 1, 6) anew each time, in place.
+        (n + 2, ..., dof) and writes out (n + 1, ..., 6) anew each time, in place.
 
         It returns False, with `out` unusable, if an angle exceeds 2⁵⁰ rad. Raises ValueError unless
-        both are contiguous arrays of doubles of the right shapes.
+        both are arrays of doubles of the right shapes in the layout of `workspace`.
         """
         return self._of_derivatives.bind(q, out)
 
@@ -85,6 +91,8 @@ class SerialChain:
         q = np.asarray(q, dtype=float)
         if q.ndim == 0 or q.shape[-1] != self.dof:
             raise ValueError(f"expected coordinates of shape (..., {self.dof}), got {q.shape}")
+        if not np.isfinite(q).all():
+            raise ValueError("expected finite coordinates, got a NaN or an infinity")
         pose = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))
         first = 0
         for joint in self.joints:

@@ -8,10 +8,10 @@ same recursion and differ by rounding only.
 
 from collections.abc import Callable
 from functools import partial
-from math import factorial
+from math import factorial, inf
 
 import numpy as np
-from numpy import empty
+from numpy import empty, vdot
 from numpy.typing import ArrayLike
 
 from workbench.kinematics import chain_series
@@ -45,58 +45,63 @@ class Engine:
         self._plans: dict[tuple[int, int], tuple] = {}  # shape of a state → see _address_of_plan
 
     def twist(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
-        """(..., dof, n + 2) → (..., n + 1, 6). Raises ValueError for what the chain cannot take."""
+        """(n + 2, ..., dof) → (n + 1, ..., 6). Raises ValueError for what the chain cannot take."""
         if out is None:
             try:
-                address, shape, _ = self._plans[q.shape]  # a state as before: nothing to check
-                result = empty(shape)
-                if _twist_kernel(q, address, result):
+                address, shape, _ = self._plans[q.shape]  # a state as before: only its numbers are new
+                rows, result = q.T.copy(), empty(shape)
+                square = vdot(rows, rows)
+                if square < inf and _twist_kernel(rows, address, result):
                     return result
             except (AttributeError, KeyError, TypeError):
                 pass
-        q = self._checked(q)
-        out = self._checked_result(q, out)
-        if _twist_kernel is None:
-            if self._is_small(q):
-                out[...] = self._in_numpy(q)
-                return out
-            load_kernel()
-        address = self._address_of_plan(q.shape[-2:])
-        rows, results = q.reshape(-1, q.shape[-1]), out.reshape(-1, 6)
-        try:
-            within_range = _twist_kernel(rows, address, results)
-        except TypeError:  # it takes contiguous, writable arrays
-            within_range = _twist_kernel(np.array(rows, order="C"), address, results)
-        if not within_range:
-            out[...] = self._in_numpy(q)
+        rows = _by_state(self._checked(q))
+        out = self._checked_result(rows, out)
+        results = np.moveaxis(out, 0, -2)
+        if _twist_kernel is None and self._is_small(rows):
+            results[...] = self._in_numpy(rows)
+            return out
+        load_kernel()
+        rows = np.require(rows, requirements=("C", "W"))
+        in_place = results if results.flags.carray else np.empty(results.shape)
+        address = self._address_of_plan(rows.shape[-2:])
+        if not _twist_kernel(rows.reshape(-1, rows.shape[-1]), address, in_place.reshape(-1, 6)):
+            in_place = self._in_numpy(rows)
+        if in_place is not results:
+            results[...] = in_place
         return out
 
     def bind(self, q: np.ndarray, out: np.ndarray) -> Callable[[], bool]:
         """A call that computes `out` from what is then in `q`, with no checks and no new memory."""
-        if type(q) is not np.ndarray or q.dtype != np.float64 or not q.flags.carray:
-            raise ValueError("q: expected a contiguous, writable array of doubles")
-        self._checked_result(self._checked(q), out)
+        if type(q) is not np.ndarray or q.dtype != np.float64:
+            raise ValueError("q: expected an array of doubles")
+        rows = _by_state(self._checked(q))
+        results = np.moveaxis(self._checked_result(rows, out), 0, -2)
+        if not (rows.flags.carray and results.flags.carray):
+            raise ValueError("q and out: expected arrays in the memory layout of SerialChain.workspace")
         load_kernel()
-        address = self._address_of_plan(q.shape[-2:])
-        rows, results = q.reshape(-1, q.shape[-1]), out.reshape(-1, 6)
-        call = partial(_twist_kernel, rows, address, results)
-        call.plan = self._plans[q.shape[-2:]]  # what the address points to must live as long
+        address = self._address_of_plan(rows.shape[-2:])
+        call = partial(_twist_kernel, rows.reshape(-1, rows.shape[-1]), address, results.reshape(-1, 6))
+        call.plan = self._plans[rows.shape[:-3:-1]]  # what the address points to must live as long
         return call
 
     def _address_of_plan(self, shape):
-        if shape not in self._plans:
-            plan = self._plan(shape[1] - 1)
-            self._plans[shape] = plan.ctypes.data, (shape[1] - 1, 6), plan
-        return self._plans[shape][0]
+        """Of the plan for one state's rows (dof, n + 2); kept by the shape users give, (n + 2, dof)."""
+        dof, terms = shape[0], shape[1] - 1
+        if (terms + 1, dof) not in self._plans:
+            plan = self._plan(terms)
+            self._plans[terms + 1, dof] = plan.ctypes.data, (terms, 6), plan
+        return self._plans[terms + 1, dof][0]
 
     @staticmethod
-    def _checked_result(q, out):
-        shape = (*q.shape[:-2], q.shape[-1] - 1, 6)
+    def _checked_result(rows, out):
+        *states, _dof, terms_and_one = rows.shape
         if out is None:
-            return empty(shape)
-        if out.shape != shape or out.dtype != np.float64 or not out.flags.carray:
+            return np.moveaxis(empty((*states, terms_and_one - 1, 6)), -2, 0)
+        shape = (terms_and_one - 1, *states, 6)
+        if out.shape != shape or out.dtype != np.float64 or not out.flags.writeable:
             raise ValueError(
-                f"out: expected a contiguous array of doubles of shape {shape}, "
+                f"out: expected a writable array of doubles of shape {shape}, "
                 f"got {out.dtype} of shape {out.shape}"
             )
         return out
@@ -108,17 +113,19 @@ class Engine:
                 raise ValueError(f"expected real joint derivatives, got an array of {q.dtype}")
             q = q.astype(float)
         dof = self.links.dof
-        if q.ndim < 2 or q.shape[-2] != dof or q.shape[-1] < 2:
+        if q.ndim < 2 or q.shape[-1] != dof or q.shape[0] < 2:
             raise ValueError(
-                f"expected joint derivatives of shape (..., {dof}, n + 2) with n ≥ 0 "
-                f"(coordinate, velocity, …), got {q.shape}"
+                f"expected joint derivatives of shape (n + 2, ..., {dof}) with n ≥ 0, the order first "
+                f"(coordinates, velocities, …) and the {dof} coordinates last, got {q.shape}"
             )
-        order = q.shape[-1] - 2
+        order = q.shape[0] - 2
         if order > HIGHEST_DERIVATIVE_ORDER and not self.taylor:
             raise ValueError(
                 f"expected derivatives to order at most {HIGHEST_DERIVATIVE_ORDER}, got {order}; "
                 "use twist_taylor for Taylor coefficients of higher order"
             )
+        if not np.isfinite(q).all():
+            raise ValueError("expected finite joint derivatives, got a NaN or an infinity")
         return q
 
     def _in_numpy(self, q):
@@ -177,3 +184,8 @@ class Engine:
             return False
         _plain_tasks_left -= 1
         return True
+
+
+def _by_state(q: np.ndarray) -> np.ndarray:
+    """The kernel's layout (..., dof, n + 2) of (n + 2, ..., dof): a view."""
+    return np.moveaxis(q, 0, -1)

@@ -10,11 +10,14 @@ their common normal may lie far away; there b ≠ 0 replaces it, so that no leng
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+IDENTITY = np.eye(3)
+KINDS = ("revolute", "prismatic", "cylindrical", "helical", "fixed")
 NEARLY_PARALLEL = 0.1  # below this sine the foot of the common normal is not used
 
 
@@ -32,6 +35,20 @@ class Joint:
     point: np.ndarray
     pitch: float
     transform: np.ndarray
+
+    def __post_init__(self):
+        if self.kind not in KINDS:
+            raise ValueError(f"joint: expected one of {', '.join(KINDS)}, got {self.kind!r}")
+        is_fixed = self.kind == "fixed"
+        axis = np.zeros(3) if is_fixed else _direction(self.axis, f"{self.kind} joint: axis")
+        pitch = float(self.pitch)
+        if not np.isfinite(pitch):
+            raise ValueError(f"{self.kind} joint: expected a finite pitch, got {self.pitch}")
+        object.__setattr__(self, "axis", axis)
+        object.__setattr__(self, "point", _vector3(self.point, f"{self.kind} joint: point"))
+        object.__setattr__(self, "pitch", pitch)
+        transform = rigid_matrix(self.transform, "fixed joint") if is_fixed else np.eye(4)
+        object.__setattr__(self, "transform", transform)
 
     @staticmethod
     def revolute(axis: ArrayLike, point: ArrayLike = (0, 0, 0)) -> "Joint":
@@ -51,22 +68,20 @@ class Joint:
     @staticmethod
     def helical(axis: ArrayLike, point: ArrayLike = (0, 0, 0), *, pitch: float) -> "Joint":
         """Rotation about a line with a translation along it of `pitch` metres per radian."""
-        pitch_value = float(pitch)
-        if not np.isfinite(pitch_value):
-            raise ValueError(f"helical joint: expected a finite pitch, got {pitch}")
-        return _moving("helical", axis, point, pitch_value)
+        return _moving("helical", axis, point, pitch)
 
     @staticmethod
     def fixed(transform: ArrayLike) -> "Joint":
         """A constant rigid transform (4, 4): what follows is given in the frame it reaches."""
-        matrix = np.array(transform, dtype=float)
-        if matrix.shape != (4, 4):
-            raise ValueError(f"fixed joint: expected a (4, 4) transform, got shape {matrix.shape}")
-        R = matrix[:3, :3]
-        rigid = np.allclose(R @ R.T, np.eye(3), rtol=0, atol=1e-9) and np.linalg.det(R) > 0
-        if not (rigid and np.isfinite(matrix).all() and (matrix[3] == (0, 0, 0, 1)).all()):
-            raise ValueError(f"fixed joint: expected a rigid transform, got {matrix.tolist()}")
-        return Joint("fixed", np.zeros(3), np.zeros(3), 0.0, matrix)
+        return Joint("fixed", np.zeros(3), np.zeros(3), 0.0, transform)
+
+    @cached_property
+    def skew(self) -> np.ndarray:
+        return np.cross(IDENTITY, self.axis)
+
+    @cached_property
+    def skew_square(self) -> np.ndarray:
+        return self.skew @ self.skew
 
     @property
     def dof(self) -> int:
@@ -74,12 +89,29 @@ class Joint:
 
 
 def _moving(kind: str, axis: ArrayLike, point: ArrayLike, pitch: float = 0.0) -> Joint:
-    direction = _vector3(axis, f"{kind} joint: axis")
-    length = np.linalg.norm(direction)
-    if length == 0:
-        raise ValueError(f"{kind} joint: expected an axis of non-zero length, got {axis}")
-    where = _vector3(point, f"{kind} joint: point")
-    return Joint(kind, direction / length, where, pitch, np.eye(4))
+    return Joint(kind, axis, point, pitch, np.eye(4))
+
+
+def rigid_matrix(transform: ArrayLike, what: str) -> np.ndarray:
+    """The transform as a (4, 4) matrix of doubles; ValueError unless it is rigid within 1e-9."""
+    matrix = np.array(transform, dtype=float)
+    if matrix.shape != (4, 4):
+        raise ValueError(f"{what}: expected a (4, 4) transform, got shape {matrix.shape}")
+    R = matrix[:3, :3]
+    is_affine = np.isfinite(matrix).all() and (matrix[3] == (0, 0, 0, 1)).all()
+    if not (is_affine and np.allclose(R @ R.T, np.eye(3), rtol=0, atol=1e-9) and np.linalg.det(R) > 0):
+        raise ValueError(f"{what}: expected a rigid transform, got {matrix.tolist()}")
+    return matrix
+
+
+def _direction(axis: ArrayLike, what: str) -> np.ndarray:
+    """axis / ‖axis‖, also where the squares of its components overflow or underflow."""
+    vector = _vector3(axis, what)
+    largest = np.abs(vector).max()
+    if largest == 0:
+        raise ValueError(f"{what}: expected non-zero length, got {axis}")
+    vector = vector / largest
+    return vector / np.linalg.norm(vector)
 
 
 def _vector3(values: ArrayLike, what: str) -> np.ndarray:
@@ -101,10 +133,9 @@ def motion(joint: Joint, q: np.ndarray) -> np.ndarray:
         "cylindrical": q[..., -1],
         "helical": joint.pitch * q[..., 0],
     }[joint.kind]
-    skew = np.cross(np.eye(3), joint.axis)
     sine, versine = np.sin(angle)[..., None, None], 2 * np.sin(angle / 2)[..., None, None] ** 2
     X = np.zeros((*q.shape[:-1], 4, 4))
-    X[..., :3, :3] = np.eye(3) + sine * skew + versine * (skew @ skew)
+    X[..., :3, :3] = IDENTITY + sine * joint.skew + versine * joint.skew_square
     X[..., :3, 3] = slide[..., None] * joint.axis + joint.point - X[..., :3, :3] @ joint.point
     X[..., 3, 3] = 1
     return X

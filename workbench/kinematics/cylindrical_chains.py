@@ -51,10 +51,7 @@ def twist_derivatives_2c(lines: Sequence[Dual], rates: Rates) -> tuple[Dual, ...
     twist = scale(w1, u1) + scale(w2, u2)
     rate = scale(dw1, u1) + scale(dw2, u2) + scale(w1 * w2, u12)
     second = (
-        scale(ddw1, u1)
-        + scale(ddw2, u2)
-        + scale(2 * w1 * dw2 + dw1 * w2, u12)
-        + scale(w1 * w1 * w2, u112)
+        scale(ddw1, u1) + scale(ddw2, u2) + scale(2 * w1 * dw2 + dw1 * w2, u12) + scale(w1 * w1 * w2, u112)
     )
     third = (
         scale(dddw1, u1)

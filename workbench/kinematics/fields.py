@@ -30,21 +30,14 @@ from math import comb
 
 import numpy as np
 
-from .tensors import (
-    adjugate,
-    apply,
+from workbench.algebra.dual_tensors import adjugate, apply, cross, determinant, skew, trace, vect
+from workbench.kinematics.tensors import (
     as_tensors,
     as_vectors,
-    compose,
-    cross,
-    det,
     divide,
     identity_like,
     scalar_kind,
-    skew,
     sym,
-    trace,
-    vect,
 )
 
 
@@ -62,9 +55,7 @@ def paired_derivatives(x, y, names: tuple[str, str]) -> tuple[np.ndarray, np.nda
 def _derivatives(x, name: str) -> np.ndarray:
     x = as_vectors(x, name)
     if x.ndim < 2 or x.shape[0] == 0:
-        raise ValueError(
-            f"{name}: expected shape (N, ..., 3) with N >= 1, derivative first, got {x.shape}"
-        )
+        raise ValueError(f"{name}: expected shape (N, ..., 3) with N >= 1, derivative first, got {x.shape}")
     return x
 
 
@@ -78,7 +69,7 @@ def acceleration_tensors(omega) -> np.ndarray:
     omega_tilde = skew(_derivatives(omega, "omega"))
     Phi = [identity_like(omega_tilde[0])]
     for n in range(len(omega_tilde)):
-        higher = [comb(n, k) * compose(omega_tilde[n - k], Phi[k]) for k in range(1, n + 1)]
+        higher = [comb(n, k) * omega_tilde[n - k] @ Phi[k] for k in range(1, n + 1)]
         Phi.append(sum(higher, start=omega_tilde[n]))
     return np.stack(Phi)
 
@@ -122,7 +113,7 @@ def twist_from_field(Phi, a) -> tuple[np.ndarray, np.ndarray]:
         )
     omega, v = [], []
     for n in range(len(Phi) - 1):
-        known = [comb(n, k) * compose(skew(omega[n - k]), Phi[k]) for k in range(1, n + 1)]
+        known = [comb(n, k) * skew(omega[n - k]) @ Phi[k] for k in range(1, n + 1)]
         omega.append(vect(Phi[n + 1] - sum(known, start=0 * Phi[0])))
         known = [comb(n, k) * cross(omega[n - k], a[k]) for k in range(1, n + 1)]
         v.append(a[n + 1] - sum(known, start=0 * a[0]))
@@ -169,7 +160,7 @@ def invariant_I(Phi, a_rho, rho) -> np.ndarray:
 def invariant_J(Phi, a_rho, rho) -> np.ndarray:
     """Jₙ = Φₙ* a_ρ⁽ⁿ⁾ - (det Φₙ) ρ, (..., 3), the same at every point (Φₙ* aₙ); Eq. (48)."""
     Phi, rho = as_tensors(Phi, "Phi"), as_vectors(rho, "rho")
-    return apply(adjugate(Phi), as_vectors(a_rho, "a_rho")) - np.asarray(det(Phi))[..., None] * rho
+    return apply(adjugate(Phi), as_vectors(a_rho, "a_rho")) - np.asarray(determinant(Phi))[..., None] * rho
 
 
 def invariant_K(Phi_m, a_rho_m, Phi_n, a_rho_n) -> np.ndarray:
@@ -196,7 +187,7 @@ def solve(T, x) -> np.ndarray:
             return np.linalg.solve(T.astype(float), x.astype(float)[..., None])[..., 0]
         except np.linalg.LinAlgError:
             raise ValueError("T: expected a regular tensor, got one with det T = 0") from None
-    determinant = np.asarray(det(T))
-    if kind == "exact" and np.any(determinant == 0):
+    volume = np.asarray(determinant(T))
+    if kind == "exact" and np.any(volume == 0):
         raise ValueError("T: expected a regular tensor, got one with det T = 0")
-    return divide(apply(adjugate(T), x), determinant[..., None])
+    return divide(apply(adjugate(T), x), volume[..., None])

@@ -12,8 +12,10 @@ from math import comb
 
 import numpy as np
 
+from workbench.algebra.dual_tensors import apply, cross, transpose
+from workbench.kinematics.tensors import as_tensors, as_vectors
+
 from .fields import paired_derivatives
-from .tensors import apply, as_tensors, as_vectors, compose, cross, transpose
 
 
 def chapter_twist(w_WB, v_WBo, p_WBo) -> tuple[np.ndarray, np.ndarray]:
@@ -64,4 +66,4 @@ def about_origin(Phi, a, p_WO) -> tuple[np.ndarray, np.ndarray]:
 def expressed_in(Phi, a, R_FW) -> tuple[np.ndarray, np.ndarray]:
     """(R Phi Rᵀ, R a): the field of Phi (..., 3, 3), a (..., 3) expressed in F, R_FW (..., 3, 3) constant."""
     Phi, a, R = as_tensors(Phi, "Phi"), as_vectors(a, "a"), as_tensors(R_FW, "R_FW")
-    return compose(compose(R, Phi), transpose(R)), apply(R, a)
+    return R @ Phi @ transpose(R), apply(R, a)

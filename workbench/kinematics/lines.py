@@ -10,22 +10,26 @@ import numpy as np
 
 from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import as_vector, cross, dot, norm, scale, unit
+from workbench.kinematics.numbers import takes_numbers, takes_reals
 
 PARALLEL = 4 * np.finfo(float).eps  # ‖u₁ × u₂‖ of float lines whose directions differ by rounding
 
 
+@takes_reals
 def line_through(point: np.ndarray, direction: np.ndarray) -> Dual:
     """The line through a point along a direction of any length but zero (`ZeroDivisor`)."""
     point, direction = as_vector(point), as_vector(direction)
     return unit(Dual(direction, cross(point, direction)))
 
 
+@takes_reals
 def line_joining(p: np.ndarray, q: np.ndarray) -> Dual:
     """The line from p to q; raises `ZeroDivisor` if they are one point."""
     p, q = as_vector(p), as_vector(q)
     return line_through(p, q - p)
 
 
+@takes_numbers
 def is_line(a: Dual, tolerance: float = 0.0) -> bool:
     """Whether a·a = 1 in both parts: unit direction, and the Plücker condition u · u₀ = 0.
 
@@ -39,21 +43,25 @@ def is_line(a: Dual, tolerance: float = 0.0) -> bool:
     return bool(np.all(is_unit) and np.all(np.abs(square.du) <= tolerance * moment))
 
 
+@takes_numbers
 def nearest_point_to_origin(line: Dual) -> np.ndarray:
     """The foot u × u₀ of the perpendicular from the origin."""
     return cross(line.re, line.du)
 
 
+@takes_numbers
 def nearest_point(line: Dual, point: np.ndarray) -> np.ndarray:
     """The foot of the perpendicular from a point."""
     return nearest_point_to_origin(line) + scale(dot(line.re, point), line.re)
 
 
+@takes_reals
 def distance_to_point(line: Dual, point: np.ndarray) -> Any:
     """‖u₀ − p × u‖, the distance of a point p from a line."""
     return norm(line.du - cross(point, line.re))
 
 
+@takes_reals
 def dual_angle(first: Dual, second: Dual) -> Dual:
     """The dual angle θ̲ = θ + ε h with u̲₁ · u̲₂ = cos θ̲, for float lines: shape (...).
 
@@ -70,16 +78,19 @@ def dual_angle(first: Dual, second: Dual) -> Dual:
     return Dual(angle, np.where(is_parallel, norm(cross(first.re, apart)), dot(apart, normal)))
 
 
+@takes_reals
 def angle(first: Dual, second: Dual) -> Any:
     """The angle of two oriented float lines, in [0, π]."""
     return dual_angle(first, second).re
 
 
+@takes_reals
 def distance(first: Dual, second: Dual) -> Any:
     """The distance of two float lines, ≥ 0; skew, crossing or parallel."""
     return np.abs(dual_angle(first, second).du)
 
 
+@takes_reals
 def common_normal(first: Dual, second: Dual) -> Dual:
     """The line u̲₁ × u̲₂ / |u̲₁ × u̲₂| that meets both lines at right angles.
 

@@ -14,8 +14,10 @@ from functools import lru_cache
 from math import comb
 
 import numpy as np
+from numpy import matmul
 
-from .tensors import apply, as_tensors, as_vectors, compose, skew
+from workbench.algebra.dual_tensors import apply, skew
+from workbench.kinematics.tensors import as_tensors, as_vectors
 
 Word = tuple[int, ...]
 """A product of letters: (2, 0) is the second derivative of ω̃ times ω̃; () is the unit tensor I."""
@@ -83,9 +85,7 @@ class TensorPolynomial:
         if not isinstance(other, TensorPolynomial):
             return NotImplemented
         return TensorPolynomial(
-            (left + right, c * d)
-            for left, c in self._terms.items()
-            for right, d in other._terms.items()
+            (left + right, c * d) for left, c in self._terms.items() for right, d in other._terms.items()
         )
 
     def __rmul__(self, other: int) -> TensorPolynomial:
@@ -187,7 +187,7 @@ class OperatorPolynomial:
                     f"{name}: expected at least {max(needed, 1)} derivatives (first axis, from 0), "
                     f"got shape {array.shape}"
                 )
-        act = compose if is_tensor else apply
+        act = matmul if is_tensor else apply
         letters = skew(omega)
         result = 0 * x[0] + act(0 * letters[0], x[0])
         for power, A in enumerate(self.coefficients):

@@ -11,22 +11,19 @@ from math import comb
 
 import numpy as np
 
-from .fields import solve
-from .tensors import (
+from workbench.algebra.dual_tensors import (
     adjugate,
     apply,
-    as_vectors,
-    compose,
     cross,
-    det,
-    divide,
+    determinant,
     dot,
-    identity_like,
     outer,
-    scalar_kind,
     skew,
     transpose,
 )
+from workbench.kinematics.tensors import as_vectors, divide, identity_like, scalar_kind
+
+from .fields import solve
 
 RELATIVE_FLATNESS = 1e-9
 """Float points are collinear (coplanar) when their spread across is below this part of their spread along,
@@ -48,8 +45,8 @@ def field_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
         Phi = transpose(np.linalg.pinv(arms.astype(float)) @ relative)
     else:
         moments = outer(arms, arms).sum(axis=-3)
-        inverse = divide(adjugate(moments), np.asarray(det(moments))[..., None, None])
-        Phi = compose(outer(relative, arms).sum(axis=-3), inverse)
+        inverse = divide(adjugate(moments), np.asarray(determinant(moments))[..., None, None])
+        Phi = outer(relative, arms).sum(axis=-3) @ inverse
     return Phi, mean - apply(Phi, centroid)
 
 
@@ -75,7 +72,7 @@ def twist_from_points(points, accelerations) -> tuple[np.ndarray, np.ndarray]:
     for n, measured in enumerate(accelerations):
         mean, relative = _centred(measured)
         known = sum(
-            (comb(n, k) * compose(skew(omega[n - k]), Phi[k]) for k in range(1, n + 1)),
+            (comb(n, k) * skew(omega[n - k]) @ Phi[k] for k in range(1, n + 1)),
             start=0 * Phi[0],
         )
         omega.append(_turn(arms, relative - apply(known[..., None, :, :], arms)))
@@ -127,7 +124,7 @@ def _require_spread(points: np.ndarray, dimension: int) -> None:
         dyads = outer(arms, arms)
         if dimension == 2:
             dyads = np.asarray(dot(arms, arms))[..., None, None] * identity_like(dyads) - dyads
-        flat = det(dyads.sum(axis=-3)) == 0
+        flat = determinant(dyads.sum(axis=-3)) == 0
     else:
         spread = np.linalg.svd(arms.astype(float), compute_uv=False)
         rounding = 64 * np.finfo(float).eps * np.abs(points).max(axis=(-1, -2))

@@ -15,13 +15,16 @@ import numpy as np
 
 from workbench.algebra.dual import Du, Dual
 from workbench.algebra.dual_tensors import cross, norm, transpose, unit, vect
+from workbench.kinematics.numbers import takes_numbers, takes_reals
 
 
+@takes_numbers
 def dual_angular_velocity(R: Dual, R_dot: Dual) -> Dual:
     """ω̲ = vect(Ṙ̲ R̲ᵀ), Eq. (89), of an orthogonal dual tensor and its time derivative."""
     return vect(R_dot @ transpose(R))
 
 
+@takes_numbers
 def twist(rho: np.ndarray, velocity: np.ndarray, omega: np.ndarray) -> Dual:
     """ω̲ = ω + ε (ρ̇ − ω × ρ), Eqs. (90) and (92), from one body point's place and velocity."""
     return Dual(omega, velocity - cross(omega, rho))
@@ -61,26 +64,31 @@ def dual_reduced_acceleration(
     return Dual(omega_derivatives[n], reduced_acceleration(point_derivatives, omega_derivatives))
 
 
+@takes_numbers
 def invariant(at_point: Dual, rho: np.ndarray) -> Dual:
     """ω̲⁽ⁿ⁾ = e^{ε ρ̃} A̲_ρ, the same for every body point, Eqs. (95), (98), (103)."""
     return shift(at_point, rho)
 
 
+@takes_numbers
 def field(omega_n: Dual, rho: np.ndarray) -> Dual:
     """A̲_ρ = e^{−ε ρ̃} ω̲⁽ⁿ⁾ = ω⁽ⁿ⁾ + ε (v⁽ⁿ⁾ + ω⁽ⁿ⁾ × ρ), the inverse of Eq. (103)."""
     return shift(omega_n, -rho)
 
 
+@takes_numbers
 def transport(at_Q: Dual, PQ: np.ndarray) -> Dual:
     """A̲_P = e^{ε P̃Q} A̲_Q with PQ = ρ_Q − ρ_P, Eqs. (97) and (101)."""
     return shift(at_Q, PQ)
 
 
+@takes_numbers
 def shift(a: Dual, r: np.ndarray) -> Dual:
     """e^{ε r̃} a = (I + ε r̃) a = a + ε r × Re a, Eq. (94)."""
     return Dual(a.re, a.du + cross(r, a.re))
 
 
+@takes_reals
 def minimum_of_reduced_acceleration(omega_n: Dual) -> Any:
     """min over all ρ of ‖A_ρ^[n]‖ = |Du |ω̲⁽ⁿ⁾||, Eq. (102), by the norm (74).
 
@@ -89,6 +97,7 @@ def minimum_of_reduced_acceleration(omega_n: Dual) -> Any:
     return abs(Du(norm(omega_n)))
 
 
+@takes_reals
 def locus_of_minimum(omega_n: Dual) -> Dual:
     """The line, a unit dual vector, of the points where ‖A_ρ^[n]‖ is least.
 

@@ -49,9 +49,7 @@ def _quaternion(R: np.ndarray) -> np.ndarray:
     off = {(i, j): R[..., i, j] for i in range(3) for j in range(3) if i != j}
     x, y, z = (off[k, j] - off[j, k] for j, k in ((1, 2), (2, 0), (0, 1)))
     xy, yz, zx = (off[j, k] + off[k, j] for j, k in ((0, 1), (1, 2), (2, 0)))
-    ww, xx, yy, zz = (
-        1 + diagonal @ signs for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))
-    )
+    ww, xx, yy, zz = (1 + diagonal @ signs for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)))
     rows = np.stack([ww, x, y, z, x, xx, xy, zx, y, xy, yy, yz, z, zx, yz, zz], axis=-1)
     rows = rows.reshape((*R.shape[:-2], 4, 4))
     largest = np.argmax(np.stack([ww, xx, yy, zz], axis=-1), axis=-1)

@@ -31,6 +31,7 @@ from workbench.algebra.dual_tensors import (
     unit,
     vect,
 )
+from workbench.kinematics.numbers import takes_numbers, takes_reals
 from workbench.kinematics.rotations import (
     angle_and_axis,
     length_and_direction,
@@ -39,16 +40,19 @@ from workbench.kinematics.rotations import (
 )
 
 if TYPE_CHECKING:
-    from pydrake.math import RigidTransform
+    from workbench.drake.gate import RigidTransform
 
+ROUNDING = 1e-12  # within which `kind` takes a float for zero, and a length relative to those it came from
 TOLERANCE = 1e-9  # how far from orthogonal a float tensor may be and still be read as a displacement
 
 
+@takes_numbers
 def displacement(R: np.ndarray, rho: np.ndarray) -> Dual:
     """R̲ = (I + ε ρ̃) R, Eqs. (79) and (84), from (..., 3, 3) and (..., 3)."""
     return Dual(R, skew(rho) @ R)
 
 
+@takes_numbers
 def structural_invariants(R: Dual) -> tuple[np.ndarray, np.ndarray]:
     """(R, ρ) = (Re R̲, vect(Du R̲ · Rᵀ)), Eq. (85): (..., 3, 3) and (..., 3).
 
@@ -63,6 +67,7 @@ def from_sine_and_cosine(sine: Any, cosine: Any, u: Dual) -> Dual:
     return _rodrigues(sine, 1 - cosine, u)
 
 
+@takes_reals
 def from_natural_invariants(alpha: Dual, u: Dual) -> Dual:
     """R̲ of the dual angle α̲ (...) and the unit dual vector u̲ (..., 3), Eqs. (80) and (83)."""
     half_sine = dual_functions.sin(alpha / 2)
@@ -79,6 +84,7 @@ def identity_like(a: Dual) -> np.ndarray:
     return identity() if _is_symbolic(a) else np.eye(3)
 
 
+@takes_reals
 def natural_invariants(R: Dual) -> tuple[Dual, Dual]:
     """(α̲, u̲) of a displacement with 0 ≤ α ≤ π, Theorem 6: shapes (...) and (..., 3).
 
@@ -114,6 +120,7 @@ def _natural_invariants_of_objects(R: Dual) -> tuple[Dual, Dual]:
     return dual_functions.atan2(norm(sine_u), (trace(R) - 1) / 2), unit(sine_u)
 
 
+@takes_reals
 def exp(psi: Dual) -> Dual:
     """exp ψ̲̃, Eqs. (80) and (81), of the screw ψ̲ = ψ + ε ψ₀: (..., 3) → (..., 3, 3)."""
     if _is_symbolic(psi):
@@ -131,6 +138,7 @@ def exp(psi: Dual) -> Dual:
     return displacement(rotation(alpha, u), rho)
 
 
+@takes_reals
 def log(R: Dual, turns: int = 0) -> Dual:
     """The screw ψ̲ with exp ψ̲ = R̲, Eq. (82): (..., 3, 3) → (..., 3).
 
@@ -152,17 +160,20 @@ def log(R: Dual, turns: int = 0) -> Dual:
     return Dual(psi, along + half_cotangent[..., None] * (rho - along) - cross(psi, rho) / 2)
 
 
+@takes_numbers
 def from_rodrigues_vector(b: Dual) -> Dual:
     """R̲ = I + 2 (b̲̃ + b̲̃²) / (1 + b̲·b̲) of b̲ = tan(α̲/2) u̲: rational, so exact over any field."""
     B = skew(b)
     return identity_like(b) + scale(2 / (1 + dot(b, b)), B + B @ B, rank=2)
 
 
+@takes_numbers
 def rodrigues_vector(R: Dual) -> Dual:
     """b̲ = tan(α̲/2) u̲ = 2 vect R̲ / (1 + tr R̲); raises `ZeroDivisor` at α = π."""
     return scale(2 / (1 + trace(R)), vect(R))
 
 
+@takes_reals
 def mozzi_chasles_axis(R: Dual) -> Dual:
     """The unit dual vector u̲ of the axis: (..., 3, 3) → (..., 3).
 
@@ -175,20 +186,29 @@ def mozzi_chasles_axis(R: Dual) -> Dual:
     return u
 
 
-def kind(R: Dual, tolerance: float = 0.0) -> str:
-    """"identity", "translation", "rotation" or "roto-translation", of one displacement.
+@takes_numbers
+def kind(R: Dual, tolerance: float | None = None) -> str:
+    """ "identity", "translation", "rotation" or "roto-translation", of one displacement.
 
-    A test on R̲ and not on ψ̲, because a ψ̲ of a full turn is no rotation. With ``tolerance`` 0 it is
-    exact and needs no root: adj(R − I) = 2 (1 − cos α) u ⊗ u, so it annuls ρ iff d = u·ρ = 0.
+    A test on R̲ and not on ψ̲, because a ψ̲ of a full turn is no rotation. Exact scalars are decided
+    exactly and without a root: adj(R − I) = 2 (1 − cos α) u ⊗ u, so it annuls ρ iff d = u·ρ = 0.
+    Floats are decided within ``tolerance`` (`ROUNDING` unless given; 0 is exact): the entries of R − I,
+    and ρ and d relative to the greatest of 1, ‖ρ‖ and ‖ρ‖/α, the axis's distance where α is small.
     """
+    if tolerance is None:
+        tolerance = 0.0 if _is_symbolic(R) else ROUNDING
     rotation_tensor, rho = structural_invariants(R)
     turn = rotation_tensor - identity_like(R)
     if _is_within(turn, tolerance):
         return "identity" if _is_within(rho, tolerance) else "translation"
     axis_tensor = adjugate(turn)
     shift = apply(axis_tensor, rho)
-    no_shift = _is_within(shift, tolerance * trace(axis_tensor) if tolerance else 0.0)
-    return "rotation" if no_shift else "roto-translation"
+    if tolerance:
+        length = np.linalg.norm(np.asarray(rho, dtype=float))
+        versine = float(trace(axis_tensor)) / 2  # 1 − cos α = α²/2 at small α
+        farthest = max(1.0, length, length / np.sqrt(2 * max(versine, 0.5 * tolerance**2)))
+        return "rotation" if _is_within(shift, tolerance * 2 * versine * farthest) else "roto-translation"
+    return "rotation" if is_zero(shift) else "roto-translation"
 
 
 def _is_within(a: np.ndarray, tolerance: float) -> bool:
@@ -200,22 +220,21 @@ def from_rigid_transform(X: "RigidTransform") -> Dual:
     return displacement(X.rotation().matrix(), X.translation())
 
 
+@takes_reals
 def to_rigid_transform(R: Dual) -> "RigidTransform":
     """Φ⁻¹ of Eq. (85): the Drake RigidTransform, of the scalar type of R's entries.
 
     Raises `ValueError` if R has not shape (3, 3) or is a float tensor that is not orthogonal,
     `TypeError` if the entries are neither floats nor Drake scalars.
     """
-    from pydrake.math import RigidTransform_, RotationMatrix_
+    from workbench.drake.gate import RigidTransform_, RotationMatrix_
 
     if R.re.shape != (3, 3):
         raise ValueError(f"expected one displacement, shape (3, 3), got {R.re.shape}")
     rotation_tensor, rho = structural_invariants(R)
     scalar = type(rotation_tensor.flat[0]) if _is_symbolic(R) else float
     if (scalar,) not in RigidTransform_.param_list:
-        raise TypeError(
-            f"expected entries of type float, AutoDiffXd or Expression, got {scalar.__name__}"
-        )
+        raise TypeError(f"expected entries of type float, AutoDiffXd or Expression, got {scalar.__name__}")
     return RigidTransform_[scalar](RotationMatrix_[scalar](rotation_tensor), rho)
 
 

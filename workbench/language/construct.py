@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Literal
 
 from workbench.language.integers import Linear, as_linear
-from workbench.language.shapes import filling, fitted, layout, multiple, shaped
+from workbench.language.shapes import filling, fitted, layout, multiple, scalar_and_vector, shaped
 from workbench.language.signatures import SIGNATURES, agree
 from workbench.language.terms import (
     Apply,
@@ -27,7 +27,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import OPERATOR, SCALAR, TENSOR, Declaration, Type, Weight
+from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type, Weight
 
 
 def number(value: int | Fraction) -> Number:
@@ -89,11 +89,11 @@ def power(base: Term, exponent: Linear | int) -> Term:
     type_ = base.type
     if exponent.is_number and exponent.constant < 0:
         raise IllFormed(f"power with negative exponent {exponent}; an inverse is written ^{{-1}}")
-    if type_.kind == "vector":
+    if type_.is_column:
         if exponent.is_number and exponent.constant % 2:
             raise IllFormed(f"an odd power ({exponent}) of a vector; x² means x·x")
         type_ = SCALAR.with_dual(type_.dual)
-    elif type_.kind == "covector" or (type_.kind == "block" and type_.rows != type_.columns):
+    elif not type_.algebra and not type_.is_square:
         raise IllFormed(f"a power of a {type_}")
     weight: Weight = None
     if base.weight is not None:
@@ -129,7 +129,7 @@ def block(entries: Sequence[Sequence[Term]]) -> Block:
         for i, row in enumerate(entries)
     )
     dual = any(entry.type.dual for row in typed for entry in row)
-    return Block(Type("block", dual, rows, columns), _block_weight(typed), typed)
+    return Block(Type(sum(rows), sum(columns), dual), _block_weight(typed), typed)
 
 
 def _block_weight(entries: Sequence[Sequence[Term]]) -> Weight:
@@ -140,26 +140,49 @@ def _block_weight(entries: Sequence[Sequence[Term]]) -> Weight:
 
 def relation(operator: Literal["=", "≠"], left: Term, right: Term) -> Relation:
     """A relation of two terms of one kind and weight; a bare 0 or I takes the other side's type."""
-    left, right = agree((left, right), "the two sides")
+    left, right = agree(_as_quaternions((left, right)), "the two sides")
     return Relation(operator, left, right)
 
 
 def apply(head: str, *arguments: Term) -> Term:
     """The term head(arguments); SIGNATURES says which heads there are and what each takes."""
     if head == "add":
-        arguments = agree(arguments, "the addends")
+        arguments = agree(_as_quaternions(arguments), "the addends")
+    if head == "quaternion":
+        arguments = _with_shapes(arguments, (SCALAR, VECTOR))
+    if head == "mul" and not any(filling(a) == "zero" or a.type.kind == "scalar" for a in arguments):
+        is_product = any(a.type.kind == "quaternion" for a in arguments)
+        arguments = _as_quaternions(arguments) if is_product else arguments
+    if head == "adjugate" and arguments[0].type.kind == "quaternion":
+        head = "conjugate"  # both are written with a star
     if head == "mul":
-        arguments = _beside_block(*arguments)
+        arguments = _beside_matrix(*arguments)
     type_, weight = SIGNATURES[head](arguments)
     return Apply(type_, weight, head, arguments)
 
 
-def _beside_block(left: Term, right: Term) -> tuple[Term, Term]:
-    """The factors of a product, where a unit tensor takes the size of the block matrix beside it."""
-    if filling(left) == "identity" and right.type.kind == "block" and sum(right.type.rows) != 3:
-        left = shaped(left, Type("block", rows=right.type.rows, columns=right.type.rows))
-    if filling(right) == "identity" and left.type.kind == "block" and sum(left.type.columns) != 3:
-        right = shaped(right, Type("block", rows=left.type.columns, columns=left.type.columns))
+def _as_quaternions(terms: Sequence[Term]) -> tuple[Term, ...]:
+    """The terms; beside a quaternion those that have a scalar and a vector part, made quaternions."""
+    if not any(term.type.kind == "quaternion" for term in terms):
+        return tuple(terms)
+    parts = [None if term.type.kind == "quaternion" else scalar_and_vector(term) for term in terms]
+    return tuple(t if p is None else apply("quaternion", *p) for t, p in zip(terms, parts, strict=True))
+
+
+def _with_shapes(terms: Sequence[Term], types: Sequence[Type]) -> tuple[Term, ...]:
+    """The terms, zeros as those of the types."""
+    if len(terms) != len(types):
+        raise IllFormed(f"expected {len(types)} arguments, got {len(terms)}")
+    pairs = zip(terms, types, strict=True)
+    return tuple(shaped(term, type_) if filling(term) == "zero" else term for term, type_ in pairs)
+
+
+def _beside_matrix(left: Term, right: Term) -> tuple[Term, Term]:
+    """The factors of a product, where a unit tensor takes the size of the matrix beside it."""
+    if filling(left) == "identity" and right.type.kind == "matrix" and right.type.rows != 3:
+        left = shaped(left, Type(right.type.rows, right.type.rows))
+    if filling(right) == "identity" and left.type.kind == "matrix" and left.type.columns != 3:
+        right = shaped(right, Type(left.type.columns, left.type.columns))
     return left, right
 
 

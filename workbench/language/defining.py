@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from workbench.language import construct
@@ -126,18 +126,14 @@ def _known(head: _Head, table: SymbolTable) -> tuple[Declaration, tuple[Linear, 
 def _inside(head: _Head, table: SymbolTable, known: tuple[Declaration, tuple[Linear, ...]]) -> SymbolTable:
     """The table for the body: members of the family below its own index may be used."""
     declaration, index = known
-    if declaration.name not in table.introduced or not head.variables:
+    if not declaration.introduced or not head.variables:
         return table
     return _with_member(table, declaration, tuple(Linear.variable(n) for p in index for n in p.variables))
 
 
 def _with_member(table: SymbolTable, declaration: Declaration, index: tuple[Linear, ...]) -> SymbolTable:
     members = (*table.defined.get(declaration.name, ()), index)
-    return replace(
-        table,
-        introduced=table.introduced | {declaration.name},
-        defined={**table.defined, declaration.name: members},
-    )
+    return replace(table, defined={**table.defined, declaration.name: members})
 
 
 def _defined(
@@ -145,7 +141,7 @@ def _defined(
 ) -> Definition:
     """The definition of a symbol whose type and weight are known; the body must have them too."""
     declaration, index = known
-    for flag in ("constant", "unit", "rotation", "coordinate"):
+    for flag in ("constant", "unit", "rotation", "transform", "symmetric", "diagonal", "coordinate"):
         if getattr(declaration, flag):
             raise SpecError(f"declared as {flag}, which a definition need not keep", head.key)
     term = read_term(body, table, head.variables)
@@ -175,7 +171,6 @@ def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition,
     refuse_builtin(pattern, term.type, head.key)
     declaration = _declaration(head, term.type, weight)
     table = table.with_symbol(declaration, head.formals)
-    table = replace(table, introduced=table.introduced | {declaration.name})
     if isinstance(term, Zero | Identity):
         types = (TENSOR, VECTOR, SCALAR) if isinstance(term, Zero) else (TENSOR, OPERATOR)
         table = replace(table, untyped={**table.untyped, declaration.name: types})
@@ -187,7 +182,8 @@ def _names(head: _Head, table: SymbolTable) -> Mapping[str, Declaration]:
 
 
 def _declaration(head: _Head, type_: Type, weight: Linear | None) -> Declaration:
-    return Declaration(head.name, type_, weight, indices=len(head.own[1]), parameters=len(head.formals))
+    indices, parameters = len(head.own[1]), len(head.formals)
+    return Declaration(head.name, type_, weight, indices=indices, parameters=parameters, introduced=True)
 
 
 def _recurrence(
@@ -196,7 +192,7 @@ def _recurrence(
     """A step Φ_{n+1} after the base Φ_1: the numbered symbols become members of one family."""
     symbols = _names(head, table)
     declared = {name: symbols[name] for name in bases}
-    free = [name for name, declaration in declared.items() if declaration.name not in table.introduced]
+    free = [name for name, declaration in declared.items() if not declaration.introduced]
     if free or len(head.own[1]) != 1:
         raise SpecError("declare the whole family in [symbols]: kind, and weight in its index", head.key)
     rest = {pattern: d for pattern, d in symbols.items() if pattern not in bases}
@@ -238,7 +234,7 @@ class _Step:
                 except IllFormedAt as fault:
                     self.faults.append(fault)
                     continue
-                if definition.body.type.kind != type_.kind:
+                if definition.body.type.with_dual(False) != type_.with_dual(False):
                     continue
                 if definition.body.weight == definition.declaration.weight is None:
                     return definition, table
@@ -280,19 +276,36 @@ def _refuse_circle(head: _Head, definition: Definition, table: SymbolTable) -> N
     for used, index in table.primitive:
         if used == name and solve(definition.index, index) is not None:
             raise SpecError("this symbol is used above its definition", head.key)
-    for term in _symbols(definition.body):
-        if term.declaration.name == name and not _is_lower(term.index, definition.index):
-            raise SpecError("its definition uses the symbol itself", head.key)
+    own = definition.index
+    members = [term.index for term in _symbols(definition.body) if term.declaration.name == name]
+    exact = [place for place in table.defined.get(name, ()) if all(i.is_number for i in place)]
+    descending = [m for m in members if m not in exact or not _may_be_base(m, own)]
+    if descending and not _all_lower(descending, own):
+        raise SpecError("its definition uses the symbol itself", head.key)
 
 
-def _is_lower(used: tuple[Linear, ...], defined: tuple[Linear, ...]) -> bool:
-    """Whether the member Φ_used comes before Φ_defined: some index is smaller, or is a number and the other
-    is not."""
-    for mine, own in zip(used, defined, strict=True):
-        step = own - mine
-        if (step.is_number and step.constant > 0) or (mine.is_number and not own.is_number):
-            return True
-    return False
+def _may_be_base(member: tuple[Linear, ...], own: tuple[Linear, ...]) -> bool:
+    """Whether the member, defined by itself, comes before Φ_own or is the first of these: Φ₁ for Φ_{n+1}."""
+    return any(not place.is_number for place in own) and _is_before(member, own)
+
+
+def _is_before(member: tuple[Linear, ...], own: tuple[Linear, ...]) -> bool:
+    return all(_step(i, place) >= 0 for i, place in zip(member, own, strict=True))
+
+
+def _all_lower(members: Sequence[tuple[Linear, ...]], own: tuple[Linear, ...]) -> bool:
+    """Whether the members come before Φ_own in an order that ends: by one index, or by all together."""
+    by_one = any(all(_step(m[at], place) > 0 for m in members) for at, place in enumerate(own))
+    return by_one or all(
+        _is_before(m, own) and any(_step(i, p) > 0 for i, p in zip(m, own, strict=True)) for m in members
+    )
+
+
+def _step(used: Linear, own: Linear) -> int:
+    """How far the index used stands below that of the definition, at the least; -1 if that is unknown."""
+    step = own - used
+    grows = all(coefficient > 0 for _, coefficient in step.coefficients)
+    return step.constant if step.is_number or (grows and used.is_number) else -1
 
 
 def _primitives(

@@ -15,20 +15,21 @@ from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Te
 class Definitions:
     """The definitions of a paper, asked for one symbol at a time.
 
-    An index given as a number (Φ₁) goes before a pattern (Φ_{n+1} or Φ_n). A recurrence, whose body mentions
-    the family itself, descends from a number to its base; a symbolic Φ_n stays a free member of the family,
-    and Φ_{n+1} is rewritten in Φ_n.
+    A definition says what it says for the members that its index reaches with n ≥ 0, and nothing of others:
+    a_{n+1} := … defines a₁, a₂, … and leaves a declared a₀ free. The more of its index places are numbers,
+    the earlier it is asked: Φ₁ before Φ_{n+1}, K_{0,n} before K_{m,n}. A recurrence descends from a number to
+    its base; a symbolic Φ_n stays a free member of the family, and Φ_{n+1} is rewritten in Φ_n.
     """
 
     def __init__(self, definitions: Iterable[Definition] = ()) -> None:
         self._all = tuple(definitions)
         self._of: dict[str, list[Definition]] = {}
-        for definition in self._all:
+        for definition in sorted(self._all, key=lambda d: sum(not place.is_number for place in d.index)):
             self._of.setdefault(definition.declaration.name, []).append(definition)
+        # by spelling, since a base Φ₁ is a symbol of its own until the recurrence makes it a member
         self._exact = {
             spelled(d.declaration.name, d.index): d for d in self._all if all(i.is_number for i in d.index)
         }
-        self._recurrences = {id(d) for d in self._all if _mentions(d.body, d.declaration.name)}
         self._known: dict[Symbol, Term | None] = {}
 
     def __iter__(self) -> Iterator[Definition]:
@@ -40,7 +41,8 @@ class Definitions:
     def lookup(self, symbol: Symbol) -> Term | None:
         """What the symbol is defined as, one step, for its own index and arguments; None if it is primitive.
 
-        The same symbol gives the same object. Raises IllFormed for a member below the base of a recurrence.
+        The same symbol gives the same object. Raises IllFormed for a member that no definition reaches, of a
+        family that only definitions introduce.
         """
         if symbol.declaration.name not in self._of:
             return None
@@ -52,34 +54,20 @@ class Definitions:
         exact = self._exact.get(spelled(symbol.declaration.name, symbol.index))
         if exact is not None:
             body = _with_arguments(exact.body, exact, symbol)
-            if isinstance(body, Zero | Identity):
-                return replace(body, type=symbol.type.with_dual(False))
-            return body
-        for definition in self._of[symbol.declaration.name]:
+            is_bare = isinstance(body, Zero | Identity)
+            return replace(body, type=symbol.type.with_dual(False)) if is_bare else body
+        own = self._of[symbol.declaration.name]
+        for definition in own:
             values = solve(definition.index, symbol.index)
-            if values is None:
-                continue
-            if id(definition) in self._recurrences and not self._descends(symbol, values):
-                return None
-            body = instantiate(definition.body, values)
-            return _with_arguments(body, definition, symbol)
+            if values is not None and all(value.constant >= 0 for value in values.values()):
+                return _with_arguments(instantiate(definition.body, values), definition, symbol)
+        if symbol.declaration.introduced and all(place.is_number for place in symbol.index):
+            family = symbol.declaration.name
+            known = [text for text in self._exact if index_in(family, text) is not None]
+            known += [spelled(family, definition.index) for definition in own]
+            known = ", ".join(dict.fromkeys(known))
+            raise IllFormed(f"{spelled(family, symbol.index)} is not defined; defined: {known}")
         return None
-
-    def _descends(self, symbol: Symbol, values: Mapping[str, Linear]) -> bool:
-        """Whether the recurrence step applies: a number above the base, or a symbolic n + c."""
-        if any(value.constant < 0 for value in values.values() if not value.is_number):
-            return False
-        numbers = [i for i in symbol.index if i.is_number]
-        if len(numbers) < len(symbol.index):
-            return True
-        bases = (index_in(symbol.declaration.name, name) for name in self._exact)
-        lowest = min((tuple(map(int, base)) for base in bases if base is not None), default=None)
-        if lowest is None or tuple(int(i) for i in symbol.index) < lowest:
-            start = "has no base" if lowest is None else f"starts at {', '.join(map(str, lowest))}"
-            wanted = ", ".join(map(str, symbol.index))
-            name = symbol.declaration.name.replace("@", "n")
-            raise IllFormed(f"{name} is not defined for n = {wanted}: its recurrence {start}")
-        return True
 
 
 def expand(term: Term, definitions: Definitions) -> Term:
@@ -116,10 +104,6 @@ class _Expansion:
         children = tuple(self.term(child) for child in term.children)
         unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
         return term if unchanged else rebuild(term, children)
-
-
-def _mentions(body: Term, name: str) -> bool:
-    return any(isinstance(t, Symbol) and t.declaration.name == name for t in body.walk())
 
 
 def solve(pattern: tuple[Linear, ...], index: tuple[Linear, ...]) -> dict[str, Linear] | None:

@@ -8,6 +8,7 @@ from fractions import Fraction as Rational
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.letters import named
+from workbench.language.notations import Known
 from workbench.language.products import product
 from workbench.language.scope import Scope
 from workbench.language.signatures import agree
@@ -29,7 +30,7 @@ from workbench.language.syntax import (
     Sum,
     Summation,
 )
-from workbench.language.terms import IllFormed, Integer, Number, Term
+from workbench.language.terms import IllFormed, Integer, Number, Term, Zero
 
 _LONGEST_NUMBER = 100
 
@@ -42,7 +43,7 @@ class Elaborator(Scope):
             return self._term(node)
 
     def _term(self, node: Node) -> Term:
-        value = self.integer_expression(node)
+        value = self.integer_expression(node) or self.written(node)
         if value is not None:
             return value
         match node:
@@ -68,6 +69,8 @@ class Elaborator(Scope):
                 return self.bracket(node)
             case Fraction():
                 return product(self, (node,))
+            case Known():
+                return node.term
             case Binomial():
                 return self.combinations(node.top, node.bottom)
             case Matrix():
@@ -104,6 +107,8 @@ class Elaborator(Scope):
         if len(addends) == 1:
             return addends[0]
         try:
+            if self.table.has_quaternions and {a.type.kind for a in addends} == {"scalar", "vector"}:
+                return _parts_of_quaternion(addends)
             return construct.apply("add", *addends)
         except IllFormed as fault:
             raise Misfit(fault, places[_first_that_differs(addends)]) from None
@@ -116,10 +121,30 @@ class Elaborator(Scope):
             return terms[0]
         if len(terms) == 3 and node.kind in ("(", "\\langle"):
             return self.apply(node.at, "triple", *terms)
+        if self.table.has_quaternions and (parts := _scalar_and_vector(terms)) is not None:
+            return self.apply(node.at, "quaternion", *parts)
         if len(terms) == 2 and node.kind == "(" and terms[0].type.kind != terms[1].type.kind:
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): beside each other
-        message = "a triple product has three, a pair (a, T) two of different kinds"
+        message = "a triple product has three, in round brackets; a pair (a, T) two of different kinds"
         raise Fault(f"{len(terms)} expressions between brackets; {message}", node.at)
+
+
+def _scalar_and_vector(terms: Sequence[Term]) -> tuple[Term, Term] | None:
+    """The parts of a quaternion written (s, x) or by its four components; None for anything else."""
+    if len(terms) == 4 and all(term.type.kind == "scalar" for term in terms):
+        return terms[0], construct.block([[term] for term in terms[1:]])
+    if len(terms) == 2 and terms[0].type.kind == "scalar":
+        is_vector = terms[1].type.kind == "vector" or isinstance(terms[1], Zero)
+        return (terms[0], terms[1]) if is_vector else None
+    return None
+
+
+def _parts_of_quaternion(addends: Sequence[Term]) -> Term:
+    """s + x: the scalars and the vectors of a sum, each added up."""
+    parts = [[a for a in addends if a.type.kind == kind] for kind in ("scalar", "vector")]
+    return construct.apply(
+        "quaternion", *(p[0] if len(p) == 1 else construct.apply("add", *p) for p in parts)
+    )
 
 
 def _first_that_differs(addends: Sequence[Term]) -> int:

@@ -53,7 +53,7 @@ def instantiate(formula, values):
 
     What becomes a number is evaluated: sums with numeric bounds are written out (an empty one is 0 of its
     type), factorials and binomials become numbers, x^{(0)} becomes x. What is shared stays shared.
-    Raises IllFormed for a negative index, order or exponent, and for sums and factorials beyond LARGEST.
+    Raises IllFormed for a negative index or order, and for sums and factorials beyond LARGEST.
     """
     return Instantiation({name: as_linear(value) for name, value in values.items()}).formula(formula)
 
@@ -159,11 +159,14 @@ def _same(new: tuple[Term, ...], old: tuple[Term, ...]) -> bool:
 
 
 def raised(base: Term, exponent: Linear) -> Term:
-    """base^exponent, with x^0 and x^1 evaluated."""
-    if exponent == Linear(1) and base.type.kind != "vector":
+    """base^exponent, with x^0 and x^1 evaluated and x^-n as the inverse of x^n."""
+    if exponent == Linear(1) and not base.type.is_column:
         return base
     if exponent == Linear(0):
-        return number(1) if base.type.kind in ("scalar", "vector") else identity(base.type.with_dual(False))
+        is_number = base.type.kind in ("scalar", "quaternion") or base.type.is_column
+        return number(1) if is_number else identity(base.type.with_dual(False))
+    if exponent.is_number and exponent.constant < 0 and not base.type.is_column:
+        return apply("inverse", raised(base, -exponent))
     return power(base, exponent)
 
 

@@ -2,13 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
 from workbench.language.names import INDEX_LETTERS, Scripts, base_name, linear, literal, spell, variable_name
+from workbench.language.notations import Notation
 from workbench.language.scope import Scope
-from workbench.language.syntax import Accented, Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled
-from workbench.language.terms import IllFormed, Term
+from workbench.language.symbols import may_be_label
+from workbench.language.syntax import (
+    Accented,
+    Bracket,
+    Group,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+)
+from workbench.language.terms import Derivative, IllFormed, Symbol, Term, Zero
 from workbench.language.types import COVECTOR, TENSOR, VECTOR
 
 _ZEROS = {("3", "3"): TENSOR, ("3", "1"): VECTOR, ("1", "3"): COVECTOR}
@@ -43,8 +59,14 @@ class _Lettering:
         match node:
             case Leaf(kind="LETTER" | "MARK"):
                 return self.symbol(node, styles, scripts)
+            case Leaf(kind="NUMBER") if styles and (
+                found := self.constant(base_name(styles, node.text), scripts)
+            ):
+                return found
             case Leaf(kind="NUMBER", text="0") if styles:
                 return self.zero(scripts), scripts.sup
+            case Styled() if self.scope.table.notations.accents(node.style):
+                return self.accented_by_the_paper(node, scripts, styles)
             case Styled():
                 return self.read(node.body, scripts, (*styles, node.style))
             case Accented():
@@ -75,6 +97,10 @@ class _Lettering:
             node.primes + outer.primes,
         )
         term, sup = self.read(node.nucleus, scripts, styles)
+        if sup is not None and sup is node.sup:
+            _refuse_other_order(node.nucleus, sup)
+            if not isinstance(node.nucleus, Bracket):
+                _refuse_label(term, sup)
         if node.sup is None:
             return term, sup
         return (term if sup is None else raised(self.scope, term, sup)), outer.sup
@@ -95,7 +121,8 @@ class _Lettering:
                 return self.function(leaf, *found), sup
             if (found := scope.table.find(pieces)) is not None:
                 return scope.build(leaf.at, construct.symbol, *found), sup
-        found = self.builtin(base, scripts, leaf.at)
+        found = self.primed(leaf, styles, scripts)
+        found = found or self.constant(base, scripts) or self.builtin(base, scripts, leaf.at)
         if found is not None:
             return found
         if leaf.kind == "MARK":
@@ -107,6 +134,38 @@ class _Lettering:
         arguments = [self.scope.term(part) for part in self.bracket.parts]
         self.scope.build(leaf.at, self.scope.table.check_arguments, declaration, arguments)
         return self.scope.build(leaf.at, construct.symbol, declaration, index, arguments)
+
+    def accented_by_the_paper(self, node: Styled, scripts: Scripts, styles: tuple[str, ...]) -> Lettered:
+        """\\hat{x}: the name, if there is one; else what the paper says of the accent."""
+        try:
+            return self.read(node.body, scripts, (*styles, node.style))
+        except Fault as fault:
+            if styles:
+                raise
+            try:
+                term, sup = self.read(node.body, scripts, ())
+            except Fault:
+                raise fault from None
+            entries = self.scope.table.notations.accents(node.style)
+            return notated(self.scope, node.at, entries, term, node.style), sup
+
+    def primed(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Lettered | None:
+        """x', where that is no name, as the paper explains a prime."""
+        entries = self.scope.table.notations.primes()
+        if not scripts.primes or not entries:
+            return None
+        term, sup = self.symbol(leaf, styles, replace(scripts, primes=scripts.primes - 1))
+        return notated(self.scope, leaf.at, entries, term, "the prime"), sup
+
+    def constant(self, base: str, scripts: Scripts) -> Lettered | None:
+        """A name that stands for a term in the paper's own notation."""
+        if not self.scope.table.constants:
+            return None
+        for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())):
+            pieces = spell(base, tried, ())
+            if pieces is not None and (entry := self.scope.table.constants.get(literal(pieces))) is not None:
+                return self.scope.term(entry.filled({})), sup
+        return None
 
     def builtin(self, base: str, scripts: Scripts, at: int) -> Lettered | None:
         """I, ε, D, e^x and C_n^k, where the paper declares no symbol of that name."""
@@ -159,7 +218,7 @@ class _Lettering:
 
     def accent(self, node: Accented, term: Term) -> Term:
         if node.accent != "~":
-            return self.scope.build(node.at, construct.derivative, term, int(node.accent))
+            return self.scope.rate(node.at, term, Linear(int(node.accent)), None)
         if term.type.kind != "tensor":
             return self.scope.apply(node.at, "skew", term)
         intent = "the tilde over a whole product T x, \\widetilde{T x}"
@@ -174,6 +233,34 @@ class _Lettering:
         return construct.counting("factorial", self.scope.integer(argument))
 
 
+def _refuse_other_order(nucleus: Node, sup: Node) -> None:
+    """\\dot{T}^{-1}: the inverse of the derivative, or the derivative of the inverse?"""
+    inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
+    inverts = isinstance(inner, Sum) and [sign for sign, _, _ in inner.addends] == ["-"]
+    if (inverts or (isinstance(inner, Leaf) and inner.text == "*")) and _is_dotted(nucleus):
+        what = "inverse" if inverts else "adjugate"
+        message = f"the {what} of the derivative, or the derivative of the {what}?"
+        raise Fault(f"{message} bracket (\\dot{{x}}), or write \\frac{{d}}{{dt}}", sup.at)
+
+
+def _is_dotted(node: Node) -> bool:
+    match node:
+        case Accented(accent=accent, body=body):
+            return accent != "~" or _is_dotted(body)
+        case Styled(body=body) | Scripted(nucleus=body) | Group(parts=(body,)):
+            return _is_dotted(body)
+    return False
+
+
+def _refuse_label(term: Term, sup: Node) -> None:
+    inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
+    while isinstance(term, Derivative):
+        term = term.body
+    is_number = isinstance(inner, Leaf) and inner.kind == "NUMBER" and inner.text.isdigit()
+    if is_number and isinstance(term, Symbol) and may_be_label(term, int(inner.text)):
+        raise Fault(f"the power {inner.text}, or the label of a frame? bracket what the power is of", sup.at)
+
+
 def _is_upright_t(node: Node) -> bool:
     """The T of A^{\\mathrm{T}}."""
     match node:
@@ -182,14 +269,26 @@ def _is_upright_t(node: Node) -> bool:
     return False
 
 
+def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spelled: str) -> Term:
+    """The one of the entries that fits the term, applied to it. Raises Misfit."""
+    for entry in entries:
+        (letter_of,) = entry.formals
+        if entry.fits({letter_of: term}):
+            return scope.term(entry.filled({letter_of: term}))
+    known = ", ".join(kind for entry in entries for kind in entry.formals.values())
+    raise Misfit(IllFormed(f"{spelled} of a {term.type}; [notation] has it for: {known}"), at)
+
+
 def raised(scope: Scope, term: Term, sup: Node) -> Term:
     """term^sup: transpose, adjugate, inverse, derivative of an order, or power."""
+    if own := [e for e in scope.table.notations.marks(sup) if str(term.type) in e.formals.values()]:
+        return notated(scope, sup.at, own, term, "the superscript")
     inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
     match inner:
         case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
             raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)
         case _ if _is_upright_t(inner) or (isinstance(inner, Leaf) and inner.text == "T"):
-            return scope.apply(sup.at, "transpose", term)
+            return term if isinstance(term, Zero) else scope.apply(sup.at, "transpose", term)
         case Leaf(kind="MARK", text="*"):
             return scope.apply(sup.at, "adjugate", term)
         case Bracket(kind="(", parts=(order,)):

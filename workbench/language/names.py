@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 from workbench.language.errors import Fault
 from workbench.language.integers import Linear
-from workbench.language.syntax import Bracket, Group, Leaf, Node, Product, Scripted, Styled, Sum
+from workbench.language.syntax import Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled, Sum
+from workbench.language.vocabulary import SIGN_COMMANDS
 
 #: Indices, orders and exponents beyond this are refused.
 LARGEST_INTEGER = 1000
@@ -18,7 +19,7 @@ INDEX_LETTERS = frozenset("ijklmnp")
 #: Superscripts that mean the transpose.
 TRANSPOSES = frozenset({"T", "\\mathrm{T}", "\\mathsf{T}"})
 
-_OUTERMOST_FIRST = ("\\underline", "\\overline", "\\bar", "\\vec")
+_OUTERMOST_FIRST = ("\\underline", "\\overline", "\\bar", "\\vec", "\\hat", "\\check", "\\breve")
 _CLOSING = {"(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
 
 #: A piece of a spelling: text, or an integer that may be an index.
@@ -124,9 +125,14 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
             return None if inner is None else [node.kind, *inner, _CLOSING[node.kind]]
         case Product():
             return _spell_list(node.items, " ", () if _is_word(node) else variables)
+        case Scripted(sub=None, sup=None, primes=primes, factorial=False):
+            inner = _spell_script(node.nucleus, ())
+            return None if inner is None else [*inner, "'" * primes]
         case Scripted(sup=None, primes=0, factorial=False):
             inner = _spell_list((node.nucleus, node.sub), "_{", variables)
             return None if inner is None else [*inner, "}"]
+        case Infix(operator=operator):
+            return [SIGN_COMMANDS[operator]]
     return None
 
 

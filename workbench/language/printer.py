@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from workbench.language.construct import integer
 from workbench.language.integers import Linear
 from workbench.language.shapes import multiple
-from workbench.language.symbols import pattern_of
+from workbench.language.symbols import may_be_label, pattern_of
 from workbench.language.terms import (
     Apply,
     BigSum,
@@ -49,8 +49,10 @@ _FUNCTIONS = {
     "exp": "\\exp",
     "divergence": "\\operatorname{div}",
     "curl": "\\operatorname{curl}",
+    "scalar part": "\\operatorname{Sc}",
+    "vector part": "\\operatorname{Vec}",
 }
-_SUPERSCRIPTS = {"transpose": "T", "inverse": "-1", "adjugate": "*"}
+_SUPERSCRIPTS = {"transpose": "T", "inverse": "-1", "adjugate": "*", "conjugate": "*"}
 _INFIXES = {"dot": "\\cdot", "cross": "\\times", "outer": "\\otimes", "compose": "\\circ"}
 _ZEROS = {"scalar": "0", "vector": "\\mathbf{0}", "tensor": "\\mathbf{0}_{3 \\times 3}"}
 _ZEROS["covector"] = "\\mathbf{0}_{1 \\times 3}"
@@ -66,7 +68,11 @@ def to_latex(formula: Term | Statement) -> str:
         case Equivalence():
             return f"{to_latex(formula.left)} \\Leftrightarrow {to_latex(formula.right)}"
         case Implication():
-            return f"{to_latex(formula.left)} \\Rightarrow {to_latex(formula.right)}"
+            left = formula.left.parts if isinstance(formula.left, Conjunction) else (formula.left,)
+            premises = " \\text{ and } ".join(map(to_latex, left))
+            if isinstance(formula.right, Equivalence | Implication):
+                return f"{to_latex(formula.right)} \\text{{ for }} {premises}"
+            return f"{premises} \\Rightarrow {to_latex(formula.right)}"
         case Conjunction(parts=parts):
             return _chain(parts)
     return _print(formula).text
@@ -81,7 +87,8 @@ def _chain(parts: tuple[Statement, ...]) -> str:
     for before, part, alone in zip(parts, parts[1:], texts[1:], strict=False):
         right = _beside((before.left, before.right))[1].text
         goes_on = alone.startswith(right + " ") and _beside((part.left, part.right))[0].text == right
-        text += alone[len(right) :] if goes_on else f", \\quad {alone}"
+        joint = ", \\quad " if before.operator == part.operator == "=" else " \\text{ and } "
+        text += alone[len(right) :] if goes_on else joint + alone
     return text
 
 
@@ -145,7 +152,10 @@ def _print(term: Term) -> _Text:
         case Derivative():
             return _derivative(term)
         case Power():
-            return _raised(_print(term.base), _integer(term.exponent))
+            base = _print(term.base)
+            if isinstance(term.base, Symbol) and may_be_label(term.base, term.exponent.constant):
+                base = _Text(_bracket(base.text), _ATOM)
+            return _raised(base, _integer(term.exponent))
         case BigSum():
             return _big_sum(term)
         case Block():
@@ -286,7 +296,10 @@ def _apply(term: Apply) -> _Text:
     if head in _FUNCTIONS:
         return _function(head, arguments[0])
     if head in _SUPERSCRIPTS:
-        return _raised(_print(arguments[0]), _SUPERSCRIPTS[head])
+        base = _print(arguments[0])
+        if head != "transpose" and _is_dotted(arguments[0]):
+            base = _Text(_bracket(base.text), _ATOM)
+        return _raised(base, _SUPERSCRIPTS[head])
     if head in _INFIXES:
         left, right = map(_print, arguments)
         if left.end == "function" and (arguments[1].type.dual or _ends_in_curl(arguments[0])):
@@ -307,10 +320,22 @@ def _apply(term: Apply) -> _Text:
         case "triple":
             inner = ", ".join(_print(a).text for a in arguments)
             return _Text(f"\\left\\langle {inner}\\right\\rangle", _ATOM)
+        case "root":
+            return _Text(f"\\sqrt{{{_print(arguments[0]).text}}}", _FACTOR)
+        case "quaternion":
+            inner = ", ".join(_print(a).text for a in arguments)
+            return _Text(f"\\operatorname{{quat}}{_bracket(inner)}", _FACTOR)
         case "skew":
             over = _under_accents(term)
             return over or _Text(f"\\widetilde{{{_print(arguments[0]).text}}}", _ATOM)
     raise TypeError(f"no LaTeX for the operation {head}")
+
+
+def _is_dotted(term: Term) -> bool:
+    """Whether the term prints with dots over its letter; what is inverted has to be said there."""
+    while isinstance(term, Apply) and term.head == "skew":
+        (term,) = term.arguments
+    return isinstance(term, Derivative)
 
 
 def _function(head: str, argument: Term) -> _Text:

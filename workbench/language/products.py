@@ -6,13 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from workbench.language import construct
-from workbench.language.errors import Fault, Misfit
+from workbench.language.errors import Fault, Misfit, SpecError
 from workbench.language.integers import Linear
 from workbench.language.letters import letter, raised
-from workbench.language.names import Scripts, linear
+from workbench.language.names import Scripts, linear, literal
 from workbench.language.quotients import Rate, quotient, rate
 from workbench.language.scope import Scope
 from workbench.language.summations import summation
+from workbench.language.symbols import key_pieces
 from workbench.language.syntax import (
     Accented,
     Bracket,
@@ -35,8 +36,11 @@ from workbench.language.terms import (
     TimeOperator,
     is_accented_symbol,
 )
+from workbench.language.vocabulary import OWN_SIGNS
 
 _OF_TENSORS = {"det", "trace", "symmetric", "skew", "vect", "adjugate"}
+_OF_ANGLES = {"sin", "cos", "tan", "cot", "sec", "csc"}
+_QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": (None, "cos"), "csc": (None, "sin")}
 _DIFFERENTIATE = {"d/dt", "the operator", "divergence", "curl"}
 _NAMES = {"symmetric": "sym", "re": "Re", "du": "Du", "adjugate": "adj", "divergence": "div"}
 
@@ -90,14 +94,41 @@ def _infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
     heads = set()
     for sign, operand in zip(signs, operands[1:], strict=True):
         head = {"×": "cross", "⊗": "outer", "∘": "compose"}.get(sign.operator, "mul")
-        if sign.operator == "·" and {result.type.kind, operand.type.kind} == {"vector"}:
+        if sign.operator in OWN_SIGNS:
+            result = _own_sign(scope, sign, result, operand)
+            if result.type.kind != "quaternion":
+                heads.add("cross")
+            if "cross" in heads and len([o for o in operands if o.type.kind != "scalar"]) > 2:
+                raise Fault("several products without brackets are ambiguous", signs[-1].at)
+            continue
+        if sign.operator == "·" and result.type.is_column and operand.type.is_column:
             head = "dot"
+        head = _beside_quaternion(sign, result, operand) or head
         heads.add(head)
         factors = [o for o in operands if o.type.kind != "scalar"]
         if heads & {"dot", "cross", "outer"} and len(factors) > 2:
             raise Fault("several products without brackets are ambiguous", signs[-1].at)
         result = scope.apply(sign.at, head, result, operand)
     return result
+
+
+def _own_sign(scope: Scope, sign: Infix, left: Term, right: Term) -> Term:
+    """a ∧ b, as the paper's [notation] explains it."""
+    for entry in scope.table.notations.signs(sign.operator):
+        terms = dict(zip(entry.sign[1:], (left, right), strict=True))
+        if entry.fits(terms):
+            return scope.term(entry.filled(terms))
+    raise Fault(f"{sign.operator} of a {left.type} and a {right.type}: {OWN_SIGNS[sign.operator]}", sign.at)
+
+
+def _beside_quaternion(sign: Infix, left: Term, right: Term) -> str | None:
+    """The product of quaternions is also written ⊗ or ∘; a dot may be that of columns of four."""
+    kinds = [left.type.kind, right.type.kind]
+    if "quaternion" not in kinds or "scalar" in kinds:
+        return None
+    if sign.operator == "·":
+        raise Fault("the product of quaternions, or the scalar product of two columns of four?", sign.at)
+    return "mul" if sign.operator in "⊗∘" else None
 
 
 @dataclass(slots=True)
@@ -161,6 +192,8 @@ class _Row:
 
     def _factor(self, place: int) -> _Factor:
         item = self.items[place]
+        if (term := self.scope.written(item)) is not None:
+            return _Factor(term, item.at, place + 1, item)
         match item:
             case Product(items=(Summation() as head, *rest)):
                 term = summation(self.scope, head, lambda: self._body(head, rest))
@@ -187,6 +220,11 @@ class _Row:
 
     def with_left_scripts(self, place: int) -> _Factor:
         left = self.items[place]
+        following = self.items[place + 1] if place + 1 < len(self.items) else None
+        if isinstance(following, Fraction) and left.sup is not None and left.sub is None:
+            found = rate(self.scope, following)
+            if found is not None and found.frame is None:
+                return self.derivative(place + 1, found._replace(frame=left.sup))
         if place + 1 == len(self.items) or not isinstance(
             self.items[place + 1], Leaf | Styled | Accented | Scripted
         ):
@@ -220,6 +258,8 @@ class _Row:
         (part,) = bracket.parts
         if term.type.kind == "operator":
             return isinstance(part, Styled) and isinstance(self.scope.term(part), TimeOperator)
+        if self.is_argument(part):
+            return term.type.kind != "scalar" or self.scope.term(part).type.kind != "scalar"
         is_t = isinstance(part, Leaf) and part.text == "t"
         if is_t and "t" not in self.scope.table.symbols and "t" not in self.scope.variables:
             return True
@@ -229,6 +269,15 @@ class _Row:
                 "a function of what is in the bracket, or a product? a product needs no bracket", bracket.at
             )
         return False
+
+    def is_argument(self, part: Node) -> bool:
+        """Whether the paper says that f(x) is f, which depends on x."""
+        if not self.scope.table.arguments:
+            return False
+        try:
+            return literal(key_pieces(part, "")) in self.scope.table.arguments
+        except SpecError:
+            return False
 
     def function(self, place: int) -> _Factor:
         """det, sym, vect … take the run of tensors that follows, the others take one factor."""
@@ -240,10 +289,16 @@ class _Row:
             raise Fault(f"{leaf.name} is {message}", leaf.at)
         if place + 1 == len(self.items):
             raise Fault(f"{_NAMES.get(head, head)} of nothing", leaf.at)
+        if head == "quaternion":
+            return self.quaternion(leaf, place)
+        if head == "root":
+            return self.root(leaf, place)
         argument, end = self.argument(head, leaf, place + 1)
+        if head == "exp" and argument.type.kind == "quaternion":
+            raise Fault("the exponential of a quaternion", leaf.at)
         if head == "skew" and argument.type.kind == "tensor":
             head = "antisymmetric"
-        term = self.scope.apply(leaf.at, head, argument)
+        term = self.scope.build(leaf.at, _value_of, head, argument)
         if isinstance(item, Scripted):
             exponent = None if item.sup is None else linear(item.sup, self.scope.variables)
             if item.sub is not None or item.primes or item.factorial or exponent is None:
@@ -252,6 +307,20 @@ class _Row:
                 raise Fault("an inverse function or an inverse value? bracket the value", item.at)
             term = self.scope.build(item.at, construct.power, term, exponent)
         return _Factor(term, leaf.at, end, item)
+
+    def root(self, leaf: Leaf, place: int) -> _Factor:
+        item = self.items[place + 1]
+        if not isinstance(item, Group) or self.items[place] is not leaf:
+            raise Fault("expected a square root, \\sqrt{x}", leaf.at)
+        return _Factor(self.scope.apply(leaf.at, "root", self.scope.term(item)), leaf.at, place + 2, leaf)
+
+    def quaternion(self, leaf: Leaf, place: int) -> _Factor:
+        """quat(s, x): a scalar part and a vector part."""
+        item = self.items[place + 1]
+        if not (isinstance(item, Bracket) and len(item.parts) == 2) or self.items[place] is not leaf:
+            raise Fault("expected a scalar and a vector, \\operatorname{quat}(s, x)", leaf.at)
+        parts = [self.scope.term(part) for part in item.parts]
+        return _Factor(self.scope.apply(leaf.at, "quaternion", *parts), leaf.at, place + 2, leaf)
 
     def argument(self, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
         item = self.items[place]
@@ -271,14 +340,14 @@ class _Row:
                 run.append(following)
                 end = following.end
             return self.multiply(run), end
-        numeric = isinstance(first.term, Number | Integer) and head in ("sin", "cos", "exp")
+        numeric = isinstance(first.term, Number | Integer) and head in _OF_ANGLES | {"exp"}
         if numeric and end < len(self.items):
             run.append(self.factor(end))
             end = run[-1].end
         if end < len(self.items):
             following = self.factor(end)
             own = isinstance(following.node, Leaf | Scripted) and _is_function(following.node)
-            mixes = head not in ("sin", "cos") or following.term.type.kind == "scalar"
+            mixes = head not in _OF_ANGLES or following.term.type.kind == "scalar"
             if mixes and not own:
                 raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
         return self.multiply(run), end
@@ -294,13 +363,15 @@ class _Row:
             intent = "one order above and below, \\frac{d^k}{dt^k}"
             fault = IllFormed(f"d/dt of order {orders[0]} above and {orders[1]} below", intent)
             raise Misfit(fault, item.at)
-        if len(found.behind) > 1:
+        if len(found.behind) > (2 if _has_left_scripts(found.behind) else 1):
             raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
         if found.behind:
             body = product(scope, found.behind)
-            term = scope.build(item.at, construct.derivative, body, orders[0])
+            term = scope.rate(item.at, body, orders[0], found.frame)
             return _Factor(term, item.at, place + 1, item)
         if place + 1 == len(self.items):
+            if found.frame is not None:
+                raise Fault("the derivative in a frame, of what?", item.at)
             operator = construct.time_operator()
             if orders[0] != Linear(1):
                 operator = construct.power(operator, orders[0])
@@ -313,8 +384,23 @@ class _Row:
             self.open_head = "d/dt"
         if factor.end < len(self.items) and not isinstance(following, Bracket):
             raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
-        term = scope.build(item.at, construct.derivative, factor.term, orders[0])
+        term = scope.rate(item.at, factor.term, orders[0], found.frame)
         return _Factor(term, item.at, factor.end, item)
+
+
+def _has_left_scripts(items: Sequence[Node]) -> bool:
+    return (
+        bool(items) and isinstance(items[0], Scripted) and items[0].nucleus == Group(items[0].nucleus.at, ())
+    )
+
+
+def _value_of(head: str, argument: Term) -> Term:
+    """The function's value; tan, cot, sec and csc are quotients of sines and cosines."""
+    if head not in _QUOTIENTS:
+        return construct.apply(head, argument)
+    top, bottom = _QUOTIENTS[head]
+    numerator = construct.number(1) if top is None else construct.apply(top, argument)
+    return construct.apply("div", numerator, construct.apply(bottom, argument))
 
 
 def _is_function(node: Node) -> bool:

@@ -20,6 +20,7 @@ class Rate(NamedTuple):
     order_above: Node | None
     order_below: Node | None
     behind: tuple[Node, ...]
+    frame: Node | None = None
 
 
 def rate(scope: Scope, fraction: Fraction) -> Rate | None:
@@ -29,9 +30,14 @@ def rate(scope: Scope, fraction: Fraction) -> Rate | None:
     products, and is refused. Raises Fault.
     """
     above, below = _factors(fraction.numerator), _factors(fraction.denominator)
+    frame, above = _frame(above)
+    upper, lower = _letter(above[0]), _letter(below[0])
+    if (upper.text, lower.text) == ("d", "d") and len(below) > 1 and _letter(below[1]).text != "t":
+        message = "a derivative by anything but the time t, or a quotient of products with d?"
+        raise Fault(f"{message} set d behind its factor for a product", fraction.at)
     if len(below) != 2:
         return None
-    upper, lower, time = map(_letter, (above[0], *below))
+    time = _letter(below[1])
     if (upper.text, lower.text, time.text, lower.order) != ("d", "d", "t", None):
         return None
     if all(scope.knows(part.name) for part in (upper, lower, time)):
@@ -39,7 +45,17 @@ def rate(scope: Scope, fraction: Fraction) -> Rate | None:
             "a derivative, or a quotient of the symbols d and t? write \\frac{\\mathrm{d}}{\\mathrm{d}t}"
         )
         raise Fault(f"{message} for the derivative", fraction.at)
-    return Rate(upper.order, time.order, above[1:])
+    return Rate(upper.order, time.order, above[1:], frame)
+
+
+def _frame(above: tuple[Node, ...]) -> tuple[Node | None, tuple[Node, ...]]:
+    """The frame of {}^A d, and what stands behind it; a superscript on d itself is its order."""
+    match above:
+        case (Scripted(nucleus=Group(parts=()), sub=None, sup=frame, primes=0), d, *rest) if (
+            frame is not None and _letter(d).text == "d"
+        ):
+            return frame, (d, *rest)
+    return None, above
 
 
 def quotient(scope: Scope, fraction: Fraction) -> Term:
@@ -81,6 +97,8 @@ def _letter(node: Node) -> _Letter:
     order, styles = None, ()
     if isinstance(node, Scripted) and node.sub is None and not node.primes and not node.factorial:
         node, order = node.nucleus, node.sup
+        if order == Group(getattr(order, "at", 0), ()):
+            order = None  # d^{}, as macros with an order that may be empty write it
     if isinstance(node, Styled) and node.style == "\\mathrm":
         node, styles = node.body, (node.style,)
     if isinstance(node, Group) and len(node.parts) == 1:

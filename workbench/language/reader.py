@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from workbench.language.errors import Fault, IllFormedAt, Misfit, ReadError, place
-from workbench.language.statements import Range, Reading, reading_of, term_of
+from workbench.language.ranges import Range
+from workbench.language.statements import Reading, reading_of, term_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Lines, parse
 from workbench.language.terms import Statement, Term
@@ -27,10 +28,13 @@ def read(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> tuple[
     return read_formula(latex, table, integers).statements
 
 
-def read_formula(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Reading:
-    """As `read`, with the ranges that the formula states for its integers."""
+def read_formula(
+    latex: str, table: SymbolTable, integers: Iterable[str] = (), as_condition: bool = False
+) -> Reading:
+    """As `read`, with the ranges that the formula states for its integers. As a condition, what stands
+    between commas holds together, and nothing in it is a condition of the rest."""
     names = frozenset(integers)
-    return _placed(latex, lambda lines: reading_of(lines, table, names))
+    return _placed(latex, lambda lines: reading_of(lines, table, names, as_condition))
 
 
 def read_term(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Term:

@@ -10,10 +10,11 @@ from typing import TypeVar
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
-from workbench.language.names import linear
+from workbench.language.names import Scripts, linear, literal, spell
+from workbench.language.notations import is_shape
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Group, Leaf, Node, Product, Scripted, Sum
-from workbench.language.terms import IllFormed, Term
+from workbench.language.terms import IllFormed, Term, Zero
 
 Result = TypeVar("Result")
 
@@ -33,6 +34,42 @@ class Scope(ABC):
     @abstractmethod
     def term(self, node: Node) -> Term:
         """The term of any node."""
+
+    def rate(self, at: int, body: Term, order: Linear, frame: Node | None) -> Term:
+        """d/dt, or what {}^F d/dt is: with ω of the frame, ẋ − ω × x for a vector."""
+        if body.type.kind != "vector" or (frame is None and not self.table.frames):
+            return self.build(at, construct.derivative, body, order)
+        if frame is None:
+            if self.table.dot is None:
+                raise Fault("in which frame? [conventions] dot = … says it of all vectors", at)
+            spin = self.table.frames[self.table.dot]
+        else:
+            spin = self.frame(frame)
+        if not order.is_number:
+            raise Fault("a derivative of an order n, in a frame", at)
+        for _ in range(int(order)):
+            rate = self.build(at, construct.derivative, body, 1)
+            turning = self.apply(at, "neg", self.apply(at, "cross", spin, body))
+            body = rate if isinstance(spin, Zero) else self.apply(at, "add", rate, turning)
+        return body
+
+    def frame(self, label: Node) -> Term:
+        """The angular velocity of the frame of that label."""
+        pieces = spell("", Scripts(sup=label), ())
+        name = "" if pieces is None else literal(pieces)[2:-1]
+        if name not in self.table.frames:
+            known = ", ".join(self.table.frames) or "none"
+            raise Fault(f"a derivative in the frame {name}? frames declared in [frames]: {known}", label.at)
+        return self.table.frames[name]
+
+    def written(self, node: Node) -> Term | None:
+        """The term of a bracket or matrix that the paper spells in a way of its own; None for any other."""
+        found = self.table.notations.shapes(node) if is_shape(node) else []
+        for entry, places in found:
+            terms = {letter: self.term(part) for letter, part in places.items()}
+            if entry.fits(terms):
+                return self.term(entry.filled(terms))
+        return None
 
     def build(self, at: int, make: Callable[..., Result], *arguments) -> Result:
         """make(*arguments), with the place `at` put on what does not fit."""

@@ -1,4 +1,5 @@
-"""Zeros and unit tensors, alone or with a sign or factor: what stands beside them decides their shape."""
+"""Shapes: zeros and unit tensors take that of what stands beside them, blocks make up one matrix, and a
+scalar or a vector beside a quaternion is one."""
 
 from __future__ import annotations
 
@@ -6,13 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from workbench.language.terms import Apply, Identity, IllFormed, Term, Zero
-from workbench.language.types import COVECTOR, SCALAR, TENSOR, VECTOR, Type
-
-Size = tuple[int, int]
-
-_SIZES: dict[str, Size] = {"tensor": (3, 3), "vector": (3, 1), "covector": (1, 3), "scalar": (1, 1)}
-_OF_SIZE = {_SIZES[type_.kind]: type_ for type_ in (TENSOR, VECTOR, COVECTOR, SCALAR)}
+from workbench.language.terms import Apply, Block, Identity, IllFormed, Term, Zero
+from workbench.language.types import SCALAR, VECTOR, Type
 
 
 def multiple(term: Term) -> Literal["zero", "identity"] | None:
@@ -57,11 +53,6 @@ def shaped(term: Term, type_: Type) -> Term:
     return replace(term, type=type_.with_dual(term.type.dual), arguments=arguments)
 
 
-def size_of(type_: Type) -> Size | None:
-    """The rows and columns of a type; None for an operator."""
-    return (sum(type_.rows), sum(type_.columns)) if type_.kind == "block" else _SIZES.get(type_.kind)
-
-
 def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """The heights of the rows and the widths of the columns of a block matrix.
 
@@ -79,13 +70,12 @@ def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[in
     squares = []
     for i, row in enumerate(entries):
         for j, entry in enumerate(row):
-            size = size_of(entry.type)
-            if size is None:
-                raise IllFormed(f"expected matrices as entries of a matrix, got an {entry.type}")
+            if entry.type.algebra:
+                raise IllFormed(f"expected matrices as entries of a matrix, got {_with_article(entry.type)}")
             fills = filling(entry)
             if fills is None:
-                fix(height, i, size[0], "row")
-                fix(width, j, size[1], "column")
+                fix(height, i, entry.type.rows, "row")
+                fix(width, j, entry.type.columns, "column")
             elif fills == "identity":
                 squares.append((i, j))
     while squares:
@@ -108,5 +98,28 @@ def fitted(entry: Term, rows: int, columns: int) -> Term:
         return entry
     if fills == "identity" and rows == 1:
         raise IllFormed("the unit tensor in a place of one row and one column")
-    type_ = _OF_SIZE.get((rows, columns)) or Type("block", rows=(rows,), columns=(columns,))
-    return shaped(entry, type_)
+    return shaped(entry, Type(rows, columns))
+
+
+def scalar_and_vector(term: Term) -> tuple[Term, Term] | None:
+    """The parts of a term that beside a quaternion is one: a scalar, a vector, or a column written as (s; x)
+    or by its four components; None for anything else."""
+    if filling(term) == "zero":
+        return None
+    if term.type.kind == "scalar":
+        return term, Zero(VECTOR, None)
+    if term.type.kind == "vector":
+        return Zero(SCALAR, None), term
+    if not isinstance(term, Block) or (term.type.rows, term.type.columns) != (4, 1):
+        return None
+    (first,), *rest = term.entries
+    if first.type.kind != "scalar" or len(term.entries[0]) > 1:
+        return None
+    if len(rest) == 1:
+        return first, rest[0][0]
+    is_dual = any(entry.type.dual for (entry,) in rest)
+    return first, Block(VECTOR.with_dual(is_dual), term.weight, tuple(rest))
+
+
+def _with_article(type_: Type) -> str:
+    return f"{'an' if str(type_)[0] in 'aeiou' else 'a'} {type_}"

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from workbench.language.integers import Linear
 from workbench.language.shapes import filling, shaped
-from workbench.language.terms import Identity, IllFormed, Term, Zero
-from workbench.language.types import COVECTOR, OPERATOR, SCALAR, TENSOR, VECTOR, Type, Weight
+from workbench.language.terms import Block, Identity, IllFormed, Term, Zero
+from workbench.language.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
 Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
 
@@ -18,17 +18,15 @@ def agree(terms: Sequence[Term], what: str) -> tuple[Term, ...]:
     operator counts as an operator of degree 0. Raises IllFormed where kinds or weights differ."""
     units = [t for t in terms if filling(t) == "identity"]
     firm = [t for t in terms if filling(t) is None]
-    kinds = {(t.type.kind, t.type.rows, t.type.columns) for t in firm}
-    if any(t.type.kind == "operator" for t in firm) and {k[0] for k in kinds} <= {"operator", "tensor"}:
+    types = {t.type.with_dual(False) for t in firm}
+    if OPERATOR in types and types <= {OPERATOR, TENSOR}:
         shape = OPERATOR
-    elif len(kinds) > 1:
+    elif len(types) > 1:
         raise IllFormed(f"{what} differ in type: " + " and ".join(dict.fromkeys(str(t.type) for t in firm)))
     else:
         shape = (firm or units or terms)[0].type
-    is_square = shape.kind in ("tensor", "operator") or (
-        shape.kind == "block" and sum(shape.rows) == sum(shape.columns)
-    )
-    if units and not is_square:
+    may_be_unit = shape.kind == "operator" or (shape.is_square and shape.kind != "scalar")
+    if units and not may_be_unit:
         raise IllFormed(f"{what} differ in type: the unit tensor and {shape}")
     weights = dict.fromkeys(t.weight for t in terms if t.weight is not None)
     if len(weights) > 1:
@@ -72,21 +70,21 @@ def _neg(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return arguments[0].type, arguments[0].weight
 
 
-_PRODUCTS = {
-    ("tensor", "tensor"): TENSOR,
-    ("tensor", "vector"): VECTOR,
-    ("covector", "tensor"): COVECTOR,
-    ("covector", "vector"): SCALAR,
-    ("vector", "covector"): TENSOR,
+_OPERATOR_PRODUCTS = {
     ("operator", "operator"): OPERATOR,
     ("tensor", "operator"): OPERATOR,
     ("operator", "tensor"): TENSOR,
     ("operator", "vector"): VECTOR,
 }
+_INTENTS = {
+    ("vector", "vector"): "a scalar product, written with \\cdot",
+    ("vector", "tensor"): "a scalar product with the vector that the tensor gives, x \\cdot (T y)",
+}
 
 
 def _mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    """Juxtaposition: a scalar scales, tensors compose and act, an operator acts on what follows it."""
+    """Juxtaposition: a scalar scales, matrices that fit are multiplied, an operator acts on what follows it,
+    quaternions are multiplied by Hamilton's rules, a 4×4 matrix acts on a quaternion's column."""
     left, right = (a.type for a in arguments)
     dual = _dual(arguments)
     weight = _total_weight(arguments)
@@ -96,34 +94,35 @@ def _mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
         return right.with_dual(dual), weight
     if right.kind == "scalar":
         return left.with_dual(dual), weight
-    if left.kind == "block" and right.kind == "block":
-        if sum(left.columns) != sum(right.rows):
-            raise IllFormed(f"matrix product of {left} and {right}")
-        return Type("block", dual, left.rows, right.columns), weight
-    if "block" in (left.kind, right.kind):
-        return _block_with_plain(left, right, dual), weight
-    product = _PRODUCTS.get((left.kind, right.kind))
+    if "operator" in (left.kind, right.kind):
+        product = _OPERATOR_PRODUCTS.get((left.kind, right.kind))
+        if left.kind == "operator" and right.kind == "matrix":
+            product = right  # entry by entry
+    elif right.kind == "quaternion":
+        product = QUATERNION if left.kind == "quaternion" or (left.rows, left.columns) == (4, 4) else None
+    elif left.kind == "quaternion":
+        product = None
+    elif left.columns == right.rows:
+        product = Type(left.rows, right.columns)
+    else:
+        entry = entries_acted_on(left, arguments[1])
+        product = None if entry is None else Type(left.rows * entry.rows, entry.columns)
     if product is None:
-        intent = {
-            ("vector", "vector"): "a scalar product, written with \\cdot",
-            (
-                "vector",
-                "tensor",
-            ): "a scalar product with the vector that the tensor gives, x \\cdot (T y)",
-        }.get((left.kind, right.kind))
-        raise IllFormed(f"juxtaposition of a {left} and a {right} has no meaning", intent)
+        if "matrix" in (left.kind, right.kind):
+            raise IllFormed(f"matrix product of {left} and {right}")
+        raise IllFormed(
+            f"juxtaposition of a {left} and a {right} has no meaning", _INTENTS.get((left.kind, right.kind))
+        )
     return product.with_dual(dual), weight
 
 
-def _block_with_plain(left: Type, right: Type, dual: bool) -> Type:
-    """Beside a block matrix a tensor is a 3×3 matrix; an operator acts on a block matrix entry by entry."""
-    plain = {"tensor": ((3,), (3,)), "vector": ((3,), (1,)), "covector": ((1,), (3,))}
-    if left.kind == "operator" and right.kind == "block":
-        return right.with_dual(dual)
-    rows_columns = [(t.rows, t.columns) if t.kind == "block" else plain.get(t.kind) for t in (left, right)]
-    if None in rows_columns or sum(rows_columns[0][1]) != sum(rows_columns[1][0]):
-        raise IllFormed(f"matrix product of {left} and {right}")
-    return Type("block", dual, rows_columns[0][0], rows_columns[1][1])
+def entries_acted_on(left: Type, right: Term) -> Type | None:
+    """The type of the entries of a literal column, such as a triad, that the matrix before it combines; None
+    where it is no such column of as many entries as the matrix has columns."""
+    if not isinstance(right, Block) or len(right.entries[0]) > 1 or len(right.entries) != left.columns:
+        return None
+    types = {entry.type.with_dual(False) for (entry,) in right.entries}
+    return types.pop() if len(types) == 1 else None
 
 
 def _compose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
@@ -172,24 +171,32 @@ def _weightless(arguments: tuple[Term, ...]) -> Weight:
 
 def _transpose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     type_ = arguments[0].type
-    turned = {"vector": COVECTOR, "covector": VECTOR, "tensor": TENSOR}
-    if type_.kind == "block":
-        return Type("block", type_.dual, type_.columns, type_.rows), arguments[0].weight
-    if type_.kind not in turned:
+    if type_.algebra or type_.kind == "scalar":
         raise IllFormed(f"the transpose of a {type_}")
-    return turned[type_.kind].with_dual(type_.dual), arguments[0].weight
+    return Type(type_.columns, type_.rows, type_.dual), arguments[0].weight
 
 
 def _inverse(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     type_ = arguments[0].type
-    if type_.kind not in ("scalar", "tensor") and not (type_.kind == "block" and type_.rows == type_.columns):
+    if not type_.is_square and type_.kind != "quaternion":
         raise IllFormed(f"the inverse of a {type_}")
     return type_, _times(-1)(arguments)
 
 
 def _norm(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    _expect(arguments, {"scalar", "vector"})
+    if not arguments[0].type.is_column:
+        _expect(arguments, {"scalar", "vector", "quaternion"})
     return SCALAR.with_dual(_dual(arguments)), arguments[0].weight
+
+
+def _root(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    _expect(arguments, {"scalar"})
+    weight = arguments[0].weight
+    if weight is None:
+        return arguments[0].type, None
+    if not weight.is_number or weight.constant % 2:
+        raise IllFormed(f"the root of a quantity of weight {weight}")
+    return arguments[0].type, Linear(weight.constant // 2)
 
 
 def _part(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
@@ -201,28 +208,64 @@ def _exp(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return arguments[0].type, _weightless(arguments)
 
 
+def _dot(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    """x · y of two vectors, of any length."""
+    left, right = (a.type.with_dual(False) for a in arguments)
+    if left != right or not left.is_column:
+        _expect(arguments, {"vector"}, {"vector"})
+    return SCALAR.with_dual(_dual(arguments)), _total_weight(arguments)
+
+
+def _of_square(gives: Type | None, degree: int | None) -> Signature:
+    """A function of a square matrix; without a type its value has that of the matrix, without a degree the
+    number of its rows."""
+
+    def signature(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+        type_ = arguments[0].type
+        if not type_.is_square or type_.kind == "scalar":
+            _expect(arguments, {"tensor"})
+        weight = _times(type_.rows if degree is None else degree)(arguments)
+        return (gives or type_).with_dual(type_.dual), weight
+
+    return signature
+
+
+def _quaternion(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    """A scalar and a vector of one weight."""
+    _expect(arguments, {"scalar"}, {"vector"})
+    weights = dict.fromkeys(a.weight for a in arguments if a.weight is not None)
+    if len(weights) > 1:
+        raise IllFormed(f"the parts of a quaternion differ in weight: {' and '.join(map(str, weights))}")
+    return QUATERNION.with_dual(_dual(arguments)), next(iter(weights), None)
+
+
 SIGNATURES: dict[str, Signature] = {
     "add": _add,
     "neg": _neg,
     "mul": _mul,
     "compose": _compose,
     "div": _div,
-    "dot": _function(("vector", "vector"), SCALAR, _total_weight),
+    "quaternion": _quaternion,
+    "conjugate": _function(("quaternion",), QUATERNION, _times(1)),
+    "scalar part": _function(("quaternion",), SCALAR, _times(1)),
+    "vector part": _function(("quaternion",), VECTOR, _times(1)),
+    "dot": _dot,
     "cross": _function(("vector", "vector"), VECTOR, _total_weight),
     "outer": _function(("vector", "vector"), TENSOR, _total_weight),
     "triple": _function(("vector", "vector", "vector"), SCALAR, _total_weight),
     "skew": _function(("vector",), TENSOR, _times(1)),
     "vect": _function(("tensor",), VECTOR, _times(1)),
-    "symmetric": _function(("tensor",), TENSOR, _times(1)),
-    "antisymmetric": _function(("tensor",), TENSOR, _times(1)),
+    "symmetric": _of_square(None, 1),
+    "antisymmetric": _of_square(None, 1),
     "transpose": _transpose,
     "inverse": _inverse,
     "adjugate": _function(("tensor",), TENSOR, _times(2)),
-    "det": _function(("tensor",), SCALAR, _times(3)),
-    "trace": _function(("tensor",), SCALAR, _times(1)),
+    "det": _of_square(SCALAR, None),
+    "trace": _of_square(SCALAR, 1),
     "re": _part,
     "du": _part,
     "norm": _norm,
+    "root": _root,
     "sin": _function(("scalar",), SCALAR, _weightless),
     "cos": _function(("scalar",), SCALAR, _weightless),
     "exp": _exp,

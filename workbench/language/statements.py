@@ -1,42 +1,26 @@
-"""Lines of a formula to statements and to the ranges of their integers."""
+"""Lines of a formula to statements, with the conditions that they stand under, and to ranges of integers."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from workbench.language import construct
 from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault, Misfit
-from workbench.language.integers import Linear
-from workbench.language.names import INDEX_LETTERS, Scripts, base_name, linear, literal, spell, variable_name
+from workbench.language.ranges import Membership, Range, is_range, ranges_of, refuse_alone, require_member
 from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import (
-    Chain,
-    Conditional,
-    Group,
-    Leaf,
-    Lines,
-    Node,
-    Product,
-    Scripted,
-    Styled,
-    Sum,
+from workbench.language.syntax import Chain, Conditional, Given, Joined, Lines, Node, Sum
+from workbench.language.terms import (
+    Conjunction,
+    Equivalence,
+    IllFormed,
+    Implication,
+    Relation,
+    Statement,
+    Term,
 )
-from workbench.language.terms import Conjunction, Equivalence, IllFormed, Implication, Statement, Term
-
-_NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}
-
-
-@dataclass(frozen=True, slots=True)
-class Range:
-    """The values that a formula states for an integer variable: lower … upper, both included.
-    None: no bound."""
-
-    variable: str
-    lower: Linear
-    upper: Linear | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,29 +31,22 @@ class Reading:
     ranges: tuple[Range, ...] = ()
 
 
-def reading_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Reading:
-    """The statements of all lines. Raises Fault and Misfit."""
-    clauses = clauses_of(lines)
-    ranges: list[Range] = []
-    kept: list[Node] = []
-    members: list[Node] = []  # a, b of "a, b ∈ S"
-    for clause in clauses:
-        if isinstance(clause, Chain) and clause.universal and not clause.relations:
-            members += clause.sides
-        elif isinstance(clause, Chain) and _is_range(clause, table, integers):
-            ranges += _ranges(clause, members, table, integers)
-            members = []
-        elif isinstance(clause, Chain | Conditional):
-            _refuse(members)
-            kept.append(clause)
-        else:
-            members.append(clause)
-    _refuse(members)
-    reader = Elaborator(table, integers.union(r.variable for r in ranges))
-    statements = tuple(statement for clause in kept for statement in _statements(reader, clause))
+def reading_of(
+    lines: Lines, table: SymbolTable, integers: frozenset[str], as_condition: bool = False
+) -> Reading:
+    """The statements of all lines, each under the conditions of its line; as a condition, all that is said
+    holds together. Raises Fault and Misfit."""
+    rows = [_Row.sorted(clauses, table, integers, as_condition) for clauses in _rows_of(lines)]
+    stated = tuple(dict.fromkeys(r for row in rows for r in row.ranges))
+    reader = Elaborator(table, integers.union(r.variable for r in stated))
+    for row in rows:
+        for membership in row.memberships:
+            for member in membership.members:
+                require_member(reader.term(member), membership.where, member.at)
+    statements = tuple(statement for row in rows for statement in row.statements(reader))
     if not statements:
         raise Fault("the formula says nothing", lines.at)
-    return Reading(statements, tuple(ranges))
+    return Reading(statements, stated)
 
 
 def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
@@ -88,16 +65,32 @@ def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
 
 def clauses_of(lines: Lines) -> list[Node]:
     """The clauses of all lines; a line that begins with a sign and states nothing goes on with the last."""
-    clauses: list[Node] = []
+    return [clause for row in _rows_of(lines) for clause in row]
+
+
+def _rows_of(lines: Lines) -> list[list[Node]]:
+    """The clauses of each line; the conditions behind an environment belong to all of its lines."""
+    rows: list[list[Node]] = []
     for line in lines.lines:
-        for place, clause in enumerate(line):
-            if isinstance(clause, Lines):
-                clauses += clauses_of(clause)
-            elif place == 0 and clauses and isinstance(clause, Sum) and clause.addends[0][0]:
-                clauses[-1] = _continued(clauses[-1], clause)
-            else:
-                clauses.append(clause)
-    return clauses
+        first, *rest = line
+        if isinstance(first, Lines):
+            conditions = [clause for clause in rest if _is_condition(clause)]
+            rows += [[*row, *conditions] for row in _rows_of(first)]
+            rows += [[clause] for clause in rest if clause not in conditions]
+        elif rows and isinstance(first, Sum) and first.addends[0][0]:
+            rows[-1] = [*rows[-1][:-1], _continued(rows[-1][-1], first), *rest]
+        else:
+            rows.append(list(line))
+    return rows
+
+
+def _is_condition(clause: Node) -> bool:
+    match clause:
+        case Given():
+            return True
+        case Chain(relations=relations, universal=universal):
+            return universal or not any(sign == "=" for sign, _ in relations)
+    return not isinstance(clause, Conditional | Joined | Lines)
 
 
 def _continued(clause: Node, more: Sum) -> Node:
@@ -109,108 +102,92 @@ def _continued(clause: Node, more: Sum) -> Node:
     raise Fault("a line that begins with a sign must follow a relation", more.at)
 
 
-def _refuse(members: Sequence[Node]) -> None:
-    if members:
-        raise Fault("expected a relation (= or \\neq), got an expression alone", members[0].at)
+@dataclass
+class _Row:
+    """A line, sorted: what it claims, under which conditions, and what it says of its letters."""
+
+    claims: list[Node] = field(default_factory=list)
+    joined: list[Node] = field(default_factory=list)  # the claims that "and" joins
+    conditions: list[Node] = field(default_factory=list)
+    ranges: list[Range] = field(default_factory=list)
+    memberships: list[Membership] = field(default_factory=list)
+
+    @staticmethod
+    def sorted(
+        clauses: Sequence[Node], table: SymbolTable, integers: frozenset[str], as_condition: bool
+    ) -> _Row:
+        row = _Row()
+        row._take(row.claims, clauses, table, integers)
+        if not as_condition:
+            row._bind()
+        return row
+
+    def _take(
+        self, into: list[Node], clauses: Sequence[Node], table: SymbolTable, integers: frozenset[str]
+    ) -> None:
+        members: list[Node] = []  # a, b of "a, b ∈ S"
+        for clause in clauses:
+            if isinstance(clause, Chain) and clause.universal and not clause.relations:
+                members += clause.sides
+            elif isinstance(clause, Chain) and is_range(clause, table, integers):
+                for said in ranges_of(clause, members, table, integers):
+                    (self.ranges if isinstance(said, Range) else self.memberships).append(said)
+                members = []
+            elif isinstance(clause, Given):
+                refuse_alone(members)
+                self._take(self.conditions, clause.conditions, table, integers)
+            elif isinstance(clause, Joined):
+                refuse_alone(members)
+                self._take(into, clause.statements, table, integers)
+                self.joined += clause.statements
+            elif isinstance(clause, Chain) and clause.universal:
+                self.conditions.append(Chain(clause.at, clause.sides, clause.relations))
+            elif isinstance(clause, Chain | Conditional):
+                refuse_alone(members)
+                into.append(clause)
+            else:
+                members.append(clause)
+        refuse_alone(members)
+
+    def _bind(self) -> None:
+        """Beside an equation, f ≠ 0 is its condition; with "and" the two are claimed together."""
+        own = [c for c in self.claims if c in self.joined or not _is_inequation(c)]
+        if not own:
+            return
+        first, last = self.claims.index(own[0]), self.claims.index(own[-1])
+        for place, claim in enumerate(self.claims):
+            if claim not in own and first < place < last:
+                message = "a condition of what is before it, or of what follows? write one line for each"
+                raise Fault(message, claim.at)
+        self.conditions += [claim for claim in self.claims if claim not in own]
+        if len(own) > 1 and any(isinstance(claim, Conditional) for claim in own):
+            message = "how far does the implication reach? join its conditions, or its claims, by \\text{and}"
+            raise Fault(message, own[1].at)
+        self.claims = own
+
+    def statements(self, reader: Elaborator) -> list[Statement]:
+        claimed = [said for claim in self.claims for said in _statements(reader, claim)]
+        if not self.conditions:
+            return claimed
+        premise = _together([_condition(reader, condition) for condition in self.conditions])
+        return [Implication(premise, statement) for statement in claimed]
 
 
-# ranges
+def _is_inequation(clause: Node) -> bool:
+    return isinstance(clause, Chain) and all(sign == "≠" for sign, _ in clause.relations)
 
 
-def _is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> bool:
-    signs = [sign for sign, _ in clause.relations]
-    if clause.universal or "∈" in signs or "≥" in signs or ">" in signs:
-        return True
-    if signs != ["="]:
-        return False
-    name, value = variable_name(clause.sides[0]), clause.sides[1]
-    is_value = isinstance(value, Leaf) and value.text.isdigit()
-    is_variable = name in integers | INDEX_LETTERS and name not in table.symbols
-    return _bar(value) is not None or (is_value and is_variable)
+def _condition(reader: Elaborator, node: Node) -> Statement:
+    statement = _statement(reader, node)
+    parts = statement.parts if isinstance(statement, Conjunction) else (statement,)
+    if not all(isinstance(part, Relation) for part in parts):
+        raise Fault("a condition is an equation or an inequation (= or \\neq)", node.at)
+    return statement
 
 
-def _bar(node: Node) -> tuple[Node, ...] | None:
-    """The a, b of \\overline{a, b}."""
-    match node:
-        case Styled(style="\\overline", body=Group(parts=(_, _) as ends)):
-            return ends
-    return None
-
-
-def _ranges(
-    clause: Chain, members: Sequence[Node], table: SymbolTable, integers: frozenset[str]
-) -> list[Range]:
-    (sign, at), *more = clause.relations or [("", clause.at)]
-    if more or not sign:
-        raise Fault("expected one range, such as n \\geq 1 or n \\in \\mathbb{N}", more[0][1] if more else at)
-    left, right = clause.sides
-    if sign == "∈":
-        return _members((*members, left), right, table, integers)
-    _refuse(members)
-    name = variable_name(left)
-    if name is None:
-        raise Fault("expected an integer variable before the bound", left.at)
-    if name in table.symbols:
-        raise _no_variable(name, left.at)
-    ends = _bar(right) or (right,)
-    bounds = [linear(end, integers | _letters(end)) for end in ends]
-    if None in bounds:
-        raise Fault("expected an integer bound", right.at)
-    lower = bounds[0] + 1 if sign == ">" else bounds[0]
-    return [Range(name, lower, bounds[-1] if sign == "=" else None)]
-
-
-def _no_variable(name: str, at: int) -> Fault:
-    return Fault(f"{name} is a symbol; what is assumed of symbols is written with = and \\neq", at)
-
-
-def _letters(node: Node) -> frozenset[str]:
-    """The integer variables that a bound such as m or n − 1 names."""
-    if isinstance(node, Sum):
-        return frozenset().union(*(_letters(addend) for _, _, addend in node.addends))
-    name = variable_name(node)
-    return frozenset() if name is None else frozenset({name})
-
-
-def _members(
-    members: Sequence[Node], where: Node, table: SymbolTable, integers: frozenset[str]
-) -> list[Range]:
-    """n ∈ ℕ is a range; a, b ∈ V₃ says of declared symbols what their declaration says."""
-    lower = _NATURALS.get(_set_name(where))
-    if lower is None:
-        for member in members:
-            Elaborator(table, integers).term(member)
-        return []
-    names = [variable_name(member) for member in members]
-    if None in names:
-        raise Fault("expected integer variables before \\in", members[names.index(None)].at)
-    for name, member in zip(names, members, strict=True):
-        if name in table.symbols:
-            raise _no_variable(name, member.at)
-    return [Range(name, Linear(lower)) for name in names]
-
-
-def _set_name(node: Node) -> str:
-    scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
-    styles, letter = [], scripted.nucleus
-    while isinstance(letter, Styled) or (isinstance(letter, Group) and len(letter.parts) == 1):
-        if isinstance(letter, Styled):
-            styles.append(letter.style)
-            letter = letter.body
-        else:
-            letter = letter.parts[0]
-    if isinstance(letter, Product) and all(isinstance(item, Leaf) for item in letter.items):
-        letter = Leaf(letter.at, "LETTER", "".join(item.text for item in letter.items))  # SO
-    scripts = Scripts(sub=scripted.sub, sup=scripted.sup)
-    pieces = None
-    if isinstance(letter, Leaf):
-        pieces = spell(base_name(styles, letter.text), scripts, ())
-    if pieces is None:
-        raise Fault("expected a set, such as \\mathbb{N} or \\mathbf{V}_3", node.at)
-    return literal(pieces)
-
-
-# statements
+def _together(statements: Sequence[Statement]) -> Statement:
+    parts = [part for s in statements for part in (s.parts if isinstance(s, Conjunction) else (s,))]
+    return parts[0] if len(parts) == 1 else Conjunction(tuple(parts))
 
 
 def _statements(reader: Elaborator, clause: Node) -> list[Statement]:
@@ -223,11 +200,13 @@ def _piecewise(reader: Elaborator, clause: Chain) -> list[Statement]:
     """x = { a, if p; b, if q } says p ⇒ x = a and q ⇒ x = b."""
     said: list[Statement] = []
     for line in clause.sides[-1].lines:
-        if len(line) != 2 or not isinstance(line[1], Chain | Conditional):
+        value, *conditions = line
+        if conditions and isinstance(conditions[0], Given):
+            conditions = conditions[0].conditions
+        if len(conditions) != 1 or not isinstance(conditions[0], Chain | Joined):
             raise Fault("expected a value and its condition on each line", line[0].at)
-        value, condition = line
         chain = Chain(clause.at, (*clause.sides[:-1], value), clause.relations)
-        said.append(Implication(_statement(reader, condition), _statement(reader, chain)))
+        said.append(Implication(_condition(reader, conditions[0]), _statement(reader, chain)))
     return said
 
 
@@ -235,11 +214,11 @@ def _statement(reader: Elaborator, clause: Node) -> Statement:
     match clause:
         case Conditional(statements=(left, right), signs=((sign, _),)):
             pair = _statement(reader, left), _statement(reader, right)
-            if sign == "⇔":
-                return Equivalence(*pair)
-            return Implication(*pair) if sign == "⇒" else Implication(*reversed(pair))
+            return Equivalence(*pair) if sign == "⇔" else Implication(*pair)
         case Conditional():
             raise Fault("one implication or equivalence to a statement", clause.signs[1][1])
+        case Joined(statements=statements):
+            return _together([_statement(reader, statement) for statement in statements])
         case Chain(universal=False):
             return _chain(reader, clause)
     raise Fault("expected a relation (= or \\neq)", clause.at)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
+from functools import cached_property
 from typing import Any
 
 from workbench.language.errors import Fault, SpecError
@@ -22,19 +23,19 @@ from workbench.language.names import (
     names_of_key,
     spell,
 )
+from workbench.language.notations import Notation, Notations
 from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, Styled, parse
-from workbench.language.terms import IllFormed, Term
-from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type, Weight
+from workbench.language.terms import IllFormed, Symbol, Term
+from workbench.language.types import KINDS, Declaration, Type, Weight, type_of_kind
 
-_KINDS: dict[str, Type] = {
-    "scalar": SCALAR,
-    "vector": VECTOR,
-    "tensor": TENSOR,
-    "rotation": TENSOR,
-    "operator": OPERATOR,
+_FLAGS = ("constant", "unit", "coordinate", "uniform", "symmetric", "diagonal")
+_FLAGGED = {
+    "unit": ("vector", "hamilton quaternion"),
+    "coordinate": ("vector",),
+    "symmetric": ("tensor",),
+    "diagonal": ("tensor",),
 }
-_ALLOWED = ("kind", "weight", "constant", "unit", "coordinate", "aliases", "note")
-_FLAGS = ("constant", "unit", "coordinate")
+_ALLOWED = ("kind", "weight", *_FLAGS, "aliases", "note")
 
 #: What these names mean in every formula.
 _BUILTIN = {
@@ -54,18 +55,27 @@ class SymbolTable:
     functions: Mapping[str, Declaration] = field(default_factory=dict)
     #: the formal arguments of each function symbol, by its name
     formals: Mapping[str, tuple[Declaration, ...]] = field(default_factory=dict)
-    #: the indices (1, or n+1) at which each name is defined, and the names that only definitions introduce
+    #: the indices (1, or n+1) at which each name is defined
     defined: Mapping[str, tuple[tuple[Linear, ...], ...]] = field(default_factory=dict)
-    introduced: frozenset[str] = frozenset()
-    #: of those, the names defined as a bare 0 or I, and the types that they may have
+    #: the names that definitions introduce as a bare 0 or I, and the types that they may have
     untyped: Mapping[str, tuple[Type, ...]] = field(default_factory=dict)
     #: what definitions use although nothing defines it: it must stay primitive
     primitive: frozenset[tuple[str, tuple[Linear, ...]]] = frozenset()
+    #: what the paper spells in a way of its own
+    notations: Notations = field(default_factory=Notations)
+    #: the name of each constant of that notation → the key
+    constants: Mapping[str, Notation] = field(default_factory=dict)
+    #: frame → its angular velocity seen from where \\dot differentiates
+    frames: Mapping[str, Term] = field(default_factory=dict)
+    #: names in brackets that only say what a symbol depends on: f(q)
+    arguments: frozenset[str] = frozenset()
+    #: the frame in which \\dot differentiates vectors; None with frames: it is not said
+    dot: str | None = None
 
     @staticmethod
     def build(specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
-        """The table of a paper's [symbols]: LaTeX key → {kind, weight, constant, unit, coordinate, aliases,
-        note}. Raises SpecError."""
+        """The table of a paper's [symbols]: LaTeX key → {kind, weight, constant, unit, coordinate,
+        uniform, aliases, note}. Raises SpecError."""
         symbols: dict[str, Declaration] = {}
         for key, spec in specs.items():
             name, index = read_key(key)
@@ -82,6 +92,17 @@ class SymbolTable:
                 refuse_builtin(pattern, declaration.type, key)
                 symbols[pattern] = declaration
         return SymbolTable(symbols)
+
+    def with_notations(self, specs: Mapping[str, Any]) -> SymbolTable:
+        """This table, and the notation of the paper. Raises SpecError."""
+        notations = Notations.build(specs)
+        constants = {}
+        for entry in notations.constants():
+            name, index = read_key(entry.key)
+            if index or name in self.symbols:
+                raise SpecError("it is a symbol too" if not index else "an index in a notation", entry.key)
+            constants[name] = entry
+        return replace(self, notations=notations, constants=constants)
 
     def with_specs(self, specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
         """This table and more symbols, none of which it has yet. Raises SpecError."""
@@ -107,9 +128,14 @@ class SymbolTable:
         for pattern, index in candidates(pieces):
             declaration = known.get(pattern)
             if declaration is not None and declaration.indices == len(index):
-                is_known = declaration.name not in self.introduced or self.defines(declaration.name, index)
+                is_known = not declaration.introduced or self.defines(declaration.name, index)
                 return (declaration, index) if is_known else None
         return None
+
+    @cached_property
+    def has_quaternions(self) -> bool:
+        """Whether any symbol is a quaternion, so that s + x of a scalar and a vector may be one."""
+        return any(d.type.kind == "quaternion" for d in self.symbols.values())
 
     def has_letter(self, letter: str) -> bool:
         """Whether a symbol has this letter, with whatever scripts."""
@@ -129,7 +155,7 @@ class SymbolTable:
     def check_arguments(self, function: Declaration, arguments: Sequence[Term]) -> None:
         """Raises IllFormed where an argument is not what the formal one is."""
         for formal, argument in zip(self.formals[function.name], arguments, strict=False):
-            if argument.type.kind != formal.type.kind:
+            if argument.type.with_dual(False) != formal.type.with_dual(False):
                 raise IllFormed(f"{function.name} takes a {formal.type}, got a {argument.type}")
             if None not in (formal.weight, argument.weight) and formal.weight != argument.weight:
                 raise IllFormed(
@@ -141,11 +167,7 @@ class SymbolTable:
         text = literal(pieces)
         for pattern, index in candidates(pieces):
             declaration = self.symbols.get(pattern) or self.functions.get(pattern)
-            if (
-                declaration is not None
-                and declaration.name in self.introduced
-                and len(index) == declaration.indices
-            ):
+            if declaration is not None and declaration.introduced and len(index) == declaration.indices:
                 known = (spelled(declaration.name, member) for member in self.defined[declaration.name])
                 return f"{text} is not defined; defined before it: {', '.join(known)}"
         names = sorted({d.name for d in (*self.symbols.values(), *self.functions.values())})
@@ -165,6 +187,16 @@ def spelled(name: str, index: Sequence[Linear]) -> str:
     """A name with its indices put in."""
     first, *rest = name.split("@")
     return first + "".join(f"{value}{text}" for value, text in zip(index, rest, strict=True))
+
+
+def may_be_label(symbol: Symbol, exponent: int) -> bool:
+    """Whether R_1^0, without brackets, may be taken for R with the labels 1 and 0 of frames: a digit on a
+    rotation with a number for index; on another one, or on a numbered tensor or vector, a power that nobody
+    prints."""
+    numbered = re.search(r"_\{[0-9,]+\}$", spelled(symbol.declaration.name, symbol.index)) is not None
+    if symbol.declaration.rotation:
+        return exponent in (0, 1) or (numbered and exponent > 1)
+    return numbered and exponent in (0, 1) and symbol.type.kind in ("tensor", "vector")
 
 
 def index_in(name: str, text: str) -> tuple[Linear, ...] | None:
@@ -235,7 +267,8 @@ def key_pieces(node: Node, key: str) -> list[Piece]:
                 letter = part
             case _:
                 raise SpecError("expected one symbol: a letter with its font and scripts", key)
-    if letter.kind != "LETTER" or scripted.factorial:
+    is_figure = letter.kind == "NUMBER" and letter.text != "0" and styles
+    if not (letter.kind == "LETTER" or is_figure) or scripted.factorial:
         raise SpecError(f"expected a letter, got {letter.text}", key)
     scripts = Scripts(left_sub, left_sup, scripted.sub, scripted.sup, scripted.primes)
     pieces = spell(base_name(styles, letter.text), scripts, INDEX_LETTERS)
@@ -251,23 +284,36 @@ def _declaration(key: str, name: str, index: Sequence[Linear], spec: Mapping[str
     if unknown:
         raise SpecError(f"unknown key {unknown[0]!r}; allowed: {', '.join(_ALLOWED)}", key)
     kind = spec.get("kind")
-    dual, _, plain = kind.rpartition(" ") if isinstance(kind, str) else ("", "", "")
-    if plain not in _KINDS or dual not in ("", "dual"):
-        raise SpecError(f"kind is {kind!r}; expected {' | '.join(_KINDS)}, each perhaps with 'dual '", key)
+    plain = kind.removeprefix("dual ") if isinstance(kind, str) else ""
+    type_ = type_of_kind(plain)
+    if type_ is None:
+        allowed = f"{' | '.join(KINDS)} | matrix n×m, each perhaps with 'dual '"
+        if plain == "quaternion":
+            allowed = (
+                "a convention: 'hamilton quaternion', or [conventions] quaternion = 'hamilton, scalar first'"
+            )
+        raise SpecError(f"kind is {kind!r}; expected {allowed}", key)
+    dual = plain != kind
     for flag in _FLAGS:
         if not isinstance(spec.get(flag, False), bool):
             raise SpecError(f"{flag} is {spec[flag]!r}; expected true or false", key)
-    for flag in ("unit", "coordinate"):
-        if spec.get(flag) and plain != "vector":
-            raise SpecError(f"{flag} is for a vector, not for a {plain}", key)
+    for flag, kinds in _FLAGGED.items():
+        if spec.get(flag) and plain not in kinds:
+            raise SpecError(f"{flag} is for a {' or a '.join(kinds)}, not for a {plain}", key)
+    if dual and plain == "transform":
+        raise SpecError("a transform is real; a dual rotation stands for the same motions", key)
     return Declaration(
         name,
-        _KINDS[plain].with_dual(bool(dual)),
+        type_.with_dual(dual),
         _weight(key, index, spec.get("weight")),
         constant=spec.get("constant", False),
         unit=spec.get("unit", False),
         rotation=plain == "rotation",
+        transform=plain == "transform",
+        symmetric=spec.get("symmetric", False),
+        diagonal=spec.get("diagonal", False),
         coordinate=spec.get("coordinate", False),
+        uniform=spec.get("uniform", False),
         indices=len(index),
     )
 

@@ -133,15 +133,29 @@ class Chain(Node):
 
 @dataclass(frozen=True, slots=True)
 class Conditional(Node):
-    """Statements joined by ⇔, ⇒ or ⇐ ("if")."""
+    """Statements joined by ⇔ or ⇒."""
 
     statements: tuple[Node, ...]
     signs: tuple[tuple[str, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
+class Joined(Node):
+    """Statements joined by "and"."""
+
+    statements: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Given(Node):
+    """The conditions behind "for", "where", "with", "if" and the like."""
+
+    conditions: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Lines(Node):
-    """One tuple of comma-separated clauses for each line."""
+    """One tuple of comma-separated clauses for each line; the last of them may be `Given`."""
 
     lines: tuple[tuple[Node, ...], ...]
 
@@ -164,6 +178,13 @@ class _Builder(Transformer):
             return children[0]
         signs = tuple((str(sign), sign.start_pos) for sign in children[1::2])
         return Conditional(children[0].at, tuple(children[::2]), signs)
+
+    def joined(self, children):
+        statements = tuple(child for child in children if isinstance(child, Node))
+        return statements[0] if len(statements) == 1 else Joined(statements[0].at, statements)
+
+    def given(self, children):
+        return Given(children[0].start_pos, tuple(c for c in children if isinstance(c, Node)))
 
     def statement(self, children):
         universal = isinstance(children[0], Token)

@@ -13,7 +13,6 @@ from workbench.language.vocabulary import (
     BRACKETS,
     CHARACTERS,
     COMMANDS,
-    CONVERSE,
     DOTS,
     ENDS_A_FACTOR,
     EXPECTED,
@@ -26,6 +25,8 @@ from workbench.language.vocabulary import (
     WORDS,
 )
 
+_OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
+
 #: No formula is longer, or nests brackets deeper.
 LONGEST = 50_000
 DEEPEST = 40
@@ -34,7 +35,8 @@ _TOKEN = re.compile(
     r"""(?P<space>[ \t\r\n~]+)
     | \\(?:stackrel|overset)\s*\{\s*(?:\\(?:text|mathrm|rm)\s*\{\s*def\.?\s*\}|def|\\triangle|\\Delta)\s*\}
       \s*(?P<defined>\{\s*=\s*\}|=)
-    | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*\{(?P<words>[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*)\}
+    | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
+      \{(?P<words>[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[a-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
     | \\(?P<command>[A-Za-z]+|[^A-Za-z])
@@ -76,7 +78,7 @@ class _Tokenizer:
             raise Fault(f"{self.open[-1].what} is never closed", self.open[-1].at)
         if self.size:
             raise Fault(f"\\{self.size} without a bracket", len(self.text))
-        return _join_lines(self.out)
+        return _join_lines(_marks(self.out))
 
     def emit(self, kind: str, value: str, at: int) -> None:
         self.out.append(Token(kind, value, start_pos=at))
@@ -124,15 +126,21 @@ class _Tokenizer:
         elif plain in FUNCTIONS:
             self.emit("FUNCTION", f"\\{plain}", at)
         elif plain in WORDS:
-            kind = WORDS[plain]
-            if kind == "IMPLICATION":
-                self.emit(kind, CONVERSE[plain], at)
-            elif kind == "FORALL" or not (self.out and self.out[-1].type == "COMMA"):
-                self.emit(kind, plain, at)
+            self.joining(WORDS[plain], plain, at)
         elif plain.isalpha() and text.startswith("\\mathrm"):
             self.label(plain, at)
         elif plain:
             raise Fault(f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}", at)
+
+    def joining(self, kind: str, word: str, at: int) -> None:
+        """ "and", "where" and the like: a comma before them goes; "for all" without one begins conditions."""
+        if kind == "FORALL":
+            if self.out and self.out[-1].type not in _OPENS_A_CLAUSE:
+                self.emit("GIVEN", word, at)
+        elif self.out and self.out[-1].type == "COMMA":
+            self.out.pop()
+        if not (kind == "AND" and self.out and self.out[-1].type == "GIVEN"):
+            self.emit(kind, {"IMPLICATION": "⇔", "FORALL": "∀"}.get(kind, word), at)
 
     def label(self, letters: str, at: int, braced: bool = False) -> None:
         """Upright letters; as a script that stands without braces they need some."""
@@ -171,7 +179,8 @@ class _Tokenizer:
         if text in CHARACTERS:
             self.emit(*CHARACTERS[text], at)
         elif text == "{":
-            self.push("{", at)
+            is_script = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
+            self.push("{", at, "script" if is_script else "")
             self.emit("LBRACE", text, at)
         elif text == "}":
             self.pop("{", "}", at)
@@ -179,7 +188,8 @@ class _Tokenizer:
         elif text == "&":
             inside = self.inside()
             if inside == "matrix":
-                self.emit("CELL", text, at)
+                if self.text[at - 1 : at] != "&":  # && leaves room between two columns
+                    self.emit("CELL", text, at)
             elif inside != "lines":
                 raise Fault("& outside of a matrix or an aligned environment", at)
         elif text == "." and self.size:
@@ -192,6 +202,8 @@ class _Tokenizer:
                 raise Fault("a full stop inside a formula", at)
         elif text in BRACKETS:
             self.bracket(text, at)
+        elif text == "/" and any(opened.contents == "script" for opened in self.open):
+            self.emit("MARK", text, at)  # r^{P/O}
         else:
             raise Fault(f"unexpected character {text!r} (U+{ord(text):04X})", at)
 
@@ -260,6 +272,23 @@ class _Tokenizer:
 
 def _guessed(dots: str) -> str:
     return f"{dots} leaves something to be guessed; write the sum with \\sum, the range as n \\geq 1"
+
+
+def _marks(tokens: list[Token]) -> list[Token]:
+    """A sign that stands alone in a script is a mark: q^+, [x]_\\times, x^{\\wedge}."""
+    marked = []
+    for place, token in enumerate(tokens):
+        before = [t.type for t in tokens[max(place - 2, 0) : place]]
+        closes = tokens[place + 1].type == "RBRACE" if place + 1 < len(tokens) else False
+        alone = before[-1:] in (["SUP"], ["SUB"]) or (
+            before in (["SUP", "LBRACE"], ["SUB", "LBRACE"]) and closes
+        )
+        if token == "*" and token.type == "MARK" and before[-1:] and before[-1] in ENDS_A_FACTOR:
+            token = Token("INFIX", "*", start_pos=token.start_pos)
+        elif token.type in ("INFIX", "SIGN") and alone:
+            token = Token("MARK", str(token), start_pos=token.start_pos)
+        marked.append(token)
+    return marked
 
 
 def _join_lines(tokens: list[Token]) -> list[Token]:

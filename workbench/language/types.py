@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from workbench.language.integers import Linear
 
-Kind = Literal["scalar", "vector", "covector", "tensor", "operator", "block"]
+Kind = Literal["scalar", "vector", "covector", "tensor", "matrix", "operator", "quaternion"]
+
+_KINDS: dict[tuple[int, int], Kind] = {
+    (1, 1): "scalar",
+    (3, 1): "vector",
+    (1, 3): "covector",
+    (3, 3): "tensor",
+}
+_SIZE = re.compile(r"matrix ([1-9][0-9]?)[×x]([1-9][0-9]?)")
 
 #: The power of 1/time that a quantity carries; None: exempt from the weight check.
 Weight = Linear | None
@@ -15,28 +24,60 @@ Weight = Linear | None
 
 @dataclass(frozen=True, slots=True)
 class Type:
-    """A kind, real or dual. A block matrix also has the heights of its rows and the widths of its columns."""
+    """Rows and columns of scalars, real or dual. An operator has 3×3 coefficients; a quaternion is a column
+    of four with a product of its own."""
 
-    kind: Kind
+    rows: int
+    columns: int
     dual: bool = False
-    rows: tuple[int, ...] = ()
-    columns: tuple[int, ...] = ()
+    algebra: Literal["", "operator", "quaternion"] = ""
+
+    @property
+    def kind(self) -> Kind:
+        return self.algebra or _KINDS.get((self.rows, self.columns), "matrix")
+
+    @property
+    def is_column(self) -> bool:
+        """Whether it is a vector of any length; a scalar is none."""
+        return not self.algebra and self.columns == 1 and self.rows > 1
+
+    @property
+    def is_square(self) -> bool:
+        """Whether it is a scalar, a tensor or a larger square matrix."""
+        return not self.algebra and self.rows == self.columns
 
     def __str__(self) -> str:
-        name = f"dual {self.kind}" if self.dual else self.kind
-        if self.kind == "block":
-            name += f" {self.rows}×{self.columns}"
-        return name
+        name = f"matrix {self.rows}×{self.columns}" if self.kind == "matrix" else self.kind
+        return f"dual {name}" if self.dual else name
 
     def with_dual(self, dual: bool) -> Type:
-        return Type(self.kind, dual, self.rows, self.columns)
+        return self if dual == self.dual else replace(self, dual=dual)
 
 
-SCALAR = Type("scalar")
-VECTOR = Type("vector")
-COVECTOR = Type("covector")
-TENSOR = Type("tensor")
-OPERATOR = Type("operator")
+SCALAR = Type(1, 1)
+VECTOR = Type(3, 1)
+COVECTOR = Type(1, 3)
+TENSOR = Type(3, 3)
+OPERATOR = Type(3, 3, algebra="operator")
+QUATERNION = Type(4, 1, algebra="quaternion")
+
+#: What a paper file may call a symbol's kind, beside a matrix n×m. Hamilton's quaternions have i j = k and
+#: the scalar part first.
+KINDS = {
+    "scalar": SCALAR,
+    "vector": VECTOR,
+    "tensor": TENSOR,
+    "rotation": TENSOR,
+    "transform": Type(4, 4),
+    "hamilton quaternion": QUATERNION,
+    "operator": OPERATOR,
+}
+
+
+def type_of_kind(kind: str) -> Type | None:
+    """The type of what a paper file calls so; None where there is no such kind."""
+    size = _SIZE.fullmatch(kind)
+    return Type(int(size[1]), int(size[2])) if size else KINDS.get(kind)
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,10 +86,14 @@ class Declaration:
 
     name: canonical LaTeX, unique in a paper, each index place marked `@`: `\\Phi_{@}`, `\\mathbf{K}_{@,@}`.
     type, weight: of one member; the weight of a family is linear in its indices, called `@0`, `@1`, … there.
-    constant: its time derivative is 0.   unit: a vector with x·x = 1 (dual: |x| = 1).
+    constant: its time derivative is 0.   unit: a vector or quaternion with x·x = 1 (dual: |x| = 1).
     rotation: a tensor with R Rᵀ = I and det R = 1.
+    transform: a 4×4 matrix [R p; 0 1] with a rotation R.
+    symmetric, diagonal: a square matrix that is so.
     coordinate: the place of a field; div and curl differentiate by it.
+    uniform: the same at every place, so that div and curl take it for a constant.
     parameters: how many arguments a function symbol such as Φ_k(ω) takes.
+    introduced: only definitions introduce it, so that a member which none of them reaches is nothing.
     """
 
     name: str
@@ -57,6 +102,11 @@ class Declaration:
     constant: bool = False
     unit: bool = False
     rotation: bool = False
+    transform: bool = False
+    symmetric: bool = False
+    diagonal: bool = False
     coordinate: bool = False
+    uniform: bool = False
     indices: int = 0
     parameters: int = 0
+    introduced: bool = False

@@ -17,9 +17,18 @@ FUNCTIONS = {
     "sin": "sin",
     "cos": "cos",
     "exp": "exp",
+    "tan": "tan",
+    "cot": "cot",
+    "sec": "sec",
+    "csc": "csc",
+    "sqrt": "root",
     "div": "divergence",
     "curl": "curl",
     "rot": "curl",
+    "quat": "quaternion",
+    "conj": "conjugate",
+    "Sc": "scalar part",
+    "Vec": "vector part",
 }
 
 _LETTERS = """
@@ -27,15 +36,20 @@ _LETTERS = """
     varrho sigma varsigma tau upsilon phi varphi chi psi omega ell
     Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega
 """
-_STYLES = "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak underline overline bar vec"
+_STYLES = (
+    "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak mathscr mathds mathbfit mathbfup symup"
+    " underline overline bar vec hat check breve"
+)
+_FUNCTION_COMMANDS = "det sin cos tan cot sec csc exp sqrt Re"
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
 _SPACING = "quad qquad displaystyle textstyle limits nolimits nonumber notag , ; : ! >"
 
 COMMANDS: dict[str, tuple[str, str]] = {
     **{name: ("LETTER", f"\\{name}") for name in _LETTERS.split()},
     **{name: ("STYLE", f"\\{name}") for name in _STYLES.split()},
-    **{name: ("FUNCTION", f"\\{name}") for name in ("det", "sin", "cos", "exp", "Re")},
+    **{name: ("FUNCTION", f"\\{name}") for name in _FUNCTION_COMMANDS.split()},
     "bm": ("STYLE", "\\boldsymbol"),
+    "widehat": ("STYLE", "\\hat"),
     "dot": ("ACCENT", "1"),
     "ddot": ("ACCENT", "2"),
     "dddot": ("ACCENT", "3"),
@@ -51,9 +65,20 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "times": ("INFIX", "×"),
     "otimes": ("INFIX", "⊗"),
     "circ": ("INFIX", "∘"),
+    "wedge": ("INFIX", "∧"),
+    "land": ("INFIX", "∧"),
+    "vee": ("INFIX", "∨"),
+    "lor": ("INFIX", "∨"),
+    "oplus": ("INFIX", "⊕"),
+    "ominus": ("INFIX", "⊖"),
+    "odot": ("INFIX", "⊙"),
+    "boxplus": ("INFIX", "⊞"),
+    "boxminus": ("INFIX", "⊟"),
     "neq": ("RELATION", "≠"),
     "ne": ("RELATION", "≠"),
     "triangleq": ("RELATION", "="),
+    "coloneq": ("RELATION", "="),
+    "coloneqq": ("RELATION", "="),
     "geq": ("RELATION", "≥"),
     "ge": ("RELATION", "≥"),
     "in": ("RELATION", "∈"),
@@ -82,6 +107,17 @@ CHARACTERS = {
     "!": ("BANG", "!"),
     "*": ("MARK", "*"),
 }
+#: Greek letters as Unicode has them.
+CHARACTERS |= {
+    chr(code): ("LETTER", f"\\{name}")
+    for name, code in {
+        "alpha": 0x3B1, "beta": 0x3B2, "gamma": 0x3B3, "delta": 0x3B4, "zeta": 0x3B6, "eta": 0x3B7,
+        "theta": 0x3B8, "iota": 0x3B9, "kappa": 0x3BA, "lambda": 0x3BB, "mu": 0x3BC, "nu": 0x3BD,
+        "xi": 0x3BE, "pi": 0x3C0, "rho": 0x3C1, "sigma": 0x3C3, "tau": 0x3C4, "upsilon": 0x3C5,
+        "chi": 0x3C7, "psi": 0x3C8, "omega": 0x3C9, "Gamma": 0x393, "Delta": 0x394, "Theta": 0x398,
+        "Lambda": 0x39B, "Xi": 0x39E, "Pi": 0x3A0, "Sigma": 0x3A3, "Phi": 0x3A6, "Psi": 0x3A8, "Omega": 0x3A9,
+    }.items()
+}  # fmt: skip
 SPACING = frozenset(_SPACING.split()) | {" "}
 SIZES = frozenset(_SIZES.split())
 
@@ -105,26 +141,34 @@ BRACKETS = {
 MATRICES = frozenset({"matrix", "bmatrix", "pmatrix", "smallmatrix"})
 LINES = frozenset({"cases", "aligned", "align", "align*", "gathered", "split"})
 
-#: Words that join statements; "a if b" is b ⇒ a.
+#: Signs without a meaning of their own: a paper says in [notation] what they are.
+OWN_SIGNS = {
+    "∧": "the vector product is written \\times, the skew tensor of x \\tilde{x}",
+    **dict.fromkeys("∨⊕⊖⊙⊞⊟*", "a sign that [notation] does not explain"),
+}
+
+#: Sign → how it is written.
+SIGN_COMMANDS = {
+    value: f"\\{name}" for name, (kind, value) in reversed(COMMANDS.items()) if kind == "INFIX"
+} | {"*": "*"}
+
+#: Words that join statements; behind a GIVEN stand the conditions of what is before it.
 WORDS = {
-    "where": "COMMA",
-    "with": "COMMA",
-    "and": "COMMA",
-    "for": "COMMA",
+    **dict.fromkeys(("where", "with", "for", "if", "when", "whenever", "given", "given that"), "GIVEN"),
+    **dict.fromkeys(("provided", "provided that", "assuming", "assuming that", "such that"), "GIVEN"),
+    "and": "AND",
     "for all": "FORALL",
-    "if": "IMPLICATION",
-    "when": "IMPLICATION",
+    "for every": "FORALL",
+    "for any": "FORALL",
     "iff": "IMPLICATION",
     "if and only if": "IMPLICATION",
 }
-CONVERSE = {"if": "⇐", "when": "⇐", "if and only if": "⇔", "iff": "⇔"}
 
 #: Ellipses; none of them can be read.
 DOTS = frozenset({"dots", "ldots", "cdots", "vdots", "ddots", "dotsb", "dotsc", "dotsi", "dotsm", "dotso"})
 #: What to write in place of commands that cannot be read.
 EXPECTED = {
     **dict.fromkeys(("leq", "le", "lt"), "a range is written n \\geq 1 or n = \\overline{1,5}"),
-    "wedge": "the vector product is written \\times, the skew tensor of x \\tilde{x}",
     "prime": "a prime is written '",
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NoReturn
@@ -35,7 +36,7 @@ class FormulaReader:
         except IllFormedAt as error:
             return Formula(line.latex, ill_formed=why_ill_formed(error)), self
         except ReadError as error:
-            if excused:
+            if excused and _is_latex(line.latex):
                 return Formula(line.latex, ill_formed=f"cannot be read: {error}"), self
             self._fail(("printed",), line, error)
         return Formula(line.latex, statement), self._within("printed", ranges)
@@ -61,7 +62,8 @@ class FormulaReader:
 
     def _intended(self, place: KeyPath, line: Line) -> Formula:
         try:
-            return Formula(line.latex, self._read(line.latex)[0])
+            as_condition = place[0] in ("hypothesis", "assume")
+            return Formula(line.latex, self._read(line.latex, as_condition)[0])
         except (ReadError, IllFormedAt) as error:
             self._fail(place, line, error)
 
@@ -72,8 +74,8 @@ class FormulaReader:
             where = "orders" if self.orders else key
             raise self.toml.error_at_value((*self.path, where), str(error)) from None
 
-    def _read(self, latex: str) -> tuple[Statement, tuple[Range, ...]]:
-        return read_statement(latex, self.notation, self.orders)
+    def _read(self, latex: str, as_condition: bool = False) -> tuple[Statement, tuple[Range, ...]]:
+        return read_statement(latex, self.notation, self.orders, as_condition)
 
     def _fail(self, place: KeyPath, within: Line, error: ReadError | IllFormedAt) -> NoReturn:
         inside = within.place(error.line, error.column)
@@ -81,14 +83,26 @@ class FormulaReader:
         raise self.toml.error_in_string((*self.path, *place), *inside, message) from None
 
 
+def _is_latex(latex: str) -> bool:
+    """Whether its braces match: what is printed may be garbled, and yet it must be something that was
+    typeset."""
+    depth = 0
+    for mark in re.findall(r"\\.|[{}]", latex, re.DOTALL):
+        depth += {"{": 1, "}": -1}.get(mark, 0)
+        if depth < 0:
+            return False
+    return depth == 0
+
+
 def why_ill_formed(error: IllFormedAt) -> str:
     return f"{error}; likely meant: {error.intent}" if error.intent else str(error)
 
 
 def read_statement(
-    latex: str, notation: Notation, orders: Orders | None
+    latex: str, notation: Notation, orders: Orders | None, as_condition: bool = False
 ) -> tuple[Statement, tuple[Range, ...]]:
     """What the formula says, as one statement, and the ranges that it states for its integers."""
-    reading = read_formula(latex, notation.symbols, orders.variables if orders else ())
+    integers = orders.variables if orders else ()
+    reading = read_formula(latex, notation.symbols, integers, as_condition)
     statements = reading.statements
     return statements[0] if len(statements) == 1 else Conjunction(statements), reading.ranges

@@ -3,48 +3,81 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from workbench.budget import Budget
+from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers, read_goal
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.printer import to_latex
+from workbench.language.reader import read_formula
+from workbench.language.terms import Conjunction, Statement
 from workbench.papers.formulas import FormulaReader
 from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
 from workbench.papers.lines import Line, split_lines
-from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
-from workbench.papers.notation import notation_of
+from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
+from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Stated, Theorem
+from workbench.papers.notation import NOTATION_KEYS, notation_chain, notation_of
 from workbench.papers.orders import Orders
 from workbench.papers.sisters import claim_ids, sisters_of
+from workbench.papers.text_load import load_model, load_text
+from workbench.papers.texts import is_text
 from workbench.papers.toml_file import TomlFile
 from workbench.papers.toml_places import KeyPath
 
-if TYPE_CHECKING:
-    from workbench.judge.verdict import Verdict
-
-_NOTATION_KEYS = ("title", "doi", "notation", "symbols", "definitions", "motion")
-_PAPER_KEYS = (*_NOTATION_KEYS, "section", "claim")
-_FORMULA_KEYS = ("printed", "reading", "corrected", "hypothesis", "assume", "orders")
-_CLAIM_KEYS = ("id", "equation", "section", *_FORMULA_KEYS, "inherits", "statement", "theorem", "note")
+CITATION_KEYS = ("authors", "source", "year", "pages", "read", "recheck")
+_PAPER_KEYS = (*NOTATION_KEYS, "citation", "section", "claim")
+_FORMULA_KEYS = ("printed", "formula", "goal", "reading", "corrected", "hypothesis", "assume", "orders")
+_CLAIM_KEYS = (
+    *("id", "equation", "section", *_FORMULA_KEYS, "inherits"),
+    *("statement", "theorem", "argued", *MEND_KEYS, "note"),
+)
 _ID = re.compile(r"[\w.+*'-]{1,80}")
 _WORDS = re.compile(r"\\text\{[^{}\\]+\}")
+_NO_FILES = "the installed paper has no claim files"
+_HYPOTHESIS = re.compile(r"\\hypothesis\s*\\Rightarrow")
+_QUOTE = re.compile(r"“[^“”]+”")
 _CONTRADICTIONS = (
     ("theorem", "reading"),
     ("theorem", "assume"),
+    ("goal", "reading"),
+    ("goal", "formula"),
+    ("goal", "argued"),
     ("corrected", "hypothesis"),
 )
 
 
 def load_paper(path: Path | str) -> Paper:
-    """The paper of one file. Raises PaperError, with line and column, if the file cannot be used."""
-    return merge([Path(path)])
+    """The paper of one file: a paper file, a text, or the model beside one. Raises PaperError, with line and
+    column, if the file cannot be used."""
+    path = Path(path)
+    if is_text(path):
+        return load_text(path)
+    toml = TomlFile(path)
+    return load_model(toml) if "source" in toml.data else merge([path])
 
 
 def load_notation(path: Path | str) -> Notation:
     """The notation of a paper file or a notation file, which need not have claims. Raises PaperError."""
     toml = TomlFile(Path(path))
     toml.allow_keys((), _PAPER_KEYS)
-    return notation_of(_notation_chain(toml))
+    return notation_of(notation_chain(toml))
+
+
+@cache
+def installed_notation(name: str = DEFAULT) -> Notation:
+    """The notation of an installed paper as `load_installed` gives it, without reading the claims."""
+    paper = installed(name)
+    chains = (notation_chain(TomlFile(path)) for path in paper.files)
+    first = next(chains, None)
+    if first is None:
+        raise PaperError(name, None, None, _NO_FILES)
+    if len(paper.files) == 1 or len(first) > 1:
+        return notation_of(first if len(paper.files) == 1 else first[:-1])
+    return notation_of(next((chain[:-1] for chain in chains if len(chain) > 1), first))
 
 
 @cache
@@ -52,7 +85,9 @@ def load_installed(name: str) -> Paper:
     """The installed paper of that name, its files merged in order. Raises PaperError if there is none."""
     paper = installed(name)
     if not paper.files:
-        raise PaperError(name, None, None, "the installed paper has no claim files")
+        raise PaperError(name, None, None, _NO_FILES)
+    if len(paper.files) == 1 and "source" in TomlFile(paper.files[0]).data:
+        return load_paper(paper.files[0])
     return merge(paper.files, paper.theorems)
 
 
@@ -63,12 +98,12 @@ def find_paper(name: Path | str | None = None) -> Paper:
     if str(name) in installed_names() and not Path(name).is_file():
         return load_installed(str(name))
     path = Path(name)
-    if path.exists() or path.suffix == ".toml" or path.name != str(name):
+    if path.exists() or path.suffix == ".toml" or is_text(path) or path.name != str(name):
         return load_paper(path)
     return load_installed(str(name))
 
 
-def merge(paths: Sequence[Path], theorems: Mapping[str, Callable[[], Verdict]] | None = None) -> Paper:
+def merge(paths: Sequence[Path], theorems: Mapping[str, Theorem] | None = None) -> Paper:
     """One paper of several files, in their order; ids are unique over all. Each file keeps its own notation.
 
     theorems: name → proof; if None, those of the installed paper that the first file is part of.
@@ -86,7 +121,8 @@ def merge(paths: Sequence[Path], theorems: Mapping[str, Callable[[], Verdict]] |
     for claim in claims:
         parts.setdefault(owners[claim.id], []).append(claim.id)
         parts.setdefault(claim.id, [claim.id])
-    if any(name not in parts for claim in claims for name in claim.inherits):
+    named = [name for claim in claims for name in (*claim.inherits, claim.mend.by) if name is not None]
+    if any(name not in parts for name in named):
         sisters = list(dict.fromkeys(path for file in files for path in sisters_of(file.toml.path)))
         parts = claim_ids(sisters) | parts
         for file in files:
@@ -98,7 +134,13 @@ def merge(paths: Sequence[Path], theorems: Mapping[str, Callable[[], Verdict]] |
     first = files[0]
     shared = (file.shared_notation for file in files if file.shared_notation is not None)
     notation = first.notation if len(files) == 1 else next(shared, first.notation)
-    return Paper(first.title, first.doi, tuple(paths), notation, tuple(claims), dict(theorems))
+    budget = next((file.budget for file in files if file.budget is not None), None)
+    citation = {
+        key: text for file in files for key in CITATION_KEYS if (text := file.toml.text(("citation", key)))
+    }
+    return Paper(
+        first.title, first.doi, tuple(paths), notation, tuple(claims), dict(theorems), budget, citation
+    )
 
 
 @dataclass
@@ -111,6 +153,7 @@ class _PaperFile:
     section: str | None
     notation: Notation
     shared_notation: Notation | None
+    budget: Budget | None
     claims: list[dict[str, Any]] = field(default_factory=list)
 
     @staticmethod
@@ -123,13 +166,16 @@ class _PaperFile:
         for index, claim in enumerate(claims):
             if not isinstance(claim, dict):
                 raise toml.error_at_value(("claim", index), "claim: expected tables, written [[claim]]")
-        chain = _notation_chain(toml)
+        toml.allow_keys(("citation",), CITATION_KEYS)
+        chain = notation_chain(toml)
         title = next((found for file in reversed(chain) if (found := file.text(("title",)))), None)
         if title is None:
             raise PaperError(path, 1, 1, "missing key 'title'")
         doi = next((found for file in reversed(chain) if (found := file.text(("doi",)))), None)
         shared = notation_of(chain[:-1]) if len(chain) > 1 else None
-        return _PaperFile(toml, title, doi, toml.text(("section",)), notation_of(chain), shared, claims)
+        budget = next((found for file in reversed(chain) if (found := _budget(file))), None)
+        section, notation = toml.text(("section",)), notation_of(chain)
+        return _PaperFile(toml, title, doi, section, notation, shared, budget, claims)
 
     def check_inheritance(self, known: Mapping[str, object], sisters: Sequence[Path]) -> None:
         elsewhere = f", here or in {', '.join(path.name for path in sisters)}" if sisters else ""
@@ -138,23 +184,28 @@ class _PaperFile:
                 if name not in known:
                     path = ("claim", index, "inherits", place)
                     raise self.toml.error_at_value(path, f"inherits: no claim has the id {name!r}{elsewhere}")
+            by = claim.get("mended_by")
+            if by is not None and by not in known:
+                path = ("claim", index, "mended_by")
+                raise self.toml.error_at_value(path, f"mended_by: no claim has the id {by!r}{elsewhere}")
 
 
-def _notation_chain(file: TomlFile) -> list[TomlFile]:
-    """The notation files that `file` stands on, the deepest first, and `file` itself."""
-    chain = [file]
-    while (name := chain[0].text(("notation",))) is not None:
-        user = chain[0]
-        path = user.path.parent / name
-        if Path(name).name != name:
-            raise user.error_at_value(("notation",), f"notation: expected a file beside this, got {name!r}")
-        if any(path.resolve() == link.path.resolve() for link in chain):
-            raise user.error_at_value(("notation",), f"notation: {name} refers back to itself")
-        if not path.is_file():
-            raise user.error_at_value(("notation",), f"notation: no file {name!r} beside this one")
-        chain.insert(0, TomlFile(path))
-        chain[0].allow_keys((), _NOTATION_KEYS)
-    return chain
+def _budget(file: TomlFile) -> Budget | None:
+    """What the file says of time and memory for each judgement."""
+    given = file.value(("budget",), dict, None)
+    if given is None:
+        return None
+    file.allow_keys(("budget",), ("seconds", "megabytes"))
+    for name, value in given.items():
+        try:
+            Budget(**{name: value})
+        except ValueError as error:
+            raise file.error_at_value(("budget", name), f"budget: {error}") from None
+    return Budget(**given)
+
+
+def _parts(statement: Statement) -> Sequence[Statement]:
+    return statement.parts if isinstance(statement, Conjunction) else ()
 
 
 @dataclass
@@ -164,7 +215,7 @@ class _ClaimReader:
     file: _PaperFile
     path: KeyPath
     owners: dict[str, str]
-    theorems: Mapping[str, Callable[[], Verdict]]
+    theorems: Mapping[str, Theorem]
 
     def claims(self) -> list[Claim]:
         toml = self.file.toml
@@ -174,9 +225,16 @@ class _ClaimReader:
             message = f"id: expected letters, digits and . _ - + * ' without blanks, got {name!r}"
             raise toml.error_at_value((*self.path, "id"), message)
         self._refuse_contradictions()
+        printed, quote = self._printed()
+        formula = self._text("formula")
         claim = Claim(
             id=name,
-            printed=Formula(self._text("printed") or ""),
+            printed=Formula(printed or formula or ""),
+            ours=not printed and formula is not None,
+            quote=quote,
+            fault=fault_of(toml, self.path),
+            mend=mend_of(toml, self.path, printed or quote or formula or ""),
+            argued=self._text("argued"),
             notation=self.file.notation,
             equation=self._text("equation"),
             section=self._text("section") or self.file.section,
@@ -188,32 +246,100 @@ class _ClaimReader:
             file=toml.path,
             line=toml.places.of_key(self.path)[0],
         )
-        claims = [self._theorem(claim)] if claim.theorem else self._lines(claim)
+        special = claim.theorem is not None or self._text("goal") is not None
+        claims = [self._theorem(claim)] if special else self._lines(claim)
         for part in claims:
             if part.id in self.owners:
                 raise toml.error_at_value((*self.path, "id"), f"id {part.id!r} is used twice")
             self.owners[part.id] = name
         return claims
 
+    def _printed(self) -> tuple[str | None, str | None]:
+        """What is printed: a formula, or a sentence, which stands in quotation marks “ ”."""
+        text = self._text("printed")
+        if text is None or not text.startswith("“"):
+            if text is not None and self._text("formula") is not None:
+                message = (
+                    "formula: ours stands for a printed sentence; beside a printed formula it has no use"
+                )
+                raise self.file.toml.error_at_key((*self.path, "formula"), message)
+            return text, None
+        if _QUOTE.fullmatch(text) is None:
+            raise self.file.toml.error_at_value(
+                (*self.path, "printed"), "printed: expected one sentence, “…”"
+            )
+        return None, text
+
     def _theorem(self, claim: Claim) -> Claim:
         self._required("statement")
-        if claim.theorem not in self.theorems:
+        if claim.theorem is not None and claim.theorem not in self.theorems:
             known = ", ".join(sorted(self.theorems)) or "none is installed for this file"
             message = f"theorem: no proof called {claim.theorem!r} (known: {known})"
             raise self.file.toml.error_at_value((*self.path, "theorem"), message)
         reader = self._reader(claim)
-        return replace(claim, corrected=reader.intended("corrected"), hypothesis=self._condition(reader))
+        goal = self._goal(claim)
+        said = self._said(
+            claim, set(claim.orders.variables if claim.orders else ()) | bound_integers(goal and goal.goal)
+        )
+        if goal is not None:
+            self._refuse_other_goal(goal, said)
+        elif claim.theorem is not None and claim.argued is None:
+            message = "a theorem needs a goal, or else `argued`: why no rule ties its steps to one"
+            raise self.file.toml.error_at_key((*self.path, "theorem"), message)
+        return replace(
+            claim,
+            goal=goal,
+            corrected=reader.intended("corrected"),
+            hypothesis=self._condition(reader, goal),
+            assume=reader.intended_list("assume"),
+        )
 
-    def _condition(self, reader: FormulaReader) -> Formula | None:
-        """The hypothesis of a theorem: a formula, or words as \\text{…}, since only its proof uses it."""
+    def _said(self, claim: Claim, integers: Collection[str]) -> list[Statement]:
+        """What is printed beside a goal or an argument, which must make sense."""
+        try:
+            lines = split_lines(claim.printed.latex) if claim.printed.latex else ()
+            table = self.file.notation.symbols
+            return [s for line in lines for s in read_formula(line.latex, table, integers).statements]
+        except (ReadError, IllFormedAt) as error:
+            raise self.file.toml.error_at_value((*self.path, "printed"), f"printed: {error}") from None
+
+    def _goal(self, claim: Claim) -> Stated | None:
+        text = self._text("goal")
+        if text is None:
+            return None
+        scope = Scope(self.file.notation.symbols, self.file.notation.definitions, {})
+        hypothesis = self._text("hypothesis")
+        if (hypothesis is None) != (_HYPOTHESIS.search(text) is None):
+            message = (
+                "goal: expected `\\hypothesis \\Rightarrow` in it if there is a hypothesis, and only then"
+            )
+            raise self.file.toml.error_at_value((*self.path, "goal"), message)
+        said = text.replace("\\printed", claim.printed.latex)
+        try:
+            bare = read_goal(_HYPOTHESIS.sub("", said), scope)
+            return Stated(text, read_goal(said.replace("\\hypothesis", hypothesis or ""), scope), bare)
+        except (GoalError, ReadError, IllFormedAt) as error:
+            raise self.file.toml.error_at_value((*self.path, "goal"), f"goal: {error}") from None
+
+    def _refuse_other_goal(self, goal: Stated, said: Sequence[Statement]) -> None:
+        """What is printed must be a part of the goal: else the goal could be another one."""
+        parts = [part for statement in atoms(goal.goal) for part in (statement, *_parts(statement))]
+        for statement in said:
+            if statement not in parts:
+                message = f"goal: the printed formula {to_latex(statement)} is no part of it"
+                raise self.file.toml.error_at_value((*self.path, "goal"), message)
+
+    def _condition(self, reader: FormulaReader, goal: Stated | None) -> Formula | None:
+        """The hypothesis: read within its goal; of an argument, a formula or words, \\text{…}."""
         text = self._text("hypothesis")
-        if text is not None and _WORDS.fullmatch(text):
+        if text is not None and (goal is not None or _WORDS.fullmatch(text)):
             return Formula(text)
         return reader.intended("hypothesis")
 
     def _lines(self, claim: Claim) -> list[Claim]:
         """The claim, or one claim for each line of its printed formula."""
-        self._required("printed")
+        if not claim.printed.latex:
+            self._required("formula" if claim.quote is not None else "printed")
         lines = split_lines(claim.printed.latex)
         readings = self._matching("reading", lines)
         corrections = self._matching("corrected", lines)
@@ -260,7 +386,7 @@ class _ClaimReader:
     def _refuse_contradictions(self) -> None:
         table = self.file.toml.value(self.path, dict)
         for one, other in _CONTRADICTIONS:
-            if one in table and other in table:
+            if one in table and other in table and not ("goal" in table and other == "assume"):
                 message = f"{other!r} and {one!r} exclude each other"
                 raise self.file.toml.error_at_key((*self.path, other), message)
 

@@ -5,16 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
+from workbench.budget import Budget
 from workbench.judge.verdict import Outcome
 from workbench.papers.orders import Orders
 
 if TYPE_CHECKING:
+    from workbench.judge.theorems.goals import Goal
+    from workbench.judge.theorems.proofs import Proven
     from workbench.judge.verdict import Verdict
     from workbench.language.definitions import Definitions
     from workbench.language.symbols import SymbolTable
     from workbench.language.terms import Statement, Symbol
+
+
+#: A proof for the goal of the claim that names it; or an argument, which is its own statement.
+Theorem: TypeAlias = "Proven | Callable[[], Verdict]"
+
+#: What a fault can be.
+FAULTS = ("error", "misprint", "transcription", "wording", "hypothesis")
 
 
 class PaperError(ValueError):
@@ -31,30 +41,104 @@ class PaperError(ValueError):
 
 
 @dataclass(frozen=True)
+class Span:
+    """The author's own characters: lines and columns from 1, the end is behind the last character."""
+
+    file: Path
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+
+
+@dataclass(frozen=True)
 class Formula:
-    """LaTeX as the file has it, and what was read: a statement, or why it is ill-formed."""
+    """LaTeX as the file has it, and what was read: a statement, or why it is ill-formed, or why it is unread
+    (in a text: one formula that the workbench cannot read hides no other). `at`: where the fault is."""
 
     latex: str
     statement: Statement | None = None
     ill_formed: str | None = None
+    unread: str | None = None
+    at: Span | None = None
 
     def __str__(self) -> str:
         return self.latex
 
 
 @dataclass(frozen=True)
+class Robot:
+    """A body of a URDF file, whose motion is one of those that a paper's claims are looked at on."""
+
+    urdf: Path
+    body: str
+
+
+@dataclass(frozen=True)
+class OnMotions:
+    """What motions say of a sentence, in our formulas: one that holds, and one that says it as printed."""
+
+    holds: Formula | None = None
+    printed: Formula | None = None
+    orders: Orders | None = None
+
+
+@dataclass(frozen=True)
+class Stated:
+    """A goal as the file has it, and what was read; `bare`: without the hypothesis that the text does not
+    state."""
+
+    latex: str
+    goal: Goal
+    bare: Goal
+
+
+@dataclass(frozen=True)
+class Edit:
+    """What an editor does at one place of the printed text: for `old` read `new`. Both are LaTeX where
+    `is_math`, else prose with LaTeX between dollar signs; an empty `new` strikes out."""
+
+    old: str
+    new: str
+    is_math: bool
+
+
+@dataclass(frozen=True)
+class Mend:
+    """How a fault is mended. edits: in what is printed, or in `beside`, a sentence or formula next to it.
+    place: where in the equation, in words.   cause: what several faults have in common, in words.
+    by: the claim whose edits mend this one too."""
+
+    edits: tuple[Edit, ...] = ()
+    beside: str | None = None
+    place: str | None = None
+    cause: str | None = None
+    by: str | None = None
+
+
+@dataclass(frozen=True)
 class Notation:
-    """What the formulas of one file are written in. `motion`: symbol → its name on Drake's motions."""
+    """What the formulas of one file are written in. `motion`: symbol → its name on Drake's motions.
+    `on_motions`: claim → what is looked at there, for a claim that is a sentence."""
 
     symbols: SymbolTable
     definitions: Definitions
     motion: Mapping[Symbol, str]
+    robot: Robot | None = None
+    on_motions: Mapping[str, OnMotions] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class Claim:
-    """One `[[claim]]` of a paper file, or one line of it. `statement` and `theorem` belong together: what one
-    identity cannot say, in words, and the name of its proof in the installed paper."""
+    """One `[[claim]]` of a paper file, or one line of it, or one step of a display in a text.
+
+    printed: the formula that is judged, as printed, or, where `ours`, our formula for what is printed in
+    words. quote: a printed sentence.   goal: what one identity cannot say.   theorem: the name of its proof
+    in the installed paper.   argued: why no rule ties that proof to a goal.   fault: what kind of fault the
+    claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps before it in
+    its chain, `skip` why its author leaves it out, `states` the symbol that it may define, `guessed` its
+    symbols whose kinds nobody has confirmed.
+    """
 
     id: str
     printed: Formula
@@ -69,13 +153,28 @@ class Claim:
     note: str = ""
     inherits: tuple[str, ...] = ()
     statement: str | None = None
+    ours: bool = False
+    quote: str | None = None
+    goal: Stated | None = None
     theorem: str | None = None
+    argued: str | None = None
+    fault: str | None = None
+    mend: Mend = Mend()
     file: Path | None = None
     line: int = 0
+    span: Span | None = None
+    chain: tuple[str, ...] = ()
+    skip: str | None = None
+    states: str | None = None
+    guessed: tuple[str, ...] = ()
 
     @property
     def expected(self) -> Outcome:
         """What the keys of the claim say of its printed form."""
+        if self.skip is not None:
+            return Outcome.UNCHECKED
+        if self.argued is not None:
+            return Outcome.ARGUED
         if self.reading is not None:
             return Outcome.ILL_FORMED
         if self.corrected is not None:
@@ -98,7 +197,10 @@ class Paper:
     """A paper and its claims in reading order.
 
     notation: that of its one file; of several files, the first notation file that one of them names, or else
-    that of the first. Each claim carries its own.   theorems: name → proof.
+    that of the first. Each claim carries its own.   theorems: name → a proof for
+    the goal of the claim that names it, or an argument of its own.
+    budget: of each judgement; None where the paper says nothing of it.   citation: what a note to its editor
+    says of it and of what was read (see `load.CITATION_KEYS`).
     """
 
     title: str
@@ -106,7 +208,9 @@ class Paper:
     paths: tuple[Path, ...]
     notation: Notation
     claims: tuple[Claim, ...]
-    theorems: Mapping[str, Callable[[], Verdict]] = field(default_factory=dict)
+    theorems: Mapping[str, Theorem] = field(default_factory=dict)
+    budget: Budget | None = None
+    citation: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def symbols(self) -> SymbolTable:
@@ -127,4 +231,4 @@ class InstalledPaper:
     and the theorems that they refer to."""
 
     files: tuple[Path, ...]
-    theorems: Mapping[str, Callable[[], Verdict]] = field(default_factory=dict)
+    theorems: Mapping[str, Theorem] = field(default_factory=dict)

@@ -4,33 +4,90 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from difflib import get_close_matches
+from pathlib import Path
 from typing import Any
 
-from workbench.drake.bindings import BINDINGS
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.integers import as_linear
-from workbench.language.reader import read_term
-from workbench.language.symbols import SymbolTable
+from workbench.language.symbols import SymbolTable, read_key
 from workbench.language.terms import Definition, Symbol
-from workbench.language.types import Type
+from workbench.papers.frames import framed
 from workbench.papers.model import Notation
+from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot
+from workbench.papers.ties import ties
 from workbench.papers.toml_file import TomlFile
 
-_SHAPES = {"scalar": (), "vector": (3,), "tensor": (3, 3)}
+NOTATION_KEYS = (
+    "title",
+    "doi",
+    "notation",
+    "conventions",
+    "symbols",
+    "definitions",
+    "motion",
+    "frames",
+    "points",
+    "budget",
+)
+HAMILTON = "hamilton, scalar first"
 
 
-def notation_of(files: Sequence[TomlFile]) -> Notation:
-    """The notation that the files give together, the first one first. Raises PaperError."""
-    table = _table(files)
-    definitions: list[Definition] = []
-    for file, key, body in _entries(files, "definitions"):
+def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> Notation:
+    """The notation that the files give together, the first one first. Each of the scopes declares anew what
+    it names, and with it goes what defined it. Raises PaperError."""
+    table = _spellings(files, replace(_table(files, scopes), arguments=_arguments(files)))
+    table, definitions = framed([*files, *scopes], table)
+    for file, key, body in _in_scope(files, scopes):
         definition, table = _definition(file, key, body, table)
         definitions.append(definition)
-    motion = dict(_binding(file, key, name, table) for file, key, name in _entries(files, "motion"))
-    return Notation(table, Definitions(definitions), motion)
+    bound: dict[Symbol, str] = {}
+    for file, keys in _keys(files, "motion"):
+        bound |= bindings(file, table, [key for key in keys if key not in (ROBOT, CLAIMS)])
+    robots = [found for file in files if (found := robot(file)) is not None]
+    tied = ties(bound, Definitions(definitions))
+    known = Definitions([*definitions, *tied])
+    notation = Notation(table, known, bound, robots[-1] if robots else None)
+    return replace(notation, on_motions=dict(f for file in files for f in formulas(file, notation)))
+
+
+def notation_chain(file: TomlFile) -> list[TomlFile]:
+    """The notation files that `file` stands on, the deepest first, and `file` itself."""
+    chain = [file]
+    while (name := _notation_file(chain[0])) is not None:
+        user = chain[0]
+        path = user.path.parent / name
+        if Path(name).name != name:
+            raise user.error_at_value(("notation",), f"notation: expected a file beside this, got {name!r}")
+        if any(path.resolve() == link.path.resolve() for link in chain):
+            raise user.error_at_value(("notation",), f"notation: {name} refers back to itself")
+        if not path.is_file():
+            raise user.error_at_value(("notation",), f"notation: no file {name!r} beside this one")
+        chain.insert(0, TomlFile(path))
+        chain[0].allow_keys((), NOTATION_KEYS)
+    return chain
+
+
+def _notation_file(file: TomlFile) -> str | None:
+    """The file that this one stands on; a table [notation] may name that file under `from`."""
+    if not isinstance(file.data.get("notation"), dict):
+        return file.text(("notation",))
+    return file.text(("notation", "from"))
+
+
+def _spellings(files: Sequence[TomlFile], table: SymbolTable) -> SymbolTable:
+    """The table, and what [notation] explains."""
+    specs: dict[str, Any] = {}
+    owners: dict[str, TomlFile] = {}
+    for file in files:
+        entries = file.data.get("notation")
+        for key, spec in entries.items() if isinstance(entries, dict) else ():
+            if key != "from":
+                specs[key], owners[key] = spec, file
+    try:
+        return table.with_notations(specs) if specs else table
+    except SpecError as error:
+        raise owners[error.key].error_at_key(("notation", error.key), str(error)) from None
 
 
 def extended(notation: Notation, specs: Mapping[str, Any]) -> Notation:
@@ -44,14 +101,17 @@ def with_definitions(notation: Notation, entries: Mapping[str, str]) -> Notation
     return replace(notation, symbols=symbols, definitions=Definitions([*notation.definitions, *more]))
 
 
-def _table(files: Sequence[TomlFile]) -> SymbolTable:
+def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable:
     specs: dict[str, Any] = {}
     owners: dict[str, TomlFile] = {}
-    for file in files:
+    hamilton = any(_says_hamilton(file) for file in files)
+    for file in (*files, *scopes):
         for key, spec in file.value(("symbols",), dict, {}).items():
-            if key in specs:
+            if key in specs and file not in scopes:
                 raise file.error_at_key(("symbols", key), f"{key} is declared in {owners[key].path.name} too")
             file.value(("symbols", key), dict)
+            if hamilton and str(spec.get("kind")).removeprefix("dual ") == "quaternion":
+                spec = {**spec, "kind": spec["kind"].replace("quaternion", "hamilton quaternion")}
             specs[key], owners[key] = spec, file
     try:
         return SymbolTable.build(specs)
@@ -59,15 +119,47 @@ def _table(files: Sequence[TomlFile]) -> SymbolTable:
         raise owners[error.key].error_at_key(("symbols", error.key), str(error)) from None
 
 
+def _says_hamilton(file: TomlFile) -> bool:
+    for key in file.value(("conventions",), dict, {}):
+        if key == "arguments":
+            continue
+        if key != "quaternion" or file.text(("conventions", key)) != HAMILTON:
+            message = f'conventions: expected quaternion = "{HAMILTON}", or arguments = […]'
+            raise file.error_at_key(("conventions", key), message)
+    return "quaternion" in file.value(("conventions",), dict, {})
+
+
+def _arguments(files: Sequence[TomlFile]) -> frozenset[str]:
+    """What in brackets only says what a symbol depends on."""
+    return frozenset(read_key(text)[0] for file in files for text in file.texts(("conventions", "arguments")))
+
+
+def _in_scope(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> Iterator[tuple[TomlFile, str, str]]:
+    """The definitions, those of the last scope in the places of those that they replace."""
+    found = {key: (file, key, body) for file, key, body in _entries(files, "definitions")}
+    for scope in scopes:
+        for key in scope.value(("symbols",), dict, {}):
+            found.pop(key, None)
+        found |= {key: (file, key, body) for file, key, body in _entries([scope], "definitions")}
+    yield from found.values()
+
+
 def _entries(files: Sequence[TomlFile], table: str) -> Iterator[tuple[TomlFile, str, str]]:
+    for file, keys in _keys(files, table):
+        for key in keys:
+            yield file, key, file.text((table, key))
+
+
+def _keys(files: Sequence[TomlFile], table: str) -> Iterator[tuple[TomlFile, list[str]]]:
     owners: dict[str, TomlFile] = {}
     for file in files:
-        for key in file.value((table,), dict, {}):
-            if key in owners:
+        keys = list(file.value((table,), dict, {}))
+        for key in keys:
+            if key in owners and key != CLAIMS:
                 message = f"{key} stands in [{table}] of {owners[key].path.name} too"
                 raise file.error_at_key((table, key), message)
             owners[key] = file
-            yield file, key, file.text((table, key))
+        yield file, keys
 
 
 def _definition(file: TomlFile, key: str, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
@@ -79,29 +171,3 @@ def _definition(file: TomlFile, key: str, body: str, table: SymbolTable) -> tupl
     except (ReadError, IllFormedAt) as error:
         message = f"{key}: {error.message}"
         raise file.error_in_string(path, error.line, error.column, message) from None
-
-
-def _binding(file: TomlFile, key: str, name: str, table: SymbolTable) -> tuple[Symbol, str]:
-    path = ("motion", key)
-    try:
-        symbol = read_term(key, table)
-    except (ReadError, IllFormedAt) as error:
-        raise file.error_in_key(path, error.line, error.column, f"motion: {error.message}") from None
-    if not isinstance(symbol, Symbol):
-        raise file.error_at_key(path, "motion: expected one symbol on the left")
-    binding = BINDINGS.get(name)
-    if binding is None:
-        near = get_close_matches(name, BINDINGS, 3, 0.5) or sorted(BINDINGS)
-        raise file.error_at_value(path, f"motion: unknown quantity {name!r}; expected {' or '.join(near)}")
-    if binding.shape != _shape(symbol.type):
-        wrong = f"{key} is a {symbol.type}, but {name} has the shape {binding.shape}"
-        raise file.error_at_value(path, f"motion: {wrong}: {binding.meaning}")
-    if symbol.weight is not None and symbol.weight != as_linear(binding.weight):
-        wrong = f"{key} has weight {symbol.weight}, but {name} has weight {binding.weight}"
-        raise file.error_at_value(path, f"motion: {wrong}: {binding.meaning}")
-    return symbol, name
-
-
-def _shape(type_: Type) -> tuple[int, ...] | None:
-    shape = _SHAPES.get(type_.kind)
-    return (2, *shape) if type_.dual and shape is not None else shape

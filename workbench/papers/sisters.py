@@ -31,9 +31,9 @@ def _ids(file: Path) -> Iterator[tuple[str, list[str]]]:
     for claim in claims if isinstance(claims, list) else ():
         if not isinstance(claim, dict):
             continue
-        name, printed = claim.get("id"), claim.get("printed")
+        name, printed = claim.get("id"), claim.get("formula") or claim.get("printed")
         if isinstance(name, str) and isinstance(printed, str):
-            lines = 1 if "theorem" in claim else len(split_lines(printed))
+            lines = 1 if "theorem" in claim or "goal" in claim else len(split_lines(printed))
             parts = [name] if lines == 1 else [f"{name}.{number}" for number in range(1, lines + 1)]
             yield from ((part, [part]) for part in parts)
             yield name, parts

@@ -27,12 +27,13 @@ _TYPE_NAMES = {
 class TomlFile:
     """The data of a TOML file and the places of its keys and values.
 
-    Raises PaperError if the file is none, is too big, or is not TOML in UTF-8.
+    text: what stands there, where it is known. Raises PaperError if the file is none, is too big, or is not
+    TOML in UTF-8.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, text: str | None = None) -> None:
         self.path = path
-        text = self._text()
+        text = self._text() if text is None else text
         try:
             self.data: dict[str, Any] = tomllib.loads(text)
             self.places = Places.scan(text)

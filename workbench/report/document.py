@@ -7,57 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from workbench.report.prose import (
-    Run,
-    difference_runs,
-    formula,
-    plain_value,
-    runs_of,
-    subtract,
-    text,
-    value_latex,
-)
+from workbench.report.errata import Correction, Errata, Heirs, errata_of, with_headings
+from workbench.report.kinds import ERRATUM_TYPES, STATES, VERDICTS, Kind
+from workbench.report.prose import Run, difference_runs, plain_value, runs_of
 from workbench.typeset.differences import difference
-
-
-@dataclass(frozen=True)
-class Kind:
-    """How a verdict is shown. sign: for readers who do not see the colour."""
-
-    verdict: str
-    sign: str
-    label: str
-    meaning: str
-
-
-KINDS = {
-    kind.verdict: kind
-    for kind in (
-        Kind("proved", "✓", "holds as printed", "proved exactly, and again by a second engine"),
-        Kind(
-            "definition",
-            "≔",
-            "definition",
-            "nothing to prove; it agrees with what stands before it",
-        ),
-        Kind("refuted", "✗", "false", "as printed, or garbled and false as meant: a counterexample shows it"),
-        Kind("ill-formed", "G", "garbled", "types or time weights do not fit as printed"),
-        Kind("conditional", "H", "needs a hypothesis", "proved under a condition the text leaves out"),
-        Kind("probable", "≈", "probable, not proved", "random points only"),
-        Kind("unchecked", "?", "not checked", "never counted as passed"),
-    )
-}
-ERRATUM_TYPES = {"refuted": "Technical", "ill-formed": "Editorial", "conditional": "Hypothesis"}
-_WORST_FIRST = (
-    ("refuted", "ill-formed", "conditional", "unchecked", "probable", "proved", "definition")
-)  # fmt: skip
-_TILES = (
-    ("hold as printed", "proved", ("proved", "definition")),
-    ("are false", "refuted", ("refuted",)),
-    ("are only garbled", "ill-formed", ("ill-formed",)),
-    ("need a hypothesis", "conditional", ("conditional",)),
-    ("not settled", "unchecked", ("probable", "unchecked")),
-)
 
 
 @dataclass(frozen=True)
@@ -73,14 +26,6 @@ class Form:
 
 
 @dataclass(frozen=True)
-class Counterexample:
-    """rows: (what, value) as runs; the last rows are the two sides and their difference."""
-
-    caption: str
-    rows: tuple[tuple[Run, Run], ...]
-
-
-@dataclass(frozen=True)
 class Evidence:
     """of: which form it is about: "printed", "reading" or "corrected"."""
 
@@ -92,13 +37,14 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Entry:
-    """One claim. anchor: its place in the page; wrong: what exactly is wrong, a sentence each."""
+    """One claim. verdict: on what is printed; state: what a reader is told of it; correction: where it is an
+    erratum of its own; mended_by: else the claim whose edits mend it.   heirs, rests_on: heading, anchor."""
 
     id: str
     anchor: str
     place: str
-    kind: Kind
-    gravest: Kind
+    verdict: Kind
+    state: Kind
     erratum_type: str | None
     scope: str | None
     statement: tuple[Run, ...]
@@ -111,20 +57,24 @@ class Entry:
     orders: str | None
     unexpected: str | None
     wrong: tuple[tuple[Run, ...], ...]
-    counterexample: Counterexample | None
+    correction: Correction | None
+    mended_by: tuple[str, str] | None
     evidence: tuple[Evidence, ...]
-    inherits: tuple[tuple[str, str | None], ...]
+    certificates: tuple[Mapping[str, Any], ...]
+    motion: str | None
+    heirs: tuple[tuple[str, str], ...]
+    rests_on: tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True)
 class Equation:
-    """All claims under one number or name. kind: the worst of its lines."""
+    """All claims under one number or name. state: that of its worst line."""
 
     name: str
     heading: str
     anchor: str
     numbered: bool
-    kind: Kind
+    state: Kind
     entries: tuple[Entry, ...]
 
 
@@ -137,8 +87,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Tile:
-    label: str
-    verdict: str
+    kind: Kind
     equations: int
     statements: int
 
@@ -146,10 +95,11 @@ class Tile:
 @dataclass(frozen=True)
 class Document:
     title: str
-    doi: str | None
+    citation: tuple[tuple[str, str], ...]
     versions: tuple[tuple[str, str], ...]
     sections: tuple[Section, ...]
     tiles: tuple[Tile, ...]
+    errata: Errata
     summary: Mapping[str, int] = field(default_factory=dict)
 
     @property
@@ -161,16 +111,16 @@ class Document:
         return [entry for equation in self.equations for entry in equation.entries]
 
     @property
-    def errata(self) -> list[Entry]:
-        return [entry for entry in self.entries if entry.erratum_type]
-
-    @property
     def numbered(self) -> int:
         return sum(equation.numbered for equation in self.equations)
 
     @property
     def statements(self) -> int:
         return len(self.equations) - self.numbered
+
+
+_CITED = ("authors", "source", "year", "pages", "doi", "read", "recheck")
+_OPEN = ("argued", "probable", "unchecked")
 
 
 def document_of(report: Mapping[str, Any]) -> Document:
@@ -183,27 +133,43 @@ def document_of(report: Mapping[str, Any]) -> Document:
         for claim in claims
         if claim["equation"] and claim["equation"] not in places
     }
+    heirs = Heirs(claims, {claim["id"]: places[claim["id"]] for claim in claims})
+    errata = errata_of(claims, {claim["id"]: places[claim["id"]] for claim in claims})
+    context = _Context(
+        places, anchors, heirs, heirs.rests_on(), {each.id: each for each in errata.corrections}
+    )
     sections = []
     for number, (name, in_section) in enumerate(_grouped(claims, lambda c: c["section"] or "")):
-        equations = tuple(
-            _equation(group, places, anchors) for _, group in _grouped(in_section, _equation_key)
-        )
+        equations = tuple(_equation(group, context) for _, group in _grouped(in_section, _equation_key))
         sections.append(Section(name, f"section-{number + 1}", equations))
     everything = [equation for section in sections for equation in section.equations]
+    paper = report["paper"]
     return Document(
-        title=report["paper"]["title"],
-        doi=report["paper"]["doi"],
+        title=paper["title"],
+        citation=tuple((key, paper[key]) for key in _CITED if paper.get(key)),
         versions=tuple(report["versions"].items()),
         sections=tuple(sections),
-        tiles=tuple(_tile(*tile, everything) for tile in _TILES),
+        tiles=tuple(_tile(kind, everything) for kind in STATES.values()),
+        errata=errata,
         summary=report["summary"],
     )
 
 
-def _tile(label: str, verdict: str, verdicts: tuple[str, ...], equations: list[Equation]) -> Tile:
-    ours = [equation for equation in equations if equation.kind.verdict in verdicts]
+@dataclass(frozen=True)
+class _Context:
+    """What an entry is told of the others."""
+
+    places: Mapping[str, tuple[str, str]]
+    anchors: _Anchors
+    heirs: Heirs
+    rests_on: Mapping[str, Sequence[str]]
+    corrections: Mapping[str, Correction]
+
+
+def _tile(kind: Kind, equations: list[Equation]) -> Tile:
+    ours = [equation for equation in equations if equation.state is kind]
     numbered = sum(equation.numbered for equation in ours)
-    return Tile(label, verdict, numbered, len(ours) - numbered)
+    return Tile(kind, numbered, len(ours) - numbered)
 
 
 def _grouped(claims: Iterable[Mapping[str, Any]], key) -> list[tuple[str, list[Mapping[str, Any]]]]:
@@ -260,33 +226,36 @@ def _slug(name: str) -> str:
     return re.sub(r"[^a-z0-9.]+", "-", name.lower()).strip("-") or "x"
 
 
-def _equation(claims: Sequence[Mapping[str, Any]], places, anchors: _Anchors) -> Equation:
-    entries = tuple(_entry(claim, places, anchors) for claim in claims)
-    worst = min((entry.gravest for entry in entries), key=lambda kind: _WORST_FIRST.index(kind.verdict))
+def _equation(claims: Sequence[Mapping[str, Any]], context: _Context) -> Equation:
+    entries = tuple(_entry(claim, context) for claim in claims)
+    worst = min((entry.state for entry in entries), key=list(STATES.values()).index)
     first = claims[0]
     return Equation(
         name=first["equation"] or first["id"],
         heading=_heading(first),
-        anchor=anchors.equation(first),
+        anchor=context.anchors.equation(first),
         numbered=_is_number(first["equation"]),
-        kind=worst,
+        state=worst,
         entries=entries,
     )
 
 
-def _entry(claim: Mapping[str, Any], places, anchors: _Anchors) -> Entry:
+def _entry(claim: Mapping[str, Any], context: _Context) -> Entry:
     forms, wrong = _forms(claim)
+    by = (claim.get("mend") or {}).get("mended_by")
+    heading = _heading(claim)
+    above = [context.places[name] for name in context.rests_on.get(claim["id"], ()) if name in context.places]
     return Entry(
         id=claim["id"],
-        anchor=anchors.claim(claim),
-        place=_heading(claim),
-        kind=KINDS[claim["verdict"]],
-        gravest=_gravest(claim),
-        erratum_type=ERRATUM_TYPES.get(_gravest(claim).verdict),
+        anchor=context.anchors.claim(claim),
+        place=heading,
+        verdict=VERDICTS[claim["verdict"]],
+        state=_state(claim, context.rests_on.get(claim["id"], ())),
+        erratum_type=ERRATUM_TYPES.get(claim.get("fault") or ""),
         scope=claim["scope"],
-        statement=tuple(runs_of(claim.get("statement") or "")),
-        reason=tuple(runs_of(claim.get("reason") or "")),
-        note=tuple(runs_of(claim["note"] or "")),
+        statement=tuple(runs_of(_in_words(claim))),
+        reason=tuple(runs_of(_reason(claim))),
+        note=tuple(runs_of(with_headings(claim["note"] or "", context.places))),
         forms=forms,
         read_back=claim["read_back"],
         hypothesis=claim["hypothesis"],
@@ -294,31 +263,56 @@ def _entry(claim: Mapping[str, Any], places, anchors: _Anchors) -> Entry:
         orders=claim.get("orders"),
         unexpected=None if claim.get("passed", True) else claim.get("why_not") or "not as expected",
         wrong=wrong,
-        counterexample=_counterexample(claim),
+        correction=context.corrections.get(claim["id"]),
+        mended_by=context.places.get(by) if by else None,
         evidence=_evidence(claim),
-        inherits=tuple(places.get(heir, (heir, None)) for heir in claim["inherits"]),
+        certificates=tuple(claim.get("certificates") or ()),
+        motion=(claim.get("motion") or {}).get("line"),
+        heirs=context.heirs.of([claim["id"]], [heading]) if claim.get("fault") else (),
+        rests_on=tuple(dict.fromkeys(each for each in above if each[0] != heading)),
     )
 
 
-def _gravest(claim: Mapping[str, Any]) -> Kind:
-    """A garbled formula that is false even as it was meant counts as false."""
-    if claim["verdict"] == "ill-formed" and (claim["reading"] or {}).get("verdict") == "refuted":
-        return KINDS["refuted"]
-    return KINDS[claim["verdict"]]
+def _state(claim: Mapping[str, Any], rests_on: Sequence[str]) -> Kind:
+    if claim.get("fault"):
+        return STATES[claim["fault"]]
+    if claim["verdict"] not in ("proved", "definition"):
+        return STATES["open" if claim["verdict"] in _OPEN else "error"]
+    return STATES["inherits" if rests_on else "holds"]
+
+
+def _reason(claim: Mapping[str, Any]) -> str:
+    """Why there is no better verdict. Where the reading is known, what the machine would have guessed of an
+    ill-formed formula is not told."""
+    if claim["verdict"] == "ill-formed" and (claim["reading"] or claim["corrected"]):
+        return ""
+    return claim.get("reason") or ""
+
+
+def _is_sentence(printed: str) -> bool:
+    return printed.startswith("“")
+
+
+def _in_words(claim: Mapping[str, Any]) -> str:
+    """The printed sentence, where one is quoted, and what it says."""
+    quoted = [claim["printed"]] if claim["printed"] and _is_sentence(claim["printed"]) else []
+    return " ".join([*quoted, *filter(None, [claim.get("statement")])])
 
 
 def _forms(claim: Mapping[str, Any]) -> tuple[tuple[Form, ...], tuple[tuple[Run, ...], ...]]:
     """The printed form, the reading and the corrected form, each compared with the one before it."""
     steps: list[tuple[Form, str]] = []
-    if claim["printed"] is not None and claim["printed"] != claim.get("statement"):
+    if claim["printed"] is not None and not _is_sentence(claim["printed"]):
         steps.append((Form("Printed", claim["printed"]), ""))
+    if claim.get("formula"):
+        steps.append((Form("Our formula for it", claim["formula"]), ""))
     for key, caption, is_what in (
         ("reading", "Intended reading", "meant"),
         ("corrected", "Corrected", "right"),
     ):
         if claim[key]:
             found, reason = claim[key], tuple(runs_of(claim[key].get("reason") or ""))
-            form = Form(caption, found["latex"], kind=KINDS[found["verdict"]], reason=reason)
+            form = Form(caption, found["latex"], kind=VERDICTS[found["verdict"]], reason=reason)
             steps.append((replace(form, scope=found.get("scope")), is_what))
     forms = [form for form, _ in steps]
     wrong: list[tuple[Run, ...]] = []
@@ -331,6 +325,8 @@ def _forms(claim: Mapping[str, Any]) -> tuple[tuple[Form, ...], tuple[tuple[Run,
         if found:
             forms[index - 1] = replace(before, marked=before.marked | found.marked_before)
             forms[index] = replace(after, marked=found.marked_after)
+    if claim.get("goal"):
+        forms.append(Form("What is shown of it", claim["goal"]))
     forms += [
         _proposed(claim["read_back"] or claim["printed"], proposal) for proposal in claim.get("proposed", ())
     ]
@@ -345,32 +341,9 @@ def _proposed(printed: str | None, proposal: Mapping[str, Any]) -> Form:
         "Proposed by the machine",
         proposal["latex"],
         marked=found.marked_after if found else frozenset(),
-        kind=KINDS[proposal["verdict"]],
+        kind=VERDICTS[proposal["verdict"]],
         reason=tuple(runs_of(proposal["edit"])),
     )
-
-
-def _counterexample(claim: Mapping[str, Any]) -> Counterexample | None:
-    example = claim["counterexample"]
-    if example is None:
-        return None
-    caption = "Where the hypothesis fails" if claim["verdict"] == "conditional" else "Counterexample"
-    if claim["verdict"] == "ill-formed":
-        caption = "Counterexample to the reading"
-    rows = [(formula(symbol), _value(entries)) for symbol, entries in example["values"].items()]
-    rows.append((text("left side"), _value(example["lhs"])))
-    rows.append((text("right side"), _value(example["rhs"])))
-    gap = subtract(example["lhs"], example["rhs"])
-    if gap is not None:
-        rows.append((text("left − right"), _value(gap)))
-    return Counterexample(caption, tuple(rows))
-
-
-def _value(entries: Sequence[str] | str) -> Run:
-    latex = value_latex(entries)
-    if latex is not None:
-        return formula(latex)
-    return text(entries if isinstance(entries, str) else ", ".join(entries))
 
 
 def _evidence(claim: Mapping[str, Any]) -> tuple[Evidence, ...]:
@@ -385,5 +358,5 @@ def _figures(item: Mapping[str, Any]) -> tuple[tuple[str, str], ...]:
     return tuple(
         (key.replace("_", " "), plain_value(value))
         for key, value in item.items()
-        if key not in ("method", "outcome")
+        if key not in ("method", "outcome", "course")
     )

@@ -7,11 +7,13 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isqrt
 from typing import Any
 
 from workbench.typeset.differences import Change, Difference
 
 _INLINE_MATH = re.compile(r"\$([^$\n]+)\$")
+_QUOTED = re.compile(r"`([^`\n]+)`")
 _LISTED = 8
 _RATIONAL = re.compile(r"-?\d+(/[1-9]\d*)?")
 
@@ -33,8 +35,8 @@ def formula(latex: str) -> Run:
 
 
 def runs_of(prose: str) -> list[Run]:
-    """A note or statement: what stands between dollar signs is LaTeX, the rest is text."""
-    pieces = _INLINE_MATH.split(prose)
+    """A note or statement: what stands between dollar signs is LaTeX, the rest is text; `so` it quotes."""
+    pieces = _INLINE_MATH.split(_QUOTED.sub("“\\1”", prose))
     return [Run(piece, is_math=bool(i % 2)) for i, piece in enumerate(pieces) if piece]
 
 
@@ -65,21 +67,48 @@ def difference_runs(difference: Difference | None, first_is: str, second_is: str
     return sentences
 
 
-def value_latex(entries: Sequence[str] | str) -> str | None:
-    """Rationals laid out for pencil: a number, a row, or (nine entries) a 3 × 3 matrix by rows.
+@dataclass(frozen=True)
+class Values:
+    """A value of a counterexample. latex: laid out for pencil, None where an entry is no rational number."""
 
-    None where an entry is not a rational number: it is then shown as it stands.
-    """
+    plain: str
+    latex: str | None
+    is_zero: bool
+
+
+def values_of(entries: Sequence[str] | str) -> Values:
+    """A number, a vector, or a matrix by rows; a dual one (2, 6, 18 entries) as real part + ε dual part."""
     entries = [entries] if isinstance(entries, str) else list(entries)
+    plain = ", ".join(entries)
     if not entries or not all(_RATIONAL.fullmatch(entry) for entry in entries):
-        return None
+        return Values(plain, None, is_zero=False)
+    is_zero = all(Fraction(entry) == 0 for entry in entries)
+    if len(entries) not in (2, 6, 18):
+        return Values(plain, _laid_out(entries), is_zero)
+    half = len(entries) // 2
+    real, dual = entries[:half], entries[half:]
+    if all(Fraction(entry) == 0 for entry in dual):
+        return Values(plain, _laid_out(real), is_zero)
+    dual_part = rf"\varepsilon {_laid_out(dual)}"
+    if all(Fraction(entry) == 0 for entry in real):
+        return Values(plain, dual_part, is_zero)
+    return Values(plain, f"{_laid_out(real)} + {dual_part}", is_zero)
+
+
+def value_latex(entries: Sequence[str] | str) -> str | None:
+    return values_of(entries).latex
+
+
+def _laid_out(entries: Sequence[str]) -> str:
     numbers = [_rational_latex(entry) for entry in entries]
+    size = isqrt(len(numbers))
     if len(numbers) == 1:
         return numbers[0]
-    if len(numbers) == 9:
-        rows = [" & ".join(numbers[row : row + 3]) for row in (0, 3, 6)]
-        return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
-    return r"( " + r" ,\; ".join(numbers) + " )"
+    if all(Fraction(entry) == 0 for entry in entries):
+        return r"\mathbf{0}"
+    columns = size if size > 1 and size * size == len(numbers) else 1
+    rows = [" & ".join(numbers[at : at + columns]) for at in range(0, len(numbers), columns)]
+    return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
 
 
 def subtract(left: Sequence[str] | str, right: Sequence[str] | str) -> list[str] | None:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import os
 import tempfile
+from base64 import b64encode
 from collections.abc import Mapping
 from functools import cache
+from hashlib import sha256
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +16,8 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup, escape
 
 from workbench.report import markdown, tex
-from workbench.report.document import KINDS, document_of
+from workbench.report.document import document_of
+from workbench.report.kinds import STATES, VERDICTS
 from workbench.report.mathml import mathml
 from workbench.report.prose import Run
 from workbench.report.structure import ReportError, canonical, canonical_json
@@ -52,8 +56,22 @@ def render(report: Mapping[str, Any]) -> dict[str, str]:
         ("erratum.tex", _tex_environment()),
     ):
         template = environment.get_template(name + ".j2")
-        texts[name] = template.render(document=document, kinds=KINDS)
+        texts[name] = template.render(document=document, **_shared())
     return texts
+
+
+@cache
+def _shared() -> dict[str, Any]:
+    """What templates share: the table of kinds, and the script of the page with the hash that admits it."""
+    script = files("workbench.report").joinpath("templates/report.js").read_text("utf-8")
+    digest = b64encode(sha256(script.encode()).digest()).decode()
+    return {
+        "states": STATES,
+        "verdicts": VERDICTS,
+        "colours": list((VERDICTS | STATES).values()),
+        "script": script,
+        "script_hash": f"sha256-{digest}",
+    }
 
 
 def _html_math(latex: str, marked: frozenset[int] = frozenset(), display: bool = False) -> Markup:

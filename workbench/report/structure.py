@@ -7,30 +7,28 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-VERDICTS = (
-    "proved",
-    "conditional",
-    "refuted",
-    "ill-formed",
-    "definition",
-    "probable",
-    "unchecked",
-)
-_REPORT_KEYS = ("paper", "versions", "claims", "summary")
+from workbench.report.kinds import FAULTS, VERDICTS
+
+_REPORT_KEYS = ("paper", "versions", "claims", "summary", "witnesses")
+_PAPER_KEYS = ("title", "doi", "authors", "source", "year", "pages", "read", "recheck")
 _CLAIM_KEYS = (
-    "id", "equation", "section", "printed", "statement", "read_back", "verdict", "scope", "reason",
-    "reading", "corrected", "hypothesis", "assume", "orders", "counterexample", "evidence", "inherits",
-    "note", "expected", "passed", "why_not", "proposed",
+    "id", "equation", "section", "printed", "formula", "goal", "statement", "read_back", "verdict", "scope",
+    "reason", "fault", "mend", "reading", "corrected", "hypothesis", "assume", "orders", "counterexample",
+    "evidence", "motion", "no_motion", "inherits", "note", "expected", "passed", "why_not", "proposed",
+    "place", "chain", "certificates",
 )  # fmt: skip
 _PROPOSAL_KEYS = ("latex", "edit", "difference", "verdict")
-_FORM_KEYS = ("latex", "verdict", "read_back", "scope", "reason", "evidence")
+_FORM_KEYS = ("latex", "verdict", "read_back", "scope", "reason", "evidence", "no_motion")
+_MEND_KEYS = ("edits", "place", "beside", "cause", "mended_by", "is_proved")
+_EDIT_KEYS = ("for", "read", "is_math")
 _MAY_BE_ABSENT = frozenset({
-    "statement", "reason", "assume", "orders", "expected", "passed", "why_not", "read_back", "scope",
-    "evidence", "proposed",
+    "formula", "goal", "fault", "mend", "statement", "reason", "assume", "orders", "expected", "passed",
+    "why_not", "read_back", "scope", "evidence", "proposed", "motion", "no_motion", "place", "chain",
+    "certificates",
 })  # fmt: skip
 _TEXT_OR_NULL = (
-    "equation", "section", "printed", "statement", "read_back", "scope", "reason", "hypothesis",
-    "orders", "note", "expected", "why_not",
+    "equation", "section", "printed", "formula", "goal", "fault", "statement", "read_back", "scope", "reason",
+    "hypothesis", "orders", "note", "expected", "why_not", "no_motion",
 )  # fmt: skip
 
 
@@ -44,20 +42,23 @@ def canonical(report: Mapping[str, Any]) -> dict[str, Any]:
     Raises ReportError for a missing or unknown key, a value of the wrong type, an unknown verdict, an
     id used twice, or a summary that does not count the verdicts of the claims.
     """
-    _keys(report, _REPORT_KEYS, "report")
-    _keys(report["paper"], ("title", "doi"), "paper")
+    _keys(report, _REPORT_KEYS, "report", frozenset({"witnesses"}))
+    _keys(report["paper"], _PAPER_KEYS, "paper", frozenset(_PAPER_KEYS[2:]))
     _text(report["paper"]["title"], "paper.title")
-    _text(report["paper"]["doi"], "paper.doi", nullable=True)
+    for key in _PAPER_KEYS[1:]:
+        _text(report["paper"].get(key), f"paper.{key}", nullable=True)
     _mapping(report["versions"], "versions")
     claims = [
         _claim(claim, f"claims[{index}]") for index, claim in enumerate(_list(report["claims"], "claims"))
     ]
     _unique_ids(claims)
+    rest = {"witnesses": report["witnesses"]} if "witnesses" in report else {}
     return {
-        "paper": {key: report["paper"][key] for key in ("title", "doi")},
+        "paper": {key: report["paper"][key] for key in _PAPER_KEYS if key in report["paper"]},
         "versions": {name: _text(v, f"versions.{name}") for name, v in report["versions"].items()},
         "claims": claims,
         "summary": _summary(report["summary"], claims),
+        **rest,
     }
 
 
@@ -74,9 +75,13 @@ def _claim(claim: Any, place: str) -> dict[str, Any]:
     _text(claim["id"], f"{place}.id")
     for key in _TEXT_OR_NULL:
         _text(claim.get(key), f"{place}.{key}", nullable=True)
-    if claim["printed"] is None and not claim.get("statement"):
+    if not any(claim.get(key) for key in ("printed", "formula", "goal", "statement")):
         raise ReportError(f"{place}: expected a printed formula or a statement, got neither")
     _verdict(claim["verdict"], f"{place}.verdict")
+    if claim.get("fault") is not None and claim["fault"] not in FAULTS:
+        raise ReportError(f"{place}.fault: expected one of {', '.join(FAULTS)}; got {claim['fault']!r}")
+    if claim.get("mend") is not None:
+        _mend(claim["mend"], f"{place}.mend")
     for key in ("inherits", "assume"):
         _texts(claim.get(key, ()), f"{place}.{key}")
     for index, proposal in enumerate(_list(claim.get("proposed", []), f"{place}.proposed")):
@@ -84,8 +89,19 @@ def _claim(claim: Any, place: str) -> dict[str, Any]:
     if claim["counterexample"] is not None:
         _counterexample(claim["counterexample"], f"{place}.counterexample")
     _evidence(claim["evidence"], f"{place}.evidence")
+    _mapping(claim.get("motion", {}), f"{place}.motion")
     forms = {key: _form(claim[key], f"{place}.{key}") for key in ("reading", "corrected")}
     return {key: (claim | forms)[key] for key in _CLAIM_KEYS if key in claim}
+
+
+def _mend(mend: Any, place: str) -> None:
+    _keys(mend, _MEND_KEYS, place)
+    for key in ("place", "beside", "cause", "mended_by"):
+        _text(mend[key], f"{place}.{key}", nullable=True)
+    for index, edit in enumerate(_list(mend["edits"], f"{place}.edits")):
+        _keys(edit, _EDIT_KEYS, f"{place}.edits[{index}]")
+        for key in ("for", "read"):
+            _text(edit[key], f"{place}.edits[{index}].{key}")
 
 
 def _proposal(proposal: Any, place: str) -> None:

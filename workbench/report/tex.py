@@ -6,7 +6,9 @@ import re
 import unicodedata
 from collections.abc import Iterable
 
+from workbench.report.errata import Change
 from workbench.report.prose import Run
+from workbench.report.structure import ReportError
 from workbench.typeset import glyphs
 from workbench.typeset.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
 
@@ -23,37 +25,64 @@ _MATH_CHARACTERS = {
     if command.startswith("\\") and len(glyph) == 1 and not glyph.isascii()
 }
 # The last of two commands for one character would win; these are the plain ones.
-_MATH_CHARACTERS |= {"→": r"\to", "≠": r"\neq", "≤": r"\leq", "≥": r"\geq", "−": "-"}
+_MATH_CHARACTERS |= {
+    "→": r"\to",
+    "≠": r"\neq",
+    "≤": r"\leq",
+    "≥": r"\geq",
+    "−": "-",
+    "↦": r"\mapsto",
+    "′": "'",
+    "∗": "*",
+}
+_MATH_CHARACTERS |= {"½": r"\tfrac{1}{2}"}
 _COMBINING = {
     "\u0307": r"\dot", "\u0308": r"\ddot", "\u20db": r"\dddot", "\u20dc": r"\ddddot",
-    "\u0303": r"\tilde", "\u0332": r"\underline",
+    "\u0303": r"\tilde", "\u0332": r"\underline", "\u02d9": r"\dot",
 }  # fmt: skip
 _RAISED = {"<sub>": r"\textsubscript", "<super>": r"\textsuperscript", "<font>": ""}
 _KNOWN = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ+=()−") | set(
     _MATH_CHARACTERS
 )
-_LATIN = frozenset("ßæÆøØœŒłŁ")
-_ACCENTS_OF_TEXT = frozenset("\u0300\u0301\u0302\u0303\u0308\u030a\u030c\u0327")
+_LATIN = frozenset("ßæÆøØœŒłŁđ")
+_ACCENTS_OF_TEXT = frozenset("\u0300\u0301\u0302\u0303\u0308\u030a\u030c\u0327\u0328")
+_LAST_ACCENTED = "\u0180"
+#: An index of one letter, as in A_ρ, and what stands for its underscore meanwhile.
+_INDEX = re.compile(r"(?<=\w)_([^\W\d_])(?!\w)")
+_INDEX_SIGN = "\ue000"
 _LONG = 40
 _COMMANDS_OF_FAMILY = {"ord": r"\Changed", "bin": r"\ChangedBin", "rel": r"\ChangedRel"}
 
 
 def escaped(plain: str) -> str:
-    """Text for pdfLaTeX: specials escaped, Greek and signs as mathematics, the rest by code point."""
+    """Text for pdfLaTeX: specials escaped, Greek and signs as mathematics. Raises ReportError for a character
+    that it cannot set."""
     pieces: list[str] = []
-    base = ""
-    for character in " ".join(unicodedata.normalize("NFC", plain).split()):
-        if character in _COMBINING and base.strip():
-            mark = _COMBINING[character]
-            pieces[-1] = rf"\ensuremath{{{mark}{{{_MATH_CHARACTERS.get(base, base)}}}}}"
+    letter = ""
+    normal = " ".join(unicodedata.normalize("NFC", plain).split())
+    for character in _INDEX.sub(lambda index: _INDEX_SIGN + index[1], normal):
+        if character in _COMBINING:
+            base = _unaccented(letter) if letter.strip() else r"\ "
+            letter = rf"{_COMBINING[character]}{{{base}}}"
+            pieces = pieces or [""]
+            pieces[-1] = rf"\ensuremath{{{letter}}}"
+        elif pieces and pieces[-1] == _INDEX_SIGN:
+            pieces[-1] = rf"\textsubscript{{{_character(character)}}}"
+            letter = ""
+        elif character == _INDEX_SIGN:
+            pieces.append(character)
         else:
             pieces.append(_character(character))
-        base = (
-            character
-            if character in _MATH_CHARACTERS or (character.isascii() and character.isalnum())
-            else ""
-        )
+            letter = _MATH_CHARACTERS.get(character, character)
     return "".join(pieces)
+
+
+def _unaccented(letter: str) -> str:
+    """A letter of mathematics: one with an accent of text becomes its base under a command."""
+    base, *marks = unicodedata.normalize("NFD", letter)
+    if letter.startswith("\\") or not marks:
+        return letter
+    return rf"{_COMBINING[marks[0]]}{{{base}}}" if marks[0] in _COMBINING else letter
 
 
 def _character(character: str) -> str:
@@ -61,14 +90,19 @@ def _character(character: str) -> str:
         return _SPECIAL[character]
     if character in _MATH_CHARACTERS:
         return rf"\ensuremath{{{_MATH_CHARACTERS[character]}}}"
-    if character.isascii():
-        return character if character.isprintable() else f"[U+{ord(character):04X}]"
-    if character in _LATIN or unicodedata.normalize("NFD", character)[1:] in _ACCENTS_OF_TEXT:
+    if character.isascii() and character.isprintable():
         return character
-    kind, _, plain = unicodedata.decomposition(character).partition(" ")
-    if kind in _RAISED and len(plain) == 4 and (shown := chr(int(plain, 16))) in _KNOWN:
+    base, *marks = unicodedata.normalize("NFD", character)
+    in_text = character < _LAST_ACCENTED and len(marks) == 1 and marks[0] in _ACCENTS_OF_TEXT
+    if character in _LATIN or (in_text and base.isascii()):
+        return character
+    if len(marks) == 1 and marks[0] in _COMBINING and (base in _MATH_CHARACTERS or base.isascii()):
+        return rf"\ensuremath{{{_COMBINING[marks[0]]}{{{_MATH_CHARACTERS.get(base, base)}}}}}"
+    kind, _, code = unicodedata.decomposition(character).partition(" ")
+    if kind in _RAISED and len(code) == 4 and (shown := chr(int(code, 16))) in _KNOWN:
         return rf"{_RAISED[kind]}{{{_character(shown)}}}"
-    return f"[U+{ord(character):04X}]"
+    name = unicodedata.name(character, "no name")
+    raise ReportError(f"erratum.tex: expected what pdfLaTeX sets, got U+{ord(character):04X} ({name})")
 
 
 def source(latex: str) -> str:
@@ -106,6 +140,42 @@ def runs(sentence: Iterable[Run]) -> str:
     return re.sub(" +", " ", "".join(pieces)).strip()
 
 
+def small_math(latex: str) -> str:
+    """Within a line of mathematics: matrices small; as source where it cannot be set."""
+    try:
+        atoms = atoms_of(latex)
+    except LatexNotTypesettable:
+        return rf"\text{{{source(latex)}}}"
+    return latex_of(atoms).replace("bmatrix", "bsmallmatrix")
+
+
+def side(run: Run) -> str:
+    """One side of a counterexample, within a line."""
+    return rf"\({small_math(run.content)}\)" if run.is_math else escaped(run.content)
+
+
+def old(change: Change) -> str:
+    return _changed(change.old, change.marked_old)
+
+
+def new(change: Change) -> str:
+    return _changed(change.new or (), change.marked_new)
+
+
+def _changed(sentence: tuple[Run, ...], marked: frozenset[int]) -> str:
+    if len(sentence) != 1 or not sentence[0].is_math:
+        return f"`{runs(sentence)}'"
+    latex = sentence[0].content
+    try:
+        atoms = atoms_of(latex)
+    except LatexNotTypesettable:
+        return source(latex)
+    coloured = latex_of(atoms, marked, _in_colour)
+    if sum(len(atom.glyphs) for atom in atoms) > _LONG or r"\begin" in latex:
+        return rf"\DisplayedFormula{{{coloured}}}"
+    return rf"\({coloured}\)"
+
+
 def _in_colour(atom: Atom) -> str:
     return f"{_COMMANDS_OF_FAMILY[atom.family]}{{{atom.latex}}}"
 
@@ -116,4 +186,8 @@ FILTERS = {
     "imath": inline_math,
     "dmath": display_math,
     "runs": runs,
+    "small": small_math,
+    "side": side,
+    "old": old,
+    "new": new,
 }

@@ -1,0 +1,29 @@
+"""The certificates of the chapter's forms, for all tests beside."""
+
+from functools import cache
+
+from workbench.certificates.forms import certificate, forms_of
+from workbench.certificates.nodes import NotCertified
+from workbench.papers import find_paper
+
+
+@cache
+def all_certificates():
+    """(form, certificate or obstacle) of each form whose own claim does not expect it to be refuted."""
+    found = []
+    for claim in find_paper("chapter").claims:
+        for form in forms_of(claim):
+            if claim.corrected is not None and form.name != "corrected":
+                continue
+            try:
+                found.append((form, certificate(form, every=claim.orders is not None)))
+            except NotCertified as obstacle:
+                found.append((form, str(obstacle)))
+    return found
+
+
+def one(claim_id, name="printed"):
+    (form,) = [
+        f for c in find_paper("chapter").claims if c.id == claim_id for f in forms_of(c) if f.name == name
+    ]
+    return certificate(form, every=form.claim.orders is not None)

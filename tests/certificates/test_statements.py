@@ -1,0 +1,87 @@
+"""What the Coq statements say: read back they are the typed terms, and a reader sees the formula in them."""
+
+import pytest
+
+from tests.certificates.emitted import all_certificates, one
+from workbench import check
+from workbench.certificates import read_back
+from workbench.certificates.nodes import NotCertified
+from workbench.certificates.theorem import theorem
+from workbench.language.definitions import Definitions
+
+
+def test_every_statement_says_what_its_terms_say_and_is_written_again_as_it_was():
+    theorems = [t for _, made in all_certificates() if not isinstance(made, str) for t in made.theorems]
+    assert len(theorems) > 300
+    assert [fault for t in theorems for fault in t.read_back_faults()] == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("skew omega", "skew v"),
+        ("Phi_1 ∘ Phi_1", "Phi_1 + Phi_1"),
+        ("D Phi_1", "der 2 Phi_1"),
+        ("- square", "square"),
+        ("cross", "dot"),
+    ],
+)
+def test_a_changed_text_is_seen(old, new):
+    (t,) = one("58.det").theorems
+    t.conclusions[:] = [c.replace("×", "·") if old == "cross" else c.replace(old, new) for c in t.conclusions]
+    t.emitter.statement[:] = [line.replace(old, new) for line in t.emitter.statement]
+    t.emitter.read_back["v"] = next(iter(t.emitter.read_back.values()))
+    if old == "skew omega":
+        t.emitter.read_back["v"] = t.emitter.read_back["Phi_1"]
+    assert t.read_back_faults()
+
+
+def test_the_determinant_of_the_acceleration_tensor():
+    (t,) = one("58.det").theorems
+    assert t.statement == (
+        "Theorem claim_58_det_printed (K : diff_ring) (omega : vector K) :\n"
+        "  let Phi_1 := skew omega in\n"
+        "  let Phi_2 := D Phi_1 + Phi_1 ∘ Phi_1 in\n"
+        "  det Phi_2 ≡ - square (omega × D omega)."
+    )
+
+
+def test_a_rotation_is_supposed_to_be_one():
+    (t,) = one("3.skew").theorems
+    assert "(R : tensor K) (R_rotation : rotation R)" in t.statement
+
+
+def test_a_recurrence_is_quantified_over_every_n():
+    (t,) = one("53.split").theorems
+    assert (
+        "let Phi := from_one Phi_1 (fun (i : nat) (Phi_n : tensor K) => D Phi_n + Phi_n ∘ Phi_1) in"
+        in t.statement
+    )
+    assert "(n_less_1 : nat)" in t.statement
+
+
+def test_an_inverse_and_a_quotient_are_premises():
+    (t,) = one("59", "reading").theorems
+    assert "inverse Phi_2 inverse_Phi_2 ->" in t.statement
+    assert "reciprocal (square (omega × D omega)) over ->" in t.statement
+
+
+def test_what_holds_at_one_instant_only_is_no_theorem_about_functions():
+    with pytest.raises(NotCertified, match="one instant"):
+        one("110.A")
+
+
+def test_most_exact_forms_of_the_chapter_are_written():
+    made = [c for _, c in all_certificates()]
+    assert sum(not isinstance(c, str) for c in made) >= 200
+
+
+@pytest.mark.parametrize("text", ["a + ", "a ≡ b", "(a", "a ) b", "$x"])
+def test_what_is_not_in_the_subset_is_refused(text):
+    with pytest.raises(read_back.Unread):
+        read_back.expression(text)
+
+
+def test_a_name_of_coq_is_spelt_otherwise():
+    statement = check(r"I \times I = 0", symbols={"I": "vector"}).result.claim.printed.statement
+    assert "(I_ : vector K)" in theorem("t", statement, (), Definitions()).statement

@@ -1,0 +1,72 @@
+"""Denominators that a condition keeps from vanishing, however deep they stand, and those that none does."""
+
+import pytest
+from judge.test_judge import judged
+
+from workbench.judge.verdict import Outcome
+from workbench.papers.orders import Orders
+
+NESTED = [
+    (r"\frac{1}{1 - \frac{1}{f}} = \frac{f}{f-1}", [r"f \neq 0", r"f \neq 1"]),
+    (r"\frac{1}{\frac{1}{f} + \frac{1}{g}} = \frac{f g}{f + g}", [r"f \neq 0", r"g \neq 0", r"f + g \neq 0"]),
+    (r"\frac{\frac{f}{g}}{\frac{g}{f}} = \frac{f^2}{g^2}", [r"f \neq 0", r"g \neq 0"]),
+    (r"\frac{1}{1 - \frac{1}{1 - \frac{1}{f}}} = 1 - f", [r"f \neq 0", r"f \neq 1"]),
+    (r"\frac{a \cdot b}{\|a\| \|b\|} = \frac{b \cdot a}{\|b\| \|a\|}", [r"a \neq 0", r"b \neq 0"]),
+    (r"\frac{(a \cdot b)^2}{(\|a\| \|b\|)^2} = \frac{(a \cdot b)^2}{a^2 b^2}", [r"a \neq 0", r"b \neq 0"]),
+    (r"\frac{a}{\|a\|} \cdot \frac{a}{\|a\|} = 1", [r"\|a\| \neq 0"]),
+    (r"\frac{a \cdot a}{\|a\|} = \|a\|", [r"a \cdot a \neq 0"]),
+    (r"\frac{f}{f^2 g} = \frac{1}{f g}", [r"f g \neq 0"]),
+]
+
+
+@pytest.mark.parametrize(("latex", "assume"), NESTED)
+def test_what_is_excluded_is_no_gap(latex, assume):
+    assert judged(latex, assume).outcome == Outcome.PROVED
+
+
+@pytest.mark.parametrize(("latex", "assume"), NESTED)
+def test_each_condition_is_needed(latex, assume):
+    for missing in assume:
+        verdict = judged(latex, [a for a in assume if a != missing])
+        assert verdict.outcome in (Outcome.CONDITIONAL, Outcome.UNCHECKED), missing
+
+
+@pytest.mark.parametrize(
+    ("latex", "assume", "orders", "outcome"),
+    [
+        ("f^{-n} f^n = 1", [r"f \neq 0"], "n = 0..4", Outcome.PROVED),
+        ("f^{-n} f^n = 1", [], "n = 1..4", Outcome.CONDITIONAL),
+        ("f^{n-2} f^2 = f^n", [r"f \neq 0"], "n = 0..4", Outcome.PROVED),
+        (r"T^{-n} T^n = \mathbf{I}", [r"\det T \neq 0"], "n = 0..2", Outcome.PROVED),
+        (r"R^{-n} = (R^T)^n", [], "n = 0..3", Outcome.PROVED),
+        ("f^{-n} f^n = f", [r"f \neq 0"], "n = 0..4", Outcome.REFUTED),
+        ("f^{-n} = -f^n", [r"f \neq 0"], "n = 1..2", Outcome.REFUTED),
+    ],
+)
+def test_negative_powers(latex, assume, orders, outcome):
+    assert judged(latex, assume, orders=Orders.parse(orders)).outcome == outcome
+
+
+def test_what_is_conditional_is_seen_by_both_engines():
+    evidence = [e.method for e in judged(r"\frac{f g}{f} = g").evidence]
+    assert any("FLINT" in method for method in evidence) and any("SymPy" in method for method in evidence)
+
+
+@pytest.mark.parametrize(
+    ("denominator", "outcome"),
+    [
+        ("f^2 + 1", Outcome.PROVED),
+        ("3 f^2 g^4 + g^2 + 2", Outcome.PROVED),
+        (r"a \cdot a + 1", Outcome.PROVED),
+        ("f^2", Outcome.CONDITIONAL),
+        ("f^2 + g^2", Outcome.CONDITIONAL),
+        ("f^2 - 1", Outcome.CONDITIONAL),
+        ("f + 1", Outcome.CONDITIONAL),
+        ("1 - f^2 g^2", Outcome.CONDITIONAL),
+    ],
+)
+def test_a_positive_number_and_squares_need_no_condition(denominator, outcome):
+    assert (
+        judged(rf"\frac{{h ({denominator})}}{{{denominator}}} = h".replace("h", "(a, b, c)")).outcome
+        == outcome
+    )

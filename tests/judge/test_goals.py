@@ -1,0 +1,239 @@
+"""Goals: what is read, what the rules derive, and what they must refuse."""
+
+import pytest
+
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.theorems.goals import All, AllFrom, Exists, GoalError, Implies, Scope, read_goal
+from workbench.judge.theorems.proofs import (
+    At,
+    Broken,
+    ByLength,
+    Cases,
+    Contradicts,
+    Each,
+    False_,
+    Follows,
+    Given,
+    Have,
+    Impossible,
+    Induction,
+    Kernel,
+    Pointwise,
+    Proven,
+    Squares,
+    TwoWitnesses,
+    Unique,
+    Use,
+    Ways,
+    Witness,
+)
+from workbench.judge.theorems.prove import prove
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.defining import read_definitions
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.symbols import SymbolTable
+
+SYMBOLS = {
+    "a": {"kind": "vector"},
+    "b": {"kind": "vector"},
+    "T": {"kind": "tensor"},
+    "R": {"kind": "rotation"},
+    r"\omega": {"kind": "vector"},
+    "s": {"kind": "vector", "constant": True},
+}
+DEFINITIONS = {
+    "F_1": r"\tilde{\omega}",
+    "F_{n+1}": r"\dot{F}_n + F_n F_1",
+    "x": "a + T s",
+}
+
+
+def scope() -> Scope:
+    definitions, table = read_definitions(DEFINITIONS, SymbolTable.build(SYMBOLS))
+    return Scope(table, definitions, {})
+
+
+def outcome(goal: str, proof=None, against=None) -> Verdict:
+    where = scope()
+    proven = Proven(Kernel() if proof is None and against is None else proof, against)
+    return prove(read_goal(goal, where), where, Judge(where.definitions), proven)
+
+
+def test_quantifiers_reach_to_the_right():
+    goal = read_goal(
+        r"\forall n \geq 1 : \exists! X \in L(V_3, V_3) : \forall c \in V_3 : X c = F_n c", scope()
+    )
+    assert isinstance(goal, AllFrom) and goal.least == 1
+    assert isinstance(goal.body, Exists) and goal.body.unique
+    assert isinstance(goal.body.body, All)
+    assert isinstance(
+        read_goal(r"a = b \Rightarrow \forall c \in V_3 : c \cdot a = c \cdot b", scope()), Implies
+    )
+
+
+@pytest.mark.parametrize(
+    "goal",
+    [
+        r"\forall c \in W : c = a",
+        r"\forall c : c = a",
+        r"\exists a \in V_3 : a = b",  # a letter of the paper
+        r"\forall a \in \mathbb{R} : a = b",  # another thing than it is declared
+        r"\forall x \in V_3^\mathbb{R} : x = b",  # a defined symbol
+        r"\exists n \geq 1 : F_n = T",
+        r"\Big( a = b",
+        r"a = b ;",
+        r"\forall c \in V_3 c = a",
+    ],
+)
+def test_what_is_no_goal(goal):
+    with pytest.raises((GoalError, ReadError)):
+        read_goal(goal, scope())
+
+
+@pytest.mark.parametrize(
+    ("goal", "proof"),
+    [
+        (r"\forall c \in V_3 : c \times c = \mathbf{0}", None),
+        (r"\exists X \in L(V_3, V_3) : X R = \mathbf{I}", Witness({"X": "R^T"})),
+        (r"\exists! Q \in SO_3 : Q R = \mathbf{I}", Unique({"Q": "R^T"}, only=Follows("Y R^T", Y=Use(-1)))),
+        (r"\forall c \in V_3 : c^2 = 0 \Rightarrow c = \mathbf{0}", ByLength(Kernel())),
+        (r"\forall c, d \in V_3 : c^2 d^2 \geqslant (c \cdot d)^2", Squares(r"c \times d")),
+        (
+            r"a = b \Leftrightarrow b = a",
+            Ways(Follows("Y", Y=Use(0, back=True)), Follows("Y", Y=Use(0, back=True))),
+        ),
+        (r"a \neq b \Rightarrow a - b \neq \mathbf{0}", Contradicts(0, Follows("Y + b", Y=Use(-1)))),
+        (
+            r"\forall X \in L(V_3, V_3) : \Big( \forall c \in V_3 : X c = T c \Big) \Rightarrow X = T",
+            Pointwise("d", Follows("Y", Y=Use(0, {"c": "d"}))),
+        ),
+        (
+            r"\forall f \in V_3 \to V_3 : \Big( \forall c \in V_3 : f(2 c) = f(c) \Big) \Rightarrow f(2 (2 a)) = f(a)",
+            Given(Follows("Y + Z - f(2 a)", Y=Use(0, {"c": "2 a"}), Z=Use(0, {"c": "a"}))),
+        ),
+        (r"\forall c \in \mathbb{R} : c^2 \geqslant 0", Squares("c")),
+    ],
+)
+def test_proofs(goal, proof):
+    found = outcome(goal, proof)
+    assert found.outcome == Outcome.PROVED, found.reason
+
+
+def test_the_scope_is_that_of_the_goal():
+    telescoped = r"\forall n \geq 2 : F_n = F_{n-1} F_1 + \frac{d^{n-1}}{dt^{n-1}} [F_1]"
+    telescoped += r" + \sum_{k=1}^{n-2} [\frac{d^k}{dt^k} (F_{n-k-1} F_1)]"
+    step = Follows(r"\dot{Y} + F_n F_1", Y=Use(-1))
+    assert outcome(telescoped, Induction(step=step)).scope == "all n ≥ 2"
+    assert outcome(telescoped, Kernel()).outcome == Outcome.UNCHECKED  # for some n only
+    assert outcome(telescoped.replace("k=1", "k=0"), Induction(step=step)).outcome == Outcome.UNCHECKED
+
+
+@pytest.mark.parametrize("n", [r"n \geq 0", r"n \geq 1"])
+def test_sums_by_leibniz(n):
+    leibniz = r"\frac{d^n}{dt^n} (a \times b) = \sum_{k=0}^{n} C_n^k a^{(k)} \times b^{(n-k)}"
+    assert outcome(rf"\forall {n} : {leibniz}").outcome == Outcome.PROVED
+    for wrong in (
+        leibniz.replace("C_n^k", ""),
+        leibniz.replace("(n-k)", "(k)"),
+        leibniz.replace("k=0", "k=1"),
+    ):
+        assert outcome(rf"\forall {n} : {wrong}").outcome != Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("goal", "proof", "why"),
+    [
+        # a witness that hangs on what is bound behind it
+        (r"\exists c \in V_3 : \forall s \in V_3 : c = s", Witness({"c": "s"}), "binds behind it"),
+        (r"\exists c \in V_3 : \forall s \in V_3 : c = x", Witness({"c": "x"}), "binds behind it"),
+        # a premise at an instant says nothing of derivatives
+        (r"a = b \Rightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0)), "may not be differentiated"),
+        # what is constant under a derivative, with something that moves
+        (
+            r"\Big( \forall c \in V_3 : \frac{d}{dt} (T c) = \dot{T} c \Big) \Rightarrow"
+            r" \frac{d}{dt} (T a) = \dot{T} a",
+            Follows("Y", Y=Use(0, {"c": "a"})),
+            "constant under a derivative",
+        ),
+        # a letter that a premise speaks of is not any vector any more
+        (
+            r"\forall c \in V_3 : c = a \Rightarrow \forall c \in V_3 : c = a",
+            Follows("Y", Y=Use(0)),
+            "stands in a premise already",
+        ),
+        # a member that is no member
+        (r"\exists Q \in SO_3 : Q = 2 R", Witness({"Q": "2 R"}), "refuted"),
+        (r"\exists c \in S^2 : c = a", Witness({"c": "a"}), "refuted"),
+        (r"\exists c \in V_3 : c = T", Witness({"c": "T"}), None),
+        # below the range of a premise
+        (
+            r"\Big( \forall n \geq 2 : F_n = T \Big) \Rightarrow F_1 = T",
+            Follows("Y", Y=Use(0, {"n": "1"})),
+            "not seen to be 2 or more",
+        ),
+        # nothing is tested
+        ("a = a", Kernel(), "same term"),
+        # a sum of squares of dual numbers is no bound
+        (r"\forall c \in \mathbb{R} : c \geqslant c", Squares(r"\varepsilon c"), "expected a real"),
+        (r"\forall c \in \underline{V}_3 : c = \mathbf{0}", ByLength(), "no rule"),
+    ],
+)
+def test_what_the_rules_refuse(goal, proof, why):
+    try:
+        found = outcome(goal, proof)
+    except (GoalError, ReadError, IllFormedAt):
+        assert why is None
+        return
+    assert found.outcome == Outcome.UNCHECKED
+    assert why is None or why in found.reason
+
+
+def test_a_lasting_premise_may_be_differentiated():
+    goal = r"a = b \Longrightarrow \dot{a} = \dot{b}"
+    assert outcome(goal, Follows(r"\dot{Y}", Y=Use(0))).outcome == Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("goal", "against"),
+    [
+        (r"\forall c, d \in V_3 : c \times d = d \times c", False_()),
+        (r"\exists! X \in L(V_3, V_3) : 0 T = X - X", TwoWitnesses({"X": "T"}, {"X": "2 T"})),
+        (
+            r"\forall f \in V_3 \to V_3 : f(2 a) = 2 f(a) \Rightarrow f(a) = a",
+            At({"f": "2 X"}, Broken(False_())),
+        ),
+        (r"\exists c \in V_3 : c = a \wedge c = b", Impossible(Follows("Y - Z + b", Y=Use(-1, back=True), Z=Use(-1, part=1, back=True)), so="a = b")),
+        (r"\forall n \geq 1 : F_n = F_{n+1}", At({"n": "1"}, False_())),
+    ],
+)  # fmt: skip
+def test_refutations(goal, against):
+    found = outcome(goal, against=against)
+    assert found.outcome == Outcome.REFUTED, found.reason
+    assert outcome(goal).outcome != Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("goal", "against"),
+    [
+        (r"\forall c \in V_3 : c \times c = \mathbf{0}", False_()),
+        (r"\exists! c \in V_3 : c = a", TwoWitnesses({"c": "a"}, {"c": "a + 0 b"})),
+        (r"\exists! c \in V_3 : c = a", TwoWitnesses({"c": "a"}, {"c": "b"})),
+        (r"\forall n \geq 2 : F_n = F_{n+1}", At({"n": "1"}, False_())),
+        (r"a = b \Rightarrow b = a", Broken(False_())),
+    ],
+)
+def test_what_is_no_refutation(goal, against):
+    assert outcome(goal, against=against).outcome == Outcome.UNCHECKED
+
+
+def test_cases_and_lemmas():
+    goal = r"\forall c \in V_3 : \Big( c \neq \mathbf{0} \Rightarrow c^2 \frac{1}{c^2} = 1 \Big)"
+    assert outcome(goal).outcome == Outcome.PROVED
+    cases = Cases(r"a = \mathbf{0}", Follows(r"Y \times b", Y=Use(-1)), Kernel())
+    assert outcome(r"a \times b = \mathbf{0}", cases).outcome == Outcome.UNCHECKED
+    lemma = Have(r"a \times b = -b \times a", Kernel(), Follows("2 Y", Y=Use(-1)))
+    assert outcome(r"2 (a \times b) = -2 b \times a", lemma).outcome == Outcome.PROVED
+    false = Have(r"a \times b = b \times a", Kernel(), Follows("Y", Y=Use(-1)))
+    assert outcome(r"a \times b = b \times a", false).outcome == Outcome.UNCHECKED
+    parts = Each(Kernel(), Kernel())
+    assert outcome(r"a + b = b + a ; a \times b = b \times a", parts).outcome == Outcome.UNCHECKED

@@ -1,0 +1,68 @@
+"""What can be solved for a free symbol's derivative is a law, and neither true nor false."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+
+SYMBOLS = {
+    **{name: "vector" for name in ("p", "g", "a", "b", "v", "F", r"\omega", "M", "d")},
+    **{name: "scalar" for name in ("f", "h")},
+    "m": {"kind": "scalar", "constant": True},
+    r"\mu": {"kind": "scalar", "constant": True},
+    "J": {"kind": "tensor", "symmetric": True, "constant": True},
+    "T": "tensor",
+    "R": "rotation",
+    "u": {"kind": "vector", "unit": True},
+    "q": {"kind": "hamilton quaternion", "unit": True},
+}
+
+
+@pytest.mark.parametrize(
+    ("law", "derivative"),
+    [
+        (r"m \ddot{p} = m g", r"\ddot{p}"),
+        (r"\frac{d}{dt}(m v) = F", r"\dot{v}"),
+        (r"J \dot{\omega} + \omega \times (J \omega) = M", r"\dot{\omega}"),
+        (r"\frac{d}{dt}(J \omega) = -\omega \times (J \omega)", r"\dot{\omega}"),
+        (r"\dot{R} = \tilde{\omega} R", r"\dot{R}"),
+        (r"\dot{u} = \omega \times u", r"\dot{u}"),
+        (r"\dot{q} = \frac{1}{2} \operatorname{quat}(0, \omega) q", r"\dot{q}"),
+        (r"\ddot{p} = -\frac{\mu}{\|p\|^3} p", r"\ddot{p}"),
+    ],
+)
+def test_laws(law: str, derivative: str) -> None:
+    said = check(law, SYMBOLS)
+    assert said.outcome == Outcome.UNCHECKED
+    assert f"states a law for {derivative}," in said.verdict.reason
+
+
+@pytest.mark.parametrize(
+    "falsehood",
+    [
+        r"\frac{d}{dt}(f h) = f \dot{h}",
+        r"\frac{d}{dt}(a \times b) = \dot{a} \times b",
+        r"\frac{d}{dt}(T a) = \dot{T} a - T \dot{a}",
+        r"\dot{u} = 2 u",
+        r"\dot{R} = R",
+        r"\dot{q} = q",
+        r"u \cdot \dot{u} = f",
+        r"a = b",
+    ],
+)
+def test_falsehoods_about_derivatives_are_no_laws(falsehood: str) -> None:
+    assert check(falsehood, SYMBOLS).outcome in (Outcome.REFUTED, Outcome.ILL_FORMED)
+
+
+def test_what_a_definition_ties_is_no_law() -> None:
+    definitions = {"k": r"\operatorname{vect}(\dot{R} R^T)"}
+    symbols = {"R": "rotation", "a": "vector"}
+    assert check(r"\dot{R} = \tilde{k} R", symbols, definitions=definitions).outcome == Outcome.PROVED
+    assert check(r"\dot{R} = R \tilde{k}", symbols, definitions=definitions).outcome == Outcome.REFUTED
+
+
+def test_a_law_that_is_assumed_proves() -> None:
+    said = check(r"\dot{p} \cdot \ddot{p} = \dot{p} \cdot g", SYMBOLS, assume=[r"\ddot{p} = g"])
+    assert said.outcome == Outcome.PROVED

@@ -1,0 +1,162 @@
+"""Dear relations in the rotated frame: the rules by which they are rewritten are proved by both engines, what is
+rewritten has the same values at points, and what is false or undefined stays so."""
+
+import re
+
+import pytest
+from judge.test_judge import TABLE, judged
+
+from workbench.judge.evidence.points import trials
+from workbench.judge.kernel import rotated
+from workbench.judge.kernel.rotated import in_rotated_frame
+from workbench.judge.subject.inventory import take_inventory
+from workbench.judge.verdict import Outcome
+from workbench.language.definitions import Definitions
+from workbench.language.reader import read
+
+#: The rules, for letters; each is below the degree from which they are used.
+RULES = [
+    r"R R^T = \mathbf{I}",
+    r"R^T R = \mathbf{I}",
+    r"R^{-1} = R^T",
+    r"R^* = R^T",
+    r"\det R = 1",
+    r"\det R^T = 1",
+    r"(T S)^T = S^T T^T",
+    r"(T S)^* = S^* T^*",
+    r"\det (T S) = \det T \det S",
+    r"\operatorname{trace} (R T R^T) = \operatorname{trace} T",
+    r"\operatorname{vect} (R T R^T) = R \operatorname{vect} T",
+    r"\widetilde{R a} = R \tilde{a} R^T",
+    r"R a \cdot R b = a \cdot b",
+    r"R a \times R b = R (a \times b)",
+    r"R a \otimes R b = R (a \otimes b) R^T",
+    r"(R a, R b, R c) = (a, b, c)",
+    r"\operatorname{sym} (R T R^T) = R (\operatorname{sym} T) R^T",
+    r"\operatorname{skew} (R T R^T) = R (\operatorname{skew} T) R^T",
+]
+
+
+def dual(latex):
+    return re.sub(r"(?<![a-zA-Z\\])([Rab])(?![a-zA-Z])", r"\\underline{\1}", latex)
+
+
+@pytest.fixture
+def always(monkeypatch):
+    monkeypatch.setattr(rotated, "DEAR", 0)
+
+
+@pytest.fixture
+def rules_off(monkeypatch):
+    monkeypatch.setattr(rotated, "DEAR", 10**9)
+
+
+@pytest.mark.parametrize(
+    "rule", [*RULES, *(dual(rule) for rule in RULES if "R" in rule and "c)" not in rule)]
+)
+def test_each_rule_is_proved_without_it(rules_off, rule):
+    verdict = judged(rule)
+    assert verdict.outcome == Outcome.PROVED, verdict
+    assert not any(e.method == "rotated frame" for e in verdict.evidence)
+
+
+def test_the_inverse_of_a_product_is_proved_without_its_rule(rules_off):
+    assert judged(r"(T S)^{-1} = S^{-1} T^{-1}").outcome == Outcome.CONDITIONAL
+    assert (
+        judged(r"(T S)^{-1} = S^{-1} T^{-1}", [r"\det T \neq 0", r"\det S \neq 0"]).outcome == Outcome.PROVED
+    )
+
+
+REWRITTEN = [
+    r"(R T R^T)^3 = R T^3 R^T",
+    r"(R T R^T)^2 R a = R T^2 a",
+    r"\det (R T R^T S) = \det T \det S",
+    r"(R T S R^T)^* = R S^* T^* R^T",
+    r"\operatorname{trace} (R T S T R^T) = \operatorname{trace} (T S T)",
+    r"\operatorname{vect} (R T^3 R^T) = R \operatorname{vect} T^3",
+    r"R (f T) R^T R \tilde{a} R^T = f R T \tilde{a} R^T",
+    r"\widetilde{R T S b} = R \widetilde{T S b} R^T",
+    r"R T a \times R S b = R (T a \times S b)",
+    r"(R T a) \cdot (R S b) = (T a) \cdot (S b)",
+    r"R T a \otimes R S b = R (T a \otimes S b) R^T",
+    r"(R T R^T)^T R S = R T^T S",
+    r"\operatorname{sym} (R T^2 S R^T) = R (\operatorname{sym}(T^2 S)) R^T",
+    r"-(R T R^T)^3 R = R (-T^3)",
+    r"\det(\underline{R} T \underline{R}^T) = \det T",
+]
+
+
+def both(latex):
+    (statement,) = read(latex, TABLE)
+    return statement, in_rotated_frame(statement, Definitions())
+
+
+@pytest.mark.parametrize("latex", REWRITTEN)
+def test_a_dear_relation_is_proved_by_a_cheaper_one(always, latex):
+    verdict = judged(latex)
+    assert verdict.outcome == Outcome.PROVED, verdict
+    assert [e.method for e in verdict.evidence].count("rotated frame") == 1
+    assert any("Python integers" in e.method for e in verdict.evidence)
+
+
+@pytest.mark.parametrize("latex", [*REWRITTEN, r"(R T R^T)^{-1} R = R T^{-1}", r"(T^{-1} S)^{-1} = S T^{-1}"])
+def test_what_was_rewritten_differs_by_a_rotation_at_most(always, latex):
+    """At each point the two sides differ by as much, and are undefined together."""
+    for false in (latex, latex.replace("=", "+ 0 =").replace("S", "T")):
+        statement, cheaper = both(false)
+        if cheaper is None:
+            continue
+        inventory = take_inventory([statement.left, statement.right], Definitions())
+        for _, trial in zip(range(15), trials(inventory, Definitions(), lambda point: point), strict=False):
+            there, here = trial.differences(statement), trial.differences(cheaper)
+            assert (there is None) == (here is None)
+            if here is not None:
+                assert any(there) == any(here)
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"(R T R^T)^3 = R T^2 R^T",
+        r"(R T R^T)^3 = R^T T^3 R",
+        r"(R T S R^T)^* = R T^* S^* R^T",
+        r"\det (R T R^T S) = \det T + \det S",
+        r"\widetilde{R T S b} = R^T \widetilde{T S b} R",
+        r"R T a \times R S b = R (T b \times S a)",
+        r"(R T R) (R T R^T) = R T T R^T",
+    ],
+)
+def test_a_false_relation_is_refuted(always, latex):
+    assert judged(latex).outcome == Outcome.REFUTED
+
+
+def test_what_need_not_exist_is_conditional():
+    inverse = r"(\underline{R} T \underline{R}^T)^{-1} = \underline{R} T^{-1} \underline{R}^T"
+    verdict = judged(inverse)
+    assert verdict.outcome == Outcome.CONDITIONAL and verdict.counterexample is not None
+    assert judged(inverse, [r"\det T \neq 0"]).outcome == Outcome.PROVED
+
+
+def test_no_factor_but_a_rotation_is_cancelled(always):
+    assert judged(r"R T T^{-1} R^T T^3 = T^3").outcome == Outcome.CONDITIONAL
+    assert judged(r"(T S T^{-1})^3 = T S^3 T^{-1}").outcome == Outcome.CONDITIONAL
+
+
+BLOCKS = [
+    r"\begin{bmatrix} R & 0 \\ \tilde{a} R & R \end{bmatrix}^{-1} = \begin{bmatrix} R^T & 0 \\ -R^T \tilde{a} & R^T \end{bmatrix}",
+    r"\begin{bmatrix} R & \tilde{a} R \\ 0 & R \end{bmatrix}^{-1} = \begin{bmatrix} R^T & -R^T \tilde{a} \\ 0 & R^T \end{bmatrix}",
+    r"\begin{bmatrix} R & a \\ 0 & 1 \end{bmatrix}^{-1} = \begin{bmatrix} R^T & -R^T a \\ 0 & 1 \end{bmatrix}",
+    r"\begin{bmatrix} 1 & 0 \\ a & R \end{bmatrix}^{-1} = \begin{bmatrix} 1 & 0 \\ -R^T a & R^T \end{bmatrix}",
+]
+
+
+@pytest.mark.parametrize("latex", BLOCKS)
+def test_the_inverse_of_a_block_triangular_matrix(latex):
+    assert judged(latex).outcome == Outcome.PROVED
+    assert judged(latex.replace("-R^T", "R^T")).outcome == Outcome.REFUTED
+
+
+def test_a_singular_block_makes_it_conditional():
+    latex = r"\begin{bmatrix} T & 0 \\ S & T \end{bmatrix}^{-1} = \begin{bmatrix} T^{-1} & 0 \\ -T^{-1} S T^{-1} & T^{-1} \end{bmatrix}"
+    assert judged(latex).outcome == Outcome.CONDITIONAL
+    assert judged(latex, [r"\det T \neq 0"]).outcome == Outcome.PROVED

@@ -1,0 +1,106 @@
+"""Which files a `proved` rests on: those that the judge and the reader reach by imports. The README's table lists
+them; `python tests/judge/test_trusted.py` prints it anew."""
+
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from test_imports import graph, modules
+
+import workbench
+
+ROOT = Path(workbench.__file__).parent
+README = ROOT.parent / "README.md"
+HEADING = "What a `proved` rests on"
+
+#: Where a `proved` begins: the judge, and what reads formulas and definitions.
+ENTRANCES = ("workbench.judge.kernel.judge", "workbench.language.reader", "workbench.language.defining")
+
+#: By folder: what its files do for a `proved`, and what checks that.
+CHECKS = {
+    "language": (
+        "what the formula says",
+        "types and weights; the read-back in every report; read ∘ print = 1 and fuzz (tests/language)",
+    ),
+    "judge": ("the form of a verdict", "tests/judge"),
+    "judge/subject": (
+        "what the free quantities are",
+        "both engines and Drake's motions on the same parameters (test_engines, tests/drake); mutants",
+    ),
+    "judge/kernel": (
+        "when residuals make a verdict",
+        "no second implementation: laws, false and mutated identities, red-team cases, mutants (tests/judge)",
+    ),
+    "algebra": ("the first engine's ring", "the second engine, on every proof; mutants"),
+    "judge/first": ("the residual is 0", "the second engine, on every proof; mutants"),
+    "judge/second": (
+        "the residual is 0, again",
+        "the first engine, on every proof; Python's integers are made sure of (test_independence); mutants",
+    ),
+    "judge/evidence": (
+        "vetoes and counterexamples only; a wrong point can withhold a `proved`, none can give it",
+        "the first engine evaluates counterexamples again; Drake",
+    ),
+}
+
+
+def trusted() -> dict[str, list[Path]]:
+    """The files by folder, without Drake's, which only veto."""
+    edges = graph(modules(ROOT))
+    waiting, seen = list(ENTRANCES), set(ENTRANCES)
+    while waiting:
+        new = edges[waiting.pop()] - seen
+        seen |= new
+        waiting += new
+    files = [ROOT.parent / Path(*name.split(".")).with_suffix(".py") for name in sorted(seen)]
+    found: dict[str, list[Path]] = {}
+    for path in files:
+        folder = path.relative_to(ROOT).parent.as_posix()
+        if path.is_file() and folder != "drake":
+            found.setdefault(folder, []).append(path)
+    return found
+
+
+def lines(paths: list[Path]) -> int:
+    return sum(len(path.read_text("utf-8").splitlines()) for path in paths)
+
+
+def table() -> str:
+    rows = ["| files in `workbench/` | lines | what they decide | what checks them |", "|---|--:|---|---|"]
+    found = trusted()
+    for folder in CHECKS:
+        names = ", ".join(f"{path.stem} {lines([path])}" for path in found[folder])
+        decides, checks = CHECKS[folder]
+        rows.append(f"| `{folder}`: {names} | {lines(found[folder])} | {decides} | {checks} |")
+    total = lines([path for paths in found.values() for path in paths])
+    return "\n".join([*rows, f"| in all | {total} | | |"])
+
+
+def test_each_folder_of_what_is_trusted_has_its_row():
+    assert set(trusted()) == set(CHECKS)
+
+
+def test_the_kernel_is_trusted_whole():
+    for room in ("subject", "first", "kernel"):
+        there = {path for path in (ROOT / "judge" / room).glob("*.py") if path.name != "__init__.py"}
+        assert there == set(trusted()[f"judge/{room}"])
+
+
+def test_the_readme_lists_what_is_trusted():
+    _, found, section = README.read_text("utf-8").partition(HEADING)
+    if not found:
+        pytest.skip("the README has no such section yet")
+    listed = {
+        f"{folder}/{name}"
+        for folder, names in re.findall(r"^\| `([\w/]+)`: ([^|]+)\|", section, re.MULTILINE)
+        for name in re.findall(r"(\w+) \d+", names)
+    }
+    assert listed == {f"{folder}/{path.stem}" for folder, paths in trusted().items() for path in paths}
+
+
+if __name__ == "__main__":
+    print(table())

@@ -1,0 +1,193 @@
+"""Drake as the witness of claims: what holds is seen to hold, an error parts the sides, a wrong binding is refused."""
+
+import xml.etree.ElementTree as xml
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.papers import find_paper, load_paper
+from workbench.papers.model import PaperError
+from workbench.report.residuals import residuals_svg
+from workbench.verify.claims import judge_paper
+from workbench.verify.on_motions import METHOD, cost_of_error
+from workbench.verify.results import claim_dict, report_dict
+from workbench.verify.witnesses import VETO, Witnesses
+
+HEAD = r"""
+    title = "A body"
+    [symbols]
+    'R' = { kind = "rotation", weight = 0 }
+    'p' = { kind = "vector", weight = 0 }
+    'a' = { kind = "vector" }
+    'x' = { kind = "vector" }
+    [definitions]
+    '\omega' = '\operatorname{vect}(\dot{R} R^T)'
+    'v' = '\dot{p}'
+"""
+MOTION = r"""
+    [motion]
+    'R' = "R_WB"
+    'p' = "p_WBo"
+    '\omega' = "w_WB"
+    'v' = "v_WBo"
+"""
+
+
+def paper(folder: Path, *claims: str, motion: str = MOTION, head: str = HEAD):
+    file = folder / "paper.toml"
+    text = [dedent(head), dedent(motion)]
+    for number, claim in enumerate(claims):
+        text.append(f'[[claim]]\nid = "{number}"\n{dedent(claim)}')
+    file.write_text("\n".join(text), "utf-8")
+    return load_paper(file)
+
+
+def judged(*arguments, **options):
+    loaded = paper(*arguments, **options)
+    return [claim_dict(result) for result in judge_paper(loaded)]
+
+
+def motions(form):
+    return [e for e in form["evidence"] if e["method"] == METHOD]
+
+
+def test_what_holds_is_seen_on_every_motion(tmp_path):
+    (claim,) = judged(tmp_path, r"printed = '\dot{R} = \tilde{\omega} R'")
+    (seen,) = motions(claim)
+    assert claim["verdict"] == "proved" and len(seen["motions"]) == 5 and "6R arm, seed 9" in seen["motions"]
+    assert all(r <= e for r, e in zip(seen["residuals_below"], seen["errors_below"], strict=True))
+    assert claim["motion"]["witness"] == "Drake" and claim["motion"]["line"].startswith(
+        "holds at 22 instants"
+    )
+
+
+def test_a_refuted_form_and_its_correction_are_seen_at_the_same_time(tmp_path):
+    (claim,) = judged(
+        tmp_path,
+        r"""
+        printed = '\ddot{R} R^T = \dot{\tilde{\omega}} - \tilde{\omega}^2'
+        corrected = '\ddot{R} R^T = \dot{\tilde{\omega}} + \tilde{\omega}^2'
+    """,
+    )
+    assert claim["verdict"] == "refuted" and claim["passed"]
+    (false,), (right,) = motions(claim), motions(claim["corrected"])
+    assert false["outcome"] == "the sides part" and right["outcome"] == "residual within the error"
+    cost = cost_of_error(claim)
+    assert (
+        cost["false"] > 0.1 and cost["right"] <= 1e-13 and cost["motion"] == "two cylindrical joints, seed 1"
+    )
+    assert cost["time"] in false["course"]["times"] and f"t = {cost['time']:g} s" in claim["motion"]["line"]
+
+
+def test_the_picture_of_both_has_words_and_no_script(tmp_path):
+    false, true = judged(
+        tmp_path,
+        r"""
+        printed = '\dot{R} = -\tilde{\omega} R'
+        corrected = '\dot{R} = \tilde{\omega} R'
+        """,
+        r"printed = '\dot{R} = \tilde{\omega} R'",
+    )
+    svg = residuals_svg(false)
+    root = xml.fromstring(svg)
+    names = [element.tag.rpartition("}")[2] for element in root.iter()]
+    assert names.count("polyline") >= 2 and "script" not in names and "title" in names and "desc" in names
+    description = next(e.text for e in root.iter() if e.tag.endswith("desc"))
+    assert "200 %" in description and root.get("role") == "img"
+    assert residuals_svg(true) is None
+
+
+def test_what_has_no_motion_says_so_and_is_counted_apart(tmp_path):
+    loaded = paper(
+        tmp_path,
+        r"printed = 'a \times x = -x \times a'",
+        r"printed = '\dot{R} = \tilde{\omega} R'",
+        r"printed = '\omega^{(6)} = \frac{d}{dt} \omega^{(5)} + 0 a'",
+    )
+    report = report_dict(loaded, judge_paper(loaded))
+    lines = [claim["motion"] for claim in report["claims"]]
+    assert [line["witness"] for line in lines] == ["no motion: algebra", "Drake", "none"]
+    assert lines[2]["because"] == "derivatives of too high an order"
+    assert report["witnesses"] == {"Drake": 1, "no motion: algebra": 1, "none": 1}
+
+
+@pytest.mark.parametrize(
+    "binding, wrong, message",
+    [
+        (r"'\omega' = ", "w_WB_B", r"w_WB_B is off by"),  # a swapped frame
+        ("'v' = ", "v_WB0", r"v is defined as .*, and v_WB0 is off by"),
+        ("'v' = ", "v_WP", "v_WP is off by"),
+    ],
+)
+def test_a_binding_that_contradicts_a_definition_is_refused(tmp_path, binding, wrong, message):
+    right = {r"'\omega' = ": "w_WB", "'v' = ": "v_WBo"}[binding]
+    motion = MOTION.replace(f'{binding}"{right}"', f'{binding}"{wrong}"')
+    assert motion != MOTION
+    with pytest.raises(PaperError, match=message):
+        judged(tmp_path, r"printed = '\dot{R} = \tilde{\omega} R'", motion=motion)
+
+
+@pytest.mark.parametrize(
+    "line, message",
+    [
+        ("'a' = \"w_BW\"", "unknown quantity 'w_BW'; expected w_AB_W or w_WB"),
+        ("'a' = \"R_WB\"", "a is a vector, but R_WB has the shape"),
+        ("'p' = \"v_WBo\"", "p has weight 0, but v_WBo has weight 1"),
+        ("'a' = \"p_WP^(n)\"", "has an index that a has not"),
+        ("'a' = \"p_WP^(n+)\"", "expected a number, or an index"),
+        ('robot = { urdf = "none.urdf", body = "B" }', "no URDF file at"),
+        ('robot = { urdf = "paper.toml" }', "expected both urdf and body"),
+    ],
+)
+def test_bad_bindings_are_refused_where_they_stand(tmp_path, line, message):
+    with pytest.raises(PaperError, match=message):
+        paper(tmp_path, "printed = 'a = a'", motion=f"[motion]\n{line}")
+
+
+def test_numbers_veto_a_proof(tmp_path):
+    """A form that is false on the motions does not stay proved, whatever an engine said."""
+    loaded = paper(tmp_path, r"printed = '\dot{R} = -\tilde{\omega} R'")
+    (claim,) = loaded.claims
+    proved = Verdict(Outcome.PROVED, evidence=(Evidence("planted", "residual is 0"),))
+    seen = Witnesses().seen(proved, claim, claim.printed, None)
+    assert seen.outcome == Outcome.UNCHECKED and seen.reason == VETO
+
+
+def test_premises_are_satisfied_or_nothing_is_said(tmp_path):
+    solved, impossible = judged(
+        tmp_path,
+        r"""
+        printed = 'x = R^T a'
+        assume = ['R x = a']
+        """,
+        r"""
+        printed = '\omega \times a = \mathbf{0}'
+        assume = ['\omega = \mathbf{0}']
+        """,
+    )
+    assert solved["verdict"] == "proved" and motions(solved)[0]["samples"] == 22
+    assert motions(impossible) == [] and impossible["motion"]["because"].startswith("nowhere on the motions")
+
+
+def test_a_body_of_a_urdf_is_one_of_the_motions(tmp_path):
+    urdf = Path(__file__).parents[1] / "drake" / "two_arms.urdf"
+    (tmp_path / "arms.urdf").write_text(urdf.read_text("utf-8"), "utf-8")
+    motion = MOTION + '    robot = { urdf = "arms.urdf", body = "hand" }\n'
+    (claim,) = judged(tmp_path, r"printed = '\dot{R} = \tilde{\omega} R'", motion=motion)
+    assert "hand of arms.urdf" in motions(claim)[0]["motions"]
+    missing = motion.replace('"hand"', '"foot"')
+    with pytest.raises(PaperError, match="no body 'foot'"):
+        judged(tmp_path, r"printed = '\dot{R} = \tilde{\omega} R'", motion=missing)
+
+
+def test_the_chapters_errors_and_their_corrections():
+    """(61), (66), (70) and (10): both forms on the same motion."""
+    for result in judge_paper(find_paper(None), ["10", "61.adjugate", "66", "70.div"]):
+        claim = claim_dict(result)
+        if result.corrected is None:
+            continue
+        cost = claim["motion"]["error"]
+        assert result.passed and cost["false"] > 0.05 and cost["right"] <= 1e-12, claim["id"]
+        assert residuals_svg(claim) is not None

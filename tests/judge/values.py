@@ -1,0 +1,474 @@
+"""What a formula is worth: numbers for its symbols, nothing symbolic, nothing of the judge.
+
+    world = World(definitions, seed=3)
+    world.holds(statement, {"n": 2})       # True, False, or None where a side is undefined
+
+A free symbol is a random curve: its Taylor series in the time t, to 30 digits. Every number is such a series
+over the dual numbers, so that a derivative is a shift, div and curl are dual parts, and a unit vector or a
+rotation is a curve divided by its length. A statement with an integer n is evaluated at n by counting, never
+by rewriting it. An identity that is false is so at almost every such point; one that holds, holds at all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from itertools import combinations, pairwise
+from math import comb, factorial
+from random import Random
+
+from judge.series import (
+    DIGITS,
+    LENGTH,
+    TOLERANCE,
+    Matrix,
+    NotRead,
+    Operator,
+    Series,
+    Undefined,
+    acted,
+    added,
+    added_up,
+    adjugate,
+    axial,
+    combined,
+    constant,
+    determinant,
+    dot,
+    each,
+    exponential,
+    hamilton,
+    inverse,
+    nothing,
+    product,
+    scaled,
+    skew,
+    turned,
+    unit,
+)
+from mpmath import mp, mpf
+
+from workbench.language.integers import Linear
+from workbench.language.terms import (
+    Apply,
+    BigSum,
+    Block,
+    Conjunction,
+    Counting,
+    Definition,
+    Derivative,
+    DualUnit,
+    Equivalence,
+    Identity,
+    Implication,
+    Integer,
+    Number,
+    Power,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+
+Integers = Mapping[str, int]
+
+
+class World:
+    """Curves for all free symbols, drawn when they are first needed. `fixed`: name → numbers, by components,
+    that a symbol has at t = 0; its derivatives stay random. `length`: how many Taylor coefficients are drawn."""
+
+    def __init__(
+        self,
+        definitions: Iterable[Definition] = (),
+        seed: int = 0,
+        fixed: Mapping[str, tuple[object, ...]] | None = None,
+        length: int = LENGTH,
+    ) -> None:
+        mp.dps = DIGITS
+        self._random = Random(seed)
+        self._definitions = tuple(definitions)
+        self._fixed = dict(fixed or {})
+        self._length = length
+        self._drawn: dict[str, Matrix] = {}
+        self._known: dict[tuple[str, int | None], Matrix | Operator] = {}
+        self._moved: int | None = None  # along which axis a place is moved, for div and curl
+        self._arguments: dict[str, Matrix] = {}
+
+    # statements
+
+    def holds(self, statement: Statement, integers: Integers | None = None) -> bool | None:
+        """Whether it is true at t = 0; None where it is undefined there."""
+        at = dict(integers or {})
+        try:
+            match statement:
+                case Relation(operator=operator):
+                    return self._zero(statement.left, statement.right, at) == (operator == "=")
+                case Conjunction(parts=parts):
+                    said = [self.holds(part, at) for part in parts]
+                    return False if False in said else None if None in said else True
+                case Implication(left=left, right=right):
+                    return self.holds(right, at) if self.holds(left, at) else True
+                case Equivalence(left=left, right=right):
+                    one, other = self.holds(left, at), self.holds(right, at)
+                    return None if None in (one, other) else one == other
+        except Undefined:
+            return None
+        raise NotRead("a statement of this kind")
+
+    def _zero(self, left: Term, right: Term, at: Integers) -> bool:
+        a, b = self.value(left, at), self.value(right, at)
+        if callable(a) or callable(b):
+            test = [[self._curve()] for _ in range(3)]
+            a, b = (x(test) if callable(x) else product(x, test) for x in (a, b))
+        size = max(
+            [mpf(1)]
+            + [abs(part[0]) for m in (a, b) for row in m for x in row for part in (x.re, x.du) if part]
+        )
+        gaps = [x - y for rows in zip(a, b, strict=True) for x, y in zip(*rows, strict=True)]
+        return all(abs(part[0]) <= TOLERANCE * size for gap in gaps for part in (gap.re, gap.du) if part)
+
+    # symbols
+
+    def _curve(self) -> Series:
+        def number() -> mpf:
+            return mpf(self._random.randint(-999, 999)) / 389
+
+        return Series(tuple(number() for _ in range(self._length)))
+
+    def _symbol(self, symbol: Symbol, at: Integers) -> Matrix | Operator:
+        declaration = symbol.declaration
+        if declaration.name in self._arguments:
+            return self._arguments[declaration.name]
+        index = [_integer(i, at) for i in symbol.index]
+        if any(i < 0 for i in index):
+            raise NotRead("a negative index")
+        name = _spelled(declaration.name, index)
+        if not symbol.arguments and (name, self._moved) in self._known:
+            return self._known[name, self._moved]
+        found = self._defined(symbol, name, index, at)
+        if found is None:
+            found = self._free(symbol, name)
+        if not symbol.arguments and not self._arguments:
+            self._known[name, self._moved] = found
+        return found
+
+    def _defined(self, symbol: Symbol, name: str, index: list[int], at: Integers) -> Matrix | Operator | None:
+        """By the definition of this very member, or else by one that reaches it from n = 0 on."""
+        for definition in sorted(self._definitions, key=lambda d: sum(not i.is_number for i in d.index)):
+            values: dict[str, int] = {}
+            if all(i.is_number for i in definition.index):
+                if _spelled(definition.declaration.name, [int(i) for i in definition.index]) != name:
+                    continue
+            elif definition.declaration.name != symbol.declaration.name:
+                continue
+            else:
+                pairs = list(zip(definition.index, index, strict=True))
+                if any(i.is_number and int(i) != wanted for i, wanted in pairs):
+                    continue
+                values = {v: wanted - i.constant for i, wanted in pairs for v in i.variables}
+                if any(value < 0 for value in values.values()):
+                    continue
+            outer = self._arguments
+            inner = [self.value(argument, at) for argument in symbol.arguments]
+            self._arguments = {p.name: v for p, v in zip(definition.parameters, inner, strict=True)}
+            found = self.value(definition.body, values)
+            self._arguments = outer
+            return found
+        return None
+
+    def _free(self, symbol: Symbol, name: str) -> Matrix:
+        if name not in self._drawn:
+            self._drawn[name] = self._draw(symbol, name)
+        found = self._drawn[name]
+        if symbol.declaration.coordinate and self._moved is not None:
+            step = [[constant(0, int(i == self._moved))] for i in range(3)]
+            return added(found, step)
+        return found
+
+    def _draw(self, symbol: Symbol, name: str) -> Matrix:
+        declaration, type_ = symbol.declaration, symbol.type
+
+        def curves(count: int) -> list[Series]:
+            drawn = [self._curve() for _ in range(count)]
+            values = self._fixed.get(name)
+            if values is not None:
+                drawn = [Series((mpf(v), *x.re[1:]), x.du) for v, x in zip(values, drawn, strict=True)]
+            return [constant(x.re[0]) for x in drawn] if declaration.constant else drawn
+
+        def column(entries: list[Series]) -> Matrix:
+            return [[x] for x in entries]
+
+        def normal(entries: list[Series]) -> list[Series]:
+            length = added_up(x * x for x in entries).root().inverse()
+            return [x * length for x in entries]
+
+        dual_unit = [[constant(0, 1)]]
+        if type_.kind == "quaternion" and declaration.unit:
+            q = curves(4)
+            if type_.dual:
+                q = [Series(x.re, y.re) for x, y in zip(q, curves(4), strict=True)]
+            return column(normal(q))
+        if declaration.unit:
+            u = column(normal(curves(3)))
+            if type_.dual:
+                u = added(u, product(dual_unit, product(skew(column(curves(3))), u)))
+            return u
+        if declaration.rotation or declaration.transform:
+            w, *v = normal(curves(4))
+            axis = skew(column(v))
+            turn = scaled(added(product([[w]], axis), product(axis, axis)), 2)
+            rotation = added(unit(3), turn)
+            if type_.dual:
+                moved = added(unit(3), product(dual_unit, skew(column(curves(3)))))
+                rotation = product(moved, rotation)
+            if declaration.transform:
+                rows = [[*row, p] for row, p in zip(rotation, curves(3), strict=True)]
+                return [*rows, [constant(0), constant(0), constant(0), constant(1)]]
+            return rotation
+        rows, columns = _size(type_)
+        flat = curves(rows * columns)
+        found = [flat[i * columns : (i + 1) * columns] for i in range(rows)]
+        if type_.dual:
+            flat = curves(rows * columns)
+            dual = [flat[i * columns : (i + 1) * columns] for i in range(rows)]
+            found = added(found, product(dual_unit, dual))
+        if declaration.symmetric:
+            found = added(found, turned(found))
+        if declaration.diagonal:
+            found = [[x if i == j else constant(0) for j, x in enumerate(r)] for i, r in enumerate(found)]
+        return found
+
+    # terms
+
+    def value(self, term: Term, at: Integers) -> Matrix | Operator:
+        """The value with the integer variables put to `at`."""
+        if term.type.kind == "operator":
+            return self._operator(term, at)
+        match term:
+            case Number(value=value):
+                return [[constant(mpf(value.numerator) / value.denominator)]]
+            case Integer(value=value):
+                return [[constant(_integer(value, at))]]
+            case Counting(name=name, arguments=arguments):
+                return [[constant(_count(name, [_integer(a, at) for a in arguments]))]]
+            case Zero():
+                return nothing(*_size(term.type))
+            case Identity():
+                return unit(_size(term.type)[0])
+            case DualUnit():
+                return [[constant(0, 1)]]
+            case Symbol():
+                return self._symbol(term, at)
+            case Derivative(body=body, order=order):
+                times = _integer(order, at)
+                return each(self.value(body, at), lambda x: x.rate(times))
+            case Power():
+                return self._power(term, at)
+            case BigSum():
+                return self._big_sum(term, at)
+            case Block(entries=entries):
+                return self._block(entries, at)
+            case Apply():
+                return self._apply(term, at)
+        raise NotRead(f"a {type(term).__name__}")
+
+    def _power(self, term: Power, at: Integers) -> Matrix:
+        base, exponent = self.value(term.base, at), _integer(term.exponent, at)
+        if exponent < 0:
+            raise NotRead("a negative power")
+        if term.base.type.is_column:
+            if exponent % 2:
+                raise NotRead("an odd power of a vector")
+            base, exponent = dot(base, base), exponent // 2
+        is_quaternion = term.base.type.kind == "quaternion"
+        total = [[constant(int(i == 0))] for i in range(4)] if is_quaternion else unit(len(base))
+        for _ in range(exponent):
+            total = hamilton(total, base) if is_quaternion else product(total, base)
+        return total
+
+    def _big_sum(self, term: BigSum, at: Integers) -> Matrix | Operator:
+        upper, names = _integer(term.upper, at), term.variables
+        if term.lower is not None:
+            choices = [(k,) for k in range(_integer(term.lower, at), upper + 1)]
+        else:
+            bars = combinations(range(upper + len(names) - 1), len(names) - 1) if upper >= 0 else ()
+            ends = [(-1, *bar, upper + len(names) - 1) for bar in bars]
+            choices = [tuple(b - a - 1 for a, b in pairwise(end)) for end in ends]
+        total = nothing(*_size(term.type))
+        for choice in choices:
+            addend = self.value(term.body, {**at, **dict(zip(names, choice, strict=True))})
+            total = added(total, addend)
+        return total
+
+    def _block(self, entries: tuple[tuple[Term, ...], ...], at: Integers) -> Matrix:
+        rows: Matrix = []
+        for row in entries:
+            values = [self.value(entry, at) for entry in row]
+            rows += [[x for value in values for x in value[i]] for i in range(len(values[0]))]
+        return rows
+
+    def _operator(self, term: Term, at: Integers) -> Operator:
+        match term:
+            case TimeOperator():
+                return lambda x: each(x, lambda entry: entry.rate())
+            case Zero():
+                return lambda x: each(x, lambda entry: entry - entry)
+            case Identity():
+                return lambda x: x
+            case Symbol():
+                found = self._symbol(term, at)
+                return found if callable(found) else lambda x: product(found, x)
+            case Power(base=base, exponent=exponent):
+                once, times = self._acting(base, at), _integer(exponent, at)
+
+                def repeated(x: Matrix) -> Matrix:
+                    for _ in range(times):
+                        x = once(x)
+                    return x
+
+                return repeated
+            case BigSum(variables=(name,), lower=Linear() as lower, upper=upper, body=body):
+                values = range(_integer(lower, at), _integer(upper, at) + 1)
+                parts = [self._acting(body, {**at, name: k}) for k in values]
+                return lambda x: acted([part(x) for part in parts], x)
+            case Apply(head="add", arguments=arguments):
+                parts = [self._acting(a, at) for a in arguments]
+                return lambda x: acted([part(x) for part in parts], x)
+            case Apply(head="neg", arguments=(inner,)):
+                inside = self._acting(inner, at)
+                return lambda x: each(inside(x), lambda entry: -entry)
+            case Apply(head="div", arguments=(top, bottom)):
+                inside, factor = self._acting(top, at), inverse(self.value(bottom, at))
+                return lambda x: product(factor, inside(x))
+            case Apply(head="mul" | "compose", arguments=(left, right)):
+                outer, inner = self._acting(left, at), self._acting(right, at)
+                if right.type.kind == "scalar":  # P f is f P: the chapter writes operators before factors
+                    raise NotRead("an operator times a scalar")
+                return lambda x: outer(inner(x))
+        raise NotRead(f"the operator {term}")
+
+    def _acting(self, term: Term, at: Integers) -> Operator:
+        found = self.value(term, at)
+        return found if callable(found) else lambda x: product(found, x)
+
+    def _apply(self, term: Apply, at: Integers) -> Matrix:
+        head = term.head
+        if head in ("divergence", "curl"):
+            return self._gradient(head, term.arguments[0], at)
+        values = [self.value(argument, at) for argument in term.arguments]
+        match head, values:
+            case "add", _:
+                total = values[0]
+                for value in values[1:]:
+                    total = added(total, value)
+                return total
+            case "mul", [p, q] if term.arguments[0].type.kind == "quaternion" and len(q) == 4:
+                return hamilton(p, q)
+            case "mul", [first, second] if _combines(term):
+                return combined(first, second)
+            case "quaternion", [s, v]:
+                return [*s, *v]
+            case "scalar part", [q]:
+                return [q[0]]
+            case "vector part", [q]:
+                return q[1:]
+            case "conjugate", [q]:
+                return [q[0], *([-x] for (x,) in q[1:])]
+            case "inverse", [q] if term.type.kind == "quaternion":
+                return product([[dot(q, q)[0][0].inverse()]], [q[0], *([-x] for (x,) in q[1:])])
+            case "mul", [first, second]:
+                return first(second) if callable(first) else product(first, second)
+            case "neg", [x]:
+                return each(x, lambda entry: -entry)
+            case "div", [x, y]:
+                return product(inverse(y), x)
+            case "dot", [x, y]:
+                return dot(x, y)
+            case "cross", [x, y]:
+                return product(skew(x), y)
+            case "outer", [x, y]:
+                return product(x, turned(y))
+            case "triple", [x, y, z]:
+                return [[determinant(turned([[r[0] for r in v] for v in (x, y, z)]))]]
+            case "skew", [x]:
+                return skew(x)
+            case "vect", [x]:
+                return axial(x)
+            case "symmetric", [x]:
+                return scaled(added(x, turned(x)), mpf(1) / 2)
+            case "antisymmetric", [x]:
+                return scaled(added(x, scaled(turned(x), -1)), mpf(1) / 2)
+            case "transpose", [x]:
+                return turned(x)
+            case "inverse", [x]:
+                return inverse(x)
+            case "adjugate", [x]:
+                return adjugate(x)
+            case "det", [x]:
+                return [[determinant(x)]]
+            case "trace", [x]:
+                return [[added_up(x[i][i] for i in range(len(x)))]]
+            case "re", [x]:
+                return each(x, lambda entry: Series(entry.re))
+            case "du", [x]:
+                return each(x, lambda entry: Series(entry.du or (mpf(0),) * len(entry.re)))
+            case "norm", [x]:
+                return [[dot(x, x)[0][0].root()]]
+            case "root", [[[x]]]:
+                return [[x.root()]]
+            case "cos", [[[x]]]:
+                return [[x.circle()[0]]]
+            case "sin", [[[x]]]:
+                return [[x.circle()[1]]]
+            case "exp", [x]:
+                return exponential(x)
+        raise NotRead(f"the operation {head}")
+
+    def _gradient(self, head: str, field: Term, at: Integers) -> Matrix:
+        if self._moved is not None:
+            raise NotRead("div or curl of a div or curl")
+        columns = []
+        for axis in range(3):
+            self._moved = axis
+            columns.append([entry.du or (mpf(0),) * LENGTH for (entry,) in self.value(field, at)])
+        self._moved = None
+        g = [[Series(columns[j][i]) for j in range(3)] for i in range(3)]  # ∂f_i/∂ρ_j
+        if head == "divergence":
+            return [[g[0][0] + g[1][1] + g[2][2]]]
+        return [[g[2][1] - g[1][2]], [g[0][2] - g[2][0]], [g[1][0] - g[0][1]]]
+
+
+def _integer(value: Linear, at: Integers) -> int:
+    return value.constant + sum(size * at[name] for name, size in value.coefficients)
+
+
+def _count(name: str, arguments: list[int]) -> int:
+    top, *parts = arguments
+    if top < 0:
+        raise NotRead("a factorial of a negative number")
+    if name == "factorial":
+        return factorial(top)
+    if name == "binomial":
+        return comb(top, parts[0]) if parts[0] >= 0 else 0
+    value = factorial(top)
+    for part in parts:
+        value //= factorial(part)
+    return value
+
+
+def _spelled(name: str, index: list[int]) -> str:
+    for value in index:
+        name = name.replace("@", str(value), 1)
+    return name
+
+
+def _size(type_) -> tuple[int, int]:
+    return type_.rows, type_.columns
+
+
+def _combines(term: Apply) -> bool:
+    """Whether the matrix acts on the entries of a column of vectors or matrices."""
+    left, right = term.arguments
+    kinds = {left.type.kind, right.type.kind}
+    return not kinds & {"scalar", "operator", "quaternion"} and left.type.columns != right.type.rows

@@ -1,0 +1,58 @@
+"""Fractions of angles, tangents and square roots."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+from workbench.language.errors import ReadError
+
+SYMBOLS = {
+    **{name: "scalar" for name in (r"\theta", r"\phi", "f", "g")},
+    "u": {"kind": "vector", "unit": True},
+    "v": "vector",
+    "q": "hamilton quaternion",
+}
+HALF = r"\cos\frac{\theta}{2}, \sin\frac{\theta}{2} u"
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\sin^2 \frac{\theta}{2} = \frac{1 - \cos\theta}{2}", Outcome.PROVED),
+        (r"\sin^2 \frac{\theta}{2} = \frac{1 + \cos\theta}{2}", Outcome.REFUTED),
+        (r"\sin^2 \theta = \frac{1 - \cos\theta}{2}", Outcome.REFUTED),
+        (r"\tan\frac{\theta}{2} = \frac{\sin\theta}{1+\cos\theta}", Outcome.CONDITIONAL),
+        (r"\frac{d}{dt} \tan\theta = \frac{\dot{\theta}}{\cos^2 \theta}", Outcome.CONDITIONAL),
+        (r"\frac{d}{dt} \cos\frac{\theta}{2} = -\dot{\theta} \sin\frac{\theta}{2}", Outcome.REFUTED),
+        (r"\exp(\frac{\theta}{2} \tilde{u}) \exp(\frac{\theta}{2} \tilde{u}) = \exp(\theta \tilde{u})", Outcome.PROVED),
+        (rf"\operatorname{{Vec}}([{HALF}] v [{HALF}]^*) = \exp(\theta \tilde{{u}}) v", Outcome.PROVED),
+        (rf"\operatorname{{Vec}}([{HALF}]^* v [{HALF}]) = \exp(\theta \tilde{{u}}) v", Outcome.REFUTED),
+        (r"\sqrt{f^2} = f", Outcome.REFUTED),
+        (r"\sqrt{f^2 + g^2} = f + g", Outcome.REFUTED),
+        (r"|q| = \sqrt{(\operatorname{Sc} q)^2 + (\operatorname{Vec} q)^2}", Outcome.PROVED),
+        (r"\sqrt{f} \sqrt{f} = f", Outcome.UNCHECKED),
+        (r"\theta = 2 \sin\frac{\theta}{2}", Outcome.UNCHECKED),
+    ],
+)  # fmt: skip
+def test_verdicts(formula: str, outcome: Outcome) -> None:
+    assert check(formula, SYMBOLS).outcome == outcome
+
+
+def test_a_part_of_a_defined_angle() -> None:
+    definitions = {r"\psi": r"\theta + \frac{\phi}{3}"}
+    said = check(
+        r"\cos\psi = \cos\theta \cos\frac{\phi}{3} - \sin\theta \sin\frac{\phi}{3}",
+        SYMBOLS,
+        definitions=definitions,
+    )
+    assert said.outcome == Outcome.PROVED
+
+
+@pytest.mark.parametrize("formula", [r"\sqrt[3]{f} = f", r"\sqrt{} = f", r"\sqrt{v} = f"])
+def test_roots_that_cannot_be_read(formula: str) -> None:
+    try:
+        assert check(formula, SYMBOLS).outcome == Outcome.ILL_FORMED
+    except ReadError as error:
+        assert "square root" in str(error) or "expected" in str(error)

@@ -1,0 +1,83 @@
+"""A paper's own notation is read as what it means, by the kinds of its arguments."""
+
+import pytest
+
+from workbench.language.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.reader import read
+from workbench.language.symbols import SymbolTable
+
+TABLE = SymbolTable.build(
+    {
+        "a": {"kind": "vector"},
+        "v": {"kind": "vector"},
+        "T": {"kind": "tensor"},
+        r"\hat{n}": {"kind": "vector"},
+        r"\bar{r}^{P/O}": {"kind": "vector"},
+        r"{}_B\omega_{IB}": {"kind": "vector"},
+        "C_{I'I''}": {"kind": "rotation"},
+    }
+).with_notations(
+    {
+        r"x^\wedge": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+        r"y^\wedge": {"where": {"y": "tensor"}, "means": r"\operatorname{vect}(y)"},
+        r"[x]_\times": {"where": {"x": "vector"}, "means": r"\tilde{x}"},
+        r"\hat{x}": {"where": {"x": "vector"}, "means": r"\tilde{x}"},
+        r"x'": {"where": {"x": "vector"}, "means": r"\dot{x}"},
+        r"x \wedge y": {"where": {"x": "vector", "y": "vector"}, "means": r"x \times y"},
+        r"\mathds{1}_{3\times 3}": {"means": r"\mathbf{I}"},
+    }
+)
+SAME = [
+    (r"v^\wedge", r"\tilde{v}"),
+    (r"v^{\land}", r"\tilde{v}"),
+    (r"T^\wedge", r"\operatorname{vect} T"),
+    (r"(v^\wedge)^2", r"\tilde{v}^2"),
+    (r"[v \times a]_\times", r"\widetilde{v \times a}"),
+    (r"\hat{v} a", r"\tilde{v} a"),
+    (r"v \wedge a", r"v \times a"),
+    (r"{}_B\hat{\omega}_{IB}", r"\operatorname{skew}({}_B\omega_{IB})"),
+    (r"v' + a'", r"\dot{v} + \dot{a}"),
+    (r"\mathds{1}_{3\times3}", r"\mathbf{I}"),
+]
+
+
+@pytest.mark.parametrize(("spelt", "meant"), SAME)
+def test_a_notation_is_what_it_means(spelt: str, meant: str) -> None:
+    (relation,) = read(f"{spelt} = {meant}", TABLE)
+    assert relation.left == relation.right
+
+
+def test_a_declared_name_comes_first() -> None:
+    (relation,) = read(r"\hat{n} \times a = v", TABLE)
+    assert relation.left.type.kind == "vector"
+
+
+@pytest.mark.parametrize("formula", [r"\bar r^{P/O} = v", r"C_{I\!'I''} v = a"])
+def test_labels_are_read(formula: str) -> None:
+    assert read(formula, TABLE)
+
+
+@pytest.mark.parametrize(
+    "formula", [r"v \oplus a = v", r"v^\vee = a", r"v / a = 1", r"(a \cdot v)^\wedge = T"]
+)
+def test_what_is_not_explained_is_refused(formula: str) -> None:
+    with pytest.raises((ReadError, IllFormedAt)):
+        read(formula, TABLE)
+
+
+@pytest.mark.parametrize(
+    "specs",
+    [
+        {"x^\\wedge": {"where": {"x": "vector"}}},
+        {"x^\\wedge": {"where": {"y": "vector"}, "means": "y"}},
+        {"x^\\wedge = y": {"where": {"x": "vector"}, "means": "x"}},
+        {
+            "x^\\wedge": {"where": {"x": "vector"}, "means": r"\tilde{x}"},
+            "y^\\wedge": {"where": {"y": "vector"}, "means": "2 y"},
+        },
+    ],
+    ids=["no meaning", "no such letter", "no expression", "two for one"],
+)
+def test_a_notation_that_cannot_be_used(specs) -> None:
+    with pytest.raises(SpecError):
+        SymbolTable().with_notations(specs)

@@ -1,0 +1,121 @@
+"""The chapter's goals: tampered with, each fails; so does a proof with another witness."""
+
+import re
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import proofs
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.theorems.goals import Scope, read_goal
+from workbench.judge.theorems.proofs import Each, Proven, Unique, Witness
+from workbench.judge.theorems.prove import prove
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.papers import PaperError
+from workbench.papers.load import find_paper, load_paper
+from workbench.verify.claims import PaperJudge
+
+CHAPTER = Path(proofs.__file__).parent / "chapter"
+FILES = sorted(CHAPTER.glob("[0-9]*.toml"))
+NONSENSE = r"\Phi_n = = 7 \nonsense{"
+CLAIMS = {claim.id: claim for claim in find_paper().claims}
+QUICK = ("48.uniquely", "Theorem_3.exists", "71", "Theorem5", "82.translation", "92.field")
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_with_nonsense_printed_every_claim_fails(file, tmp_path):
+    """One claim after the other, alone with the notation of its file."""
+    text = file.read_text("utf-8")
+    head, *tables = re.split(r"(?m)^(?=\[\[claim\]\]$)", text)
+    for notation in CHAPTER.glob("notation.toml"):
+        (tmp_path / notation.name).write_text(notation.read_text("utf-8"), "utf-8")
+    damaged = tmp_path / file.name
+    for table in tables:
+        (claim,) = tomllib.loads(table)["claim"]
+        if "theorem" in claim or "formula" in claim:
+            continue  # a theorem is known in the installed paper alone; `formula` refuses `printed`
+        table = re.sub(r"(?ms)^inherits = .*?\n", "", table)
+        if "printed" in claim:
+            table = re.sub(r"(?ms)^printed = ('''.*?'''|'.*?')\n", "", table)
+        damaged.write_text(f"{head}{table}printed = '{NONSENSE}'\n", "utf-8")
+        with pytest.raises(PaperError, match="printed"):
+            load_paper(damaged)
+
+
+def verdict(name: str, goal: str | None = None, theorem: Proven | None = None) -> Verdict:
+    claim = CLAIMS[name]
+    scope = Scope(claim.notation.symbols, claim.notation.definitions, {})
+    if theorem is None:
+        theorem = proofs.chapter.theorems[claim.theorem]
+    read = claim.goal.goal if goal is None else read_goal(goal, scope)
+    bare = claim.goal.bare if claim.hypothesis else None
+    return prove(read, scope, Judge(claim.notation.definitions), theorem, claim.supposed, bare)
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_goals_are_shown(name):
+    expected = Outcome.CONDITIONAL if CLAIMS[name].hypothesis else Outcome.PROVED
+    assert verdict(name).outcome == expected == CLAIMS[name].expected
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("Theorem_1", r"\exists! B", r"\exists B"),
+        ("Theorem_1", r"\boldsymbol{\rho}", r"2 \boldsymbol{\rho}"),
+        ("21.every_n", r"n \geq 2", r"n \geq 1"),
+        ("Theorem_3.exists", r"\forall n \geq 1 : \exists P", r"\forall n \geq 1 : \exists! P"),
+        ("Theorem_3.exists", r"P \mathbf{v}", r"P \dot{\mathbf{v}}"),
+        ("71", r"\operatorname{Re}(p) \neq 0", r"p \neq 0"),
+        ("Theorem5", r"Q \in SO_3", r"Q \in \underline{SO}_3"),
+        ("Theorem5", r"\exists!", r"\exists"),
+        ("104.origin", r"\rho = \mathbf{0} \Rightarrow", ""),
+        ("109.all", r"n \geq 0", r"n \geq 0 : \forall x \in V_3"),
+        ("92.field", r"m + w \times", r"m - w \times"),
+        ("76.definition", r"b \cdot (S a)", r"a \cdot (S b)"),
+    ],
+)
+def test_another_goal_is_not_shown_by_the_proof(name, old, new):
+    goal = CLAIMS[name].goal.latex
+    assert old in goal
+    if new.endswith("x \\in V_3"):  # an idle ∀ does not change what is said
+        assert verdict(name, goal.replace(old, new, 1)).outcome == Outcome.PROVED
+        return
+    assert verdict(name, goal.replace(old, new, 1)).outcome == Outcome.UNCHECKED
+
+
+def with_doubled_witness(proof):
+    match proof:
+        case Unique() | Witness():
+            letter = next(iter(proof.members))
+            return replace(proof, members={**proof.members, letter: f"2 ({proof.members[letter]})"})
+        case Each(proofs):
+            first = next((p for p in proofs if with_doubled_witness(p) != p), None)
+            return Each(*(with_doubled_witness(p) if p is first else p for p in proofs))
+    for name in ("then", "step"):
+        if hasattr(proof, name) and with_doubled_witness(getattr(proof, name)) != getattr(proof, name):
+            return replace(proof, **{name: with_doubled_witness(getattr(proof, name))})
+    return proof
+
+
+@pytest.mark.parametrize(
+    "name", ["48.uniquely", "Theorem_3.exists", "71", "Theorem5", "76.definition", "92.field"]
+)
+def test_a_wrong_witness_is_noticed(name):
+    theorem = proofs.chapter.theorems[CLAIMS[name].theorem]
+    wrong = replace(theorem, proof=with_doubled_witness(theorem.proof))
+    assert wrong != theorem
+    assert verdict(name, theorem=wrong).outcome == Outcome.UNCHECKED
+
+
+def test_an_argument_is_argued_and_never_proved():
+    paper = find_paper()
+    judge = PaperJudge(paper, motions=False)
+    result = judge.result(CLAIMS["72"])
+    judge.close()
+    assert (result.verdict.outcome, result.passed) == (Outcome.ARGUED, True)
+    assert not any(
+        claim.expected == Outcome.PROVED for claim in paper.claims if claim.theorem and claim.goal is None
+    )

@@ -1,0 +1,133 @@
+"""Verdicts of earlier runs: found again exactly where nothing that they depend on changed."""
+
+from __future__ import annotations
+
+import os
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
+from workbench.papers import load_paper
+from workbench.verify import PaperJudge
+from workbench.verify import memory as memories
+from workbench.verify.memory import Keys, Memory
+
+PAPER = r"""
+title = "t"
+[symbols]
+a = { kind = "vector" }
+b = { kind = "vector" }
+c = { kind = "vector" }
+[definitions]
+s = 'a \cdot b'
+q = 's s'
+w = 'c \cdot c'
+[[claim]]
+id = "1"
+printed = 'q = (a \cdot b)^2'
+[[claim]]
+id = "2"
+printed = 'w = c^2'
+[[claim]]
+id = "3"
+printed = 'a \times b = b \times a'
+corrected = 'a \times b = -b \times a'
+"""
+
+
+def keys_of(tmp_path: Path, text: str, options: dict | None = None) -> dict[str, str]:
+    path = tmp_path / "paper.toml"
+    path.write_text(text)
+    paper = load_paper(path)
+    keys = Keys(paper.theorems, options or {})
+    return {claim.id: keys.of(claim, "printed") for claim in paper.claims}
+
+
+def changed(tmp_path: Path, old: str, new: str) -> set[str]:
+    assert old in PAPER
+    before, after = keys_of(tmp_path, PAPER), keys_of(tmp_path, PAPER.replace(old, new, 1))
+    return {name for name in before if before[name] != after[name]}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "judged_again"),
+    [
+        ("w = c^2", "c^2 = w", {"2"}),
+        (r"s = 'a \cdot b'", r"s = 'b \cdot a'", {"1"}),
+        (r"w = 'c \cdot c'", r"w = '2 c \cdot c'", {"2"}),
+        ('c = { kind = "vector" }', 'c = { kind = "vector", constant = true }', {"2"}),
+        ('b = { kind = "vector" }', 'b = { kind = "vector", unit = true }', {"1", "3"}),
+        ("w = c^2'", "w = c^2'\nassume = ['a = 0']", {"2"}),
+        ("w = c^2'", "w = c^2'\nnote = 'of no account'", set()),
+        ('title = "t"', 'title = "another"', set()),
+    ],
+)
+def test_what_a_change_reaches_is_judged_again(tmp_path, old, new, judged_again):
+    assert changed(tmp_path, old, new) == judged_again
+
+
+def test_options_code_and_versions_are_part_of_the_key(tmp_path, monkeypatch):
+    plain = keys_of(tmp_path, PAPER)
+    assert not set(plain.values()) & set(keys_of(tmp_path, PAPER, {"motions": False}).values())
+    monkeypatch.setattr(memories, "version", lambda name: "0")
+    assert not set(plain.values()) & set(keys_of(tmp_path, PAPER).values())
+    monkeypatch.undo()
+    monkeypatch.setattr(memories, "_code_of", lambda package: "other")
+    assert not set(plain.values()) & set(keys_of(tmp_path, PAPER).values())
+
+
+def judged(tmp_path: Path, file: Path) -> tuple[list, list[str]]:
+    """The results, and the claims whose printed form was judged and not remembered."""
+    (tmp_path / "paper.toml").write_text(PAPER)
+    paper, memory, new = load_paper(tmp_path / "paper.toml"), Memory(file), []
+    judge = PaperJudge(paper, memory=memory)
+    keep, memory.remember = (
+        memory.remember,
+        lambda key, verdict: (new.append(verdict.read_back), keep(key, verdict)),
+    )
+    results = list(judge.results(paper.claims))
+    judge.close()
+    memory.close()
+    return results, new
+
+
+def test_a_second_run_judges_nothing_and_says_the_same(tmp_path):
+    first, new = judged(tmp_path, tmp_path / "v.sqlite")
+    assert len(new) == 4
+    again, none = judged(tmp_path, tmp_path / "v.sqlite")
+    assert none == []
+    assert [(r.verdict, r.corrected) for r in again] == [(r.verdict, r.corrected) for r in first]
+
+
+@pytest.mark.parametrize("damage", ["truncated", "other bytes", "other table", "edited verdict", "directory"])
+def test_a_damaged_file_is_not_believed(tmp_path, damage):
+    file = tmp_path / "v.sqlite"
+    first, _ = judged(tmp_path, file)
+    if damage == "truncated":
+        file.write_bytes(file.read_bytes()[:700])
+    elif damage == "other bytes":
+        file.write_bytes(os.urandom(5000))
+    elif damage == "directory":
+        file.unlink()
+        file.mkdir()
+    else:
+        with sqlite3.connect(file) as database:
+            if damage == "other table":
+                database.execute("DROP TABLE verdicts")
+                database.execute("CREATE TABLE verdicts (name TEXT)")
+            else:
+                database.execute("UPDATE verdicts SET verdict = replace(verdict, 'refuted', 'proved')")
+    again, new = judged(tmp_path, file)
+    assert [r.verdict for r in again] == [r.verdict for r in first]
+    assert any("times" in read_back for read_back in new)
+
+
+@pytest.mark.parametrize("outcome", list(Outcome))
+def test_a_verdict_comes_back_as_it_was(outcome):
+    evidence = (Evidence("m", "o", {"samples": 3, "bound": ["w_WB"], "scale": 0.1}),)
+    against = Counterexample({"a": ("1", "1/2", "0")}, ("1",), ("2",))
+    whole = Verdict(outcome, "a", "all n", "r", "h", against, evidence)
+    for verdict in (whole, Verdict(outcome)):
+        assert Verdict.from_dict(verdict.to_dict()) == verdict

@@ -1,0 +1,123 @@
+"""Equation numbers are those that LaTeX gives. The figures here are pdflatex's own (texlive 2022), by \\newlabel."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from workbench.papers.texts import read_text
+
+ARTICLE = r"""
+\documentclass{article}
+\usepackage{amsmath,amsthm}
+\newtheorem{thm}{Theorem}[section]
+\newcommand{\beq}{\begin{equation}}\newcommand{\eeq}{\end{equation}}
+\newenvironment{eqn}[1][x]{\begin{equation}\label{env:#1}}{\end{equation}}
+\newcommand\numberthis{\addtocounter{equation}{1}\tag{\theequation}}
+\begin{document}
+\section{A}
+\begin{equation}\label{e1} a=b \end{equation}
+\begin{thm}\label{t1} x \begin{equation}\label{e2} a=b \end{equation}\end{thm}
+\begin{align} a&=b \label{al1}\\ c&=d \notag \\ e&=f \label{al2} \\ g &= h \tag{T}\label{al3}\\ i&=j\label{al4}\end{align}
+\begin{align*} a&=b \\ c&=d \numberthis \label{nt1} \end{align*}
+\begin{subequations}\label{sub}\begin{align} a&=b\label{s1}\\c&=d\label{s2}\end{align}\begin{equation}\label{s3} x \end{equation}\end{subequations}
+\begin{equation}\label{after} x \end{equation}
+\begin{gather} a=b\label{g1}\\ c=d\nonumber\\ e\label{g2}\end{gather}
+\begin{multline}\label{m1} a \\ b \\ c\end{multline}
+\begin{eqnarray} a&=&b\label{ea1}\\ c&=&d\nonumber\\ e&=&f\label{ea2}\end{eqnarray}
+\begin{alignat}{2} a&=b&\quad c&=d\label{aa1}\\ a&=b&\quad c&=d\label{aa2}\end{alignat}
+\begin{equation}\begin{split} a&=b\\&=c\end{split}\label{sp1}\end{equation}
+\begin{align} a&=b\label{i1}\\ \intertext{and so} c&=d\label{i2}\end{align}
+\beq\label{beq} x\eeq
+\begin{eqn}[q] y \end{eqn}
+\[ a = b \tag{T1}\label{tag1} \]
+\setcounter{equation}{40}
+\begin{equation}\label{set} a\end{equation}
+\numberwithin{equation}{section}
+\begin{equation}\label{nw} a\end{equation}
+\section{B}
+\begin{equation}\label{nw2} a\end{equation}
+\subsection{B1}\label{secb1}
+\renewcommand{\theequation}{S\arabic{equation}}
+\begin{align} a\label{ta}\\ b\label{tb}\\ \end{align}
+\begin{equation}\label{last} a\end{equation}
+\appendix
+\section{App}\label{app}
+\renewcommand{\theequation}{\thesection.\roman{equation}}
+\begin{equation}\label{ap1} a\end{equation}
+% \begin{equation}\label{comment} a\end{equation}
+\begin{verbatim}
+\begin{equation}\label{verbatim} a\end{equation}
+\end{verbatim}
+\iffalse \begin{equation}\label{false} a\end{equation} \fi
+\verb|\begin{equation}\label{verb}|
+\begin{equation}\label{end} a\end{equation}
+\end{document}
+\begin{equation}\label{beyond} a\end{equation}
+"""
+ARTICLE_NUMBERS = {
+    "e1": "1", "t1": "1.1", "e2": "2", "al1": "3", "al2": "4", "al3": "T", "al4": "5", "nt1": "6", "sub": "7",
+    "s1": "7a", "s2": "7b", "s3": "7c", "after": "8", "g1": "9", "g2": "10", "m1": "11", "ea1": "12",
+    "ea2": "13", "aa1": "14", "aa2": "15", "sp1": "16", "i1": "17", "i2": "18", "beq": "19", "env:q": "20",
+    "tag1": "T1", "set": "41", "nw": "1.42", "nw2": "2.1", "secb1": "2.1", "ta": "S2", "tb": "S3", "last": "S5",
+    "app": "A", "ap1": "A.i", "end": "A.ii",
+}  # fmt: skip
+
+REPORT = r"""
+\documentclass{report}
+\usepackage{amsmath,mathtools,IEEEtrantools}
+\begin{document}
+\begin{equation}\label{e0} a\end{equation}
+\chapter{One}
+\begin{equation}\label{e1} a\end{equation}
+\section{s}\label{s1}
+\begin{IEEEeqnarray}{rCl} a&=&b\label{i1}\\ c&=&d\IEEEyessubnumber\label{i2}\\ e&=&f\IEEEyessubnumber\label{i3}\\ g&=&h\IEEEnonumber\\ k&=&l\label{i4}\end{IEEEeqnarray}
+\chapter{Two}
+\begin{subequations}\begin{gather} a\label{a1}\\ b\label{a2}\end{gather}\end{subequations}
+\counterwithout{equation}{chapter}
+\begin{equation}\label{cw} a\end{equation}
+\appendix
+\chapter{A}
+\begin{equation}\label{ca} a\end{equation}
+\end{document}
+"""
+REPORT_NUMBERS = {
+    "e0": "1", "e1": "1.1", "s1": "1.1", "i1": "1.2", "i2": "1.2a", "i3": "1.2b", "i4": "1.3", "a1": "2.1a",
+    "a2": "2.1b", "cw": "2", "ca": "3",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "numbers"), [(ARTICLE, ARTICLE_NUMBERS), (REPORT, REPORT_NUMBERS)], ids=["article", "report"]
+)
+def test_every_label_has_the_number_that_latex_gives(
+    tmp_path: Path, text: str, numbers: dict[str, str]
+) -> None:
+    path = tmp_path / "paper.tex"
+    path.write_text(text)
+    assert read_text(path).labels == numbers
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no pdflatex")
+@pytest.mark.parametrize("text", [ARTICLE, REPORT], ids=["article", "report"])
+def test_pdflatex_agrees(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "paper.tex"
+    path.write_text(text)
+    command = ["pdflatex", "-draftmode", "-interaction=batchmode", path.name]
+    subprocess.run(command, cwd=tmp_path, check=False, capture_output=True, timeout=120)
+    told = re.findall(r"\\newlabel\{([^}]*)\}\{\{\{?([^{}]*)\}", path.with_suffix(".aux").read_text())
+    assert len(told) > 9
+    assert read_text(path).labels == dict(told)
+
+
+def test_a_document_that_includes_itself_is_read_once(tmp_path: Path) -> None:
+    (tmp_path / "a.tex").write_text(r"\[ a = b \]\input{b}")
+    (tmp_path / "b.tex").write_text(r"\[ c = d \]\input{a}\input{b}")
+    text = read_text(tmp_path / "a.tex")
+    assert [display.latex for display in text.displays] == ["a = b", "c = d"]
+    assert ["includes itself" in warning.message for warning in text.warnings] == [True, True]

@@ -1,0 +1,209 @@
+"""A text is judged as a paper: step by step, every fault in its place, the model beside it checked against it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from workbench.cli.commands import main
+from workbench.papers import load_paper
+from workbench.papers.steps import steps_of
+from workbench.papers.texts import read_text
+
+TEXT = r"""\newcommand{\cross}[2]{#1 \times #2}
+%! workbench: symbols.'a' = { kind = "vector" }
+%! workbench: symbols.'r' = { kind = "vector" }
+%! workbench: symbols.'v' = { kind = "vector" }
+%! workbench: symbols.'f' = { kind = "scalar" }
+\begin{align}
+  (\cross{a}{r}) \cdot (\cross{a}{r}) &= a^2 r^2 - (a \cdot r)^2 \notag\\
+   &= a^2 r^2 + (a \cdot r)^2 \label{eq:lag}\\
+   &= (a\cdot r)^2 + r^2 a^2
+\end{align}
+\[ v = \cross{a}{r} \] \[ a + f = r \] \[ \foo{x} = f \]
+"""
+
+
+def run(*arguments: str) -> Result:
+    return CliRunner().invoke(main, [*arguments], catch_exceptions=False)
+
+
+@pytest.fixture
+def paper(tmp_path: Path) -> Path:
+    path = tmp_path / "p.tex"
+    path.write_text(TEXT)
+    return path
+
+
+def test_every_claim_has_a_verdict_or_a_reason_under_the_authors_characters(paper: Path) -> None:
+    result = run("check", str(paper), "--no-proposals", "--json")
+    claims = {claim["id"]: claim for claim in json.loads(result.stdout)["claims"]}
+    assert result.exit_code == 1
+    assert {name: claim["verdict"] for name, claim in claims.items()} == {
+        "eq-lag.1": "proved",
+        "eq-lag.2": "refuted",
+        "2": "proved",
+        "L11": "unchecked",
+        "L11'": "ill-formed",
+        "L11''": "unchecked",
+    }
+    assert claims["eq-lag.2"]["chain"] == ["eq-lag.1"]
+    where = claims["eq-lag.2"]["place"]
+    line = TEXT.split("\n")[where["line"] - 1]
+    assert line[where["column"] - 1 : where["end_column"] - 1] == r"= a^2 r^2 + (a \cdot r)^2"
+    assert "nothing defines" in claims["L11"]["reason"]
+
+
+def test_the_first_step_that_does_not_follow_is_named(paper: Path) -> None:
+    out = run("check", str(paper), "--no-proposals").stdout
+    assert f"{paper}:8:5: error: refuted: the first step that does not follow" in out
+    assert "     8 |    &= a^2 r^2 + (a \\cdot r)^2 \\label{eq:lag}\\\\\n       |     ^^^^" in out
+    assert out.count("first step") == 1
+    column = TEXT.split("\n")[10].index("\\foo") + 1
+    assert f"{paper}:11:{column}: note: unchecked: cannot be read: unknown command \\foo" in out
+
+
+def test_formats_for_machines(paper: Path) -> None:
+    annotations = run("check", str(paper), "--no-proposals", "--format", "github").stdout.splitlines()
+    assert annotations[0].startswith(
+        f"::error file={paper},line=8,endLine=8,col=5,endColumn=30,title=refuted eq-lag.2::"
+    )
+    log = json.loads(run("check", str(paper), "--no-proposals", "--format", "sarif").stdout)
+    (found,) = log["runs"]
+    assert (log["version"], found["columnKind"]) == ("2.1.0", "unicodeCodePoints")
+    rules = [rule["id"] for rule in found["tool"]["driver"]["rules"]]
+    assert all(rules[result["ruleIndex"]] == result["ruleId"] for result in found["results"])
+    lines = run("check", str(paper), "--no-proposals", "--format", "rdjsonl").stdout.splitlines()
+    assert [json.loads(line)["severity"] for line in lines] == ["ERROR", "INFO", "ERROR", "INFO"]
+
+
+def test_columns_of_rdjsonl_are_bytes(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text("é $$ \\foo = 1 $$\n")
+    (line,) = run("check", str(path), "--format", "rdjsonl").stdout.splitlines()
+    assert json.loads(line)["location"]["range"]["start"] == {"line": 1, "column": 7}
+
+
+def test_a_text_of_which_nothing_is_read_ends_with_2(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text("$$ \\foo = 1 $$\n")
+    assert run("check", str(path)).exit_code == 2
+    path.write_text("no formula")
+    result = run("check", str(path))
+    assert (result.exit_code, "no displayed equation" in result.output) == (2, True)
+
+
+MODEL = r"""source = "p.md"
+[symbols]
+'a' = { kind = "vector" }
+'b' = { kind = "vector" }
+[[claim]]
+at = "one"
+corrected = 'a \times b = -b \times a'
+[[scope]]
+from = "two"
+symbols = { 'b' = { kind = "scalar" } }
+[[claim]]
+at = "line 4"
+skip = "words"
+"""
+
+
+def test_a_model_says_what_the_text_does_not(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text(
+        "$$ a \\times b = b \\times a $$ (one)\n\n$$ b a = a b $$ (two)\n$$ \\foo $$\n"
+    )
+    (tmp_path / "p.toml").write_text(MODEL)
+    for name in ("p.md", "p.toml"):
+        result = run("check", str(tmp_path / name), "--no-proposals")
+        assert result.exit_code == 0, result.output
+        assert "error" not in result.stdout
+
+
+def test_what_no_longer_fits_the_text_is_named_all_at_once(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("$$ a \\times b = 0 $$ (one)\n\n$$ a = a $$ (two)\n")
+    (tmp_path / "p.toml").write_text(
+        MODEL.split("[[claim]]")[0]
+        + "[[claim]]\nat = 'gone'\nprinted = 'a = a'\nnote = 'x'\n"
+        + "[[claim]]\nat = 'one'\nprinted = 'a \\times b = b'\n"
+        + "[[claim]]\nat = 'two'\ncorrected = '\\foo'\n[[scope]]\nfrom = 'three'\n"
+    )
+    paper = load_paper(tmp_path / "p.toml")
+    messages = [(error.line, error.message) for error in paper.faults]
+    assert sorted(line for line, _ in messages) == [6, 11, 14, 16]
+    told = " ".join(message for _, message in messages)
+    for words in (
+        "no 'three'",
+        "the same formula stands at line 3",
+        "the text says a \\times b = 0 there now",
+        "unknown command",
+    ):
+        assert words in told
+    assert run("check", str(tmp_path / "p.toml"), "--no-proposals").exit_code == 1
+
+
+STEPS = [
+    (r"a = b = c", ["a=b", "b=c"]),
+    (r"a = b, \quad c = d", ["a = b", "c = d"]),
+    (r"a = b, \quad n \geq 1", [r"a = b,n \geq1"]),
+    (r"x = 1 \text{ or } x = 2", [r"x = 1 \text{ or } x = 2"]),
+    (r"a = b \Rightarrow c = d", [r"a = b \Rightarrow c = d"]),
+    (r"f = g(a, b), h", [r"f = g(a, b), h"]),
+    (r"x_\text{and} = y \text{ and } u = v", [r"x_\text{and} = y", "u = v"]),
+    (r"a = 1 + 2 + ...", ["a = 1 + 2 + ..."]),
+    (r"\begin{cases} a = b \\ c = d \end{cases}", ["a = b", "c = d"]),
+    (r"\begin{aligned} a &= b \\ &\quad + c \\ &= d \end{aligned}", ["a=b + c", "b + c=d"]),
+    (r"a = \begin{cases} b & c \\ d & e \end{cases}", [r"a = \begin{cases} b & c \\ d & e \end{cases}"]),
+    (r"\underbrace{a}_{x} = \mathclap{b}\,. ", ["a = b"]),
+    (r"\mbox{\boldmath $\omega$} := \mathbfit{r}", [r"\boldsymbol{\omega} := \boldsymbol{r}"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("latex", "steps"), STEPS)
+def test_steps(tmp_path: Path, latex: str, steps: list[str]) -> None:
+    path = tmp_path / "p.tex"
+    path.write_text(f"\\[ {latex} \\]")
+    (display,) = read_text(path).displays
+    found = [step.spelled()[0] for line in steps_of(display) for step in line]
+    assert ["".join(each.split()) for each in found] == ["".join(each.split()) for each in steps]
+
+
+def test_ingest_writes_a_model_that_loads_and_refutes_nothing_by_a_guess(tmp_path: Path) -> None:
+    path, out = tmp_path / "p.md", tmp_path / "all.json"
+    path.write_text(
+        "The vector $v$ and the scalar $m$:\n$$ m v = v m $$ (one)\n\n$$ i j = -j i $$\n\n$$ \\int v = m $$\n\n$$ \\mathbf{w} := m v $$\n"
+    )
+    result = run("ingest", str(path), "--json", str(out))
+    assert result.exit_code == 0, result.output
+    displays = json.loads(out.read_text())["displays"]
+    assert [(d["label"], d["line"], d["read"], d["feature"]) for d in displays] == [
+        ("one", 2, True, None),
+        (None, 4, True, None),
+        (None, 6, False, "integrals"),
+        (None, 8, True, None),
+    ]
+    model = (tmp_path / "p.toml").read_text()
+    assert '\'v\' = { kind = "vector" }  # guessed: the text says "vector" near it' in model
+    checked = json.loads(run("check", str(tmp_path / "p.toml"), "--no-proposals", "--json").stdout)["claims"]
+    assert [claim["verdict"] for claim in checked][:3] == ["proved", "unchecked", "unchecked"]
+    assert "refuted if the kinds of i, j are as guessed" in checked[1]["reason"]
+    again = run("ingest", str(path))
+    assert (again.exit_code, "--force" in again.output) == (2, True)
+
+
+def test_control_characters_are_shown_and_not_obeyed(tmp_path: Path) -> None:
+    path = tmp_path / "p.tex"
+    path.write_text("%! workbench: title = '\\u001b'\n\\[ a\x1b[31m = \\foo \\]\n")
+    out = run("check", str(path)).output
+    assert "\x1b" not in out and "\ufffd" in out
+
+
+def test_init_writes_ten_true_claims(tmp_path: Path) -> None:
+    path = tmp_path / "body.toml"
+    assert run("init", str(path)).exit_code == 0
+    result = run("check", str(path))
+    assert (result.exit_code, "10 claims: 10 proved" in result.output) == (0, True)
+    assert run("init", str(path)).exit_code == 2

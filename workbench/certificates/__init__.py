@@ -1,0 +1,1 @@
+"""Exact claims as theorems that Coq's kernel checks."""

@@ -1,0 +1,152 @@
+"""Block matrices: as matrices of scalars, so that products, sums and derivatives are those of any matrix."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import accumulate
+
+from workbench.certificates import nodes
+from workbench.certificates.collector import Collector
+from workbench.certificates.nodes import APPLICATION, ATOM, NotCertified
+from workbench.judge.subject.inventory import Lookup
+from workbench.language.terms import Apply, Block, Derivative, Symbol, Term, Zero
+
+_NOTHING = "(Num false (0 # 1))"
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """Its text, how tightly that binds, and the deep copies of its entries."""
+
+    text: str
+    level: int
+    entries: tuple[tuple[str, ...], ...]
+
+    def at(self, level: int) -> str:
+        return self.text if self.level <= level else f"({self.text})"
+
+    @property
+    def columns(self) -> int:
+        return len(self.entries[0])
+
+
+def made_of_blocks(term: Term, definitions: Lookup) -> bool:
+    """Whether a matrix that is written entry by entry, or one of another size than 3, stands in the term."""
+    waiting, seen = [term], set()
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, Block) or part.type.kind == "matrix":
+            return True
+        if part not in seen:
+            seen.add(part)
+            body = definitions.lookup(part) if isinstance(part, Symbol) else None
+            waiting += part.children if body is None else (*part.children, body)
+    return False
+
+
+def matrix(emitter: Collector, term: Term) -> Matrix:
+    if term.type.dual:
+        raise NotCertified("a dual block matrix")
+    if isinstance(term, Zero):
+        return Matrix("void", ATOM, ((_NOTHING,) * term.type.columns,) * term.type.rows)
+    if term.type.kind in nodes.KINDS and not made_of_blocks(term, emitter.definitions):
+        return _cell(emitter, term)
+    match term:
+        case Symbol():
+            return _defined(emitter, term)
+        case Block():
+            return _assembled(emitter, term)
+        case Derivative():
+            value = matrix(emitter, term.body)
+            for _ in range(int(term.order)):
+                entries = tuple(tuple(f"(DD {e})" for e in row) for row in value.entries)
+                value = Matrix(f"mdot {value.at(ATOM)}", APPLICATION, entries)
+            return value
+        case Apply(head="add", arguments=arguments):
+            total, *others = (matrix(emitter, a) for a in arguments)
+            for other in others:
+                total = _pairwise("mplus", "Plus", total, other)
+            return total
+        case Apply(head="neg", arguments=(a,)):
+            value = matrix(emitter, a)
+            entries = tuple(tuple(f"(Neg {e})" for e in row) for row in value.entries)
+            return Matrix(f"mneg {value.at(ATOM)}", APPLICATION, entries)
+        case Apply(head="mul", arguments=(left, right)):
+            return _product(emitter, left, right)
+    name = term.head if isinstance(term, Apply) else type(term).__name__
+    raise NotCertified(f"{name} of block matrices")
+
+
+def _cell(emitter: Collector, term: Term) -> Matrix:
+    value = emitter.term(term)
+    text = f"cell {value.at(ATOM)}"
+    match value.kind:
+        case "Scalar":
+            entries: tuple[tuple[str, ...], ...] = ((value.deep,),)
+        case "Vector":
+            entries = tuple((f"(Comp {i} {value.deep})",) for i in range(3))
+        case _:
+            entries = tuple(tuple(f"(Comp {j} (Row {i} {value.deep}))" for j in range(3)) for i in range(3))
+    return Matrix(text, APPLICATION, entries)
+
+
+def _assembled(emitter: Collector, term: Block) -> Matrix:
+    lines = []
+    for line in term.entries:
+        cells = [matrix(emitter, cell) for cell in line]
+        widths = [cell.type.columns for cell in line]
+        text = cells[-1]
+        for cell, width in zip(reversed(cells[:-1]), reversed(widths[:-1]), strict=True):
+            entries = tuple(a + b for a, b in zip(cell.entries, text.entries, strict=True))
+            text = Matrix(f"beside {width} {cell.at(ATOM)} {text.at(ATOM)}", APPLICATION, entries)
+        lines.append(text)
+    total = lines[-1]
+    for line in reversed(lines[:-1]):
+        text = f"above {len(line.entries)} {line.at(ATOM)} {total.at(ATOM)}"
+        total = Matrix(text, APPLICATION, line.entries + total.entries)
+    return total
+
+
+def _pairwise(name: str, deep: str, left: Matrix, right: Matrix) -> Matrix:
+    rows = zip(left.entries, right.entries, strict=True)
+    entries = tuple(tuple(f"({deep} {a} {b})" for a, b in zip(r, s, strict=True)) for r, s in rows)
+    return Matrix(f"{name} {left.at(ATOM)} {right.at(ATOM)}", APPLICATION, entries)
+
+
+def _product(emitter: Collector, left: Term, right: Term) -> Matrix:
+    if left.type.kind == "operator":
+        raise NotCertified("an operator on a block matrix")
+    if left.type.kind == "scalar":
+        factor, value = emitter.term(left), matrix(emitter, right)
+        entries = tuple(tuple(f"(Scale {factor.deep} {e})" for e in row) for row in value.entries)
+        return Matrix(f"mscale {factor.at(ATOM)} {value.at(ATOM)}", APPLICATION, entries)
+    a, b = matrix(emitter, left), matrix(emitter, right)
+    if len(a.entries[0]) != len(b.entries):
+        raise NotCertified("a matrix that acts on a column of vectors")
+    columns = list(zip(*b.entries, strict=True))
+    entries = tuple(
+        tuple(
+            list(
+                accumulate(
+                    (f"(Scale {x} {y})" for x, y in zip(row, column, strict=True)), "(Plus {} {})".format
+                )
+            )[-1]
+            for column in columns
+        )
+        for row in a.entries
+    )
+    return Matrix(f"mprod {a.columns} {a.at(ATOM)} {b.at(ATOM)}", APPLICATION, entries)
+
+
+def _defined(emitter: Collector, symbol: Symbol) -> Matrix:
+    if symbol not in emitter.matrices:
+        body = emitter.definitions.lookup(symbol)
+        if body is None:
+            raise NotCertified("a block matrix that nothing defines")
+        meaning = matrix(emitter, body)
+        name = emitter.name(symbol)
+        emitter.statement.append(f"let {name} : @matrix K := {meaning.text} in")
+        emitter.introduced.append(name)
+        emitter.read_back[name] = symbol
+        emitter.matrices[symbol] = Matrix(name, ATOM, meaning.entries)
+    return emitter.matrices[symbol]

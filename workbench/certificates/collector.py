@@ -1,0 +1,287 @@
+"""What the terms of one statement need of a Coq theorem: variables, definitions, premises, steps."""
+
+from __future__ import annotations
+
+import re
+
+from workbench.certificates import nodes
+from workbench.certificates.nodes import ATOM, Node, flag, single
+from workbench.language.definitions import Definitions
+from workbench.language.terms import Symbol, Term
+from workbench.language.types import Declaration
+
+#: What Coq, the library and the proofs call otherwise.
+_TAKEN = frozenset(
+    [
+        "K",
+        "D",
+        "as",
+        "at",
+        "by",
+        "do",
+        "else",
+        "end",
+        "exists",
+        "fix",
+        "for",
+        "forall",
+        "fun",
+        "if",
+        "in",
+        "let",
+        "match",
+        "of",
+        "then",
+        "using",
+        "where",
+        "with",
+        "O",
+        "S",
+        "T",
+        "U",
+        "V",
+        "S_",
+        "DT",
+        "DU",
+        "DS",
+        "I",
+        "Q",
+        "N",
+        "Z",
+        "Set",
+        "Prop",
+        "Type",
+        "number",
+        "zero",
+        "ident",
+        "eps",
+        "cell",
+        "void",
+        "axis",
+        "part",
+        "sum",
+        "dot",
+        "cross",
+        "skew",
+        "act",
+        "prod",
+        "outer",
+        "trace",
+        "triple",
+        "det",
+        "adj",
+        "sym",
+        "anti",
+        "vect",
+        "square",
+        "times",
+        "after",
+        "beside",
+        "above",
+        "inverse",
+        "rotation",
+        "half",
+        "scale",
+        "plus",
+        "minus",
+        "neg",
+        "map",
+        "zip",
+        "each",
+        "both",
+        "fill",
+        "add",
+        "mul",
+        "opp",
+        "dt",
+        "num",
+        "sub",
+        "re",
+        "du",
+        "val",
+        "key",
+        "real_part",
+        "dual_part",
+        "embed",
+        "spin",
+        "shift",
+        "moment",
+        "along",
+        "curl",
+        "divergence",
+        "turn",
+        "constant",
+        "rodrigues",
+        "all3",
+        "every",
+        "equal",
+        "same",
+        "der",
+        "left",
+        "right",
+        "conj",
+        "split",
+        "pair",
+        "fst",
+        "snd",
+        "nil",
+        "cons",
+        "app",
+        "list",
+        "nat",
+        "bool",
+        "slots",
+        "given",
+        "known",
+        "these",
+        "here",
+        "single",
+        "joined",
+        "alike",
+        "turned",
+        "carried",
+        "defined",
+        "true",
+        "false",
+        "start",
+        "deriv",
+        "table",
+        "red",
+        "pow",
+        "size",
+        "total",
+        "jets",
+        "base",
+        "slot",
+        "find",
+        "env",
+        "upd",
+        "den",
+        "hom",
+    ]
+)
+
+
+class Collector:
+    """Collects what the terms of one statement need."""
+
+    def __init__(self, definitions: Definitions) -> None:
+        self.definitions = definitions
+        self.binders: list[tuple[str, str]] = []  # universally quantified, in order
+        self.statement: list[str] = []  # definitions and premises before the conclusion
+        self.introduced: list[str] = []  # the names that `intros` gives
+        self.slots: list[tuple[bool, str, str]] = []  # what has indeterminates or stands for such
+        self.facts: list[str] = []  # what the proof knows of symbols, each with its own proof
+        self.values: list[str] = []  # what it knows of their values, in terms of those before
+        self.lets: list[tuple[str, str]] = []  # slots that are defined, and the deep copies of what they are
+        self.steps: list[str] = []  # of the context, after the premises
+        self.pivots: dict[Symbol, bool] = {}  # defined symbols whose definition is not used
+        self.read_back: dict[str, Term] = {}
+        self.operators: dict = {}
+        self.matrices: dict = {}
+        self.helpers: dict[Term, Node] = {}  # reciprocals and inverses
+        self.circles: dict[Term, tuple[Node, Node]] = {}
+        self.families: dict[Declaration, str] = {}  # of recurrences, and of free functions of n
+        self.firsts: dict[str, int] = {}  # where a recurrence starts
+        self.integers: dict[str, str] = {}  # integer variables of the statement
+        self.orders: dict = {}  # derivatives of symbolic order
+        self.coordinate: Node | None = None
+        self._places = 1000
+        self._symbols: dict[Symbol, Node] = {}
+        self._names: set[str] = set(_TAKEN)
+        self._made: dict[Term, Node] = {}
+
+    # names, variables, definitions
+
+    def name(self, symbol: Symbol) -> str:
+        return self.fresh(identifier(symbol))
+
+    def fresh(self, wanted: str) -> str:
+        name = f"{wanted}_" if wanted in _TAKEN else wanted
+        while name in self._names:
+            name += "'"
+        self._names.add(name)
+        return name
+
+    def variable(self, dual: bool, kind: str, name: str) -> Node:
+        """A universally quantified variable."""
+        self.binders.append((name, nodes.type_name(dual, kind)))
+        return self.slot(dual, kind, name)
+
+    def slot(self, dual: bool, kind: str, text: str, level: int = ATOM) -> Node:
+        self.slots.append((dual, kind, text))
+        return Node(dual, kind, text, level, f"(Var {flag(dual)} {kind} {len(self.slots) - 1})")
+
+    def suppose(self, text: str, name: str) -> str:
+        """A premise of the statement; its name in the proof."""
+        name = self.fresh(name)
+        self.statement.append(f"{text} ->")
+        self.introduced.append(name)
+        return name
+
+    def stands_for(self, node: Node, value: Node, proof: str) -> None:
+        """The symbol of a slot is known to be the value."""
+        index = node.deep.split()[-1].rstrip(")")
+        place = f"{flag(node.dual)} {node.kind} {index}"
+        if self.steps:
+            self.step(f"given {{}} {place} {value.deep} {proof}")
+        else:
+            self.lets.append((index, value.deep))
+            self.values.append(single(f"@Value {place} {value.deep}", proof))
+
+    def place(self) -> int:
+        """An index for a symbol that a step of the context brings."""
+        self._places += 1
+        return self._places
+
+    def step(self, made: str) -> None:
+        self.steps.append(f"pose (known{len(self.steps) + 1} := {made.format(f'known{len(self.steps)}')}).")
+
+    def defined(self, name: str, value: Node) -> Node:
+        """A definition of the statement."""
+        self.statement.append(f"let {name} := {value.text} in")
+        self.introduced.append(name)
+        return self.same(name, value)
+
+    def same(self, text: str, value: Node, level: int = ATOM) -> Node:
+        node = self.slot(value.dual, value.kind, text, level)
+        self.stands_for(
+            node, value, f"(alike (K := K) (d := {flag(node.dual)}) (k := {node.kind}) {node.at(ATOM)})"
+        )
+        return node
+
+    def put(self, symbol: Symbol, node: Node) -> None:
+        self._symbols[symbol] = node
+
+    def inside(self, variable: str, body: Term) -> Collector:
+        """An emitter for the body of a step, whose definitions must all be there."""
+        for part in body.walk():
+            if isinstance(part, Symbol) and all(i.is_number for i in part.index):
+                self.symbol(part)
+        inner = type(self)(self.definitions)
+        inner._symbols = dict(self._symbols)
+        inner._names, inner.families = self._names, self.families
+        inner.integers = {variable: self.fresh("i")}
+        return inner
+
+    def term(self, term: Term) -> Node:
+        raise NotImplementedError
+
+    def symbol(self, symbol: Symbol) -> Node:
+        raise NotImplementedError
+
+
+def identifier(symbol: Symbol) -> str:
+    name = symbol.declaration.name
+    for index in symbol.index:
+        name = name.replace("@", f" {index} ".replace("+", "_plus_").replace("-", "_minus_"), 1)
+    return spelled(name)
+
+
+def spelled(latex: str) -> str:
+    """LaTeX as an identifier."""
+    name = re.sub(r"\\(boldsymbol|mathbf|mathrm|text|left|right)\b", "", latex)
+    name = name.replace("\\underline", "u").replace("*", "_star").replace("'", "_prime")
+    name = re.sub(r"[^A-Za-z0-9_]+", "_", name).strip("_")
+    name = re.sub(r"__+", "_", name) or "x"
+    return "x" + name if name[0].isdigit() else name

@@ -1,0 +1,191 @@
+"""From typed terms to values of Coq statements."""
+
+from __future__ import annotations
+
+from workbench.certificates import families, functions, nodes, operators, suppositions
+from workbench.certificates.collector import Collector
+from workbench.certificates.fields import curl, divergence
+from workbench.certificates.nodes import KINDS, Node, NotCertified
+from workbench.language.definitions import Definitions
+from workbench.language.instances import count
+from workbench.language.terms import (
+    Apply,
+    Counting,
+    Derivative,
+    DualUnit,
+    Identity,
+    Integer,
+    Number,
+    Power,
+    Symbol,
+    Term,
+    Zero,
+)
+
+_UNARY = {
+    "skew": ("skew", "Skew", "Tensor"),
+    "vect": ("vect", "Vect", "Vector"),
+    "symmetric": ("sym", "Sym", "Tensor"),
+    "antisymmetric": ("anti", "Anti", "Tensor"),
+    "transpose": ("transpose", "Transpose", "Tensor"),
+    "adjugate": ("adj", "Adj", "Tensor"),
+    "det": ("det", "Det", "Scalar"),
+    "trace": ("trace", "Trace", "Scalar"),
+}
+_BINARY = {
+    "dot": ("·", "Dot", "Scalar"),
+    "cross": ("×", "Cross", "Vector"),
+    "outer": ("⊗", "Outer", "Tensor"),
+}
+
+
+class Emitter(Collector):
+    """Makes nodes of terms."""
+
+    def term(self, term: Term) -> Node:
+        if term not in self._made or self.coordinate is not None:
+            made = self._term(term)
+            if self.coordinate is not None:
+                return made
+            self._made[term] = made
+        return self._made[term]
+
+    def _term(self, term: Term) -> Node:
+        if term.type.kind not in KINDS:
+            raise NotCertified(f"a {term.type.kind} among scalars, vectors and tensors")
+        match term:
+            case Number():
+                return nodes.number(term.value)
+            case Integer(value=value) if value.is_number:
+                return nodes.number(int(value))
+            case Counting():
+                return (
+                    self.term(count(term.name, term.arguments))
+                    if _numeric(term)
+                    else _refuse("a symbolic binomial")
+                )
+            case Zero():
+                return nodes.zero(False, KINDS[term.type.kind])
+            case Identity():
+                return nodes.identity(False)
+            case DualUnit():
+                return nodes.DUAL_UNIT
+            case Symbol():
+                return self.symbol(term)
+            case Derivative():
+                if not term.order.is_number:
+                    return families.of_symbolic_order(self, term)
+                return nodes.derivative(self.term(term.body), int(term.order))
+            case Power():
+                if not term.exponent.is_number:
+                    raise NotCertified("a power of symbolic exponent")
+                return nodes.raised(self.term(term.base), int(term.exponent))
+            case Apply():
+                return self._apply(term)
+        raise NotCertified(type(term).__name__)
+
+    def _apply(self, term: Apply) -> Node:
+        head, arguments = term.head, term.arguments
+        if head == "mul" and arguments[0].type.kind == "operator":
+            value = self.term(arguments[1])
+            acting = operators.operator(self, arguments[0], value.dual or arguments[0].type.dual, value.kind)
+            return acting(nodes.embedded(value, value.dual or arguments[0].type.dual))
+        if head in functions.HEADS:
+            return functions.HEADS[head](self, term)
+        if head == "divergence":
+            return divergence(self, arguments[0])
+        if head == "curl":
+            return curl(self, arguments[0])
+        if head == "add":
+            total = self.term(arguments[0])
+            for addend in arguments[1:]:
+                if isinstance(addend, Apply) and addend.head == "neg":
+                    total = nodes.minus(total, self.term(addend.arguments[0]))
+                else:
+                    total = nodes.plus(total, self.term(addend))
+            return total
+        made = [self.term(a) for a in arguments]
+        if head in _UNARY:
+            return nodes.call(*_UNARY[head], *made)
+        if head in _BINARY:
+            return nodes.infix(*_BINARY[head], *made)
+        match head:
+            case "neg":
+                return nodes.neg(made[0])
+            case "mul":
+                return nodes.times(*made)
+            case "triple":
+                return nodes.call("triple", "Triple", "Scalar", *made)
+            case "re":
+                return nodes.half("real_part", "Re", made[0])
+            case "du":
+                return nodes.half("dual_part", "Du", made[0])
+        raise NotCertified(head)
+
+    def symbol(self, symbol: Symbol) -> Node:
+        if self.coordinate is not None:
+            return self._in_a_field(symbol)
+        if symbol not in self._symbols:
+            self._symbols[symbol] = self._new(symbol)
+        return self._symbols[symbol]
+
+    def _in_a_field(self, symbol: Symbol) -> Node:
+        """Where ∂/∂ρ is taken, what depends on ρ is written out."""
+        if symbol.declaration.coordinate:
+            return self.coordinate
+        body = self.definitions.lookup(symbol)
+        if body is not None and _has_coordinate(body, self.definitions):
+            return self.term(body)
+        inside, self.coordinate = self.coordinate, None
+        try:
+            return self.symbol(symbol)
+        finally:
+            self.coordinate = inside
+
+    def _new(self, symbol: Symbol) -> Node:
+        kind = KINDS.get(symbol.type.kind)
+        if kind is None:
+            raise NotCertified(f"a {symbol.type.kind} among scalars, vectors and tensors")
+        if symbol.declaration.symmetric or symbol.declaration.diagonal:
+            raise NotCertified("a symmetric tensor")
+        body = self.definitions.lookup(symbol)
+        if any(not index.is_number for index in symbol.index):
+            return families.member(self, symbol, kind, body)
+        if body is None:
+            if symbol.arguments:
+                raise NotCertified("a function that nothing defines")
+            name = self.name(symbol)
+            self.read_back[name] = symbol
+            return suppositions.variable(self, symbol, kind, name)
+        value = self.term(body)
+        value = nodes.embedded(value, symbol.type.dual or value.dual)
+        name = self.name(symbol)
+        self.read_back[name] = symbol
+        if symbol in self.pivots:
+            self.statement.append(f"let {name} := {value.text} in")
+            self.introduced.append(name)
+            return self.slot(value.dual, value.kind, name)
+        return self.defined(name, value)
+
+
+def _has_coordinate(term: Term, definitions: Definitions) -> bool:
+    for part in term.walk():
+        if isinstance(part, Symbol):
+            if part.declaration.coordinate:
+                return True
+            body = definitions.lookup(part)
+            if body is not None and not _recurs(part, body) and _has_coordinate(body, definitions):
+                return True
+    return False
+
+
+def _recurs(symbol: Symbol, body: Term) -> bool:
+    return any(isinstance(p, Symbol) and p.declaration.name == symbol.declaration.name for p in body.walk())
+
+
+def _numeric(term: Counting) -> bool:
+    return all(a.is_number for a in term.arguments)
+
+
+def _refuse(obstacle: str) -> Node:
+    raise NotCertified(obstacle)

@@ -1,0 +1,98 @@
+"""The exact forms of a paper (printed, reading, corrected) and what each one's certificate is about."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from workbench.certificates.families import general
+from workbench.certificates.nodes import NotCertified
+from workbench.certificates.theorem import HEADER, Theorem, theorem
+from workbench.language.instances import instantiate
+from workbench.language.terms import IllFormed, Relation
+from workbench.papers.model import Claim, Formula
+
+FORMS = ("printed", "reading", "corrected")
+
+
+@dataclass(frozen=True)
+class Form:
+    """One way in which a claim stands in the paper. `every`: it is to be shown for all n at once."""
+
+    claim: Claim
+    name: str
+    formula: Formula
+    every: bool = False
+
+    @property
+    def identifier(self) -> str:
+        return "claim_" + re.sub(r"\W+", "_", f"{self.claim.id}_{self.name}").strip("_")
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """A Coq file: its theorems, in order."""
+
+    form: Form
+    theorems: tuple[Theorem, ...]
+    scope: str | None = None
+    header: str = HEADER
+
+    @property
+    def text(self) -> str:
+        latex = (
+            " ".join(self.form.formula.latex.split())
+            .replace("(*", "( *")
+            .replace("*)", "* )")
+            .replace('"', "''")
+        )
+        about = f"(* {self.form.claim.id}, {self.form.name}: {latex} *)"
+        names = [t.name for t in self.theorems]
+        last = names[0]
+        together = ""
+        if len(names) > 1:  # printing what one rests on takes a second, whatever it is
+            last = f"{self.form.identifier}_each"
+            together = f"Definition {last} := ({', '.join(f'@{name}' for name in names)})."
+        return "\n".join(
+            [about, self.header, *(t.text for t in self.theorems), together, f"Print Assumptions {last}.", ""]
+        )
+
+
+def forms_of(claim: Claim) -> Iterator[Form]:
+    """The forms that are formulas; a theorem's printed form is words, or more than one identity."""
+    for name in FORMS:
+        formula = getattr(claim, name)
+        if formula is None or formula.statement is None or (name == "printed" and claim.theorem is not None):
+            continue
+        yield Form(claim, name, formula)
+
+
+def certificate(form: Form, every: bool) -> Certificate:
+    """The theorems of a form: one for all n where that can be stated, else one for each instance.
+
+    Raises NotCertified with the first obstacle.
+    """
+    claim = form.claim
+    definitions = claim.notation.definitions
+    if every:
+        try:
+            statement, supposed, integers = general(form.formula.statement, claim.supposed, definitions)
+            made = theorem(form.identifier, statement, supposed, definitions, integers)
+            return Certificate(form, (made,), f"all {', '.join(integers)}" if integers else None)
+        except NotCertified:
+            pass
+    theorems = []
+    for values in claim.instances:
+        suffix = "".join(f"_{name}{value}" for name, value in values.items())
+        try:
+            statement = instantiate(form.formula.statement, values)
+            supposed = [instantiate(s, values) for s in claim.supposed]
+            if isinstance(statement, Relation) and statement.left == statement.right:
+                continue
+            theorems.append(theorem(form.identifier + suffix, statement, supposed, definitions))
+        except IllFormed as error:
+            raise NotCertified(str(error)) from None
+    if not theorems:
+        raise NotCertified("both sides are the same term")
+    return Certificate(form, tuple(theorems), str(claim.orders) if claim.orders else None)

@@ -1,0 +1,164 @@
+"""Quotients, inverses, sines, cosines and exponentials: by what defines them, as premises of the theorem."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from workbench.certificates import nodes
+from workbench.certificates.collector import Collector
+from workbench.certificates.nodes import APPLICATION, ATOM, Node, NotCertified, flag
+from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.language.terms import Apply, DualUnit, Number, Symbol, Term
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+def quotient(emitter: Collector, term: Apply) -> Node:
+    above, below = term.arguments
+    if isinstance(below, Number):
+        return nodes.times(nodes.number(1 / below.value), emitter.term(above))
+    return nodes.times(reciprocal(emitter, below), emitter.term(above))
+
+
+def reciprocal(emitter: Collector, below: Term) -> Node:
+    """1/x as a scalar y with x • y ≡ 1."""
+    key = Apply(below.type, None, "reciprocal", (below,))
+    if key not in emitter.helpers:
+        value = emitter.term(below)
+        if value.dual or value.kind != "Scalar":
+            raise NotCertified("a reciprocal of a dual number")
+        name = emitter.fresh("over")
+        emitter.binders.append((name, "scalar K"))
+        known = emitter.suppose(f"reciprocal {value.at(ATOM)} {name}", f"{name}_is")
+        place = emitter.place()
+        emitter.step(f"with_reciprocal {{}} {place} {value.deep} {known}")
+        emitter.read_back[name] = key
+        emitter.helpers[key] = Node(False, "Scalar", name, ATOM, f"(Var false Scalar {place})")
+    return emitter.helpers[key]
+
+
+def inverse(emitter: Collector, term: Apply) -> Node:
+    """A⁻¹ as a tensor X with A X ≡ I and X A ≡ I; it is (1/det A) adj A, which the proof computes with."""
+    if term not in emitter.helpers:
+        value = emitter.term(term.arguments[0])
+        if value.dual or value.kind != "Tensor":
+            raise NotCertified("the inverse of anything but a real tensor")
+        name = emitter.fresh(
+            f"inverse_{value.text}" if value.level == ATOM and value.text.isidentifier() else "inverse_of_it"
+        )
+        emitter.binders.append((name, "tensor K"))
+        known = emitter.suppose(f"inverse {value.at(ATOM)} {name}", f"{name}_is")
+        one, two = emitter.place(), emitter.place()
+        emitter.step(f"with_reciprocal {{}} {one} (Det {value.deep}) (inverse_det {known})")
+        adjugate = f"(Scale (Var false Scalar {one}) (Adj {value.deep}))"
+        emitter.step(f"given {{}} false Tensor {two} {adjugate} (inverse_adj {known})")
+        emitter.read_back[name] = term
+        emitter.helpers[term] = Node(False, "Tensor", name, ATOM, f"(Var false Tensor {two})")
+    return emitter.helpers[term]
+
+
+def cosine(emitter: Collector, term: Apply) -> Node:
+    return circle(emitter, term.arguments[0])[0]
+
+
+def sine(emitter: Collector, term: Apply) -> Node:
+    return circle(emitter, term.arguments[0])[1]
+
+
+def circle(emitter: Collector, angle: Term) -> tuple[Node, Node]:
+    """cos and sin as scalars c, s with c² + s² = 1, ċ = −s α̇, ṡ = c α̇; of a dual angle by its real part."""
+    key = Apply(angle.type, None, "turn", (angle,))
+    if key not in emitter.circles:
+        value = emitter.term(angle)
+        if not value.text.isidentifier():
+            raise NotCertified("the sine or cosine of anything but one angle")
+        real = _real_angle(emitter, angle) if value.dual else None
+        c, s = circle(emitter, real) if real is not None else _turn(emitter, value, angle)
+        if value.dual:
+            names = f"{value.text} {c.text} {s.text}"
+            emitter.circles[key] = (
+                _dual(f"dual_cos {names}", "Minus", value, c, s),
+                _dual(f"dual_sin {names}", "Plus", value, s, c),
+            )
+        else:
+            emitter.circles[key] = (c, s)
+    return emitter.circles[key]
+
+
+def _real_angle(emitter: Collector, angle: Term) -> Term | None:
+    """α of an angle that is defined as α + ε d."""
+    body = emitter.definitions.lookup(angle) if isinstance(angle, Symbol) else None
+    match body:
+        case Apply(head="add", arguments=(Symbol() as real, Apply(head="mul", arguments=(DualUnit(), d)))):
+            return real if not (real.type.dual or d.type.dual) else None
+    return None
+
+
+def _turn(emitter: Collector, angle: Node, angle_term: Term) -> tuple[Node, Node]:
+    if emitter.steps:
+        raise NotCertified("an angle after a quotient")
+    real = nodes.half("real_part", "Re", angle) if angle.dual else angle
+    pair = []
+    for what in ("cos", "sin"):
+        name = emitter.fresh(f"{what}_{angle.text}")
+        emitter.binders.append((name, "scalar K"))
+        pair.append(emitter.slot(False, "Scalar", name))
+        emitter.read_back[name] = Apply(angle_term.type, None, what, (angle_term,))
+    c, s = pair
+    known = emitter.suppose(f"turn {real.at(ATOM)} {c.text} {s.text}", f"{angle.text}_turns")
+    places = " ".join(n.deep.split()[-1].rstrip(")") for n in pair)
+    emitter.values.append(f"(@turn_at_ok K here {real.deep} {places} {known})")
+    return c, s
+
+
+def _dual(text: str, sign: str, angle: Node, main: Node, other: Node) -> Node:
+    deep = f"({sign} (Emb {main.deep}) (Scale Eps (Emb (Scale (Du {angle.deep}) {other.deep}))))"
+    return Node(True, "Scalar", text, APPLICATION, deep)
+
+
+def exponential(emitter: Collector, term: Apply) -> Node:
+    """Of ε X: I + ε X, since the series ends. Of α ũ with a unit vector u: Rodrigues' formula."""
+    argument = term.arguments[0]
+    turn = angle_and_axis(argument)
+    if turn is not None:
+        angle, axis = turn
+        c, s, u = nodes.together((*circle(emitter, angle), emitter.term(axis)))
+        text = f"rodrigues {c.at(ATOM)} {s.at(ATOM)} {u.at(ATOM)}"
+        skew = f"(Skew {u.deep})"
+        sine_part = f"(Plus (Idt {flag(u.dual)}) (Scale {s.deep} {skew}))"
+        rest = f"(Scale (Minus {nodes.number(1, u.dual).deep} {c.deep}) (Prod {skew} {skew}))"
+        return Node(u.dual, "Tensor", text, APPLICATION, f"(Plus {sine_part} {rest})")
+    inner = _over_epsilon(argument)
+    if inner is None:
+        raise NotCertified("the exponential of anything but ε X or α ũ")
+    value = emitter.term(inner)
+    if value.dual:
+        raise NotCertified("the exponential of ε times a dual tensor")
+    deep = f"(Plus (Idt true) (Scale Eps (Emb {value.deep})))"
+    return Node(True, "Tensor", f"exp_eps {value.at(ATOM)}", APPLICATION, deep)
+
+
+def _over_epsilon(argument: Term) -> Term | None:
+    """X of ε X, and −X of −ε X."""
+    match argument:
+        case Apply(head="mul", arguments=(DualUnit(), inner)):
+            return inner
+        case Apply(head="neg", arguments=(body,)):
+            inner = _over_epsilon(body)
+            return None if inner is None else Apply(inner.type, inner.weight, "neg", (inner,))
+    return None
+
+
+def norm(emitter: Collector, term: Apply) -> Node:
+    raise NotCertified("a norm")
+
+
+HEADS: dict[str, Callable[[Collector, Apply], Node]] = {
+    "div": quotient,
+    "inverse": inverse,
+    "cos": cosine,
+    "sin": sine,
+    "exp": exponential,
+    "norm": norm,
+}

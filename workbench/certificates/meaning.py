@@ -1,0 +1,266 @@
+"""What a statement says, as nested tuples: once from the Coq text, once from the typed term.
+
+That both are the same is the check of the emitter, with which this module shares nothing.
+
+Left aside are only: the embedding of real quantities among dual ones, a scalar's place in a product, and
+how x⁴ of a vector is (x·x)².
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from workbench.certificates.read_back import Expression, Unread, number
+from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.language.definitions import Definitions
+from workbench.language.instances import count
+from workbench.language.terms import (
+    Apply,
+    Block,
+    Counting,
+    Derivative,
+    DualUnit,
+    Identity,
+    Integer,
+    Number,
+    Power,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+
+_UNARY = {
+    "skew": "skew",
+    "vect": "vect",
+    "sym": "symmetric",
+    "anti": "antisymmetric",
+    "transpose": "transpose",
+    "adj": "adjugate",
+    "det": "det",
+    "trace": "trace",
+    "real_part": "re",
+    "dual_part": "du",
+    "neg": "neg",
+    "neg_op": "neg",
+    "mneg": "neg",
+}
+_BINARY = {"·": "dot", "×": "cross", "⊗": "outer", "∘": "mul", "@": "mul", "•": "mul", "⊚": "mul"}
+
+
+def added(parts: list[Any]) -> Any:
+    """A sum, its first addend's addends among its own."""
+    first, *rest = parts
+    return ("add", *(first[1:] if first[0] == "add" else (first,)), *rest)
+
+
+class OfText:
+    """Meanings of expressions, where `names` says what term a name stands for."""
+
+    def __init__(self, names: Mapping[str, Term], of_term: OfTerm) -> None:
+        self.names, self.of_term, self.bound = names, of_term, {}
+
+    def __call__(self, e: Expression) -> Any:
+        if str(e) in self.bound:
+            return self.bound[str(e)]
+        if str(e) in self.names:
+            return self.of_term(self.names[str(e)])
+        if e.head in ("+", "⊕"):
+            return added([self(a) for a in e.arguments])
+        if e.head == "-":
+            return added([self(e.arguments[0]), ("neg", self(e.arguments[1]))])
+        if e.head in _BINARY:
+            return (_BINARY[e.head], *map(self, e.arguments))
+        if e.head == "neg":
+            return ("neg", self(e.arguments[0]))
+        if e.head == ":":
+            return self(e.arguments[0])
+        if e.head == "":
+            return self._call(*e.arguments)
+        constant = {
+            "zero": ("zero",),
+            "void": ("zero",),
+            "ident": ("one",),
+            "eps": ("eps",),
+            "D": ("D",),
+            "unit_op": ("one",),
+        }
+        if e.head in constant:
+            return constant[e.head]
+        raise Unread(f"the name {e.head}")
+
+    def _call(self, function: Expression, *arguments: Expression) -> Any:
+        name = function.head
+        made: Callable[[], list[Any]] = lambda: [self(a) for a in arguments]  # noqa: E731
+        match name:
+            case "number":
+                return ("number", number(arguments[0]))
+            case "embed" | "cell" | "times" | "scale":
+                return self(arguments[0])
+            case "D":
+                return ("der", 1, self(arguments[0]))
+            case "mdot":
+                return differentiated(self(arguments[0]), 1)
+            case "der":
+                return ("der", int(arguments[0].head), self(arguments[1]))
+            case "square":
+                return ("square", self(arguments[0]))
+            case "tpower" | "spower" | "power_op":
+                return ("power", self(arguments[0]), int(arguments[1].head))
+            case "triple":
+                return ("triple", *made())
+            case "mplus":
+                return added(made())
+            case "mprod" | "beside" | "above":
+                word = {"mprod": "mul"}.get(name, name)
+                return (
+                    word,
+                    *([int(arguments[0].head)] if name != "mprod" else []),
+                    *map(self, arguments[1:]),
+                )
+            case "mscale":
+                return ("mul", *made())
+            case "dual_cos" | "dual_sin":
+                return (name[5:], self(arguments[0]))
+            case "rodrigues":
+                return ("exp", self(arguments[0])[1], self(arguments[2]))
+            case "exp_eps":
+                return ("exp", ("mul", ("eps",), self(arguments[0])))
+            case "divergence" | "curl":
+                variable, body = arguments[0].arguments
+                place = self(arguments[1])
+                self.bound = {str(variable): place}
+                inner = self(body)
+                self.bound = {}
+                return (name, inner)
+        if name in _UNARY:
+            return (_UNARY[name], *made())
+        if len(arguments) == 1:  # an operator on a value
+            return applied(self(function), self(arguments[0]))
+        raise Unread(f"the function {name}")
+
+
+def applied(operator: Any, value: Any) -> Any:
+    return ("der", 1, value) if operator == ("D",) else ("mul", operator, value)
+
+
+def differentiated(value: Any, order: int) -> Any:
+    return ("der", order + value[1], value[2]) if value[0] == "der" else ("der", order, value)
+
+
+class OfTerm:
+    """Meanings of typed terms; symbols stand for themselves."""
+
+    def __init__(self, definitions: Definitions) -> None:
+        self.definitions = definitions
+
+    def __call__(self, t: Term) -> Any:
+        match t:
+            case Number(value=value):
+                return ("number", value)
+            case Integer(value=value):
+                return ("number", Fraction(int(value)))
+            case Counting(name=name, arguments=arguments):
+                return self(count(name, arguments))
+            case Zero():
+                return ("zero",)
+            case Identity():
+                return ("one",)
+            case DualUnit():
+                return ("eps",)
+            case TimeOperator():
+                return ("D",)
+            case Symbol():
+                return ("symbol", t)
+            case Derivative(body=body, order=order):
+                if order.is_number:
+                    return ("der", int(order), self(body))
+                free = ("symbol", Derivative(t.type, None, body, order - order.constant))
+                return ("der", order.constant, free) if order.constant else free
+            case Power(base=base, exponent=exponent):
+                return self._power(base, int(exponent))
+            case Block(entries=entries):
+                return self._block(entries)
+            case Apply():
+                return self._apply(t)
+        raise Unread(type(t).__name__)
+
+    def _power(self, base: Term, exponent: int) -> Any:
+        if base.type.kind == "vector":
+            square = ("square", self(base))
+            return square if exponent == 2 else ("power", square, exponent // 2)
+        return ("power", self(base), exponent)
+
+    def _block(self, entries: tuple[tuple[Term, ...], ...]) -> Any:
+        rows = []
+        for line in entries:
+            row = self(line[-1])
+            for cell in reversed(line[:-1]):
+                row = (
+                    "beside",
+                    cell.type.columns,
+                    self(cell),
+                    row,
+                )
+            rows.append(row)
+        total = rows[-1]
+        for line, row in zip(reversed(entries[:-1]), reversed(rows[:-1]), strict=True):
+            total = ("above", line[0].type.rows, row, total)
+        return total
+
+    def _apply(self, t: Apply) -> Any:
+        head, arguments = t.head, t.arguments
+        if head == "add":
+            return added([self(a) for a in arguments])
+        if head == "div":
+            below = arguments[1]
+            factor = ("number", 1 / below.value) if isinstance(below, Number) else ("over", self(below))
+            return ("mul", factor, self(arguments[0]))
+        if head == "reciprocal":
+            return ("over", self(arguments[0]))
+        if head == "exp":
+            turn = angle_and_axis(arguments[0])
+            if turn is not None:
+                return ("exp", self(turn[0]), self(turn[1]))
+            return ("exp", self._epsilon_first(arguments[0]))
+        if head in ("divergence", "curl"):
+            return (head, self(self._written_out(arguments[0])))
+        if head in ("mul", "compose"):
+            left, right = arguments
+            if right.type.kind == "scalar" and left.type.kind != "scalar":
+                left, right = right, left
+            if left.type.kind == "operator" and right.type.kind != "operator":
+                return applied(self(left), self(right))
+            return ("mul", self(left), self(right))
+        return (head, *(self(a) for a in arguments))
+
+    def _epsilon_first(self, argument: Term) -> Any:
+        if isinstance(argument, Apply) and argument.head == "neg":
+            inner = self._epsilon_first(argument.arguments[0])
+            return ("mul", ("eps",), ("neg", inner[2]))
+        return self(argument)
+
+    def _written_out(self, field: Term) -> Term:
+        """The field with what depends on the coordinate replaced by what it is."""
+        from workbench.language.construct import rebuild
+
+        if isinstance(field, Symbol):
+            body = self.definitions.lookup(field)
+            if body is None or not self._depends(body):
+                return field
+            return self._written_out(body)
+        return (
+            rebuild(field, tuple(self._written_out(c) for c in field.children)) if field.children else field
+        )
+
+    def _depends(self, term: Term) -> bool:
+        for part in term.walk():
+            if isinstance(part, Symbol):
+                if part.declaration.coordinate:
+                    return True
+                body = self.definitions.lookup(part)
+                if body is not None and self._depends(body):
+                    return True
+        return False

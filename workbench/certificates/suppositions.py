@@ -1,0 +1,84 @@
+"""What declarations suppose of symbols: constants, unit vectors, rotations; how the proof learns of it."""
+
+from __future__ import annotations
+
+from workbench.certificates import nodes
+from workbench.certificates.collector import Collector
+from workbench.certificates.nodes import Node, flag, single
+from workbench.language.terms import Symbol
+
+
+def variable(emitter: Collector, symbol: Symbol, kind: str, name: str) -> Node:
+    """A free symbol as a variable of the theorem, with what its declaration says of it."""
+    declaration, dual = symbol.declaration, symbol.type.dual
+    node = emitter.variable(dual, kind, name)
+    if declaration.rotation:
+        _rotation(emitter, node)
+    if declaration.unit:
+        _unit(emitter, node, declaration.constant)
+    elif declaration.constant:
+        _constant(emitter, node)
+    return node
+
+
+def supposed(emitter: Collector, node: Node, what: str) -> str:
+    """A hypothesis beside the variable; its name."""
+    name = emitter.fresh(f"{node.text}_{what.split()[0]}")
+    emitter.binders.append((name, f"{what} {node.text}"))
+    return name
+
+
+def index(node: Node) -> str:
+    return node.deep.split()[-1].rstrip(")")
+
+
+def _rotation(emitter: Collector, node: Node) -> None:
+    if not node.dual:
+        known = supposed(emitter, node, "rotation")
+        spin = emitter.slot(False, "Vector", f"(spin {node.text})")
+        places = f"{index(node)} {index(spin)}"
+        emitter.facts.append(f"(@rotation_at_ok K here {places} {known} eq_refl)")
+        return
+    known = supposed(emitter, node, "dual_rotation")
+    real = emitter.slot(False, "Tensor", f"(real_part {node.text} : tensor K)")
+    spin = emitter.slot(False, "Vector", f"(spin (real_part {node.text} : tensor K))")
+    moved = emitter.slot(False, "Vector", f"(shift {node.text})")
+    places = " ".join(map(index, (node, real, spin, moved)))
+    emitter.facts.append(f"(@dual_rotation_at_ok K here {places} {known} eq_refl eq_refl eq_refl)")
+
+
+def _unit(emitter: Collector, node: Node, constant: bool) -> None:
+    known = supposed(emitter, node, f"unit_vector (K := K) (d := {flag(node.dual)})")
+    still = (
+        supposed(emitter, node, f"constant (K := K) (d := {flag(node.dual)}) (k := Vector)")
+        if constant
+        else None
+    )
+    if not node.dual:
+        spin = emitter.slot(False, "Vector", f"({node.text} × D {node.text})")
+        places = f"{index(node)} {index(spin)}"
+        emitter.facts.append(f"(@unit_at_ok K here {places} {known} eq_refl)")
+        if still:
+            emitter.facts.append(_rate(node, still))
+        return
+    real_text = f"(real_part {node.text} : vector K)"
+    real = emitter.slot(False, "Vector", real_text)
+    spin = emitter.slot(False, "Vector", f"({real_text} × D {real_text})")
+    moment = emitter.slot(False, "Vector", f"(moment {node.text})")
+    places = " ".join(map(index, (node, real, spin, moment)))
+    emitter.facts.append(f"(@dual_unit_at_ok K here {places} {known} eq_refl eq_refl eq_refl)")
+    if still:
+        # the symbol itself was replaced by u + ε m × u before
+        emitter.facts.append(_rate(real, f"(still_real {still})"))
+        emitter.facts.append(_rate(moment, f"(still_moment {still})"))
+
+
+def _constant(emitter: Collector, node: Node) -> None:
+    emitter.facts.append(
+        _rate(node, supposed(emitter, node, f"constant (K := K) (d := {flag(node.dual)}) (k := {node.kind})"))
+    )
+
+
+def _rate(node: Node, known: str) -> str:
+    place = f"{flag(node.dual)} {node.kind} {index(node)}"
+    return single(f"@Rate {place} {nodes.zero(node.dual, node.kind).deep}", known)

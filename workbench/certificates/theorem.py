@@ -1,0 +1,264 @@
+"""A statement as a Coq theorem, with its proof."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from workbench.certificates import blocks, nodes, operators, read_back
+from workbench.certificates.emitter import Emitter
+from workbench.certificates.meaning import OfTerm, OfText, applied
+from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, flag, single
+from workbench.language.definitions import Definitions, expand
+from workbench.language.terms import (
+    Apply,
+    Conjunction,
+    Derivative,
+    Implication,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
+
+HEADER = """From Coq Require Import QArith List.
+From Kin Require Import Kin Poly Terms Certify Modulo Symbols Forms Facts Fraction Context Steps.
+Import ListNotations.
+Open Scope Q_scope. Open Scope kin_scope.
+"""
+
+
+@dataclass
+class Theorem:
+    """What a statement says in Coq, and the goals of its proof: pairs of deep copies."""
+
+    name: str
+    emitter: Emitter
+    conclusions: list[str] = field(default_factory=list)
+    goals: list[list[tuple[str, str]]] = field(default_factory=list)
+    relations: list[Relation] = field(default_factory=list)  # what the conclusions say
+
+    def read_back_faults(self) -> list[str]:
+        """Where the text, read again, does not say what the terms say, or is not the text again."""
+        emitter = self.emitter
+        of_term = OfTerm(emitter.definitions)
+        of_text = OfText(emitter.read_back, of_term)
+        faults = []
+        for line in emitter.statement:
+            found = re.fullmatch(r"let (\S+)(?: : [^:=]+)? := (.*) in", line, re.DOTALL)
+            symbol = emitter.read_back.get(found[1]) if found else None
+            if symbol is None:
+                continue
+            body = emitter.definitions.lookup(symbol)
+            faults += _differs(found[1], found[2], of_text, of_term(body))
+        for conclusion, relation in zip(self.conclusions, self.relations, strict=True):
+            if "≡" not in conclusion:  # a matrix equation
+                _, _, _, left, right = read_back.expression(conclusion).arguments
+                sides = [str(left), str(right)]
+            else:
+                sides = re.split(r" (?:≡ε|≡) ", conclusion)
+            for text, term in zip(sides, (relation.left, relation.right), strict=True):
+                wanted = of_term(term)
+                if "operator" in (relation.left.type.kind, relation.right.type.kind):
+                    wanted = applied(wanted, ("probe",))
+                    of_text.bound = {emitter.binders[0][0] if emitter.binders else "x": ("probe",)}
+                faults += _differs("the conclusion", text, of_text, wanted)
+        return faults
+
+    @property
+    def statement(self) -> str:
+        emitter = self.emitter
+        binders = [f"({name} : {type_})" for name, type_ in emitter.binders]
+        lines = list(emitter.statement)
+        for variable in emitter.integers.values():
+            if 1 in emitter.firsts.values():
+                binders.insert(0, f"({variable}_less_1 : nat)")
+                lines.insert(0, f"let {variable} := S {variable}_less_1 in")
+            else:
+                binders.insert(0, f"({variable} : nat)")
+        head = " ".join([f"Theorem {self.name} (K : diff_ring)", *binders])
+        return "\n  ".join([f"{head} :", *lines, " /\\ ".join(self.conclusions) + "."])
+
+    @property
+    def proof(self) -> str:
+        emitter = self.emitter
+        introduced = list(emitter.introduced)
+        if 1 in emitter.firsts.values():
+            introduced = [*emitter.integers.values(), *introduced]
+        lines = [f"intros {' '.join(introduced)}."] if introduced else []
+        slots = emitter.slots or [(False, "Scalar", "(num 0 : scalar K)")]
+        shapes = "; ".join(f"({flag(dual)}, {kind})" for dual, kind, _ in slots)
+        values = "; ".join(
+            f"as_slot {flag(dual)} {kind} {text if text.isidentifier() or text[0] == '(' else f'({text})'}"
+            for dual, kind, text in slots
+        )
+        premises = [*emitter.facts, *emitter.values]
+        proofs = (
+            "".join(f"(joined {proof}\n    " for proof in premises) + "(Forall_nil _)" + ")" * len(premises)
+        )
+        lines.append(f"pose (these := [{values}] : list (slot K)).")
+        lines.append("pose (here := envK 0 these).")
+        lines.append(f"pose (known0 := @premised K [{shapes}] these eq_refl eq_refl _\n    {proofs}).")
+        lines += emitter.steps
+        last = f"known{len(emitter.steps)}"
+        for place, goals in enumerate(self.goals):
+            parts = [f"certify {last}\n    {left}\n    {right}" for left, right in goals]
+            if place < len(self.goals) - 1:
+                lines.append("split.")
+                lines.append("{ " + _proof_of(parts) + " }")
+            else:
+                lines.append(_proof_of(parts))
+        return "\n  ".join(["Proof.", *lines]) + "\nQed."
+
+    @property
+    def text(self) -> str:
+        return f"{self.statement}\n{self.proof}\n"
+
+
+def theorem(
+    name: str,
+    statement: Statement,
+    assume: Sequence[Statement],
+    definitions: Definitions,
+    integers: Sequence[str] = (),
+) -> Theorem:
+    """Raises NotCertified with the first obstacle."""
+    emitter = Emitter(definitions)
+    for variable in integers:
+        emitter.integers[variable] = emitter.fresh(variable)
+    made = Theorem(name, emitter)
+    premises = [r for s in assume for r in _relations(s)]
+    for premise in premises:
+        if premise.operator == "=" and _at_an_instant(premise, statement, definitions):
+            raise NotCertified("an assumption that holds at one instant only")
+    while isinstance(statement, Implication):
+        premises += _relations(statement.left)
+        statement = statement.right
+    for premise in premises:
+        if premise.operator == "=":
+            _suppose(emitter, premise)
+    for relation in _relations(statement):
+        if relation.operator != "=":
+            raise NotCertified("an inequation to be proved")
+        _conclude(made, relation)
+    return made
+
+
+def _differs(what: str, text: str, of_text: OfText, wanted: object) -> list[str]:
+    read = read_back.expression(text)
+    again = str(read)
+    faults = (
+        []
+        if again in (text, f"({text})") or f"({again})" == text
+        else [f"{what}: {text} is written again as {again}"]
+    )
+    if of_text(read) != wanted:
+        faults.append(f"{what}: the text says {of_text(read)}, the term {wanted}")
+    return faults
+
+
+def _proof_of(parts: list[str]) -> str:
+    """Of an equation, or of a matrix equation, entry by entry."""
+    if len(parts) == 1:
+        return f"{parts[0]}."
+    return "apart.\n  " + "\n  ".join(f"* {part}." for part in parts)
+
+
+def _relations(statement: Statement) -> Iterator[Relation]:
+    match statement:
+        case Relation():
+            yield statement
+        case Conjunction(parts=parts):
+            for part in parts:
+                yield from _relations(part)
+        case _:
+            raise NotCertified(f"an {type(statement).__name__.lower()}")
+
+
+def _conclude(made: Theorem, relation: Relation) -> None:
+    emitter, left, right = made.emitter, relation.left, relation.right
+    made.relations.append(relation)
+    kinds = {left.type.kind, right.type.kind}
+    if any(blocks.made_of_blocks(side, emitter.definitions) for side in (left, right)):
+        a, b = blocks.matrix(emitter, left), blocks.matrix(emitter, right)
+        made.conclusions.append(f"matrix_equal {len(a.entries)} {a.columns} {a.at(ATOM)} {b.at(ATOM)}")
+        made.goals.append(
+            [(x, y) for r, s in zip(a.entries, b.entries, strict=True) for x, y in zip(r, s, strict=True)]
+        )
+        return
+    if "operator" in kinds:
+        dual = left.type.dual or right.type.dual
+        value = emitter.variable(dual, "Vector", emitter.fresh("x"))
+        first = operators.operator(emitter, left, dual, "Vector")(value)
+        second = operators.operator(emitter, right, dual, "Vector")(value)
+    else:
+        if not kinds <= set(KINDS):
+            raise NotCertified(f"an equation between {' and '.join(sorted(kinds))}")
+        first, second = nodes.together((emitter.term(left), emitter.term(right)))
+    made.conclusions.append(equation(first, second))
+    made.goals.append([(first.deep, second.deep)])
+
+
+def equation(left: Node, right: Node) -> str:
+    left, right = nodes.together((left, right))
+    return f"{left.at(69)} {'≡ε' if left.dual else '≡'} {right.at(69)}"
+
+
+def _suppose(emitter: Emitter, premise: Relation) -> None:
+    """The premise, and what it says that one of its symbols is."""
+    pivot = _pivot(emitter, premise)
+    if pivot is not None:
+        emitter.pivots[pivot[0]] = True
+    left, right = nodes.together((emitter.term(premise.left), emitter.term(premise.right)))
+    known = emitter.suppose(equation(left, right), "premise")
+    if pivot is None:
+        place = f"{left.deep} {right.deep}"
+        emitter.values.append(single(f"Rule {place}", known))
+        return
+    symbol, rest, proof = pivot
+    value = emitter.term(rest[0])
+    for other in rest[1:]:
+        value = nodes.minus(value, emitter.term(other))
+    emitter.stands_for(emitter.symbol(symbol), value, f"({proof} {known})")
+
+
+def _pivot(emitter: Emitter, premise: Relation) -> tuple[Symbol, list[Term], str] | None:
+    """A symbol that the premise is solved for: what it is (a difference), and the lemma that says so."""
+    left, right = premise.left, premise.right
+    for side, other, proof in ((left, right, "as_given"), (right, left, "turned")):
+        if isinstance(side, Symbol) and _may_stand(emitter, side, other):
+            return side, [other], proof
+    if (
+        isinstance(left, Apply)
+        and left.head == "add"
+        and isinstance(left.arguments[0], Symbol)
+        and len(left.arguments) == 2
+    ):
+        symbol, rest = left.arguments
+        if _may_stand(emitter, symbol, rest) and not _occurs(symbol, right):
+            return symbol, [right, rest], "carried"
+    return None
+
+
+def _may_stand(emitter: Emitter, symbol: Symbol, other: Term) -> bool:
+    d = symbol.declaration
+    return (
+        not (d.rotation or d.unit or d.constant) and not _occurs(symbol, other) and symbol.type.kind in KINDS
+    )
+
+
+def _occurs(symbol: Symbol, term: Term) -> bool:
+    return any(part == symbol for part in term.walk())
+
+
+def _at_an_instant(premise: Relation, statement: Statement, definitions: Definitions) -> bool:
+    """Whether the statement is about derivatives of a symbol whose value the premise gives."""
+    if not isinstance(premise.left, Symbol):
+        return False
+    full = [expand(side, definitions) for r in _relations(statement) for side in (r.left, r.right)]
+    return any(
+        isinstance(part, Derivative) and _occurs(premise.left, part.body)
+        for term in full
+        for part in term.walk()
+    )

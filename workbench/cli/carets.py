@@ -1,0 +1,50 @@
+"""Findings on a terminal: the author's line, and carets under his characters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from rich.text import Text
+
+from workbench.report.findings import Finding
+
+_STYLES = {"error": "red", "warning": "yellow", "note": "dim"}
+_MOST_LINES = 4
+_WIDTH = 160
+
+
+def finding_lines(finding: Finding, lines: Sequence[str]) -> Iterator[Text]:
+    """The place and the message; the lines of the text, each with its carets."""
+    span = finding.span
+    place = f"{span.file}:{span.line}:{span.column}: "
+    name = f"  [{finding.claim}]" if finding.claim else ""
+    style = _STYLES[finding.level]
+    message = printable(finding.message)
+    yield Text.assemble(printable(place), (f"{finding.level}: ", style), message, (name, "dim"))
+    for number in range(span.line, min(span.end_line, span.line + _MOST_LINES - 1) + 1):
+        if not 0 < number <= len(lines):
+            continue
+        line = printable(lines[number - 1])
+        start = span.column - 1 if number == span.line else len(line) - len(line.lstrip())
+        end = span.end_column - 1 if number == span.end_line else len(line.rstrip())
+        shift = max(0, start - _WIDTH // 2) if len(line) > _WIDTH else 0
+        line, start, end = line[shift : shift + _WIDTH], start - shift, min(end - shift, _WIDTH)
+        yield Text(f"{number:>6} | {line}")
+        yield Text.assemble(f"{'':>6} | {' ' * start}", ("^" * max(1, end - start), style))
+
+
+def printable(text: str) -> str:
+    """One character for each: what a terminal would obey is shown as a mark."""
+    return "".join(" " if c == "\t" else c if c.isprintable() else "\ufffd" for c in text)
+
+
+def lines_of(path: Path) -> list[str]:
+    """The lines of a text as they are counted in findings; none if it cannot be read."""
+    from workbench.papers import PaperError
+    from workbench.papers.texts import Source
+
+    try:
+        return Source.open(path).text.split("\n")
+    except PaperError:
+        return []

@@ -1,0 +1,85 @@
+"""`workbench certify`: the exact claims as Coq theorems."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from workbench.cli.options import Defect, Unusable, paper_option, reports_faults
+
+if TYPE_CHECKING:
+    from workbench.papers import Paper
+
+
+@click.command()
+@click.argument("select", nargs=-1)
+@paper_option
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="Write the .v files, and the library, to this directory."
+)
+@click.option("--check", "asked", is_flag=True, help="Have Coq check each certificate and print its axioms.")
+@reports_faults
+def certify(select: Sequence[str], paper_name: str | None, out: Path | None, asked: bool) -> None:
+    """Write the proved and refuted forms of the claims that SELECT means as Coq theorems. With --check, exit
+    status 3 if Coq refuses one of them."""
+    from workbench.certificates import coqc
+    from workbench.certificates.certify import checked_all, exact_forms, written
+    from workbench.cli.terminal import certificates_table, console, progress_bar
+    from workbench.papers import find_paper
+    from workbench.papers.selection import select_claims
+    from workbench.verify.claims import judge_paper
+
+    if asked and coqc.version() is None:
+        raise Unusable(f"no coqc is found, so no certificate can be checked; get it by {coqc.INSTALL}")
+    if out is not None and out.exists() and not out.is_dir():
+        raise Unusable(f"{out}: expected a directory for the certificates, got a file")
+    paper = find_paper(paper_name)
+    with progress_bar(len(select_claims(paper.claims, select)), "judging") as advance:
+        results = judge_paper(paper, select, progress=advance)
+    made = [written(form, verdict) for form, _, verdict in exact_forms(results)]
+    if out is not None:
+        _write(out, made)
+    if asked:
+        with progress_bar(len(made), "checking") as advance:
+            try:
+                made = checked_all(made, advance)
+            except coqc.CoqFault as fault:
+                raise Defect(str(fault)) from None
+    by_hand = [] if select else _by_hand(paper)
+    refused = [path.name for path in by_hand if asked and not coqc.check(path.read_text("utf-8")).expected]
+    terminal = console(sys.stdout)
+    terminal.print(certificates_table(made))
+    certified = [c for c in made if c.certificate is not None]
+    done = sum(c.checked is not None and c.checked.expected for c in made)
+    terminal.print(
+        f"{len(made)} exact forms, {len(certified)} written" + (f", {done} certified" if asked else "")
+    )
+    for path in by_hand:
+        said = ": refused" if path.name in refused else ": certified" if asked else ""
+        terminal.print(f"{path.name}, written by hand{said}", markup=False)
+    if broken := [*(c.form.identifier for c in made if c.broken), *refused]:
+        raise Defect(f"Coq refuses {len(broken)} of them: {', '.join(broken)}")
+
+
+def _by_hand(paper: Paper) -> list[Path]:
+    """Theorems that no emitter writes: `certificates/*.v` beside the paper's files or beside their folder."""
+    folders = {path.parent for path in paper.paths} | {path.parent.parent for path in paper.paths}
+    return sorted(file for folder in folders for file in (folder / "certificates").glob("*.v"))
+
+
+def _write(out: Path, made: Sequence) -> None:
+    from workbench.certificates import coqc
+
+    try:
+        (out / "library").mkdir(parents=True, exist_ok=True)
+        for name in coqc.LIBRARY:
+            (out / "library" / f"{name}.v").write_text(coqc.library_text(name), encoding="utf-8")
+        for each in made:
+            if each.certificate is not None:
+                (out / f"{each.form.identifier}.v").write_text(each.certificate.text, encoding="utf-8")
+    except OSError as error:
+        raise Unusable(f"{out}: the certificates cannot be written: {error.strerror or error}") from None

@@ -1,0 +1,188 @@
+"""The command line. Exit status: 0 as expected (check: all proved), 1 not so, 2 the input cannot be used,
+3 a defect of the workbench, 130 interrupted."""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from workbench.cli.certify import certify
+from workbench.cli.check import check
+from workbench.cli.ingest import ingest_text
+from workbench.cli.init import init
+from workbench.cli.judging import engine_options, judged, print_results, proposals_flag
+from workbench.cli.motion import motion
+from workbench.cli.options import (
+    Unusable,
+    json_flag,
+    paper_option,
+    print_json,
+    reports_faults,
+)
+from workbench.cli.repair import claims_with_proposals, errata, repair_claim
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(package_name="kinematics-workbench", prog_name="workbench")
+def main() -> None:
+    """Checks the printed formulas of kinematics papers: LaTeX in, exact verdict and evidence out."""
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="backslashreplace")  # where the locale has no Φ
+
+
+main.add_command(repair_claim)
+main.add_command(errata)
+main.add_command(certify)
+main.add_command(check)
+main.add_command(ingest_text)
+main.add_command(init)
+main.add_command(motion)
+
+
+@main.command("list")
+@click.argument("select", nargs=-1)
+@paper_option
+@json_flag
+@reports_faults
+def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) -> None:
+    """List the claims of a paper, without judging them."""
+    from workbench.cli.terminal import claims_table, console
+    from workbench.papers import find_paper
+    from workbench.papers.selection import select_claims
+
+    claims = select_claims(find_paper(paper_name).claims, select)
+    if as_json:
+        print_json(
+            [
+                {
+                    "id": claim.id,
+                    "equation": claim.equation,
+                    "section": claim.section,
+                    "expected": str(claim.expected),
+                    "printed": claim.printed.latex or claim.statement,
+                }
+                for claim in claims
+            ]
+        )
+    else:
+        console(sys.stdout).print(claims_table(claims))
+
+
+@main.command()
+@click.argument("select", nargs=-1)
+@paper_option
+@json_flag
+@engine_options
+@reports_faults
+def verify(select: Sequence[str], paper_name: str | None, as_json: bool, **engines: Any) -> None:
+    """Judge the claims that SELECT means: equations (58), ranges (45-70), ids (58.det), sections (4.1),
+    patterns (58.*); all of them if there is none. Exit status 0 if each verdict is the expected one."""
+    from workbench.papers import find_paper
+
+    paper = find_paper(paper_name)
+    results = judged(paper, select, **engines)
+    print_results(paper, results, as_json)
+    sys.exit(0 if all(result.passed for result in results) else 1)
+
+
+@main.command()
+@click.argument("claim_id", metavar="ID")
+@paper_option
+@json_flag
+@proposals_flag
+@reports_faults
+def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) -> None:
+    """Show one claim in full: printed, read back, verdict, counterexample, correction, evidence.
+    ID may also select several claims, as for verify."""
+    from workbench.certificates.certify import with_certificates
+    from workbench.cli.proposals import proposal_lines
+    from workbench.cli.terminal import claim_lines, console
+    from workbench.papers import find_paper
+    from workbench.verify.results import claim_dict
+
+    results = judged(find_paper(paper_name), [claim_id])
+    claims = claims_with_proposals([claim_dict(result) for result in results], results, proposals)
+    claims = with_certificates(claims, results)
+    if as_json:
+        print_json(claims[0] if len(claims) == 1 else claims)
+    else:
+        terminal = console(sys.stdout)
+        for claim in claims:
+            for line in (*claim_lines(claim), *proposal_lines(claim, coloured=terminal.is_terminal)):
+                terminal.print(line)
+    sys.exit(0 if all(result.passed for result in results) else 1)
+
+
+@main.command()
+@click.argument("select", nargs=-1)
+@paper_option
+@click.option(
+    "--out", default="report", show_default=True, type=click.Path(path_type=Path), help="The directory."
+)
+@json_flag
+@engine_options
+@click.option(
+    "--proposals/--no-proposals",
+    default=False,
+    show_default=True,
+    help="Search for the right form of what is not right; takes a minute or two.",
+)
+@reports_faults
+def report(
+    select: Sequence[str],
+    paper_name: str | None,
+    out: Path,
+    as_json: bool,
+    proposals: bool,
+    **engines: Any,
+) -> None:
+    """Write the report of a paper: JSON, HTML, Markdown and LaTeX. Exit status as for verify."""
+    from workbench.certificates.certify import with_certificates
+    from workbench.cli.terminal import console, summary_line
+    from workbench.papers import find_paper
+    from workbench.verify.results import report_dict
+
+    _require_directory(out)
+    paper = find_paper(paper_name)
+    results = judged(paper, select, **engines)
+    data = report_dict(paper, results)
+    if proposals:
+        data["claims"] = claims_with_proposals(data["claims"], results, True)
+    data["claims"] = with_certificates(data["claims"], results)
+    written = _write_report_atomically(data, out)
+    if as_json:
+        print_json(data)
+    else:
+        terminal = console(sys.stdout)
+        for path in written:
+            terminal.print(str(path), markup=False)
+        terminal.print(summary_line(results))
+    sys.exit(0 if all(result.passed for result in results) else 1)
+
+
+def _require_directory(out: Path) -> None:
+    if out.exists() and not out.is_dir():
+        raise Unusable(f"{out}: expected a directory for the report, got a file")
+
+
+def _write_report_atomically(data: dict[str, Any], out: Path) -> list[Path]:
+    """Each file appears in `out` only when all of them are written."""
+    from workbench.report import write_report
+
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=out, prefix=".unfinished-") as unfinished:
+            drafts = write_report(data, Path(unfinished))
+            written = [out / draft.relative_to(unfinished) for draft in drafts]
+            for draft, path in zip(drafts, written, strict=True):
+                path.parent.mkdir(parents=True, exist_ok=True)
+                os.replace(draft, path)
+    except OSError as error:
+        raise Unusable(f"{out}: the report cannot be written: {error.strerror or error}") from None
+    return written

@@ -1,0 +1,93 @@
+"""What the commands that judge have in common: options, judging with a bar, printing, writing a file."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from workbench.cli.options import Unusable, cache_option, memory_of_verdicts, print_json
+
+if TYPE_CHECKING:
+    from workbench.papers import Paper
+    from workbench.verify.claims import ClaimResult
+
+proposals_flag = click.option(
+    "--proposals/--no-proposals", default=True, help="Search for the right form of what is not right."
+)
+_engines = [
+    click.option(
+        "--second-engine/--no-second-engine",
+        default=True,
+        help="Recheck every proof by the second engine; without it, nothing counts as proved.",
+    ),
+    click.option("--motions/--no-motions", default=True, help="Evaluate claims on Drake's motions too."),
+    click.option(
+        "--seconds",
+        type=float,
+        show_default="what the paper says, or 20",
+        help="Processor time for each judgement, past which it is unchecked.",
+    ),
+    click.option(
+        "--megabytes",
+        type=float,
+        show_default="what the paper says, or 4000",
+        help="Memory for each judgement, past which it is unchecked.",
+    ),
+    cache_option,
+]
+
+
+def engine_options(command: Callable[..., None]) -> Callable[..., None]:
+    for option in reversed(_engines):
+        command = option(command)
+    return command
+
+
+def judged(
+    paper: Paper,
+    select: Sequence[str],
+    seconds: float | None = None,
+    megabytes: float | None = None,
+    cache: bool = True,
+    **engines: bool,
+) -> list[ClaimResult]:
+    from workbench.budget import Budget
+    from workbench.cli.terminal import progress_bar
+    from workbench.papers.selection import select_claims
+    from workbench.verify.claims import judge_paper
+
+    try:
+        budget = Budget.of(seconds=seconds, megabytes=megabytes)
+    except ValueError as error:
+        raise Unusable(str(error)) from None
+    count = len(select_claims(paper.claims, select))
+    with memory_of_verdicts(cache) as memory, progress_bar(count, "judging") as advance:
+        return judge_paper(paper, select, progress=advance, budget=budget, memory=memory, **engines)
+
+
+def print_results(paper: Paper, results: Sequence[ClaimResult], as_json: bool) -> None:
+    from workbench.cli.terminal import console, results_table, summary_line
+    from workbench.verify.results import report_dict
+
+    if as_json:
+        print_json(report_dict(paper, results))
+    else:
+        terminal = console(sys.stdout)
+        terminal.print(results_table(results))
+        terminal.print(summary_line(results))
+
+
+def write_atomically(path: Path, text: str) -> None:
+    draft = path.with_name(f".unfinished-{os.getpid()}-{path.name}")
+    try:
+        draft.write_text(text, encoding="utf-8")
+        os.replace(draft, path)
+    except OSError as error:
+        raise Unusable(f"{path}: cannot be written: {error.strerror or error}") from None
+    finally:
+        draft.unlink(missing_ok=True)

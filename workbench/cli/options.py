@@ -1,0 +1,95 @@
+"""What the commands have in common: their options, how they print JSON, and how faults become messages."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import wraps
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from workbench.verify.memory import Memory
+
+INTERRUPTED = 130
+
+
+class Unusable(click.ClickException):
+    """Input that cannot be used: one message on standard error, exit status 2."""
+
+    exit_code = 2
+
+
+class Defect(click.ClickException):
+    """The workbench contradicts itself."""
+
+    exit_code = 3
+
+
+def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
+    """Turns the errors that bad input gets into one message and exit status 2."""
+
+    @wraps(command)
+    def guarded(*arguments: Any, **options: Any) -> None:
+        from workbench.judge.verdict import EngineDisagreement
+        from workbench.papers import PaperError
+        from workbench.papers.selection import SelectError
+
+        try:
+            command(*arguments, **options)
+        except (PaperError, SelectError) as error:
+            raise Unusable(str(error)) from None
+        except KeyboardInterrupt:
+            click.echo("interrupted", err=True)
+            sys.exit(INTERRUPTED)
+        except EngineDisagreement as error:
+            raise Defect(f"the engines disagree, so no verdict is given: {error}") from error
+
+    return guarded
+
+
+paper_option = click.option(
+    "--paper",
+    "paper_name",
+    show_default="the installed paper chapter",
+    metavar="FILE",
+    help="A paper file, or the name of an installed paper.",
+)
+cache_option = click.option(
+    "--cache/--no-cache",
+    default=True,
+    help="Take the verdicts of earlier runs on what has not changed since; kept under WORKBENCH_CACHE, or"
+    " where the system keeps such files.",
+)
+json_flag = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+
+
+@contextmanager
+def memory_of_verdicts(wanted: bool) -> Iterator[Memory | None]:
+    """The verdicts of earlier runs; none if they are not wanted."""
+    if not wanted:
+        yield None
+        return
+    from platformdirs import user_cache_path
+
+    from workbench.verify.memory import Memory
+
+    place = os.environ.get("WORKBENCH_CACHE")
+    memory = Memory((Path(place) if place else user_cache_path("kinematics-workbench")) / "verdicts.sqlite")
+    try:
+        yield memory
+    finally:
+        memory.close()
+
+
+def json_text(data: Any) -> str:
+    return json.dumps(data, ensure_ascii=False, indent=2) + "\n"
+
+
+def print_json(data: Any) -> None:
+    click.echo(json_text(data), nl=False)

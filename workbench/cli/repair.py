@@ -1,0 +1,130 @@
+"""The commands that look for right forms: repair, errata; and the proposals in other commands."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from workbench.cli.options import Unusable, json_flag, paper_option, print_json, reports_faults
+from workbench.repair.propose.limits import STANDARD, Limits
+
+if TYPE_CHECKING:
+    from workbench.papers import Claim
+    from workbench.repair.propose.repair import Repair
+    from workbench.verify.claims import ClaimResult
+
+
+_seconds_option = click.option(
+    "--seconds", default=STANDARD.seconds, show_default=True, help="The limit on time for one claim."
+)
+
+
+@click.command("repair")
+@click.argument("select", nargs=-1, required=True, metavar="ID...")
+@paper_option
+@_seconds_option
+@click.option("--definitions", is_flag=True, help="Change the definitions that the claims share instead.")
+@json_flag
+@reports_faults
+def repair_claim(
+    select: Sequence[str], paper_name: str | None, seconds: float, definitions: bool, as_json: bool
+) -> None:
+    """Propose the right form of claims, from their printed forms alone; only proved forms are proposed.
+    Ctrl-C keeps what was found. Exit status 0 if there is a proposal for each, 1 if not."""
+    from workbench.cli.proposals import repair_lines
+    from workbench.cli.terminal import console
+    from workbench.papers import find_paper
+    from workbench.papers.selection import select_claims
+
+    limits = _limits(seconds)
+    claims = select_claims(find_paper(paper_name).claims, select)
+    if definitions:
+        _repair_definitions(claims, seconds, as_json)
+    repairs = _repaired(claims, limits)
+    if as_json:
+        found = [repair.to_dict() for repair in repairs]
+        print_json(found[0] if len(found) == 1 else found)
+    else:
+        terminal = console(sys.stdout)
+        for repair in repairs:
+            for line in repair_lines(repair.to_dict(), coloured=terminal.is_terminal):
+                terminal.print(line)
+    done = len(repairs) == len(claims) and all(repair.proposals for repair in repairs)
+    sys.exit(0 if done else 1)
+
+
+@click.command()
+@click.argument("select", nargs=-1)
+@paper_option
+@_seconds_option
+@json_flag
+@reports_faults
+def errata(select: Sequence[str], paper_name: str | None, seconds: float, as_json: bool) -> None:
+    """Which of the known errata the machine corrects from the printed form alone, as it was done by hand.
+    SELECT as for verify. Ctrl-C keeps what was found. Exit status 0 if it corrects all of them."""
+    from workbench.cli.terminal import console
+    from workbench.papers import find_paper
+    from workbench.papers.selection import select_claims
+    from workbench.repair.propose.errata import compared, errata_table, known_errata, summary
+
+    limits = _limits(seconds)
+    claims = known_errata(select_claims(find_paper(paper_name).claims, select))
+    rows = [compared(repair) for repair in _repaired(claims, limits)]
+    if as_json:
+        print_json([row.to_dict() for row in rows])
+    else:
+        terminal = console(sys.stdout)
+        terminal.print(errata_table(rows))
+        terminal.print(summary(rows), markup=False)
+    sys.exit(0 if len(rows) == len(claims) and all(row.is_same for row in rows) else 1)
+
+
+def _limits(seconds: float) -> Limits:
+    if not 0 < seconds < math.inf:
+        raise Unusable(f"seconds: expected a positive number, got {seconds}")
+    return Limits(seconds=seconds)
+
+
+def _repaired(claims: Sequence[Claim], limits: Limits) -> list[Repair]:
+    """With a bar over the search of a single claim, or over several claims."""
+    from workbench.cli.proposals import search_bar
+    from workbench.cli.terminal import progress_bar
+    from workbench.repair.propose.repair import repair
+    from workbench.repair.propose.run import repair_claims
+
+    if len(claims) == 1:
+        with search_bar(claims[0].id, limits) as advance:
+            return [repair(claims[0], limits, progress=advance)]
+    with progress_bar(len(claims), "repairing") as advance:
+        return repair_claims(claims, limits, advance)
+
+
+def _repair_definitions(claims: Sequence[Claim], seconds: float, as_json: bool) -> None:
+    """Prints the changes of definitions that mend two or more of these false claims, and exits."""
+    from workbench.repair.propose.definitions import repair_definitions
+
+    repairs = repair_definitions(claims, seconds=seconds * len(claims))
+    if as_json:
+        print_json([{**asdict(repair), "edit": repair.edit} for repair in repairs])
+    else:
+        click.echo("\n".join(r.edit for r in repairs) or "no change of definitions mends two of these claims")
+    sys.exit(0 if repairs else 1)
+
+
+def claims_with_proposals(
+    claims: Sequence[dict[str, Any]], results: Sequence[ClaimResult], wanted: bool
+) -> list[dict[str, Any]]:
+    """The claims of the report with what the machine proposes for those that are refuted or ill-formed."""
+    from workbench.cli.terminal import progress_bar
+    from workbench.repair.propose.run import proposals_for, with_proposals
+
+    proposed: dict[str, list[dict[str, Any]]] = {}
+    if wanted:
+        with progress_bar(len(results), "repairing") as advance:
+            proposed = proposals_for(results, progress=advance)
+    return [with_proposals(claim, proposed) for claim in claims]

@@ -1,0 +1,180 @@
+"""How results look on a terminal. Formulas are Text throughout: their brackets are no markup."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import IO, TYPE_CHECKING, Any
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+from rich.text import Text
+
+from workbench.report.kinds import STATES, VERDICTS
+
+if TYPE_CHECKING:
+    from workbench.papers.model import Claim
+    from workbench.verify.claims import ClaimResult
+
+_STYLES = {name: kind.style for name, kind in VERDICTS.items()}
+_UNLIMITED = 100_000
+
+#: Of an evidence's figures: what stands before them, and what only a picture can show.
+_UNSHOWN = ("method", "outcome", "course")
+
+
+def console(stream: IO[str]) -> Console:
+    """Colours only on a terminal (rich also respects NO_COLOR); elsewhere no line is ever wrapped or cut."""
+    width = None if stream.isatty() else _UNLIMITED
+    return Console(file=stream, width=width, highlight=False, emoji=False, soft_wrap=False)
+
+
+def outcome_text(outcome: str) -> Text:
+    return Text(str(outcome), style=_STYLES.get(str(outcome), ""))
+
+
+def claims_table(claims: Sequence[Claim]) -> Table:
+    table = _table("id", "equation", "section", "expected", "printed")
+    for claim in claims:
+        table.add_row(
+            Text(claim.id),
+            Text(claim.equation or ""),
+            Text(claim.section or ""),
+            outcome_text(claim.expected),
+            Text(_one_line(claim.printed.latex or claim.quote or claim.statement or "")),
+        )
+    return table
+
+
+def results_table(results: Sequence[ClaimResult]) -> Table:
+    table = _table("id", "equation", "verdict", "scope", "reading", "corrected", "as expected")
+    for result in results:
+        table.add_row(
+            Text(result.claim.id),
+            Text(result.claim.equation or ""),
+            outcome_text(result.verdict.outcome),
+            Text(result.verdict.scope or ""),
+            outcome_text(result.reading.outcome) if result.reading else Text(""),
+            outcome_text(result.corrected.outcome) if result.corrected else Text(""),
+            Text("yes", style="green") if result.passed else Text(f"NO: {result.why_not}", style="bold red"),
+        )
+    return table
+
+
+def summary_line(results: Sequence[ClaimResult]) -> Text:
+    counts = Counter(str(result.verdict.outcome) for result in results)
+    line = Text(f"{len(results)} claims: ")
+    for position, name in enumerate(name for name in _STYLES if counts[name]):
+        line.append(", " if position else "")
+        line.append(f"{counts[name]} {name}", style=_STYLES[name])
+    failed = sum(not result.passed for result in results)
+    line.append("; all as expected" if not failed else f"; {failed} not as expected")
+    return line
+
+
+def claim_lines(claim: Mapping[str, Any], with_expectation: bool = True) -> Iterator[Text]:
+    """One claim in full: what is wrong, for … read …, why, counterexample, evidence; with its id
+    and whether it passed, or without."""
+    if with_expectation:
+        yield Text(claim["id"], style="bold")
+    yield from _field("equation", claim["equation"])
+    yield from _field("section", claim["section"])
+    yield from _fault(claim)
+    yield from _field("statement", claim["statement"])
+    yield from _field("printed", claim["printed"])
+    yield from _field("our formula", claim["formula"])
+    yield from _field("goal", claim["goal"])
+    yield from _field("for", claim["orders"])
+    for condition in claim["assume"]:
+        yield from _field("assuming", condition)
+    yield Text.assemble(f"{'verdict':>15}  ", outcome_text(claim["verdict"]))
+    yield from _field("scope", claim["scope"])
+    if claim["reading"] is None or not claim["note"]:  # else the note says what the machine would guess
+        yield from _field("because", claim["reason"])
+    yield from _field("hypothesis", claim["hypothesis"])
+    for key in ("reading", "corrected"):
+        if form := claim[key]:
+            yield from _field(key, form["latex"])
+            yield Text.assemble(" " * 17, outcome_text(form["verdict"]))
+            yield from _field("because", form["reason"])
+    if counterexample := claim["counterexample"]:
+        yield Text(f"{'counterexample':>15}")
+        for symbol, entries in counterexample["values"].items():
+            yield Text(f"{'':17}{symbol} = {_tuple(entries)}")
+        yield Text(f"{'':17}left  = {_tuple(counterexample['lhs'])}")
+        yield Text(f"{'':17}right = {_tuple(counterexample['rhs'])}")
+    yield from _field("read as", claim["read_back"])
+    for evidence in claim["evidence"]:
+        figures = ", ".join(f"{k} {v}" for k, v in evidence.items() if k not in _UNSHOWN)
+        text = f"{evidence['method']}: {evidence['outcome']}" + (f" ({figures})" if figures else "")
+        yield from _field("evidence", text)
+    yield from _field("on motions", claim["motion"]["line"])
+    for certificate in claim.get("certificates", ()):
+        yield from _field("certificate", f"{certificate['form']}: {certificate['word']}")
+        if certificate["statement"]:
+            yield from (Text(f"{'':17}{line}") for line in certificate["statement"].splitlines())
+    yield from _field("bears on", ", ".join(claim["inherits"]))
+    if not claim["fault"]:
+        yield from _field("note", claim["note"])
+    if with_expectation and not claim["passed"]:
+        yield Text(f"{'NOT AS EXPECTED':>15}  {claim['why_not']}", style="bold red")
+
+
+def _fault(claim: Mapping[str, Any]) -> Iterator[Text]:
+    """What is wrong, and what an editor does about it."""
+    if not claim["fault"]:
+        return
+    kind, mend = STATES[claim["fault"]], claim["mend"] or {}
+    yield Text.assemble(f"{'fault':>15}  ", (kind.label, kind.style), f": {kind.meaning}")
+    yield from _field("where", mend.get("place"))
+    yield from _field("beside it", mend.get("beside"))
+    for edit in mend.get("edits", ()):
+        yield from _field("for", edit["for"])
+        yield from _field("read", edit["read"] or "nothing")
+    yield from _field("mended by", mend.get("mended_by"))
+    yield from _field("why", claim["note"])
+
+
+@contextmanager
+def progress_bar(total: int, what: str) -> Iterator[Any]:
+    """A bar on standard error, if that is a terminal; yields the function that advances it."""
+    if not sys.stderr.isatty() or total < 2:
+        yield lambda result: None
+        return
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task(what, total=total)
+        yield lambda result: progress.update(task, advance=1)
+
+
+def certificates_table(certificates: Sequence[Any]) -> Table:
+    """One line for each exact form: its verdict, and what Coq says of it."""
+    table = _table("claim", "form", "verdict", "scope", "certificate")
+    for each in certificates:
+        scope = each.certificate.scope if each.certificate else None
+        table.add_row(each.form.claim.id, each.form.name, str(each.outcome), scope or "", each.word)
+    return table
+
+
+def _table(*headings: str) -> Table:
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for heading in headings:
+        table.add_column(heading, overflow="fold")
+    return table
+
+
+def _field(name: str, value: str | None) -> Iterator[Text]:
+    if value:
+        yield Text(f"{name:>15}  {_one_line(value)}")
+
+
+def _one_line(text: str) -> str:
+    """What a terminal would obey is shown as a mark."""
+    return "".join(c if c.isprintable() else "\ufffd" for c in " ".join(text.split()))
+
+
+def _tuple(entries: Sequence[str]) -> str:
+    return entries[0] if len(entries) == 1 else "(" + ", ".join(entries) + ")"

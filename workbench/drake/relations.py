@@ -1,0 +1,96 @@
+"""What the bindings are of each other: pure data.
+
+`DEFINED` says of a binding which term of other bindings it is, in an order in which each uses only what is
+free or stands above it. Bindings that have no entry are free: `FREE` says of which kind. On a chain,
+`DEFINED_ON_CHAINS` goes first: there the motion of B is that of A and that of B in A.
+
+A term is a binding's name, or (operation, terms …): add, sub, mul (of tensors, vectors, scalars),
+cross, skew, vect, transpose, rate (the time derivative), and dual (its real and its dual part).
+"""
+
+from __future__ import annotations
+
+Term = str | tuple
+
+#: Free bindings: a rotation R(t), a vector of time, a constant vector, a scalar of time, a constant line.
+FREE = {
+    "R_WB": "rotation",
+    "p_WBo": "vector",
+    "p_BoP_B": "constant vector",
+    "p_BoQ_B": "constant vector",
+    "R_WA": "rotation",
+    "p_WAo": "vector",
+    "R_AB": "rotation",
+    "p_ABo_A": "vector",
+    "theta1": "scalar",
+    "d1": "scalar",
+    "theta2": "scalar",
+    "d2": "scalar",
+    "dual_u1_W": "constant line",
+    "dual_u2_A": "constant line",
+}
+
+
+def _angular(R: Term) -> Term:
+    return ("vect", ("mul", ("rate", R), ("transpose", R)))
+
+
+def _at_origin(v: Term, w: Term, p: Term) -> Term:
+    return ("sub", v, ("cross", w, p))
+
+
+def _dual_rotation(R: Term, p: Term) -> Term:
+    return ("dual", R, ("mul", ("skew", p), R))
+
+
+#: (binding, the term that it is), in order.
+DEFINED: tuple[tuple[str, Term], ...] = (
+    ("w_WB", _angular("R_WB")),
+    ("w_WB_B", ("mul", ("transpose", "R_WB"), "w_WB")),
+    ("alpha_WB", ("rate", "w_WB")),
+    ("v_WBo", ("rate", "p_WBo")),
+    ("a_WBo", ("rate", "v_WBo")),
+    ("p_WP", ("add", "p_WBo", ("mul", "R_WB", "p_BoP_B"))),
+    ("p_WQ", ("add", "p_WBo", ("mul", "R_WB", "p_BoQ_B"))),
+    ("p_QP_B", ("sub", "p_BoP_B", "p_BoQ_B")),
+    ("p_PQ_W", ("sub", "p_WQ", "p_WP")),
+    ("v_WP", ("rate", "p_WP")),
+    ("v_WQ", ("rate", "p_WQ")),
+    ("a_WP", ("rate", "v_WP")),
+    ("a_WQ", ("rate", "v_WQ")),
+    ("v_WB0", _at_origin("v_WBo", "w_WB", "p_WBo")),
+    ("a_WB0", ("add", ("rate", "v_WB0"), ("cross", "w_WB", "v_WB0"))),
+    ("dual_R_WB", _dual_rotation("R_WB", "p_WBo")),
+    ("dual_w_WB", ("dual", "w_WB", "v_WB0")),
+    ("dual_v_WBo", ("dual", "w_WB", "v_WBo")),
+    ("dual_v_WP", ("dual", "w_WB", "v_WP")),
+    ("dual_v_WQ", ("dual", "w_WB", "v_WQ")),
+    ("w_WA", _angular("R_WA")),
+    ("w_AB_A", _angular("R_AB")),
+    ("w_AB_W", ("mul", "R_WA", "w_AB_A")),
+    ("v_WAo", ("rate", "p_WAo")),
+    ("v_WA0", _at_origin("v_WAo", "w_WA", "p_WAo")),
+    ("v_AB0_A", _at_origin(("rate", "p_ABo_A"), "w_AB_A", "p_ABo_A")),
+    ("v_AB0_W", ("add", ("mul", "R_WA", "v_AB0_A"), ("cross", "p_WAo", "w_AB_W"))),
+    ("dual_R_WA", _dual_rotation("R_WA", "p_WAo")),
+    ("dual_R_AB", _dual_rotation("R_AB", "p_ABo_A")),
+    ("dual_w_WA", ("dual", "w_WA", "v_WA0")),
+    ("dual_w_AB_A", ("dual", "w_AB_A", "v_AB0_A")),
+    ("dual_w_AB_W", ("mul", "dual_R_WA", "dual_w_AB_A")),
+    ("dual_theta1", ("dual", "theta1", "d1")),
+    ("dual_theta2", ("dual", "theta2", "d2")),
+    ("dual_u2_W", ("mul", "dual_R_WA", "dual_u2_A")),
+)
+
+#: Where A's bindings are used beside B's.
+DEFINED_ON_CHAINS: tuple[tuple[str, Term], ...] = (
+    ("R_WB", ("mul", "R_WA", "R_AB")),
+    ("p_WBo", ("add", "p_WAo", ("mul", "R_WA", "p_ABo_A"))),
+)
+
+#: What the joints of a cylindrical chain turn and slide: the rate of a dual twist's angle times its line.
+DRIVEN: tuple[tuple[str, Term], ...] = (
+    ("dual_w_WA", ("mul", ("rate", "dual_theta1"), "dual_u1_W")),
+    ("dual_w_AB_A", ("mul", ("rate", "dual_theta2"), "dual_u2_A")),
+    ("dual_w_AB_W", ("mul", ("rate", "dual_theta2"), "dual_u2_W")),
+)

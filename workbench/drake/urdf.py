@@ -1,0 +1,87 @@
+"""A URDF as Drake is given it: links and joints alone, and joints of one coordinate each.
+
+Left out is what does not concern kinematics: meshes, inertias, friction, transmissions, and mimic (Drake lets
+such a joint move on its own; who uses the plant moves it as the mimic says). A floating joint, which Drake's
+parser drops, becomes three prismatic and three revolute ones, `<name>_x`, `_y`, `_z`, then `_qz`, `_qy`,
+`_qx` (yaw, pitch, roll), so that velocities are the rates of positions.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+DRAKE = "{http://drake.mit.edu}"
+KEPT = ("parent", "child", "origin", "axis", "limit", f"{DRAKE}screw_thread_pitch")
+INERTIA = '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+INERTIAL = f'<inertial><mass value="1"/>{INERTIA}</inertial>'
+STEPS = (
+    ("x", "prismatic", "1 0 0"),
+    ("y", "prismatic", "0 1 0"),
+    ("z", "prismatic", "0 0 1"),
+    ("qz", "continuous", "0 0 1"),
+    ("qy", "continuous", "0 1 0"),
+    ("qx", "continuous", "1 0 0"),
+)
+ET.register_namespace("drake", DRAKE.strip("{}"))
+
+
+def kinematic_urdf(path: Path, base: str = "fixed") -> str:
+    """The text for Drake's parser, with a floating joint `base` if it is to be. Raises ValueError if not
+    XML."""
+    text = path.read_bytes()
+    if b"<drake:" in text and b"xmlns:drake" not in text:
+        text = text.replace(b"<robot", b'<robot xmlns:drake="http://drake.mit.edu"', 1)
+    try:
+        robot = ET.fromstring(text)
+    except ET.ParseError as error:
+        raise ValueError(f"not XML: {error}") from None
+    kept = ET.Element(robot.tag, {"name": robot.get("name") or "robot"})
+    for element in robot:
+        if element.tag == "link":
+            kept.append(_link(element.get("name")))
+        elif element.tag in ("joint", f"{DRAKE}joint"):
+            kept.extend(_joints(element))
+    if base == "floating":
+        children = {end.get("link") for end in kept.iter("child")}
+        for name in [link.get("name") for link in kept.iter("link")]:
+            if name not in children and name != "world":
+                floating = ET.Element("joint", {"name": "base", "type": "floating"})
+                ET.SubElement(floating, "parent", {"link": "world"})
+                ET.SubElement(floating, "child", {"link": name})
+                kept.extend(_joints(floating))
+    elif base != "fixed":
+        raise ValueError(f"base: expected fixed or floating, got {base!r}")
+    return ET.tostring(kept, encoding="unicode")
+
+
+def _link(name: str | None) -> ET.Element:
+    link = ET.Element("link", {} if name is None else {"name": name})
+    if name != "world":
+        link.append(ET.fromstring(INERTIAL))
+    return link
+
+
+def _joints(joint: ET.Element) -> list[ET.Element]:
+    for part in list(joint):
+        if part.tag not in KEPT:
+            joint.remove(part)
+    kind, parent, child = joint.get("type"), joint.find("parent"), joint.find("child")
+    if kind not in ("floating", "ball") or parent is None or child is None:
+        return [joint]
+    steps = STEPS if kind == "floating" else STEPS[3:]
+    name, found, at = joint.get("name"), [], parent.get("link", "")
+    for number, (suffix, step_kind, axis) in enumerate(steps, start=1):
+        step = ET.Element("joint", {"name": f"{name}_{suffix}", "type": step_kind})
+        there = child.get("link", "") if number == len(steps) else f"{name}_{suffix}_link"
+        ET.SubElement(step, "parent", {"link": at})
+        ET.SubElement(step, "child", {"link": there})
+        ET.SubElement(step, "axis", {"xyz": axis})
+        ET.SubElement(step, "limit", {"effort": "1", "velocity": "1", "lower": "-1e9", "upper": "1e9"})
+        if number == 1 and (origin := joint.find("origin")) is not None:
+            step.append(origin)
+        if number < len(steps):
+            found.append(_link(there))
+        found.append(step)
+        at = there
+    return found

@@ -1,0 +1,86 @@
+"""The model as TOML: what was guessed and why, what is proposed, what is unread. It always loads."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from workbench.ingest.ingest import Ingested, Proposed
+from workbench.papers.model import PaperError
+from workbench.papers.text_load import paper_of_model
+from workbench.papers.toml_file import TomlFile
+
+_WIDTH = 100
+
+
+def model_text(ingested: Ingested, path: Path) -> str:
+    """For a file at `path`. Definitions that the loader refuses are left as comments, with its reason."""
+    chosen = [proposed for proposed in ingested.definitions if proposed.sure]
+    refused: dict[str, str] = {}
+    while True:
+        text = "\n".join(_lines(ingested, path, chosen, refused)) + "\n"
+        try:
+            paper_of_model(TomlFile(path, text), ingested.text)
+            return text
+        except PaperError as error:
+            if not chosen:
+                raise
+            refused[chosen[-1].name] = error.message
+            chosen = chosen[:-1]
+
+
+def _lines(ingested: Ingested, path: Path, chosen: list[Proposed], refused: dict[str, str]) -> Iterator[str]:
+    text = ingested.text
+    yield f"# A first model of {_comment(text.path.name)}. Kinds marked `guessed` are guesses: look at each."
+    if ingested.questions:
+        yield "#"
+        yield "# Only the author can answer:"
+        yield from (f"#   - {_comment(question)}" for question in ingested.questions)
+    yield ""
+    yield f"source = {_string(os.path.relpath(text.path, path.parent or '.'))}"
+    if ingested.macros is not None:
+        yield f"macros = {_string(os.path.relpath(ingested.macros, path.parent or '.'))}"
+    yield f"title = {_string(text.path.stem)}"
+    yield "# Take a name out once its kind is right: until then, no fault is found in what uses it."
+    yield "guessed = ["
+    yield from (f"    {_string(guess.name)}," for guess in ingested.guesses.values())
+    yield "]"
+    yield ""
+    yield "[symbols]"
+    defined = {proposed.name for proposed in chosen}
+    for guess in ingested.guesses.values():
+        unit = ", unit = true" if guess.unit else ""
+        entry = f'{_string(guess.name)} = {{ kind = "{guess.kind}"{unit} }}'
+        mark = "# " if guess.name in defined else ""
+        yield f"{mark}{entry}  # guessed: {_comment(guess.why)}"
+    yield ""
+    yield "[definitions]"
+    for proposed in ingested.definitions:
+        entry = f"{_string(proposed.name)} = {_string(proposed.body)}"
+        note = f"# line {proposed.line}: {_comment(proposed.why)}"
+        if proposed in chosen:
+            yield f"{entry}  {note}"
+        else:
+            why = f"; refused: {_comment(refused[proposed.name])}" if proposed.name in refused else ""
+            yield f"# {entry}  {note}{why}"
+    unread = [(d, feature) for d in text.displays if (feature := ingested.feature_of(d)) is not None]
+    if unread:
+        yield ""
+        yield "# Not read yet, and what each needs:"
+        for display, feature in unread:
+            yield f"#   line {display.line}: {_comment(feature)}: {_comment(display.latex)}"
+
+
+def _string(text: str) -> str:
+    """A literal string where TOML allows one."""
+    if "'" not in text and text.isprintable():
+        return f"'{text}'"
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return '"' + "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in escaped) + '"'
+
+
+def _comment(text: str) -> str:
+    flat = " ".join(text.split())
+    flat = "".join(c if c.isprintable() else "\ufffd" for c in flat)
+    return flat if len(flat) <= _WIDTH else f"{flat[: _WIDTH - 1]}…"

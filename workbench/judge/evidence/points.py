@@ -1,0 +1,133 @@
+"""Small rational points: where assumptions hold, and where a claim fails."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+from workbench.judge.second.jets import JetEngine
+from workbench.judge.second.rings import PointSource, RationalRing, sample
+from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
+from workbench.judge.subject.parameters import SPHERES, Parameter
+from workbench.judge.verdict import Counterexample
+from workbench.language.construct import apply, derivative
+from workbench.language.printer import to_latex
+from workbench.language.terms import Relation, Symbol, Term
+
+#: Entries to draw from, and how many points to try with them.
+STAGES = (((-1, 0, 1), 240), ((-2, -1, 0, 1, 2), 160), ((-3, -2, -1, 1, 2, 3), 120))
+
+
+#: Completes a point: gives the parameters that the assumed equations determine their values.
+Completion = Callable[[dict[Parameter, Fraction]], dict[Parameter, Fraction]]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What two terms are at one rational point; None where a side is undefined there."""
+
+    point: dict[Parameter, Fraction]
+    engine: JetEngine
+
+    def components(self, term: Term) -> list[Fraction] | None:
+        try:
+            return self.engine.components(term)
+        except ZeroDivisionError:
+            return None
+
+    def differences(self, relation: Relation) -> list[Fraction] | None:
+        try:
+            return self.engine.differences(relation.left, relation.right)
+        except ZeroDivisionError:
+            return None
+
+    def holds(self, relation: Relation) -> bool:
+        """Whether the relation is true here; False where it is undefined."""
+        differences = self.differences(relation)
+        if differences is None:
+            return False
+        return any(differences) == (relation.operator == "≠")
+
+
+def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> Iterator[Trial]:
+    """Random points, simple ones first; in each stage a parameter is non-zero with growing probability."""
+    random = Random(0)
+    for entries, count in STAGES:
+        ring = RationalRing(entries)
+        for i in range(count):
+            density = 0.3 + 0.7 * i / count
+            point = sample(inventory, ring, random, lambda _, d=density: random.random() < d)
+            yield trial_at(complete(point), definitions)
+
+
+def trial_at(
+    point: dict[Parameter, Fraction], definitions: Lookup, ring: RationalRing | None = None
+) -> Trial:
+    return Trial(point, JetEngine(PointSource(ring or RationalRing(), point), definitions))
+
+
+def first_trial(
+    inventory: Inventory, definitions: Lookup, accept: Callable[[Trial], bool], complete: Completion
+) -> Trial | None:
+    """The first point that is accepted, made simpler as long as it still is; None if there is none."""
+    for trial in trials(inventory, definitions, complete):
+        if accepted(trial, accept):
+            return _simplified(trial, definitions, accept, complete)
+    return None
+
+
+def accepted(trial: Trial, accept: Callable[[Trial], bool]) -> bool:
+    try:
+        return accept(trial)
+    except NotExact:  # a norm that is not rational at this point
+        return False
+
+
+def _simplified(
+    trial: Trial, definitions: Lookup, accept: Callable[[Trial], bool], complete: Completion
+) -> Trial:
+    """Puts entries to 0 or makes them positive, highest derivatives first, while the point is accepted."""
+    for parameter in sorted(trial.point, key=lambda p: -p.order):
+        if parameter.part in SPHERES:
+            continue
+        for simpler in (Fraction(0), abs(trial.point[parameter])):
+            if simpler == trial.point[parameter]:
+                break
+            candidate = trial_at(complete({**trial.point, parameter: simpler}), definitions)
+            if accepted(candidate, accept):
+                trial = candidate
+                break
+    return trial
+
+
+def counterexample(
+    trial: Trial, relation: Relation, inventory: Inventory, turned: Collection[Symbol]
+) -> Counterexample:
+    """The point as values of the symbols and their derivatives, with what the two sides are there. An angle
+    in `turned` is told by its cosine and sine, another one by its value; that is 0 if both occur."""
+    values: dict[str, tuple[str, ...]] = {}
+    for symbol, order in inventory.orders.items():
+        for k in range(order + 1):
+            if k and symbol.declaration.constant:
+                break
+            if not k and symbol in turned:
+                if symbol.type.dual:  # its real part is told by cosine and sine alone
+                    dual_part = apply("du", symbol)
+                    values[to_latex(dual_part)] = _strings(trial.components(dual_part))
+                continue
+            name = to_latex(derivative(symbol, k) if k else symbol)
+            values[name] = _strings(trial.components(derivative(symbol, k) if k else symbol))
+    for angle in turned:
+        cosine, sine = trial.engine.circle(angle)
+        name = to_latex(angle)
+        values[rf"\cos {name}"], values[rf"\sin {name}"] = (str(cosine),), (str(sine),)
+    return Counterexample(
+        values, _strings(trial.components(relation.left)), _strings(trial.components(relation.right))
+    )
+
+
+def _strings(components: list[Any] | None) -> tuple[str, ...]:
+    return ("undefined",) if components is None else tuple(str(c) for c in components)

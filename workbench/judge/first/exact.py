@@ -1,0 +1,384 @@
+"""The first engine: a term's value as a matrix of polynomials over ℚ, with d/dt as the ring's derivation.
+
+A scalar is a 1×1 matrix, a vector 3×1, a covector 1×3, a tensor 3×3, so that juxtaposition is the matrix
+product throughout. Dual entries are `Dual` numbers over the ring. An operator Σ Aₖ Dᵏ is (A₀, A₁, …).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from functools import reduce as fold
+
+from workbench.algebra.differential_ring import Polynomial
+from workbench.algebra.dual import Dual
+from workbench.algebra.matrices import (
+    Entry,
+    Matrix,
+    add,
+    adjugate,
+    cross,
+    det,
+    dual_part,
+    flat,
+    matrix,
+    on_entries,
+    product,
+    real_part,
+    scale,
+    skew,
+    symmetric,
+    trace,
+    transpose,
+    vect,
+)
+from workbench.judge.first.exact_algebra import ExactAlgebra
+from workbench.judge.first.exact_symbols import FreeSymbols, rank
+from workbench.judge.first.quaternions import conjugate, hamilton
+from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
+from workbench.judge.subject.parameters import Parameter, parameters
+from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.language.terms import (
+    Apply,
+    Block,
+    Counting,
+    Derivative,
+    DualUnit,
+    Identity,
+    Integer,
+    Number,
+    Power,
+    Relation,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+from workbench.language.types import Type
+
+Operator = tuple[Matrix, ...]
+
+
+class ExactEngine:
+    """Evaluates terms whose free symbols are those of the inventory."""
+
+    def __init__(self, inventory: Inventory, definitions: Lookup) -> None:
+        self._definitions = definitions
+        self._named = {p: f"x{i}" for i, p in enumerate(sorted(parameters(inventory), key=rank))}
+        self._algebra = ExactAlgebra(inventory, self._named.values())
+        self.ring = self._algebra.ring
+        self._values: dict[Term, Matrix | Operator] = {}
+        self._free = FreeSymbols(self.ring, self._named)
+        for angle in inventory.angles:
+            self._free.furnish_angle(angle)
+        for symbol in inventory.orders:
+            self._values[symbol] = self._free.furnish(symbol)
+
+    def residuals(self, relation: Relation) -> list[Polynomial]:
+        """left − right, entry by entry, real parts before dual parts, cleared of denominators."""
+        return [self.ring.clear(p) for p in self.parts(self.difference(relation))]
+
+    def difference(self, relation: Relation) -> Matrix | Operator:
+        left, right = self.value(relation.left), self.value(relation.right)
+        if relation.left.type.kind == "operator" or relation.right.type.kind == "operator":
+            return _add_operators(_operator(left), _scale(self.ring.constant(-1), _operator(right)))
+        return add(left, _scale(self.ring.constant(-1), right))
+
+    def parts(self, value: Matrix | Operator) -> list[Polynomial]:
+        """All entries in reading order, real parts before dual parts."""
+        matrices = value if _is_operator(value) else (value,)
+        entries = [entry for matrix in matrices for row in matrix for entry in row]
+        real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
+        dual = [entry.du for entry in entries if isinstance(entry, Dual)]
+        return [self.ring.reduce(self._algebra.polynomial(p)) for p in (*real, *dual)]
+
+    def at(self, p: Polynomial, point: dict[Parameter, Fraction]) -> Fraction:
+        """The value of a polynomial without reciprocals or norms at a point of the parameters."""
+        return self.ring.at(p, {self._named[q]: value for q, value in point.items() if q in self._named})
+
+    def name_of(self, parameter: Parameter) -> str:
+        """The generator of the ring that stands for a parameter."""
+        return self._named[parameter]
+
+    def parameter_of(self, generator: Polynomial) -> Parameter:
+        """The parameter that a generator of the ring stands for."""
+        return next(p for p, name in self._named.items() if name == str(generator))
+
+    @property
+    def norms(self) -> frozenset[str]:
+        """The generators that stand for norms."""
+        return self._algebra.norms
+
+    def depends(self, terms: Iterable[Term], parameter: Parameter) -> bool:
+        """Whether the parameter occurs in the terms' values, in what they divide by or take roots of."""
+        place = self.ring.names.index(self._named[parameter])
+        values = [p for term in terms for p in self.parts(self.value(term))]
+        values += [*self.ring.denominators, *self._algebra.radicands]
+        return any(p.degrees()[place] > 0 for p in values)
+
+    def value(self, term: Term) -> Matrix | Operator:
+        """The matrix (or operator) of the term. Raises NotExact outside the exact world."""
+        if term not in self._values:
+            self._values[term] = self._map(self.ring.reduce, self._evaluate(term))
+        return self._values[term]
+
+    def _evaluate(self, term: Term) -> Matrix | Operator:
+        match term:
+            case Number():
+                return ((self.ring.constant(term.value),),)
+            case Zero():
+                return self._diagonal(term.type, 0)
+            case Identity():
+                return self._diagonal(term.type, 1)
+            case DualUnit():
+                return ((Dual(self.ring.zero, self.ring.one),),)
+            case TimeOperator():
+                return (self._algebra.diagonal(0), self._algebra.diagonal(1))
+            case Symbol():
+                body = self._definitions.lookup(term)
+                if body is None:
+                    raise NotExact(f"{term.declaration.name} is not in the inventory")
+                return self.value(body)
+            case Derivative():
+                value = self.value(term.body)
+                for _ in range(int(term.order)):
+                    value = self._map(self.ring.derive, value)
+                return value
+            case Power():
+                return self._power(term)
+            case Block():
+                return self._block(term)
+            case Apply():
+                return _HEADS[term.head](self, term)
+            case Integer() | Counting():
+                raise NotExact(f"the integer expression {term} is not bound to a number")
+        raise NotExact(f"no exact value for {type(term).__name__}")
+
+    def _power(self, term: Power) -> Matrix | Operator:
+        exponent = int(term.exponent)
+        base = self.value(term.base)
+        if term.base.type.is_column:
+            square = product(transpose(base), base)
+            return fold(product, [square] * (exponent // 2), self._algebra.diagonal(1, 1))
+        if term.type.kind == "operator":
+            return fold(self._compose, [base] * exponent, (self._algebra.diagonal(1),))
+        if term.type.kind == "quaternion":
+            return fold(hamilton, [base] * exponent, self._algebra.diagonal(1, 4, 1))
+        return fold(product, [base] * exponent, self._algebra.diagonal(1, len(base)))
+
+    def _block(self, term: Block) -> Matrix:
+        rows: list[tuple[Entry, ...]] = []
+        for line in term.entries:
+            blocks = [self.value(entry) for entry in line]
+            rows.extend(sum(parts, ()) for parts in zip(*blocks, strict=True))
+        return tuple(rows)
+
+    def _diagonal(self, type_: Type, value: int) -> Matrix | Operator:
+        matrix = self._algebra.diagonal(value, type_.rows, type_.columns)
+        return (matrix,) if type_.kind == "operator" else matrix
+
+    def _add(self, term: Apply) -> Matrix | Operator:
+        values = [self.value(a) for a in term.arguments]
+        if term.type.kind == "operator":
+            return fold(_add_operators, map(_operator, values))
+        return fold(add, values)
+
+    def _neg(self, term: Apply) -> Matrix | Operator:
+        return _scale(self.ring.constant(-1), self.value(term.arguments[0]))
+
+    def _mul(self, term: Apply) -> Matrix | Operator:
+        left, right = term.arguments
+        a, b = self.value(left), self.value(right)
+        if left.type.kind == "scalar":
+            return _scale(a[0][0], b)
+        if right.type.kind == "scalar":
+            return _scale(b[0][0], a)
+        if left.type.kind == "operator" and right.type.kind != "operator":
+            return self._act(a, b)
+        if "operator" in (left.type.kind, right.type.kind):
+            return self._compose(_operator(a), _operator(b))
+        if left.type.kind == "quaternion":
+            return hamilton(a, b)
+        if left.type.columns != right.type.rows:
+            return product(on_entries(a, len(b) // left.type.columns), b)
+        return product(a, b)
+
+    def _composition(self, term: Apply) -> Operator:
+        return self._compose(*(_operator(self.value(a)) for a in term.arguments))
+
+    def _compose(self, left: Operator, right: Operator) -> Operator:
+        """By D·A = Ȧ + A·D, applied once for each power of D on the left."""
+        total: Operator = (self._algebra.diagonal(0),)
+        shifted = right
+        for power, coefficient in enumerate(left):
+            if power:
+                rates = tuple(self._map(self.ring.derive, a) for a in shifted)
+                shifted = _add_operators((self._algebra.diagonal(0), *shifted), rates)
+            total = _add_operators(total, tuple(product(coefficient, a) for a in shifted))
+        return total
+
+    def _act(self, operator: Operator, value: Matrix) -> Matrix:
+        if len(value) != 3:
+            raise NotExact("an operator with 3×3 coefficients on a block matrix of other rows")
+        total = product(operator[0], value)
+        for coefficient in operator[1:]:
+            value = self._map(self.ring.derive, value)
+            total = add(total, product(coefficient, value))
+        return total
+
+    def _div(self, term: Apply) -> Matrix | Operator:
+        numerator, denominator = (self.value(a) for a in term.arguments)
+        return _scale(self._algebra.reciprocal(denominator[0][0]), numerator)
+
+    def _inverse(self, term: Apply) -> Matrix:
+        value = self.value(term.arguments[0])
+        if term.type.kind == "quaternion":
+            square = product(transpose(value), value)
+            return _scale(self._algebra.reciprocal(square[0][0]), conjugate(value))
+        return self._algebra.inverse(value)
+
+    def _det(self, term: Apply) -> Matrix:
+        return ((self._algebra.determinant(self.value(term.arguments[0])),),)
+
+    def _norm(self, term: Apply) -> Matrix:
+        return ((self._algebra.norm(self.value(term.arguments[0])),),)
+
+    def _root(self, term: Apply) -> Matrix:
+        return self._algebra.root(self.value(term.arguments[0]))
+
+    def _triple(self, term: Apply) -> Matrix:
+        rows = tuple(transpose(self.value(a))[0] for a in term.arguments)
+        return ((det(rows),),)
+
+    def _sin(self, term: Apply) -> Matrix:
+        return ((self._circle(term.arguments[0])[1],),)
+
+    def _cos(self, term: Apply) -> Matrix:
+        return ((self._circle(term.arguments[0])[0],),)
+
+    def _circle(self, angle: Term) -> tuple[Entry, Entry]:
+        """(cos, sin) of an integer combination of free angles, dual parts by Eq. (72)."""
+        value = self.value(angle)[0][0]
+        real = value.re if isinstance(value, Dual) else value
+        cosine, sine = self.ring.one, self.ring.zero
+        for exponents, coefficient in real.terms():
+            name = self._linear_angle(exponents, coefficient)
+            c, s = self._free.circle(name.symbol, int(coefficient))
+            cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+        if isinstance(value, Dual):
+            return Dual(cosine, -value.du * sine), Dual(sine, value.du * cosine)
+        return cosine, sine
+
+    def _linear_angle(self, exponents: tuple[int, ...], coefficient: Fraction) -> Parameter:
+        places = [i for i, e in enumerate(exponents) if e]
+        if len(places) == 1 and exponents[places[0]] == 1 and coefficient.q == 1:
+            name = self.ring.names[places[0]]
+            for parameter, known in self._named.items():
+                is_angle = Parameter(parameter.symbol, "circle", 0, 0) in self._named
+                if known == name and is_angle and parameter.part == "value" and parameter.order == 0:
+                    return parameter
+        raise NotExact("the sine or cosine of anything but a rational combination of angles")
+
+    def _exp(self, term: Apply) -> Matrix:
+        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: Rodrigues' formula."""
+        argument = term.arguments[0]
+        value = self.value(argument)
+        if all(
+            isinstance(e, Dual) and self.ring.reduce(self._algebra.polynomial(e.re)) == 0
+            for row in value
+            for e in row
+        ):
+            return add(self._algebra.diagonal(1, len(value)), value)
+        turn = angle_and_axis(argument)
+        if turn is not None:
+            angle, axis = turn
+            cosine, sine = self._circle(angle)
+            crossing = skew(flat(self.value(axis)))
+            turned = add(_scale(sine, crossing), _scale(1 - cosine, product(crossing, crossing)))
+            return add(self._algebra.diagonal(1), turned)
+        raise NotExact(
+            "exp of anything but a purely dual argument or an angle times a unit vector's skew tensor"
+        )
+
+    def _divergence(self, term: Apply) -> Matrix:
+        gradient = self._gradient(term.arguments[0])
+        return ((trace(gradient),),)
+
+    def _curl(self, term: Apply) -> Matrix:
+        g = self._gradient(term.arguments[0])
+        return ((g[2][1] - g[1][2],), (g[0][2] - g[2][0],), (g[1][0] - g[0][1],))
+
+    def _gradient(self, field: Term) -> Matrix:
+        """∂fᵢ/∂ρⱼ at a fixed instant, ρ the declared coordinate."""
+        coordinates = [s for s in self._values if isinstance(s, Symbol) and s.declaration.coordinate]
+        if len(coordinates) != 1:
+            raise NotExact(f"div and curl need one symbol declared `coordinate`, got {len(coordinates)}")
+        place = [str(generator) for generator in self._free.column(coordinates[0], "value", 0, 3)]
+        return tuple(tuple(self.ring.partial(row[0], x) for x in place) for row in self.value(field))
+
+    def _map(self, function, value: Matrix | Operator) -> Matrix | Operator:
+        if _is_operator(value):
+            return tuple(self._algebra.map(function, matrix) for matrix in value)
+        return self._algebra.map(function, value)
+
+
+def _is_operator(value: Matrix | Operator) -> bool:
+    return isinstance(value[0][0], tuple)
+
+
+def _operator(value: Matrix | Operator) -> Operator:
+    return value if _is_operator(value) else (value,)
+
+
+def _add_operators(a: Operator, b: Operator) -> Operator:
+    longer, shorter = (a, b) if len(a) >= len(b) else (b, a)
+    return tuple(add(m, shorter[k]) if k < len(shorter) else m for k, m in enumerate(longer))
+
+
+def _scale(factor: Entry, value: Matrix | Operator) -> Matrix | Operator:
+    if _is_operator(value):
+        return tuple(scale(factor, matrix) for matrix in value)
+    return scale(factor, value)
+
+
+def _unary(function):
+    return lambda engine, term: function(engine.value(term.arguments[0]))
+
+
+def _binary(function):
+    return lambda engine, term: function(*(engine.value(a) for a in term.arguments))
+
+
+_HEADS = {
+    "add": ExactEngine._add,
+    "neg": ExactEngine._neg,
+    "mul": ExactEngine._mul,
+    "compose": ExactEngine._composition,
+    "div": ExactEngine._div,
+    "inverse": ExactEngine._inverse,
+    "norm": ExactEngine._norm,
+    "root": ExactEngine._root,
+    "triple": ExactEngine._triple,
+    "sin": ExactEngine._sin,
+    "cos": ExactEngine._cos,
+    "exp": ExactEngine._exp,
+    "divergence": ExactEngine._divergence,
+    "curl": ExactEngine._curl,
+    "conjugate": _unary(conjugate),
+    "quaternion": _binary(lambda s, v: (*s, *v)),
+    "scalar part": _unary(lambda q: q[:1]),
+    "vector part": _unary(lambda q: q[1:]),
+    "dot": _binary(lambda a, b: product(transpose(a), b)),
+    "cross": _binary(lambda a, b: matrix(cross(flat(a), flat(b)), 1)),
+    "outer": _binary(lambda a, b: product(a, transpose(b))),
+    "skew": _unary(lambda a: skew(flat(a))),
+    "vect": _unary(vect),
+    "symmetric": _unary(lambda a: symmetric(a, 1)),
+    "antisymmetric": _unary(lambda a: symmetric(a, -1)),
+    "transpose": _unary(transpose),
+    "adjugate": _unary(adjugate),
+    "det": ExactEngine._det,
+    "trace": _unary(lambda a: ((trace(a),),)),
+    "re": _unary(lambda a: tuple(tuple(real_part(e) for e in row) for row in a)),
+    "du": _unary(lambda a: tuple(tuple(dual_part(e) for e in row) for row in a)),
+}

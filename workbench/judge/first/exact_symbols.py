@@ -1,0 +1,152 @@
+"""The free symbols of the first engine: generators of the ring, their derivatives and their relations."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from workbench.algebra.differential_ring import DifferentialRing, Polynomial
+from workbench.algebra.dual import Dual
+from workbench.algebra.matrices import Matrix, cross, flat, matrix, product, skew
+from workbench.judge.first.quaternions import hamilton
+from workbench.judge.subject.parameters import Parameter, components
+from workbench.language.terms import Symbol
+
+
+class FreeSymbols:
+    """Furnishes a ring with the parameters of the free symbols; see `parameters.py` for what they mean."""
+
+    def __init__(self, ring: DifferentialRing, named: dict[Parameter, str]) -> None:
+        self.ring = ring
+        self._named = named
+
+    def _generator(self, symbol: Symbol, part: str, order: int, component: int) -> Polynomial | None:
+        name = self._named.get(Parameter(symbol, part, order, component))
+        return None if name is None else self.ring.generators[name]
+
+    def column(self, symbol: Symbol, part: str, order: int, count: int) -> list[Polynomial]:
+        """The parameters of one part and order, or [] where the inventory does not hold them."""
+        found = [self._generator(symbol, part, order, i) for i in range(count)]
+        return [] if None in found else found
+
+    def _shift(self, symbol: Symbol, part: str, count: int) -> list[Polynomial]:
+        """Gives each order of the part the next one as its derivative; returns order 0."""
+        order, first = 0, self.column(symbol, part, 0, count)
+        current = first
+        while current:
+            following = self.column(symbol, part, order + 1, count)
+            if symbol.declaration.constant:
+                following = [self.ring.zero] * count
+            for generator, rate in zip(current, following, strict=False):
+                self.ring.derive_as(str(generator), rate)
+            if symbol.declaration.constant:
+                break
+            current, order = following, order + 1
+        return first
+
+    def furnish(self, symbol: Symbol) -> Matrix:
+        declaration = symbol.declaration
+        if declaration.unit and symbol.type.kind == "quaternion":
+            return self._furnish_quaternion(symbol)
+        if declaration.unit:
+            return self._furnish_unit(symbol)
+        if declaration.transform:
+            return self._furnish_transform(symbol)
+        if declaration.rotation:
+            return self._furnish_rotation(symbol)
+        entries = self._entries(symbol, "value")
+        if symbol.type.dual:
+            dual = self._entries(symbol, "dual")
+            entries = [Dual(re, du) for re, du in zip(entries, dual, strict=True)]
+        return matrix(entries, symbol.type.columns)
+
+    def _entries(self, symbol: Symbol, part: str) -> list[Polynomial]:
+        free = self._shift(symbol, part, components(symbol))
+        size = symbol.type.rows
+        if symbol.declaration.diagonal:
+            return [free[i] if i == j else self.ring.zero for i in range(size) for j in range(size)]
+        if symbol.declaration.symmetric:
+            upper = [(i, j) for i in range(size) for j in range(i, size)]
+            return [free[upper.index((min(i, j), max(i, j)))] for i in range(size) for j in range(size)]
+        return free
+
+    def _furnish_unit(self, symbol: Symbol) -> Matrix:
+        u = self.column(symbol, "unit", 0, 3)
+        self.ring.square_as(str(u[0]), self.ring.one - u[1] ** 2 - u[2] ** 2)
+        spin = self._shift(symbol, "spin", 3)
+        if symbol.declaration.constant:
+            spin = [self.ring.zero] * 3
+        for generator, rate in zip(u, cross(spin, u) if spin else (), strict=False):
+            self.ring.derive_as(str(generator), self.ring.reduce(rate))
+        if symbol.type.dual:
+            moment = self._shift(symbol, "moment", 3)
+            u = [Dual(re, du) for re, du in zip(u, cross(moment, u), strict=True)]
+        return matrix(u, 1)
+
+    def _furnish_quaternion(self, symbol: Symbol) -> Matrix:
+        q = matrix(self._unit_quaternion(symbol), 1)
+        if not symbol.type.dual:
+            return q
+        half = self.ring.constant(Fraction(1, 2))
+        shift = matrix([self.ring.zero, *(half * p for p in self._shift(symbol, "translation", 3))], 1)
+        pairs = zip(flat(q), flat(hamilton(shift, q)), strict=True)
+        return matrix([Dual(re, du) for re, du in pairs], 1)
+
+    def _furnish_transform(self, symbol: Symbol) -> Matrix:
+        rotation, place = self._furnish_rotation(symbol), self._shift(symbol, "translation", 3)
+        zero, one = self.ring.zero, self.ring.one
+        return (*((*row, p) for row, p in zip(rotation, place, strict=True)), (zero, zero, zero, one))
+
+    def _unit_quaternion(self, symbol: Symbol) -> list[Polynomial]:
+        q0, *q = (w, x, y, z) = self.column(symbol, "quaternion", 0, 4)
+        self.ring.square_as(str(q0), self.ring.one - x**2 - y**2 - z**2)
+        spin = self._shift(symbol, "spin", 3)
+        if symbol.declaration.constant:
+            spin = [self.ring.zero] * 3
+        if spin:
+            half = self.ring.constant(Fraction(1, 2))
+            self.ring.derive_as(
+                str(q0), -half * sum((s * c for s, c in zip(spin, q, strict=True)), self.ring.zero)
+            )
+            for generator, s, turned in zip(q, spin, cross(spin, q), strict=True):
+                self.ring.derive_as(str(generator), half * (s * q0 + turned))
+        return [w, x, y, z]
+
+    def _furnish_rotation(self, symbol: Symbol) -> Matrix:
+        w, x, y, z = self._unit_quaternion(symbol)
+        rotation = (
+            (1 - 2 * (y**2 + z**2), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+            (2 * (x * y + w * z), 1 - 2 * (x**2 + z**2), 2 * (y * z - w * x)),
+            (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x**2 + y**2)),
+        )
+        if symbol.type.dual:
+            moved = product(skew(self._shift(symbol, "translation", 3)), rotation)
+            rotation = tuple(
+                tuple(Dual(re, du) for re, du in zip(*rows, strict=True))
+                for rows in zip(rotation, moved, strict=True)
+            )
+        return rotation
+
+    def furnish_angle(self, angle: Symbol) -> None:
+        cosine, sine = self.column(angle, "circle", 0, 2)
+        self.ring.square_as(str(sine), self.ring.one - cosine**2)
+        rate = self._generator(angle, "value", 1, 0)
+        if angle.declaration.constant:
+            rate = self.ring.zero
+        if rate is not None:
+            self.ring.derive_as(str(sine), cosine * rate)
+            self.ring.derive_as(str(cosine), -sine * rate)
+
+    def circle(self, angle: Symbol, count: int) -> tuple[Polynomial, Polynomial]:
+        """(cos, sin) of `count` times the angle, by the addition theorems."""
+        c, s = self.column(angle, "circle", 0, 2)
+        s = s if count >= 0 else -s
+        cosine, sine = self.ring.one, self.ring.zero
+        for _ in range(abs(count)):
+            cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+        return self.ring.reduce(cosine), self.ring.reduce(sine)
+
+
+def rank(parameter: Parameter) -> int:
+    """The squared component of a circle, a unit vector or a quaternion ranks above the others of it."""
+    squared = {"circle": 1, "unit": 0, "quaternion": 0}
+    return 0 if parameter.component == squared.get(parameter.part) else 1

@@ -1,0 +1,159 @@
+"""One claim made ready for the engines: what it is about, what it supposes, where a point can be found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import chain, islice
+
+from workbench.algebra.differential_ring import Polynomial
+from workbench.judge.evidence.points import Trial, accepted, counterexample, first_trial, trial_at, trials
+from workbench.judge.evidence.solutions import solved_points
+from workbench.judge.first.exact import ExactEngine
+from workbench.judge.kernel.impossible import impossible
+from workbench.judge.kernel.vanishing import Equations, points_on, solve
+from workbench.judge.second.number_field import NumberFieldRing
+from workbench.judge.subject.angles import with_parts_of_angles
+from workbench.judge.subject.assumptions import Assumptions, Unsatisfiable
+from workbench.judge.subject.inventory import Inventory, Lookup, NotExact, take_inventory
+from workbench.judge.subject.parameters import Parameter
+from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
+from workbench.language.terms import Relation, Statement, Symbol
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What all claims of a paper share.
+
+    second_engine: whether proofs are rechecked by SymPy. Without it no outcome is `proved`, since one engine
+    alone proves nothing here: it is `probable`.
+    laws: whether an equation may be a law; in a family each member is to follow from the definitions.
+    bound: the names of the symbols that stand for quantities of a motion, and so are not free.
+    """
+
+    definitions: Lookup
+    second_engine: bool = True
+    bound: frozenset[str] = frozenset()
+    laws: bool = True
+
+
+class NoDefinitions:
+    """Every symbol is free. What holds for any tensor at the place of Φ₄ holds for Φ₄."""
+
+    def lookup(self, symbol: Symbol) -> None:
+        return None
+
+
+class Case:
+    """The engines over the inventory of some relations and their assumptions."""
+
+    def __init__(
+        self,
+        setting: Setting,
+        relations: Sequence[Relation],
+        assume: tuple[Statement, ...],
+        definitions: Lookup | None = None,
+    ) -> None:
+        self.setting = setting
+        self.assumptions = Assumptions(assume)
+        self.sides = [side for r in (*relations, *self.assumptions.relations) for side in (r.left, r.right)]
+        known = setting.definitions if definitions is None else definitions
+        self.definitions = with_parts_of_angles(self.sides, known)
+        self.inventory: Inventory = take_inventory(self.sides, self.definitions)
+
+    @cached_property
+    def exact(self) -> ExactEngine:
+        return ExactEngine(self.inventory, self.definitions)
+
+    def require_satisfiable(self) -> None:
+        """Raises Unsatisfiable if it is proved that no point satisfies the assumptions: under them anything
+        would be proved; NotExact where none is found and that is not proved."""
+        admitted = self._admitted(lambda trial: True)
+        points = trials(self.inventory, self.definitions, self._completed)
+        if not self.assumptions.relations or any(
+            accepted(t, admitted) for t in chain(points, self._solved())
+        ):
+            return
+        if impossible(self.exact, self.assumptions):
+            raise Unsatisfiable("no values of the symbols satisfy the assumptions")
+        if not self.measured_angles:
+            raise NotExact("no point was found where the assumptions hold, and it is not proved that none is")
+        if self.assumptions.equations:
+            raise NotExact("an equation under which an angle stands beside its sine or cosine")
+
+    def find(self, accept: Callable[[Trial], bool]) -> Trial | None:
+        """A small point that satisfies the assumptions and is accepted."""
+        admitted = self._admitted(accept)
+        found = first_trial(self.inventory, self.definitions, admitted, self._completed)
+        return found or next((trial for trial in self._solved() if accepted(trial, admitted)), None)
+
+    def _solved(self) -> Iterator[Trial]:
+        """Points at which the equations are solved for coordinates, rational or algebraic ones."""
+        if not self.assumptions.equations:
+            return
+        for point in solved_points(self.exact, self.assumptions.equations, self.inventory):
+            yield trial_at(point, self.definitions, NumberFieldRing())
+
+    def find_on(self, p: Polynomial, accept: Callable[[Trial], bool], most: int = 150) -> Trial | None:
+        """The same where p vanishes, on lines along one parameter through `most` small points."""
+        admitted = self._admitted(accept)
+        for start in islice(trials(self.inventory, self.definitions, self._completed), most):
+            for point in points_on(self.exact, p, start.point):
+                trial = trial_at(point, self.definitions)
+                if accepted(trial, admitted):
+                    return trial
+        return None
+
+    def _admitted(self, accept: Callable[[Trial], bool]) -> Callable[[Trial], bool]:
+        supposed = self.assumptions.relations
+        return lambda t: self._is_real(t) and all(t.holds(r) for r in supposed) and accept(t)
+
+    def _completed(self, point: dict[Parameter, Fraction]) -> dict[Parameter, Fraction]:
+        """The point with the parameters for which the equations are solved put to their values."""
+        if not self.assumptions.equations:
+            return point
+        point = dict(point)
+        for generator, value in reversed(self.solved.solved):
+            point[self.exact.parameter_of(generator)] = self.exact.at(value, point)
+        return point
+
+    @cached_property
+    def measured_angles(self) -> list[Symbol]:
+        """The angles that stand beside their sines and cosines, as in sin α = α: no rational point but
+        α = 0 is one of theirs."""
+        return [a for a in self.inventory.angles if self._uses(a, "value", 1) and self._uses(a, "circle", 2)]
+
+    def _uses(self, angle: Symbol, part: str, count: int) -> bool:
+        parameters = [Parameter(angle, part, 0, component) for component in range(count)]
+        try:
+            return any(self.exact.depends(self.sides, p) for p in parameters)
+        except ZeroDivisionError:
+            return True
+
+    def _is_real(self, trial: Trial) -> bool:
+        return all(
+            not trial.point[_angle(angle)] and trial.engine.circle(angle)[0] == 1
+            for angle in self.measured_angles
+        )
+
+    @cached_property
+    def solved(self) -> Equations:
+        return solve(self.exact, self.assumptions.equations)
+
+    def counterexample(self, trial: Trial, relation: Relation) -> Counterexample:
+        """The trial's point, an angle told by what of it occurs: its value, or its cosine and sine."""
+        angles = self.inventory.angles
+        turned = [a for a in angles if not self._uses(a, "value", 1)]
+        return counterexample(trial, relation, self.inventory, turned)
+
+    def refuted(self, trial: Trial, relation: Relation) -> Verdict:
+        """The verdict that the relation, or the statement it is part of, fails at the trial's point."""
+        example = self.counterexample(trial, relation)
+        evidence = Evidence("rational point, exact arithmetic", "the two sides differ")
+        return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))
+
+
+def _angle(angle: Symbol) -> Parameter:
+    return Parameter(angle, "value", 0, 0)

@@ -1,0 +1,306 @@
+"""Statements about integers n: for every n at once where the recurrences allow it, else for a range.
+
+With Φₙ, aₙ, … left as free functions and Φₙ₊₁, aₙ₊₁, … replaced by their recurrences, an identity between
+them holds whatever the n-th members are; so it holds for every n from which the recurrences are in force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Protocol
+
+from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
+from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
+from workbench.judge.subject.inventory import GRADIENTS, NotExact
+from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.language.construct import relation
+from workbench.language.definitions import Definitions, expand
+from workbench.language.instances import instantiate
+from workbench.language.integers import Linear
+from workbench.language.terms import (
+    Apply,
+    BigSum,
+    Conjunction,
+    Derivative,
+    Equivalence,
+    IllFormed,
+    Implication,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
+
+
+class OrderRanges(Protocol):
+    """The values of a family's integer variables, such as `papers.Orders`."""
+
+    def assignments(self) -> Iterator[dict[str, int]]: ...
+
+
+class InstanceJudge(Protocol):
+    """A judge of statements without integer variables; a frozen dataclass, so that it can be made lighter."""
+
+    definitions: Definitions
+    second_engine: bool
+
+    def judge_instance(
+        self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    ) -> Verdict: ...
+
+
+#: A family is as good as its worst member.
+_WORST_FIRST = (
+    Outcome.REFUTED,
+    Outcome.ILL_FORMED,
+    Outcome.UNCHECKED,
+    Outcome.PROBABLE,
+    Outcome.CONDITIONAL,
+    Outcome.PROVED,
+    Outcome.DEFINITION,
+)
+
+SAME_TERM = "both sides are the same term, so nothing is tested"
+
+
+def judge_family(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    orders: OrderRanges | None,
+) -> Verdict:
+    """The verdict on a statement whose integer variables are those of `orders`: that on its worst member."""
+    if orders is None:
+        return _instance_for(judge, statement, assume, hypothesis, {})
+    if exceptions(judge).tangled:
+        return _instances(judge, statement, assume, hypothesis, orders)
+    if _defines(judge, statement):
+        verdict = _instances(judge, statement, assume, hypothesis, orders)
+        if verdict.outcome != Outcome.DEFINITION:
+            return verdict
+        scope = _scope(judge, [statement], {}, statement, orders)
+        return verdict if scope is None else replace(verdict, scope=scope or None)
+    general = _for_all(judge, statement, assume, hypothesis, orders)
+    if general is None:
+        return _instances(judge, statement, assume, hypothesis, orders)
+    # the range is then a check of the argument for all n; for a proof one engine is enough there
+    light = replace(judge, second_engine=False) if general.outcome == Outcome.PROVED else judge
+    instances = _instances(light, statement, assume, hypothesis, orders)
+    if general.outcome != Outcome.PROVED:
+        same = instances.outcome == general.outcome
+        return replace(general, evidence=_checked(general, orders)) if same else instances
+    if instances.outcome == Outcome.REFUTED:
+        raise EngineDisagreement(f"proved for all n, but refuted {instances.reason}")
+    if instances.outcome not in (Outcome.PROVED, Outcome.PROBABLE, Outcome.DEFINITION):
+        return instances  # such as a member below the first, or a denominator that vanishes
+    return replace(general, evidence=_checked(general, orders))
+
+
+def _checked(general: Verdict, orders: OrderRanges) -> tuple[Evidence, ...]:
+    checked = Evidence("each instance, exact ring", "residual is 0", {"orders": str(orders)})
+    return (*general.evidence, checked)
+
+
+def _defines(judge: InstanceJudge, statement: Statement) -> bool:
+    """Whether the statement is the definition in force of its left side, for every n."""
+    match statement:
+        case Relation(operator="=", left=Symbol() as symbol):
+            return judge.definitions.lookup(symbol) == statement.right
+    return False
+
+
+def _for_all(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    orders: OrderRanges,
+) -> Verdict | None:
+    """The verdict with the lowest member of each family free; None where the statement is not of that form,
+    does not hold in it, or where some definition is not in force for all of `orders`."""
+    statements = (statement, *assume, *([] if hypothesis is None else [hypothesis]))
+    try:
+        shift = _shift(_indices(statements))
+        statements = _shifted(statements, shift)
+        method = "the n-th members are free functions, the next ones by recurrence"
+        scope = _scope(judge, statements, shift, statement, orders)
+        if scope is None:
+            return None
+        expanded = tuple(_mapped(s, partial(_expanded, judge)) for s in statements)
+        _refuse_hidden_coordinate(judge, expanded)
+        if derivatives := symbolic_orders(_all_terms(expanded)):
+            expanded = _shifted(expanded, _shift(_indices(expanded, derivatives)))
+            statements = tuple(_mapped(s, freed) for s in expanded)
+            method = "the n-th derivatives and the n-th members are free functions"
+        shifted, *others = statements
+        supposed = tuple(others[: len(assume)])
+        given = None if hypothesis is None else others[-1]
+        verdict = judge.judge_instance(shifted, supposed, given)
+    except (NotExact, IllFormed):
+        return None
+    if verdict.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION):
+        return None
+    evidence = (*verdict.evidence, Evidence("all n at once", method))
+    return replace(verdict, scope=scope or None, evidence=evidence)
+
+
+def _scope(
+    judge: InstanceJudge,
+    statements: Sequence[Statement],
+    shift: Mapping[str, Linear],
+    original: Statement,
+    orders: OrderRanges,
+) -> str | None:
+    """ "all n" if the definitions that the statements use are in force for each n for which all members in
+    them are of their families, and for all of `orders`; else None. "" without any n. The statements are
+    shifted: their n counts from `shift`."""
+    known = exceptions(judge)
+    terms = list(_all_terms(statements))
+    start, begin = known.start(rewritten(terms, judge.definitions)), known.begin(symbolic_members(terms))
+    variables = sorted(_variables(original))
+    least = {name: shift[name].constant if name in shift else 0 for name in variables}
+    needed = {name: start.get(name, 0) + least[name] for name in variables}
+    if any(start.get(name, 0) > begin.get(name, 0) for name in variables):
+        return None
+    if any(values[name] < needed[name] for values in orders.assignments() for name in variables):
+        return None
+    return f"all {', '.join(variables)}" if variables else ""
+
+
+def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Statement]) -> None:
+    """Raises NotExact where div or curl would be taken of a free function that stands for a field."""
+    for term in _all_terms(statements):
+        for gradient in (t for t in term.walk() if isinstance(t, Apply) and t.head in GRADIENTS):
+            for part in gradient.walk():
+                hidden: list[Term] = []
+                if isinstance(part, Symbol) and not all(i.is_number for i in part.index):
+                    own = (d for d in judge.definitions if d.declaration == part.declaration)
+                    hidden = [expand(definition.body, judge.definitions) for definition in own]
+                elif isinstance(part, Derivative) and not part.order.is_number:
+                    hidden = [part.body]
+                if any(isinstance(t, Symbol) and t.declaration.coordinate for h in hidden for t in h.walk()):
+                    raise NotExact(f"the {gradient.head} of a field of every order")
+
+
+def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> list[Linear]:
+    """The indices of all symbols that hold an integer variable, and the orders of derivatives that do."""
+    indices = [
+        index
+        for term in _all_terms(statements)
+        for part in term.walk()
+        if isinstance(part, Symbol)
+        for index in part.index
+        if not index.is_number
+    ]
+    return [*indices, *orders]
+
+
+def _shift(indices: Sequence[Linear]) -> dict[str, Linear]:
+    """What n is to be replaced by so that no index n + c has a negative c. Raises NotExact for other
+    indices."""
+    shift: dict[str, Linear] = {}
+    for index in indices:
+        ((name, coefficient), *others) = index.coefficients
+        if others or coefficient != 1:
+            raise NotExact(f"the index {index}")
+        least = shift.get(name, Linear.variable(name))
+        shift[name] = max(least, Linear.variable(name) - index.constant, key=lambda s: s.constant)
+    return shift
+
+
+def _shifted(statements: Sequence[Statement], shift: Mapping[str, Linear]) -> tuple[Statement, ...]:
+    return tuple(instantiate(s, shift) for s in statements)
+
+
+def _instances(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    orders: OrderRanges,
+) -> Verdict:
+    """The worst verdict over the range, and of equal ones the first; a member that is refuted ends it."""
+    worst, place, count = None, "", 0
+    for values in orders.assignments():
+        current = _instance_for(judge, statement, assume, hypothesis, values)
+        if current.reason == SAME_TERM:
+            continue
+        count += 1
+        if worst is None or _WORST_FIRST.index(current.outcome) < _WORST_FIRST.index(worst.outcome):
+            worst, place = current, ", ".join(f"{name} = {value}" for name, value in values.items())
+        if current.outcome == Outcome.REFUTED:
+            break
+    if worst is None:
+        return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
+    if worst.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
+        reason = f"for {place}" + (f": {worst.reason}" if worst.reason else "")
+        figures = {"held before": count - 1} if worst.outcome == Outcome.REFUTED else {}
+        fails = Evidence("each instance", f"fails for {place}", figures)
+        return replace(worst, reason=reason, evidence=(*worst.evidence, fails))
+    evidence = (*worst.evidence, Evidence("each instance", "residual is 0", {"instances": count}))
+    return replace(worst, scope=str(orders), evidence=evidence)
+
+
+def _instance_for(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    values: Mapping[str, int],
+) -> Verdict:
+    """The verdict with the integer variables put to these values and the sums written out."""
+    try:
+        supposed = tuple(instantiate(a, values) for a in assume)
+        given = None if hypothesis is None else instantiate(hypothesis, values)
+        return judge.judge_instance(instantiate(statement, values), supposed, given)
+    except (NotExact, IllFormed) as outside:
+        return Verdict(Outcome.UNCHECKED, reason=str(outside))
+
+
+def _variables(statement: Statement) -> set[str]:
+    """The integer variables of indices and orders, but for those that a sum binds."""
+    names: set[str] = set()
+    bound: set[str] = set()
+    for term in _terms(statement):
+        for part in term.walk():
+            if isinstance(part, Symbol):
+                names |= {name for index in part.index for name in index.variables}
+            elif isinstance(part, Derivative):
+                names |= part.order.variables
+            elif isinstance(part, BigSum):
+                bound |= set(part.variables)
+    return names - bound
+
+
+def _all_terms(statements: Iterable[Statement]) -> Iterator[Term]:
+    for statement in statements:
+        yield from _terms(statement)
+
+
+def _expanded(judge: InstanceJudge, statement: Relation) -> Relation:
+    left, right = (expand(side, judge.definitions) for side in (statement.left, statement.right))
+    return relation(statement.operator, left, right)
+
+
+def _mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Statement:
+    match statement:
+        case Relation():
+            return of(statement)
+        case Equivalence() | Implication():
+            return type(statement)(_mapped(statement.left, of), _mapped(statement.right, of))
+    return Conjunction(tuple(_mapped(part, of) for part in statement.parts))
+
+
+def _terms(statement: Statement) -> Iterator[Term]:
+    match statement:
+        case Relation():
+            yield from (statement.left, statement.right)
+        case Equivalence() | Implication():
+            yield from _terms(statement.left)
+            yield from _terms(statement.right)
+        case Conjunction():
+            for part in statement.parts:
+                yield from _terms(part)

@@ -1,0 +1,111 @@
+"""From a statement to its verdict: for each kind of statement, its judge."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+
+from workbench.judge.kernel.case import Setting
+from workbench.judge.kernel.equation import Equation
+from workbench.judge.kernel.families import OrderRanges, judge_family
+from workbench.judge.kernel.zero_sets import judge_inequation, judge_zeros
+from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
+from workbench.judge.subject.inventory import NotExact
+from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.language.printer import to_latex
+from workbench.language.terms import Conjunction, Equivalence, Implication, Relation, Statement
+
+
+@dataclass(frozen=True)
+class Judge(Setting):
+    """Judges statements under one set of definitions; `Setting` says what it can be given."""
+
+    def judge(
+        self,
+        statement: Statement,
+        assume: Sequence[Statement] = (),
+        hypothesis: Statement | None = None,
+        orders: OrderRanges | None = None,
+    ) -> Verdict:
+        """The verdict on a statement under the stated assumptions.
+
+        hypothesis: a condition that the text does not state; the outcome is `conditional` if the statement
+        needs it. orders: the integer variables of a family.
+        Raises Unsatisfiable if nothing satisfies the assumptions, EngineDisagreement if the engines differ.
+        """
+        judge = replace(self, laws=False) if orders else self
+        judged = judge_family(judge, statement, tuple(assume), hypothesis, orders)
+        return replace(judged, read_back=to_latex(statement))
+
+    def judge_instance(
+        self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    ) -> Verdict:
+        """The verdict where no integer variable is left to bind. Raises NotExact outside the exact world."""
+        verdict = self._judge(statement, assume)
+        if hypothesis is None or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
+            return verdict
+        under = self._judge(statement, (*assume, hypothesis))
+        if under.outcome != Outcome.PROVED:
+            return under
+        if verdict.counterexample is None:
+            return replace(
+                under, outcome=Outcome.UNCHECKED, reason="no witness against the bare statement was found"
+            )
+        witness = Evidence("witness against the bare statement", verdict.reason or "a point where it fails")
+        return Verdict(
+            Outcome.CONDITIONAL,
+            reason="holds under a hypothesis that the text does not state",
+            hypothesis=to_latex(hypothesis),
+            counterexample=verdict.counterexample,
+            evidence=(*under.evidence, witness),
+        )
+
+    def _judge(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        try:
+            return self._judge_form(statement, assume)
+        except ZeroDivisionError:
+            return Verdict(Outcome.UNCHECKED, reason="a denominator is identically zero")
+
+    def _judge_form(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        match statement:
+            case Conjunction(parts=parts):
+                return _together([self._judge(part, assume) for part in parts])
+            case Relation(operator="="):
+                return Equation(self, statement, assume).verdict()
+            case Relation():
+                return judge_inequation(self, statement, assume)
+            case Equivalence(left=Relation() as left, right=Relation() as right):
+                return judge_zeros(self, left, right, assume, both_ways=True)
+            case Implication(left=Relation(operator="≠") as left, right=Relation(operator="≠") as right):
+                return judge_zeros(self, left, right, assume, both_ways=False)
+            case Implication(left=left, right=right):
+                return self._implied(left, right, assume)
+        raise NotExact("a statement of this form")
+
+    def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        """The claim under the premise at the instant. One that is false only if the premise does not last,
+        such as f = 1 ⇒ ḟ = 0, is not refuted: it has to say which is meant."""
+        verdict = self._judge(claim, (*assume, premise))
+        lasting = (
+            derivatives_of(premise, claim, self.definitions) if verdict.outcome == Outcome.REFUTED else ()
+        )
+        if not lasting:
+            return verdict
+        with suppress(Unsatisfiable, NotExact):
+            again = self._judge(claim, (*assume, premise, *lasting))
+            if again.outcome == Outcome.REFUTED:
+                return again
+        reason = "false if the condition holds at one instant only; if it lasts, state its derivatives too"
+        return Verdict(Outcome.UNCHECKED, reason=reason)
+
+
+def _together(verdicts: list[Verdict]) -> Verdict:
+    """A conjunction is as good as its worst part."""
+    worst = (Outcome.REFUTED, Outcome.UNCHECKED, Outcome.PROBABLE, Outcome.CONDITIONAL, Outcome.PROVED)
+    for outcome in worst:
+        for verdict in verdicts:
+            if verdict.outcome == outcome:
+                evidence = tuple(e for v in verdicts for e in v.evidence)
+                return replace(verdict, evidence=evidence if outcome == Outcome.PROVED else verdict.evidence)
+    return verdicts[0]

@@ -1,0 +1,122 @@
+"""Equations that state a law: m p̈ = m g says what p̈ is, and is no identity that could be false.
+
+Such an equation holds the highest derivative of a free symbol just once, and has solutions for it. That the
+derivative stands alone, as p̈ does, or that the other side speaks of something else, as d/dt(m v) = F does,
+tells it from a mistaken product rule such as d/dt(f g) = f ġ, which would be an equation for ḟ as well.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass
+from random import Random
+
+import numpy as np
+
+from workbench.judge.second.jets import JetEngine
+from workbench.judge.second.rings import FloatRing, PointSource, RationalRing, sample
+from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
+from workbench.judge.subject.parameters import Parameter, parts
+from workbench.language.construct import derivative
+from workbench.language.terms import Apply, Derivative, Relation, Symbol, Term
+
+_LINEAR = frozenset(
+    {"mul", "neg", "dot", "cross", "outer", "transpose", "skew", "vector part", "scalar part"}
+)
+_POINTS = 3
+_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True)
+class _Occurrence:
+    side: int
+    order: int
+    alone: bool  # the derivative is that of the symbol, or of its product with constants
+
+
+def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Term | None:
+    """The derivative of a free symbol that the equation can be solved for; None where it is no law."""
+    sides = (relation.left, relation.right)
+    if relation.operator != "=" or any(part.type.kind == "operator" for s in sides for part in s.walk()):
+        return None
+    found: dict[Symbol, list[_Occurrence]] = defaultdict(list)
+    for side, term in enumerate(sides):
+        for symbol, order, alone in _occurrences(term, definitions, 0, True):
+            found[symbol].append(_Occurrence(side, order, alone))
+    for symbol, occurrences in found.items():
+        order = inventory.orders.get(symbol, 0)
+        highest = [o for o in occurrences if o.order == order]
+        if order and len(highest) == 1 and not symbol.declaration.constant:
+            (place,) = highest
+            if sum(map(len, found.values())) == 1:
+                return None  # ẋ = 0 says that x is constant
+            foreign = any(all(o.side != place.side for o in others) for others in found.values())
+            if (place.alone or foreign) and _has_solutions(relation, inventory, definitions, symbol, order):
+                return derivative(symbol, order)
+    return None
+
+
+def _occurrences(
+    term: Term, definitions: Lookup, order: int, alone: bool
+) -> Iterator[tuple[Symbol, int, bool]]:
+    if isinstance(term, Symbol):
+        body = definitions.lookup(term)
+        if body is None:
+            yield term, order, alone
+        else:
+            yield from _occurrences(body, definitions, order, alone)
+    elif isinstance(term, Derivative):
+        yield from _occurrences(term.body, definitions, order + int(term.order), alone)
+    else:
+        for place, child in enumerate(term.children):
+            others = (*term.children[:place], *term.children[place + 1 :])
+            is_linear = isinstance(term, Apply) and term.head in _LINEAR and all(map(_is_constant, others))
+            yield from _occurrences(child, definitions, order, alone and (not order or is_linear))
+
+
+def _is_constant(term: Term) -> bool:
+    return all(part.declaration.constant for part in term.walk() if isinstance(part, Symbol))
+
+
+def _has_solutions(
+    relation: Relation, inventory: Inventory, definitions: Lookup, symbol: Symbol, order: int
+) -> bool:
+    """Whether, at random values of all else, some value of the derivative satisfies the equation."""
+    unknowns = [
+        Parameter(symbol, part, orders - 1, component)
+        for part, count, orders in parts(symbol, order)
+        for component in range(count)
+        if orders == order + (part != "spin")
+    ]
+    random, solved = Random(0), 0
+    for _ in range(10 * _POINTS):
+        drawn = sample(inventory, RationalRing((-3, -2, -1, 1, 2, 3)), random, lambda _: True)
+        point = {parameter: float(value) for parameter, value in drawn.items()}
+        try:
+            if not _is_solvable(relation, definitions, point, unknowns):
+                return False
+            solved += 1
+        except (NotExact, ZeroDivisionError):
+            continue
+        if solved == _POINTS:
+            return True
+    return False
+
+
+def _is_solvable(
+    relation: Relation, definitions: Lookup, point: dict[Parameter, float], unknowns: list[Parameter]
+) -> bool:
+    def residual(values: np.ndarray) -> np.ndarray:
+        at = {**point, **dict(zip(unknowns, values.tolist(), strict=True))}
+        engine = JetEngine(PointSource(FloatRing(), at), definitions)
+        return np.array(engine.differences(relation.left, relation.right), dtype=float)
+
+    size = len(unknowns)
+    rest = residual(np.zeros(size))
+    columns = np.column_stack([residual(unit) - rest for unit in np.eye(size)])
+    other = np.arange(2.0, 2.0 + size)
+    scale = 1 + np.abs(rest).max() + np.abs(columns).max()
+    is_linear = np.abs(residual(other) - rest - columns @ other).max() < _TOLERANCE * scale * size
+    solution = np.linalg.lstsq(columns, -rest, rcond=None)[0]
+    return bool(is_linear and np.abs(columns @ solution + rest).max() < _TOLERANCE * scale)

@@ -1,0 +1,407 @@
+"""The second engine: a term's value as the list of its time derivatives at one instant, over any ring.
+
+It shares no arithmetic with the first: components are arrays contracted with the Levi-Civita symbol and
+derivatives come from Leibniz' rule on the lists. The ring can be SymPy's polynomials, the integers modulo a
+prime, the rationals, floats or Drake's polynomials. A `Source` says what the symbols' derivatives are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from itertools import product
+from math import comb
+from typing import Any, Protocol
+
+import numpy as np
+
+from workbench.judge.second.components import (
+    BILINEAR,
+    DOUBLED,
+    LINEAR,
+    Jet,
+    OperatorValue,
+    Value,
+    add,
+    add_operators,
+    array_shape,
+    cross,
+    dot,
+    entry,
+    flat_components,
+    leibniz,
+    matrix_shape,
+    outer,
+    product_of,
+    skew,
+    stack,
+    turned,
+)
+from workbench.judge.second.jet_algebra import JetAlgebra, Ring
+from workbench.judge.second.quaternions import conjugated, quaternion_product
+from workbench.judge.subject.inventory import Lookup, NotExact
+from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.language.construct import apply
+from workbench.language.terms import (
+    Apply,
+    Block,
+    Derivative,
+    DualUnit,
+    Identity,
+    Number,
+    Power,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+
+
+class Source(Protocol):
+    """Where free symbols get their derivatives from."""
+
+    ring: Ring
+
+    def jet(self, symbol: Symbol, depth: int) -> Value: ...
+
+    def circle(self, angle: Symbol) -> tuple[Any, Any]:
+        """(cos, sin) of the angle at the instant."""
+
+    def along(self, component: int) -> Source:
+        """The same source with the coordinate moved by ε along one axis, for div and curl."""
+
+
+class JetEngine:
+    """Evaluates terms on a source."""
+
+    def __init__(self, source: Source, definitions: Lookup) -> None:
+        self._source = source
+        self._algebra = JetAlgebra(source.ring)
+        self._definitions = definitions
+        self._known: dict[Term, Value] = {}
+        self._displaced: list[JetEngine] = []
+
+    def components(self, term: Term) -> list[Any]:
+        """All components at the instant: an operator's coefficients by rising power of D, each in reading
+        order, real parts before dual parts."""
+        is_operator = term.type.kind == "operator"
+        return flat_components(self.operator(term, 0) if is_operator else (self.value(term, 0),))
+
+    def differences(self, left: Term, right: Term) -> list[Any]:
+        """left − right by components; a missing dual part or operator coefficient counts as zero."""
+        if "operator" in (left.type.kind, right.type.kind):
+            a, b = self.operator(left, 0), self.operator(right, 0)
+            minus = tuple(v.map(lambda x: -x) for v in b)
+            return flat_components(add_operators(a, minus))
+        return flat_components((add(self.value(left, 0), self.value(right, 0).map(lambda x: -x)),))
+
+    def circle(self, angle: Symbol) -> tuple[Any, Any]:
+        """(cos, sin) of a free angle at the instant."""
+        return self._source.circle(angle)
+
+    def value(self, term: Term, depth: int) -> Value:
+        """The term's derivatives of order 0 … depth."""
+        known = self._known.get(term)
+        if known is None or known.depth < depth:
+            known = self._known[term] = self._evaluate(term, depth)
+        return known.cut(0, depth)
+
+    def operator(self, term: Term, depth: int) -> OperatorValue:
+        """The coefficients of an operator by rising power of D; a tensor is an operator of degree 0."""
+        if term.type.kind != "operator":
+            return (self.value(term, depth),)
+        match term:
+            case TimeOperator():
+                return (self._algebra.diagonal(3, 0, depth), self._algebra.diagonal(3, 1, depth))
+            case Zero() | Identity():
+                return (self._algebra.diagonal(3, int(isinstance(term, Identity)), depth),)
+            case Symbol():
+                return self.operator(self._body(term), depth)
+            case Power():
+                total: OperatorValue = (self._algebra.diagonal(3, 1, depth),)
+                for _ in range(int(term.exponent)):
+                    total = self._compose(total, self._operator_for(term.base), depth)
+                return total
+            case Apply(head="add"):
+                values = [self.operator(a, depth) for a in term.arguments]
+                total = values[0]
+                for value in values[1:]:
+                    total = add_operators(total, value)
+                return total
+            case Apply(head="neg"):
+                return tuple(v.map(lambda x: -x) for v in self.operator(term.arguments[0], depth))
+            case Apply(head="div"):
+                numerator, denominator = term.arguments
+                divisor = self.value(denominator, depth)
+                return tuple(self._algebra.divide(v, divisor) for v in self.operator(numerator, depth))
+            case Apply(head="mul" | "compose", arguments=(left, right)):
+                if left.type.kind == "scalar":
+                    factor = self.value(left, depth)
+                    return tuple(product_of(np.multiply, factor, v) for v in self.operator(right, depth))
+                if right.type.kind == "scalar":
+                    factor = self.value(right, depth)
+                    return tuple(product_of(np.multiply, factor, v) for v in self.operator(left, depth))
+                return self._compose(self.operator(left, depth), self._operator_for(right), depth)
+        raise NotExact(f"no operator value for {type(term).__name__}")
+
+    def _operator_for(self, term: Term) -> Callable[[int], OperatorValue]:
+        return lambda depth: self.operator(term, depth)
+
+    def _compose(
+        self, left: OperatorValue, right: Callable[[int], OperatorValue], depth: int
+    ) -> OperatorValue:
+        """Aᵢ Dⁱ ∘ Bⱼ Dʲ = Σₗ C(i, l) Aᵢ Bⱼ⁽ˡ⁾ Dⁱ⁻ˡ⁺ʲ."""
+        factors = right(depth + len(left) - 1)
+        total = [self._algebra.diagonal(3, 0, depth) for _ in range(len(left) + len(factors) - 1)]
+        for (i, a), (j, b) in product(enumerate(left), enumerate(factors)):
+            for order in range(i + 1):
+                count = self._algebra.ring.constant(comb(i, order), 1)
+                addend = product_of(np.matmul, a, b.cut(order, order + depth)).map(lambda x, c=count: x * c)
+                total[i - order + j] = add(total[i - order + j], addend)
+        return tuple(total)
+
+    def _body(self, symbol: Symbol) -> Term:
+        body = self._definitions.lookup(symbol)
+        if body is None:
+            raise NotExact(f"{symbol.declaration.name} is an undefined {symbol.type}")
+        return body
+
+    def _evaluate(self, term: Term, depth: int) -> Value:
+        match term:
+            case Number():
+                return self._algebra.constant(term.value.numerator, term.value.denominator, depth)
+            case Zero() | Identity():
+                shape = array_shape(term.type)
+                if isinstance(term, Identity):
+                    return self._algebra.diagonal(shape[0], 1, depth)
+                return Value([self._algebra.filled(shape) for _ in range(depth + 1)])
+            case DualUnit():
+                return Value(self._algebra.constant(0, 1, depth).re, self._algebra.constant(1, 1, depth).re)
+            case Symbol():
+                body = self._definitions.lookup(term)
+                return self._source.jet(term, depth) if body is None else self.value(body, depth)
+            case Derivative():
+                order = int(term.order)
+                return self.value(term.body, depth + order).cut(order, order + depth)
+            case Power():
+                return self._power(term, depth)
+            case Block():
+                return self._block(term, depth)
+            case Apply():
+                return self._apply(term, depth)
+        raise NotExact(f"no value for {type(term).__name__}")
+
+    def _power(self, term: Power, depth: int) -> Value:
+        base, exponent = self.value(term.base, depth), int(term.exponent)
+        if term.base.type.is_column:
+            base, exponent = product_of(dot, base, base), exponent // 2
+        if term.type.kind == "quaternion":
+            total = self._algebra.diagonal(4, 1, depth).map(lambda x: x[:, 0])
+        else:
+            total = self._one(base.re[0].shape, depth)
+        times = {"scalar": np.multiply, "quaternion": quaternion_product}.get(term.type.kind, np.matmul)
+        for _ in range(exponent):
+            total = product_of(times, total, base)
+        return total
+
+    def _one(self, shape: tuple[int, ...], depth: int) -> Value:
+        """1, or the unit matrix."""
+        return self._algebra.diagonal(shape[0], 1, depth) if shape else self._algebra.constant(1, 1, depth)
+
+    def _block(self, term: Block, depth: int) -> Value:
+        entries = [[self.value(e, depth) for e in row] for row in term.entries]
+        sizes = [[matrix_shape(e.type) for e in row] for row in term.entries]
+
+        def assembled(part: Callable[[Value], Jet | None]) -> Jet:
+            jet = []
+            for k in range(depth + 1):
+                rows = []
+                for row, row_sizes in zip(entries, sizes, strict=True):
+                    cells = []
+                    for value, size in zip(row, row_sizes, strict=True):
+                        jets = part(value)
+                        cells.append(self._algebra.filled(size) if jets is None else jets[k].reshape(size))
+                    rows.append(cells)
+                jet.append(np.block(rows).reshape(array_shape(term.type)))
+            return jet
+
+        return Value(assembled(lambda v: v.re), assembled(lambda v: v.du) if term.type.dual else None)
+
+    def _apply(self, term: Apply, depth: int) -> Value:
+        head, arguments = term.head, term.arguments
+        if head == "mul":
+            return self._juxtaposition(*arguments, depth)
+        if head in BILINEAR:
+            return product_of(BILINEAR[head], *(self.value(a, depth) for a in arguments))
+        if head in LINEAR:
+            return self.value(arguments[0], depth).map(LINEAR[head])
+        if head in ("quaternion", "scalar part", "vector part"):
+            return self._parts(term, depth)
+        if head in ("vect", "symmetric", "antisymmetric"):
+            half = self._algebra.constant(1, 2, depth)
+            return product_of(np.multiply, half, self.value(arguments[0], depth).map(DOUBLED[head]))
+        match head:
+            case "add":
+                total = self.value(arguments[0], depth)
+                for argument in arguments[1:]:
+                    total = add(total, self.value(argument, depth))
+                return total
+            case "triple":
+                a, b, c = (self.value(x, depth) for x in arguments)
+                return product_of(dot, a, product_of(cross, b, c))
+            case "adjugate":
+                return self._algebra.adjugate(self.value(arguments[0], depth))
+            case "det":
+                return self._algebra.det(self.value(arguments[0], depth))
+            case "inverse":
+                value = self.value(arguments[0], depth)
+                if term.type.kind == "quaternion":
+                    return self._algebra.quaternion_inverse(value)
+                return self._algebra.inverse(value)
+            case "conjugate":
+                return self.value(arguments[0], depth).map(conjugated)
+            case "div":
+                return self._algebra.divide(*(self.value(a, depth) for a in arguments))
+            case "re":
+                return Value(self.value(arguments[0], depth).re)
+            case "du":
+                value = self.value(arguments[0], depth)
+                return Value([0 * x for x in value.re] if value.du is None else value.du)
+            case "root":
+                return self._algebra.root(self.value(arguments[0], depth))
+            case "norm":
+                return self._algebra.norm(self.value(arguments[0], depth))
+            case "cos":
+                return self._circle(arguments[0], depth)[0]
+            case "sin":
+                return self._circle(arguments[0], depth)[1]
+            case "exp":
+                return self._exp(arguments[0], depth)
+            case "divergence":
+                gradient = self._gradient(arguments[0], depth)
+                return add(add(entry(gradient[0], 0), entry(gradient[1], 1)), entry(gradient[2], 2))
+            case "curl":
+                gradient = self._gradient(arguments[0], depth)
+                return stack([self._curl_component(gradient, i) for i in range(3)])
+        raise NotExact(f"no value for the operation {head}")
+
+    def _juxtaposition(self, left: Term, right: Term, depth: int) -> Value:
+        if left.type.kind == "operator":
+            if right.type.rows != 3:
+                raise NotExact("an operator with 3×3 coefficients on a block matrix of other rows")
+            total = None
+            for power, coefficient in enumerate(self.operator(left, depth)):
+                operand = self.value(right, depth + power).cut(power, power + depth)
+                addend = product_of(np.matmul, coefficient, operand)
+                total = addend if total is None else add(total, addend)
+            return total
+        a, b = self.value(left, depth), self.value(right, depth)
+        if "scalar" in (left.type.kind, right.type.kind):
+            return product_of(np.multiply, a, b)
+        if left.type.kind == "quaternion":
+            return product_of(quaternion_product, a, b)
+        width = left.type.columns
+        if width != right.type.rows:
+            type_ = apply("mul", left, right).type
+            b = b.map(lambda x: x.reshape((width, -1)))
+            if left.type.rows == 1:
+                a = a.map(lambda x: x.reshape((1, width)))
+            return product_of(np.matmul, a, b).map(lambda x: x.reshape(array_shape(type_)))
+        if width == 1:
+            return product_of(outer, a, b)
+        return product_of(np.matmul, a, b)
+
+    def _parts(self, term: Apply, depth: int) -> Value:
+        values = [self.value(a, depth) for a in term.arguments]
+        if term.head == "scalar part":
+            return entry(values[0], 0)
+        if term.head == "vector part":
+            return values[0].map(lambda q: q[1:])
+        scalar, vector = values
+        return stack([scalar, *(entry(vector, i) for i in range(3))])
+
+    def _circle(self, angle: Term, depth: int, factor: Fraction = Fraction(1)) -> tuple[Value, Value]:
+        """cos and sin of factor · angle by the addition theorems on the term; of a free angle by ċ = −s α̇,
+        ṡ = c α̇."""
+        match angle:
+            case Zero():
+                return self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
+            case Symbol():
+                body = self._definitions.lookup(angle)
+                if body is not None:
+                    return self._circle(body, depth, factor)
+                if factor.denominator == 1:
+                    return self._repeated(self._free_circle(angle, depth), int(factor), depth)
+            case Apply(head="re", arguments=(inner,)):
+                cosine, sine = self._circle(inner, depth, factor)
+                return Value(cosine.re), Value(sine.re)
+            case Apply(head="neg", arguments=(inner,)):
+                return self._circle(inner, depth, -factor)
+            case Apply(head="add"):
+                cosine, sine = self._circle(angle.arguments[0], depth, factor)
+                for argument in angle.arguments[1:]:
+                    cosine, sine = turned((cosine, sine), self._circle(argument, depth, factor))
+                return cosine, sine
+            case Apply(head="mul", arguments=(Number() as n, inner) | (inner, Number() as n)):
+                return self._circle(inner, depth, factor * n.value)
+            case Apply(head="div", arguments=(inner, Number() as n)):
+                return self._circle(inner, depth, factor / n.value)
+        value = self.value(angle, depth)
+        if value.du is not None and all(not x for x in np.ravel(value.re[0])):
+            cosine = Value(self._algebra.constant(1, 1, depth).re, [0 * x for x in value.du])
+            scale = self._algebra.constant(factor.numerator, factor.denominator, depth)
+            return cosine, product_of(np.multiply, scale, value)
+        raise NotExact("the sine or cosine of anything but a rational combination of angles")
+
+    def _repeated(self, once: tuple[Value, Value], count: int, depth: int) -> tuple[Value, Value]:
+        if count < 0:
+            once = (once[0], once[1].map(lambda x: -x))
+        total = self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
+        for _ in range(abs(count)):
+            total = turned(total, once)
+        return total
+
+    def _free_circle(self, angle: Symbol, depth: int) -> tuple[Value, Value]:
+        value = self._source.jet(angle, depth)
+        c, s = (np.asarray(x, dtype=object) for x in self._source.circle(angle))
+        cosine, sine = [c], [s]
+        rate = value.re[1:]
+        for k in range(depth):
+            cosine.append(-leibniz(np.multiply, sine, rate[: k + 1])[k])
+            sine.append(leibniz(np.multiply, cosine[: k + 1], rate[: k + 1])[k])
+        if value.du is None:
+            return Value(cosine), Value(sine)
+        falling = [-x for x in leibniz(np.multiply, sine, value.du)]
+        return Value(cosine, falling), Value(sine, leibniz(np.multiply, cosine, value.du))
+
+    def _exp(self, argument: Term, depth: int) -> Value:
+        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u."""
+        turn = angle_and_axis(argument)
+        if turn is not None:
+            cosine, sine = self._circle(turn[0], depth)
+            axis = self.value(turn[1], depth)
+            versine = add(self._algebra.constant(1, 1, depth), cosine.map(lambda x: -x))
+            turned = product_of(np.multiply, cosine, self._algebra.diagonal(3, 1, depth))
+            turned = add(turned, product_of(np.multiply, sine, axis.map(skew)))
+            return add(turned, product_of(np.multiply, versine, product_of(outer, axis, axis)))
+        value = self.value(argument, depth)
+        if value.du is None or any(bool(x != 0) for jet in value.re for x in jet.ravel()):
+            raise NotExact(
+                "exp of anything but a purely dual argument or an angle times a unit vector's skew tensor"
+            )
+        return Value(self._one(value.re[0].shape, depth).re, value.du)
+
+    def _gradient(self, field: Term, depth: int) -> list[Value]:
+        """∂f/∂ρⱼ for j = 1, 2, 3: the dual part of f at ρ + ε eⱼ."""
+        if field.type.dual:
+            raise NotExact("div and curl of a dual field")
+        if not self._displaced:
+            self._displaced = [
+                JetEngine(self._source.along(component), self._definitions) for component in range(3)
+            ]
+        values = [engine.value(field, depth) for engine in self._displaced]
+        return [Value([0 * x for x in v.re] if v.du is None else v.du) for v in values]
+
+    def _curl_component(self, gradient: list[Value], i: int) -> Value:
+        j, k = (i + 1) % 3, (i + 2) % 3
+        return add(entry(gradient[j], k), entry(gradient[k], j).map(lambda x: -x))

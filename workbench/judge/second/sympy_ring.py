@@ -1,0 +1,241 @@
+"""SymPy's sparse polynomials on Python integers as a ring of the second engine; denominators kept apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import isqrt
+from typing import Any
+
+from workbench.judge.second.jets import JetEngine
+from workbench.judge.second.rings import PointSource
+from workbench.judge.second.sympy_gate import QQ, PolyElement, lex, polynomial_ring, require_python_integers
+from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
+from workbench.judge.subject.parameters import SPHERES, Parameter, parameters
+from workbench.language.terms import Relation
+
+#: What this engine is called in the evidence.
+METHOD = "SymPy PolyRing on Python integers"
+
+
+class Ratio:
+    """numerator / Π denominatorᵢ^eᵢ. Denominators are monic polynomials, known by their place in the ring's
+    list, and never cancelled: equality needs no greatest common divisor."""
+
+    __slots__ = ("below", "ring", "top")
+
+    def __init__(self, ring: SympyRing, top: PolyElement, below: dict[int, int]) -> None:
+        self.ring, self.top, self.below = ring, top, below
+
+    def __add__(self, other: Any) -> Ratio:
+        other = self.ring.lift(other)
+        if self.below == other.below:
+            return Ratio(self.ring, self.top + other.top, self.below)
+        common = {k: max(self.below.get(k, 0), other.below.get(k, 0)) for k in {*self.below, *other.below}}
+        return Ratio(self.ring, self._raised(common) + other._raised(common), common)
+
+    __radd__ = __add__
+
+    def _raised(self, common: dict[int, int]) -> PolyElement:
+        top = self.top
+        for place, exponent in common.items():
+            top = top * self.ring.denominators[place] ** (exponent - self.below.get(place, 0))
+        return self.ring.normal(top)
+
+    def __neg__(self) -> Ratio:
+        return Ratio(self.ring, -self.top, self.below)
+
+    def __sub__(self, other: Any) -> Ratio:
+        return self + -self.ring.lift(other)
+
+    def __rsub__(self, other: Any) -> Ratio:
+        return -self + other
+
+    def __mul__(self, other: Any) -> Ratio:
+        if isinstance(other, int):
+            return Ratio(self.ring, self.top * other, self.below)
+        other = self.ring.lift(other)
+        below = dict(self.below)
+        for place, exponent in other.below.items():
+            below[place] = below.get(place, 0) + exponent
+        return Ratio(self.ring, self.ring.normal(self.top * other.top), below)
+
+    __rmul__ = __mul__
+
+    def __eq__(self, other: object) -> bool:
+        return not (self - other).top
+
+    __hash__ = None
+
+    def __bool__(self) -> bool:
+        return bool(self.top)
+
+
+class SympyRing:
+    """Indeterminates for all parameters of an inventory, ranked so that the relations rewrite squares."""
+
+    def __init__(self, inventory: Inventory) -> None:
+        names = list(parameters(inventory))
+        self._roots = inventory.norms
+        first = {"circle": 1, "unit": 0, "quaternion": 0}
+        names.sort(key=lambda p: first.get(p.part) != p.component)
+        symbols = [f"n{i}" for i in reversed(range(self._roots))] + [f"y{i}" for i in range(len(names))]
+        self.polynomials, *generators = (
+            polynomial_ring(symbols, QQ, lex) if symbols else polynomial_ring("y", QQ, lex)
+        )
+        self._root_generators = generators[: self._roots][::-1]
+        self._root_squares: list[PolyElement] = []
+        bases = dict(zip(names, generators[self._roots :], strict=False))
+        self.denominators: list[PolyElement] = []
+        self.relations: list[PolyElement] = []
+        self.point = {p: Ratio(self, g, {}) for p, g in bases.items()}
+        for parameter in names:
+            if first.get(parameter.part) == parameter.component:
+                self._relate(parameter, bases)
+
+    def _relate(self, squared: Parameter, bases: dict[Parameter, PolyElement]) -> None:
+        sphere = [
+            bases[Parameter(squared.symbol, squared.part, 0, i)] ** 2 for i in range(SPHERES[squared.part])
+        ]
+        self.relations.append(sum(sphere[1:], sphere[0]) - 1)
+
+    def lift(self, value: Any) -> Ratio:
+        if isinstance(value, Ratio):
+            return value
+        value = Fraction(value)
+        return self.constant(value.numerator, value.denominator)
+
+    def constant(self, numerator: int, denominator: int) -> Ratio:
+        return Ratio(self, self.polynomials.ground_new(QQ(numerator, denominator)), {})
+
+    def normal(self, p: PolyElement) -> PolyElement:
+        """The remainder by the relations, which are a Gröbner basis (see `differential_ring.py`)."""
+        return p.rem(self.relations) if self.relations else p
+
+    def tops(self, values: Sequence[Any]) -> list[PolyElement]:
+        """The numerators, in normal form. Raises RuntimeError if anything here is no number of Python's."""
+        tops = [self.normal(self.lift(value).top) for value in values]
+        require_python_integers(*tops, *self.relations, *self.denominators)
+        return tops
+
+    def divide(self, a: Any, b: Any) -> Ratio:
+        a, b = self.lift(a), self.lift(b)
+        if not b:
+            raise ZeroDivisionError("division by an expression that is identically zero")
+        upside_down = self.constant(1, 1)
+        for place, exponent in b.below.items():
+            upside_down = upside_down * Ratio(self, self.denominators[place] ** exponent, {})
+        leading = b.top.LC
+        monic = b.top.quo_ground(leading)
+        if monic == 1:
+            inverse = Ratio(self, self.polynomials.ground_new(1 / leading), {})
+        else:
+            if monic not in self.denominators:
+                self.denominators.append(monic)
+            place = self.denominators.index(monic)
+            inverse = Ratio(self, self.polynomials.ground_new(1 / leading), {place: 1})
+        return a * upside_down * inverse
+
+    def root(self, square: Any) -> Ratio:
+        square = self.lift(square)
+        if square.below:
+            raise NotExact("the norm of a quotient")
+        if not square:
+            raise NotExact("the norm of zero")
+        leading = square.top.LC
+        outside = leading**0
+        below = leading.denominator
+        if leading > 0 and isqrt(leading.numerator * below) ** 2 == leading.numerator * below:
+            outside = QQ(isqrt(leading.numerator * below), below)
+        top = square.top.quo_ground(outside**2)
+        if top == 1:
+            return Ratio(self, self.polynomials.ground_new(outside), {})
+        root = self.polynomials.ground_new(outside)
+        for base, power in self._split(top):
+            root = root * self._root_generator(base) ** power
+        return Ratio(self, self.normal(root), {})
+
+    def _root_generator(self, square: PolyElement) -> PolyElement:
+        if square not in self._root_squares:
+            generator = self._root_generators[len(self._root_squares)]
+            self._root_squares.append(square)
+            self.relations.insert(0, generator**2 - square)
+        return self._root_generators[self._root_squares.index(square)]
+
+    def _split(self, square: PolyElement) -> list[tuple[PolyElement, int]]:
+        """The factors of a square that are nowhere negative, with their powers; itself where one may be."""
+        if square.LC != 1 or not _is_nowhere_negative(square):
+            return [(square, 1)]
+        monic = [(p.quo_ground(p.LC), power) for p, power in square.factor_list()[1]]
+        if any(power % 2 and not _is_nowhere_negative(p) for p, power in monic):
+            return [(square, 1)]
+        bases = [(p, k) if _is_nowhere_negative(p) else (p * p, k // 2) for p, k in monic]
+        more = sum(p not in self._root_squares for p, _ in bases)
+        return bases if len(self._root_squares) + more <= self._roots else [(square, 1)]
+
+
+def _is_nowhere_negative(p: PolyElement) -> bool:
+    """Whether it is seen so: even powers with positive coefficients."""
+    return all(c > 0 and not any(e % 2 for e in powers) for powers, c in p.terms())
+
+
+def recheck(
+    relation: Relation, inventory: Inventory, definitions: Lookup, equations: Sequence[Relation] = ()
+) -> bool:
+    """Whether left − right is 0 here too, where the equations hold."""
+    ring = SympyRing(inventory)
+    engine = JetEngine(PointSource(ring, ring.point), definitions)
+    tops = ring.tops(engine.differences(relation.left, relation.right))
+    if not equations:
+        return not any(tops)
+    supposed = [p for e in equations for p in ring.tops(engine.differences(e.left, e.right))]
+    supposed = [p for p in supposed if p]
+    rests = _eliminated(tops, supposed, ring)
+    return not any(_eliminated([ring.normal(rest * rest) for rest in rests if rest], supposed, ring))
+
+
+def _eliminated(tops: list[PolyElement], supposed: list[PolyElement], ring: SympyRing) -> list[PolyElement]:
+    """The polynomials where the supposed ones vanish. A supposed one that is linear in an indeterminate, with
+    a number as coefficient, is solved for it and put in; by the others the result is divided."""
+    bound = {x for relation in ring.relations for x in ring.polynomials.gens if relation.degree(x) > 0}
+    supposed, divisors = list(supposed), []
+    while supposed:
+        p = supposed.pop()
+        solvable = (
+            x for x in ring.polynomials.gens if x not in bound and p.degree(x) == 1 and p.diff(x).is_ground
+        )
+        x = next(solvable, None)
+        if x is None:
+            divisors.append(p)
+            continue
+        value = x - p.quo_ground(p.diff(x).LC)
+        tops, supposed, divisors = (
+            [q.compose(x, value) if q.degree(x) > 0 else q for q in group]
+            for group in (tops, supposed, divisors)
+        )
+        supposed = [q for q in supposed if q]
+    return [top.rem(divisors) if divisors else top for top in tops]
+
+
+def recheck_division(
+    left: Relation, right: Relation, both_ways: bool, inventory: Inventory, definitions: Lookup
+) -> bool:
+    """Whether each side divides a power of the other (one way only for ⇒), a vector x counting as x·x."""
+    ring = SympyRing(inventory)
+    engine = JetEngine(PointSource(ring, ring.point), definitions)
+    p, q = (_norm_square(ring, engine.differences(r.left, r.right)) for r in (left, right))
+    needed = [(p, q), (q, p)] if both_ways else [(q, p) if left.operator == "≠" else (p, q)]
+    return all(not q or (p and any(not (q**k).rem([p]) for k in (1, 2, 3, 4))) for p, q in needed)
+
+
+def recheck_distance(relation: Relation, inventory: Inventory, definitions: Lookup) -> bool:
+    """Whether some component of left − right is a number that is not 0, over what was divided by."""
+    ring = SympyRing(inventory)
+    engine = JetEngine(PointSource(ring, ring.point), definitions)
+    tops = ring.tops(engine.differences(relation.left, relation.right))
+    return any(top and top.is_ground for top in tops)
+
+
+def _norm_square(ring: SympyRing, differences: Sequence[Any]) -> PolyElement:
+    tops = ring.tops(differences)
+    return tops[0] if len(tops) == 1 else ring.normal(sum((t * t for t in tops[1:]), tops[0] * tops[0]))

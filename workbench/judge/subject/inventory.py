@@ -1,0 +1,148 @@
+"""What a statement is made of, found before any arithmetic: its free symbols, how often differentiated.
+
+Both engines allocate their indeterminates from this list, and a check that would test nothing shows here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from workbench.language.construct import derivative
+from workbench.language.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
+
+#: What differentiates by the coordinate.
+GRADIENTS = frozenset({"divergence", "curl"})
+
+
+class Lookup(Protocol):
+    """One step of definition: the body of a defined symbol, None for a free one."""
+
+    def lookup(self, symbol: Symbol) -> Term | None: ...
+
+
+class NotExact(ValueError):
+    """The term is well-formed but outside the exact world; the message says which part and why."""
+
+
+@dataclass
+class Inventory:
+    """orders: free symbol → highest time derivative that occurs.   angles: scalars under sin, cos or exp.
+    reciprocals, norms: how many divisions (or inverses) and norms there are, counted with the definitions."""
+
+    orders: dict[Symbol, int] = field(default_factory=dict)
+    angles: dict[Symbol, None] = field(default_factory=dict)
+    reciprocals: int = 0
+    norms: int = 0
+
+
+def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
+    """The inventory of all terms together. Raises NotExact where an integer variable is still unbound."""
+    survey = _Survey(definitions)
+    for term in terms:
+        for symbol, order in survey.orders(term).items():
+            known = survey.inventory.orders.get(symbol, 0)
+            survey.inventory.orders[symbol] = max(known, order)
+    return survey.inventory
+
+
+def has_gradient(terms: Iterable[Term]) -> bool:
+    """Whether a div or curl stands in the terms, as they are written."""
+    return any(isinstance(t, Apply) and t.head in GRADIENTS for term in terms for t in term.walk())
+
+
+class _Survey:
+    def __init__(self, definitions: Lookup) -> None:
+        self.definitions = definitions
+        self.inventory = Inventory()
+        self._known: dict[Term, dict[Symbol, int]] = {}
+
+    def orders(self, term: Term) -> dict[Symbol, int]:
+        if term not in self._known:
+            self._known[term] = self._survey(term)
+        return self._known[term]
+
+    def _survey(self, term: Term) -> dict[Symbol, int]:
+        if isinstance(term, Symbol):
+            body = self.definitions.lookup(term)
+            return {term: 0} if body is None else self.orders(body)
+        if isinstance(term, BigSum):
+            raise NotExact("a sum whose bounds are not numbers")
+        if isinstance(term, Power) and not term.exponent.is_number:
+            raise NotExact(f"a power with the exponent {term.exponent}")
+        shift = 0
+        if isinstance(term, Derivative):
+            if not term.order.is_number:
+                raise NotExact(f"a derivative of order {term.order}")
+            shift = term.order.constant
+        if isinstance(term, Apply):
+            self._count(term)
+        merged: dict[Symbol, int] = {}
+        for place, child in enumerate(term.children):
+            raised = shift + self._raised(term, place)
+            for symbol, order in self.orders(child).items():
+                merged[symbol] = max(merged.get(symbol, 0), order + raised)
+        if isinstance(term, Apply) and term.head in GRADIENTS:
+            _require_known_places(term, merged)
+        return merged
+
+    def _raised(self, term: Term, place: int) -> int:
+        """How often the child at this place is differentiated by operators that act on it from the left."""
+        if isinstance(term, Power):
+            return max(0, int(term.exponent) - 1) * self.degree(term.base)
+        if isinstance(term, Apply) and term.head in ("mul", "compose") and place == 1:
+            return self.degree(term.arguments[0])
+        return 0
+
+    def degree(self, term: Term) -> int:
+        """The power of D in an operator; 0 for anything else."""
+        if term.type.kind != "operator":
+            return 0
+        match term:
+            case TimeOperator():
+                return 1
+            case Symbol():
+                body = self.definitions.lookup(term)
+                return 0 if body is None else self.degree(body)
+            case Power():
+                return int(term.exponent) * self.degree(term.base)
+            case Apply(head="mul" | "compose"):
+                return sum(self.degree(a) for a in term.arguments)
+        return max((self.degree(child) for child in term.children), default=0)
+
+    def _count(self, term: Apply) -> None:
+        if term.head in ("div", "inverse"):
+            # a block triangular matrix is inverted block by block
+            self.inventory.reciprocals += max(1, term.type.rows - 2) if term.type.kind == "matrix" else 1
+        elif term.head in ("norm", "root"):
+            # a dual norm also divides by the real one, see Eq. (74)
+            self.inventory.norms += 1
+            self.inventory.reciprocals += 1
+        elif term.head in ("sin", "cos", "exp"):
+            for part in term.arguments[0].walk():
+                if isinstance(part, Symbol) and part.type.kind == "scalar":
+                    self._angle(part)
+
+    def _angle(self, symbol: Symbol) -> None:
+        body = self.definitions.lookup(symbol)
+        if body is None:
+            self.inventory.angles[symbol] = None
+            return
+        for part in body.walk():
+            if isinstance(part, Symbol) and part.type.kind == "scalar":
+                self._angle(part)
+
+
+def _require_known_places(gradient: Apply, symbols: Iterable[Symbol]) -> None:
+    """Nothing is constant in space unless it is said so."""
+    for symbol in symbols:
+        if not (symbol.declaration.uniform or symbol.declaration.coordinate):
+            name = symbol.declaration.name.replace("@", "n")
+            reason = f"{name} in the {gradient.head} may depend on the place; if not, declare uniform = true"
+            raise NotExact(reason)
+
+
+def differentiated(symbol: Symbol, order: int) -> Term:
+    """The term of the symbol's derivative, for read-back; order 0 is the symbol itself."""
+    return derivative(symbol, order) if order else symbol

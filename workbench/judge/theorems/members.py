@@ -1,0 +1,108 @@
+"""Members of sets that a proof names: witnesses, and values of what a premise says of all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from workbench.judge.theorems.goals import All, AllFrom, Both, Exists, Goal, Iff, Implies, Scope, Variable
+from workbench.judge.theorems.sequents import NotShown, Obligation, Sequent, names_of, supposed
+from workbench.judge.theorems.substitution import Substitution
+from workbench.language.construct import apply, identity, number, relation, symbol, zero
+from workbench.language.symbols import read_key
+from workbench.language.terms import Symbol, Term, Zero
+from workbench.language.types import TENSOR
+
+
+def put_in(sequent: Sequent, variables: tuple[Variable, ...], members: Mapping[str, str], body: Goal) -> Goal:
+    terms = read_members(sequent.scope, variables, members)
+    _refuse_bound(sequent.scope, terms, body)
+    return Substitution(terms, sequent.scope.definitions).goal(body)
+
+
+def _refuse_bound(scope: Scope, terms: Mapping[Variable, Term], body: Goal) -> None:
+    """A witness may not depend on what is bound behind it, which a letter of the paper could hide."""
+    used = set().union(*(names_of(term, scope) for term in terms.values()))
+    for name in _bound(body):
+        if name in used:
+            raise NotShown(f"the witness depends on {name}, which the goal binds behind it")
+
+
+def _bound(goal: Goal) -> Iterator[str]:
+    match goal:
+        case All(variables, body) | Exists(variables, body):
+            yield from (variable.name for variable in variables)
+            yield from _bound(body)
+        case AllFrom(body=body):
+            yield from _bound(body)
+        case Implies(left, right) | Iff(left, right):
+            yield from _bound(left)
+            yield from _bound(right)
+        case Both(parts):
+            for part in parts:
+                yield from _bound(part)
+
+
+def read_members(
+    scope: Scope, variables: tuple[Variable, ...], members: Mapping[str, str]
+) -> dict[Variable, Term]:
+    given = dict(members)
+    terms = {}
+    for variable in variables:
+        letter = variable.name.removesuffix("(\\cdot)")
+        latex = next((given.pop(key) for key in list(given) if same_letter(key, letter)), None)
+        if latex is None:
+            raise NotShown(f"no member is given for {letter}")
+        terms[variable] = _typed(_member(scope, variable, latex), variable, letter)
+    if given:
+        raise NotShown(f"the goal does not bind {', '.join(given)} here")
+    return terms
+
+
+def same_letter(key: str, letter: str) -> bool:
+    return key == letter or read_key(key)[0] == letter
+
+
+def _member(scope: Scope, variable: Variable, latex: str) -> Term:
+    """What is given for a letter; for a map, an expression in its argument, which is written X."""
+    if variable.argument is None:
+        return scope.term(latex)
+    argument = replace(variable.argument, name="X")
+    term = scope.with_variables([Variable(argument)]).term(latex)
+    inner = symbol(variable.argument)
+    return Substitution({Variable(argument): inner}, scope.definitions)._term(term, False)
+
+
+def _typed(term: Term, variable: Variable, letter: str) -> Term:
+    wanted = variable.declaration.type
+    if isinstance(term, Zero):
+        return zero(wanted)
+    if term.type.kind == "tensor" and wanted.kind == "operator":
+        return term
+    if term.type.kind != wanted.kind or (term.type.dual and not wanted.dual):
+        raise NotShown(f"{letter} is a {wanted}, and what is given for it a {term.type}")
+    return term
+
+
+def members_belong(
+    rule: str, sequent: Sequent, variables: tuple[Variable, ...], members: Mapping[str, str]
+) -> Iterator[Obligation]:
+    """That what is given for rotations and unit vectors are such."""
+    for variable, term in read_members(sequent.scope, variables, members).items():
+        yield from belongs(rule, sequent, variable, term)
+
+
+def belongs(rule: str, sequent: Sequent, variable: Variable, term: Term) -> Iterator[Obligation]:
+    own = variable.declaration
+    if isinstance(term, Symbol) and (
+        (own.rotation and term.declaration.rotation) or (own.unit and term.declaration.unit)
+    ):
+        return
+    said = []
+    if own.rotation:
+        said.append(relation("=", apply("mul", term, apply("transpose", term)), identity(TENSOR)))
+        said.append(relation("=", apply("det", term), number(1)))
+    if own.unit:
+        said.append(relation("=", apply("dot", term, term), number(1)))
+    for one in said:
+        yield Obligation(f"{rule}: a member of its set", one, sequent.scope, tuple(supposed(sequent, None)))

@@ -1,0 +1,57 @@
+"""Operators in D applied to what stands behind them. What an unknown operator or an unknown map makes of a
+term is a free function, the same one of the same term."""
+
+from __future__ import annotations
+
+from workbench.language.construct import apply, derivative, rebuild, symbol, zero
+from workbench.language.definitions import Definitions
+from workbench.language.printer import to_latex
+from workbench.language.terms import Apply, Identity, Power, Relation, Symbol, Term, TimeOperator, Zero
+from workbench.language.types import Declaration
+
+
+def has_operators(term: Term) -> bool:
+    return any(part.type.kind == "operator" for part in term.walk())
+
+
+def with_operators_applied(equation: Relation, definitions: Definitions) -> Relation:
+    """D x is the derivative, (P Q) x is P (Q x), (P + Q) x is P x + Q x; defined operators are written
+    out."""
+    left, right = (_applied(side, definitions) for side in (equation.left, equation.right))
+    return Relation(equation.operator, left, right)
+
+
+def _applied(term: Term, definitions: Definitions) -> Term:
+    children = tuple(_applied(child, definitions) for child in term.children)
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    term = term if unchanged else rebuild(term, children)
+    match term:
+        case Apply(head="mul", arguments=(operator, to)) if operator.type.kind == "operator":
+            if to.type.kind != "operator":
+                return _value(operator, to, definitions)
+        case Symbol(arguments=arguments) if arguments and definitions.lookup(term) is None:
+            return symbol(Declaration(rf"\left({to_latex(term)}\right)", term.type))
+    return term
+
+
+def _value(operator: Term, to: Term, definitions: Definitions) -> Term:
+    if operator.type.kind != "operator":
+        return apply("mul", operator, to)
+    match operator:
+        case TimeOperator():
+            return derivative(to, 1)
+        case Power(base=TimeOperator(), exponent=order):
+            return derivative(to, order)
+        case Identity():
+            return to
+        case Zero():
+            return zero(to.type)
+        case Apply(head="add", arguments=addends):
+            return apply("add", *(_value(addend, to, definitions) for addend in addends))
+        case Apply(head="neg", arguments=(inner,)):
+            return apply("neg", _value(inner, to, definitions))
+        case Apply(head="mul" | "compose", arguments=(left, right)):
+            return _value(left, _value(right, to, definitions), definitions)
+        case Symbol() if (body := definitions.lookup(operator)) is not None:
+            return _value(_applied(body, definitions), to, definitions)
+    return symbol(Declaration(rf"\left({to_latex(operator)} {to_latex(to)}\right)", to.type))

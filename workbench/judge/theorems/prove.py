@@ -1,0 +1,327 @@
+"""The verdict on a goal: what its proof asks for, judged by the kernel; or what stands against it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from workbench.judge.kernel.families import SAME_TERM
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.subject.assumptions import Unsatisfiable
+from workbench.judge.theorems.goals import (
+    All,
+    AllFrom,
+    Atom,
+    Both,
+    Exists,
+    Goal,
+    GoalError,
+    Iff,
+    Implies,
+    Scope,
+)
+from workbench.judge.theorems.members import put_in, read_members
+from workbench.judge.theorems.operators import with_operators_applied
+from workbench.judge.theorems.proofs import (
+    Against,
+    At,
+    Broken,
+    False_,
+    Impossible,
+    Kernel,
+    Part,
+    Proof,
+    Proven,
+    TwoWitnesses,
+)
+from workbench.judge.theorems.rules import obligations
+from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent
+from workbench.judge.theorems.substitution import Substitution, at_integer
+from workbench.judge.theorems.sums import without_sums
+from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.language.construct import number, relation
+from workbench.language.definitions import expand
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.printer import to_latex
+from workbench.language.terms import IllFormed, Relation, Statement
+
+#: How many members of a family are looked at one by one, beside the proof for all of them.
+_MEMBERS = 3
+
+
+@dataclass(frozen=True)
+class Members:
+    """The first few values of each integer: what `Judge` takes for the orders of a family."""
+
+    least: Mapping[str, int]
+
+    def assignments(self) -> Iterator[dict[str, int]]:
+        values: list[dict[str, int]] = [{}]
+        for name, least in self.least.items():
+            values = [{**v, name: least + k} for v in values for k in range(_MEMBERS)]
+        return iter(values)
+
+    def __str__(self) -> str:
+        return ", ".join(f"{name} = {least}..{least + _MEMBERS - 1}" for name, least in self.least.items())
+
+
+def prove(
+    goal: Goal,
+    scope: Scope,
+    judge: Judge,
+    proven: Proven,
+    assume: Sequence[Statement] = (),
+    bare: Goal | None = None,
+) -> Verdict:
+    """`proved`, or `refuted`; `unchecked`, with the rule and the reason, where the proof does not show the
+    goal.
+
+    bare: the goal without a hypothesis that the text does not state; if that is refuted, the verdict is
+    `conditional`."""
+    given = tuple(Premise(Atom(statement), False) for statement in assume)
+    prover = _Prover(judge)
+    try:
+        if proven.proof is None and proven.against is None:
+            raise NotShown("expected a proof or what stands against the goal")
+        if proven.proof is None:
+            return prover.refute(Sequent(goal, scope, given), proven.against)
+        shown = prover.show(Sequent(goal, scope, given), proven.proof)
+        if bare is None or shown.outcome != Outcome.PROVED:
+            return shown
+        if proven.against is None:
+            raise NotShown("expected what stands against the goal without the hypothesis")
+        without = prover.refute(Sequent(bare, scope, given), proven.against)
+    except (NotShown, GoalError, ReadError, IllFormedAt, IllFormed) as error:
+        return Verdict(Outcome.UNCHECKED, reason=f"the goal is not shown: {error}")
+    if without.outcome != Outcome.REFUTED:
+        return replace(without, outcome=Outcome.UNCHECKED)
+    return Verdict(
+        Outcome.CONDITIONAL,
+        scope=shown.scope,
+        reason="holds under a hypothesis that the text does not state",
+        counterexample=without.counterexample,
+        evidence=(*shown.evidence, *without.evidence),
+    )
+
+
+@dataclass(frozen=True)
+class _Prover:
+    judge: Judge
+
+    def holds(self, sequent: Sequent, proof: Proof) -> Verdict:
+        """As `show`, for what another verdict rests on: `proved`, or else `unchecked`. Here it is no matter
+        if both sides are the same term."""
+        verdict = self.show(sequent, proof, part=True)
+        return verdict if verdict.outcome == Outcome.PROVED else replace(verdict, outcome=Outcome.UNCHECKED)
+
+    def show(self, sequent: Sequent, proof: Proof, part: bool = False) -> Verdict:
+        found: list[Evidence] = []
+        asked = list(obligations(sequent, proof))
+        for obligation in asked:
+            if obligation.is_trivial:
+                if part or obligation.rule != FORMULA:
+                    found.append(Evidence(f"goal, {obligation.rule}", "both sides are the same term"))
+                continue
+            verdict = self._judge(obligation)
+            if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
+                only = len(asked) == 1 and verdict.outcome == Outcome.REFUTED and isinstance(proof, Kernel)
+                if only and _only_for_all(sequent.goal):
+                    return verdict
+                return _not_shown(obligation, verdict)
+            found.append(_evidence(obligation, verdict))
+        if not found:
+            return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
+        return Verdict(Outcome.PROVED, scope=_scope_of(sequent.goal), evidence=tuple(found))
+
+    def _judge(self, obligation: Obligation) -> Verdict:
+        used = _integers(obligation)
+        try:
+            verdict = self._judged(obligation.statement, obligation, used)
+            if verdict.outcome in (Outcome.REFUTED, Outcome.DEFINITION) or _is_for_all(verdict, used):
+                return verdict
+            return self._simpler(obligation, used) or _for_some_only(verdict)
+        except Unsatisfiable:
+            reason = "its premises contradict each other, or no example of them was found"
+            return Verdict(Outcome.UNCHECKED, reason=reason)
+
+    def _judged(self, statement: Statement, obligation: Obligation, used: Mapping[str, int]) -> Verdict:
+        return self.judge.judge(statement, obligation.assume, orders=Members(used) if used else None)
+
+    def _simpler(self, obligation: Obligation, used: Mapping[str, int]) -> Verdict | None:
+        """The proof, if there is one, of what is left when operators are applied and sums taken away."""
+        statement, definitions = obligation.statement, obligation.scope.definitions
+        if not isinstance(statement, Relation):
+            return None
+        whole = relation("=", expand(statement.left, definitions), expand(statement.right, definitions))
+        for form in (statement, whole):
+            rest = without_sums(with_operators_applied(form, definitions), used)
+            if rest == statement:
+                continue
+            if rest.left == rest.right:
+                found = Evidence("operators applied, sums shifted and split", "both sides are the same term")
+                return Verdict(Outcome.PROVED, scope="all" if used else None, evidence=(found,))
+            verdict = self._judged(rest, obligation, used)
+            if _is_for_all(verdict, used):
+                return verdict
+        return None
+
+    def refute(self, sequent: Sequent, against: Against) -> Verdict:
+        goal = sequent.goal
+        match goal, against:
+            case ((All() | AllFrom()), At(values, then)):
+                return self.refute(_at(sequent, dict(values)), then)
+            case All(variables, body), _:
+                inner = replace(sequent, goal=body, scope=sequent.scope.with_variables(variables))
+                return self.refute(inner, against)
+            case Both(parts), Part(place, then):
+                return self.refute(sequent.of(parts[place]), then)
+            case Iff(left, right), Part(place, then):
+                return self.refute(
+                    sequent.of(Implies(left, right) if place == 0 else Implies(right, left)), then
+                )
+            case Implies(premise, conclusion), Broken(then, shown):
+                held = self.holds(sequent.of(premise), shown)
+                if held.outcome != Outcome.PROVED:
+                    return held
+                return _with(self.refute(sequent.of(conclusion), then), held)
+            case Implies(premise, conclusion), False_():
+                return self.refute(sequent.given(premise, False).of(conclusion), against)
+            case Exists(variables, body, True), TwoWitnesses():
+                return self._two(sequent, variables, body, against)
+            case Exists(variables, body), Impossible(then, so):
+                absurd = Atom(sequent.scope.statement(so))
+                none = self.holds(sequent.of(All(variables, Implies(body, absurd))), then)
+                if none.outcome != Outcome.PROVED:
+                    return none
+                if absurd.statement == relation("=", number(0), number(1)):
+                    return replace(none, outcome=Outcome.REFUTED, scope=None, reason="there is none")
+                return _with(self.refute(sequent.of(absurd), False_()), none)
+            case Atom(statement), False_():
+                verdict = self._judge(_obligation(sequent, statement))
+                if verdict.outcome != Outcome.REFUTED:
+                    reason = f"expected {to_latex(statement)} to fail somewhere, got {verdict.outcome}"
+                    return Verdict(Outcome.UNCHECKED, reason=reason)
+                return verdict
+        raise NotShown(f"{type(against).__name__} does not stand against {type(goal).__name__}")
+
+    def _two(self, sequent: Sequent, variables, body: Goal, against: TwoWitnesses) -> Verdict:
+        shown = [
+            self.holds(
+                Sequent(put_in(sequent, variables, members, body), sequent.scope, sequent.premises), proof
+            )
+            for members, proof in ((against.first, against.firstly), (against.second, against.secondly))
+        ]
+        for verdict in shown:
+            if verdict.outcome != Outcome.PROVED:
+                return verdict
+        first, second = (
+            read_members(sequent.scope, variables, members) for members in (against.first, against.second)
+        )
+        reasons = []
+        for variable, one in first.items():
+            verdict = self._judge(_obligation(sequent, relation("=", one, second[variable])))
+            if verdict.outcome == Outcome.REFUTED:
+                reason = f"both {to_latex(one)} and {to_latex(second[variable])} do"
+                verdict = replace(verdict, reason=reason, read_back=None)
+                return _with(verdict, *shown)
+            reasons.append(f"{variable.name}: {verdict.outcome}")
+        raise NotShown(f"the two are not seen to differ ({'; '.join(reasons)})")
+
+
+def _is_for_all(verdict: Verdict, used: Mapping[str, int]) -> bool:
+    return verdict.outcome == Outcome.PROVED and (not used or (verdict.scope or "").startswith("all"))
+
+
+def _for_some_only(verdict: Verdict) -> Verdict:
+    if verdict.outcome != Outcome.PROVED:
+        return verdict
+    return replace(verdict, outcome=Outcome.UNCHECKED, reason=f"shown for {verdict.scope} only")
+
+
+def _obligation(sequent: Sequent, statement: Statement) -> Obligation:
+    (one,) = list(obligations(sequent.of(Atom(statement)), Kernel()))[:1]
+    return replace(one, statement=statement)
+
+
+def _with(verdict: Verdict, *others: Verdict) -> Verdict:
+    return replace(verdict, evidence=(*(e for o in others for e in o.evidence), *verdict.evidence))
+
+
+def _at(sequent: Sequent, values: dict[str, str]) -> Sequent:
+    """The goal for values of all that its leading ∀ bind; what is not given a value stays as it is."""
+    goal, scope = sequent.goal, sequent.scope
+    while values and isinstance(goal, All | AllFrom):
+        if isinstance(goal, AllFrom):
+            value = values.pop(goal.integer, None)
+            if value is None:
+                raise NotShown(f"no value is given for {goal.integer}")
+            if not value.isdigit() or int(value) < goal.least:
+                raise NotShown(f"{goal.integer} = {value} is not {goal.least} or more")
+            goal = at_integer(goal.body, goal.integer, int(value))
+            continue
+        taken = {v: values.pop(v.name.removesuffix("(\\cdot)"), None) for v in goal.variables}
+        given = {v.name.removesuffix("(\\cdot)"): value for v, value in taken.items() if value is not None}
+        open_ = tuple(v for v, value in taken.items() if value is None)
+        closed = tuple(v for v in goal.variables if v not in open_)
+        terms = read_members(scope, closed, given)
+        for variable in terms:
+            if variable.declaration.rotation or variable.declaration.unit:
+                raise NotShown(f"{variable.name}: a rotation or a unit vector is not put in as a value")
+        scope = scope.with_variables(open_)
+        goal = Substitution(terms, scope.definitions).goal(goal.body)
+    if values:
+        raise NotShown(f"the goal does not bind {', '.join(values)}")
+    return replace(sequent, goal=goal, scope=scope)
+
+
+def _only_for_all(goal: Goal) -> bool:
+    while isinstance(goal, All | AllFrom):
+        goal = goal.body
+    return isinstance(goal, Atom)
+
+
+def _integers(obligation: Obligation) -> dict[str, int]:
+    """The integer variables that the obligation speaks of, each with its least value."""
+    text = " ".join(to_latex(s) for s in (obligation.statement, *obligation.assume))
+    from workbench.judge.kernel.families import _variables
+
+    names = set().union(*(_variables(s) for s in (obligation.statement, *obligation.assume)))
+    return {name: least for name, least in obligation.scope.integers.items() if name in names or name in text}
+
+
+def _scope_of(goal: Goal) -> str | None:
+    """For which integers the goal says it."""
+    said = list(_ranges(goal))
+    return "all " + ", ".join(said) if said else None
+
+
+def _ranges(goal: Goal) -> Iterator[str]:
+    match goal:
+        case AllFrom(integer, least, body):
+            yield f"{integer} ≥ {least}"
+            yield from _ranges(body)
+        case All(body=body) | Exists(body=body):
+            yield from _ranges(body)
+        case Implies(left, right) | Iff(left, right):
+            yield from dict.fromkeys((*_ranges(left), *_ranges(right)))
+        case Both(parts):
+            yield from dict.fromkeys(r for part in parts for r in _ranges(part))
+
+
+def _evidence(obligation: Obligation, verdict: Verdict) -> Evidence:
+    figures: dict[str, object] = {"formula": to_latex(obligation.statement)}
+    if obligation.assume:
+        figures["assuming"] = [to_latex(s) for s in obligation.assume]
+    figures["engines"] = [e.method for e in verdict.evidence]
+    return Evidence(f"goal, {obligation.rule}", str(verdict.outcome), figures)
+
+
+def _not_shown(obligation: Obligation, verdict: Verdict) -> Verdict:
+    why = f": {verdict.reason}" if verdict.reason else ""
+    what = f"{obligation.rule}: {to_latex(obligation.statement)} is {verdict.outcome}{why}"
+    return Verdict(
+        Outcome.UNCHECKED,
+        reason=f"the goal is not shown: {what}",
+        counterexample=verdict.counterexample,
+        evidence=verdict.evidence,
+    )

@@ -1,0 +1,317 @@
+"""From a goal and its proof to what the judge of formulas must show: each rule, what it derives, and for
+which n.
+
+A rule is applied only to a goal of its form; what it derives is again a goal, down to equations, which the
+judge proves with both of its engines. So a wrong witness, a wrong instance, or a proof of another goal fails.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from workbench.judge.theorems.goals import (
+    All,
+    AllFrom,
+    AtLeast,
+    Atom,
+    Both,
+    Exists,
+    Goal,
+    GoalError,
+    Iff,
+    Implies,
+    Scope,
+    Variable,
+    equations,
+    read_goal,
+)
+from workbench.judge.theorems.members import belongs, members_belong, put_in, read_members, same_letter
+from workbench.judge.theorems.proofs import (
+    ByLength,
+    Cases,
+    Contradicts,
+    Each,
+    Follows,
+    Given,
+    Have,
+    Induction,
+    Kernel,
+    Pointwise,
+    Proof,
+    Squares,
+    Unique,
+    Use,
+    Ways,
+    Witness,
+)
+from workbench.judge.theorems.sequents import (
+    FORMULA,
+    NotShown,
+    Obligation,
+    Sequent,
+    kind_of,
+    refuse_used,
+    relations_of,
+    supposed,
+)
+from workbench.judge.theorems.substitution import Substitution, at_integer
+from workbench.language.construct import apply, power, relation, symbol, zero
+from workbench.language.integers import Linear
+from workbench.language.names import linear
+from workbench.language.reader import read_term
+from workbench.language.syntax import parse
+from workbench.language.terms import Derivative, Relation, Statement, Symbol, Term, TimeOperator, Zero
+from workbench.language.types import SCALAR, VECTOR, Declaration
+
+
+def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
+    """Raises NotShown where the proof does not fit the goal."""
+    goal, scope = sequent.goal, sequent.scope
+    match goal, proof:
+        case _, Given(then) if not isinstance(goal, All | AllFrom | Implies):
+            yield from obligations(sequent, then)
+        case _, Have(text, by, then):
+            lemma = read_goal(text, scope)
+            yield from obligations(sequent.of(lemma), by)
+            yield from obligations(sequent.given(lemma, _lasts(sequent)), then)
+        case _, Cases(text, equal, unequal):
+            yield from _cases(sequent, text, equal, unequal)
+        case AllFrom(integer, least, body), Induction():
+            yield from _induction(sequent, integer, least, body, proof)
+        case AllFrom(integer, least, body), _:
+            inner = replace(sequent, goal=body, scope=scope.with_integer(integer, least))
+            yield from obligations(inner, proof)
+        case All(variables, body), _:
+            refuse_used(sequent, variables)
+            inner = replace(sequent, goal=body, scope=scope.with_variables(variables))
+            yield from obligations(inner, proof)
+        case Implies(premise, conclusion, lasting), _:
+            yield from obligations(sequent.given(premise, lasting).of(conclusion), proof)
+        case Iff(left, right), _:
+            there, back = (proof.there, proof.back) if isinstance(proof, Ways) else (proof, proof)
+            yield from obligations(sequent.given(left, False).of(right), there)
+            yield from obligations(sequent.given(right, False).of(left), back)
+        case Both(parts), Each(proofs):
+            if len(parts) != len(proofs):
+                raise NotShown(f"expected {len(parts)} proofs, one for each part, got {len(proofs)}")
+            for part, own in zip(parts, proofs, strict=True):
+                yield from obligations(sequent.of(part), own)
+        case Both(parts), Kernel():
+            for part in parts:
+                yield from obligations(sequent.of(part), proof)
+        case Exists(variables, body, False), Witness(members, then):
+            yield from members_belong("witness", sequent, variables, members)
+            yield from obligations(sequent.of(put_in(sequent, variables, members, body)), then)
+        case Exists(variables, body, True), Unique():
+            yield from _unique(sequent, variables, body, proof)
+        case Atom(statement), Follows():
+            yield from _follows(sequent, statement, proof)
+        case Atom(statement), Pointwise(letter, then):
+            yield from _pointwise(sequent, statement, letter, then)
+        case Atom(Relation("=", left, Zero())), ByLength(then) if left.type in (SCALAR, VECTOR):
+            square = relation("=", power(left, 2), zero(SCALAR))
+            yield from obligations(sequent.of(Atom(square)), then)
+        case Atom(Relation("≠", left, right)), Contradicts(place, then):
+            denied = sequent.premises[place].goal
+            if not isinstance(denied, Atom) or not isinstance(denied.statement, Relation):
+                raise NotShown(f"premise {place} is no inequation")
+            if denied.statement.operator != "≠":
+                raise NotShown(f"premise {place} denies nothing")
+            inner = sequent.given(Atom(relation("=", left, right)), False)
+            absurd = relation("=", denied.statement.left, denied.statement.right)
+            yield from obligations(inner.of(Atom(absurd)), then)
+        case Atom(statement), Each(proofs):
+            said = list(equations(statement))
+            if len(said) != len(proofs):
+                raise NotShown(f"expected {len(said)} proofs, one for each equation, got {len(proofs)}")
+            for one, own in zip(said, proofs, strict=True):
+                yield from obligations(sequent.of(Atom(one)), own)
+        case Atom(statement), Kernel(using):
+            for one in _separate(statement):
+                yield Obligation(FORMULA, one, scope, tuple(supposed(sequent, using)))
+        case AtLeast(left, right), Squares(terms):
+            yield from _squares(sequent, left, right, terms)
+        case _:
+            raise NotShown(f"{type(proof).__name__} is no rule for {kind_of(goal)}")
+
+
+def _separate(statement: Statement) -> list[Statement]:
+    try:
+        return list(equations(statement))
+    except GoalError:
+        return [statement]
+
+
+def _lasts(sequent: Sequent) -> bool:
+    """Whether what follows from the premises holds at all times: if all of them do."""
+    return all(premise.lasting for premise in sequent.premises)
+
+
+def _unique(
+    sequent: Sequent, variables: tuple[Variable, ...], body: Goal, proof: Unique
+) -> Iterator[Obligation]:
+    yield from members_belong("∃!", sequent, variables, proof.members)
+    yield from obligations(sequent.of(put_in(sequent, variables, proof.members, body)), proof.exists)
+    terms = read_members(sequent.scope, variables, proof.members)
+    refuse_used(sequent, variables)
+    inner = replace(sequent, scope=sequent.scope.with_variables(variables)).given(body, False)
+    same = [Atom(relation("=", symbol(variable.declaration), term)) for variable, term in terms.items()]
+    yield from obligations(inner.of(same[0] if len(same) == 1 else Both(tuple(same))), proof.only)
+
+
+# the other rules
+
+
+def _induction(
+    sequent: Sequent, integer: str, least: int, body: Goal, proof: Induction
+) -> Iterator[Obligation]:
+    yield from obligations(sequent.of(at_integer(body, integer, least)), proof.begin)
+    n = Linear.variable(integer)
+    inner = replace(sequent, scope=sequent.scope.with_integer(integer, least)).given(body, _lasts(sequent))
+    yield from obligations(inner.of(at_integer(body, integer, n + 1)), proof.step)
+
+
+def _cases(sequent: Sequent, text: str, equal: Proof, unequal: Proof) -> Iterator[Obligation]:
+    said = sequent.scope.statement(text)
+    if not isinstance(said, Relation) or said.operator != "=":
+        raise NotShown(f"expected one equation to tell the cases apart, got {text}")
+    other = relation("≠", said.left, said.right)
+    yield from obligations(sequent.given(Atom(said), False), equal)
+    yield from obligations(sequent.given(Atom(other), False), unequal)
+
+
+def _pointwise(sequent: Sequent, statement: Statement, letter: str, then: Proof) -> Iterator[Obligation]:
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        raise NotShown("expected one equation for vectors")
+    left, right = statement.left, statement.right
+    kind = left.type.kind
+    if kind not in ("tensor", "vector"):
+        raise NotShown(f"expected an equation of tensors or vectors, got one of a {kind}")
+    if letter in sequent.scope.table.symbols:
+        raise NotShown(f"{letter} is a symbol already; take a fresh letter")
+    dual = left.type.dual or right.type.dual
+    variable = Variable(Declaration(letter, VECTOR.with_dual(dual), constant=True))
+    vector = symbol(variable.declaration)
+    if kind == "tensor":
+        sides = apply("mul", left, vector), apply("mul", right, vector)
+    else:
+        sides = apply("dot", vector, left), apply("dot", vector, right)
+    goal = All((variable,), Atom(relation("=", *sides)))
+    yield from obligations(sequent.of(goal), then)
+
+
+def _squares(sequent: Sequent, left: Term, right: Term, terms: tuple[str, ...]) -> Iterator[Obligation]:
+    scope = sequent.scope
+    total: Term | None = None
+    for latex in terms:
+        term = scope.term(latex)
+        if term.type.dual or term.type.kind not in ("scalar", "vector"):
+            raise NotShown(f"expected a real scalar or vector, got the {term.type} {latex}")
+        square = power(term, 2)
+        total = square if total is None else apply("add", total, square)
+    if total is None:
+        raise NotShown("expected at least one square")
+    if left.type != SCALAR or right.type != SCALAR:
+        raise NotShown("≥ compares real scalars")
+    said = relation("=", left, apply("add", right, total))
+    yield Obligation("≥: a sum of squares more", said, scope, tuple(supposed(sequent, None)))
+
+
+def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator[Obligation]:
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        raise NotShown("expected one equation to follow")
+    if not proof.uses:
+        raise NotShown("expected at least one premise to follow from")
+    scope, lefts, rights, letters = sequent.scope, {}, {}, []
+    for letter, use in proof.uses.items():
+        said, lasting = yield from _instance(sequent, use)
+        if letter in scope.table.symbols:
+            raise NotShown(f"{letter} is a symbol already; take a fresh letter")
+        kind = said.left.type
+        kind = kind.with_dual(kind.dual or said.right.type.dual)
+        variable = Variable(Declaration(letter, kind))
+        letters.append((variable, lasting))
+        lefts[variable], rights[variable] = said.left, said.right
+    inner = scope.with_variables([variable for variable, _ in letters])
+    image = read_term(proof.expression, inner.table, scope.integers)
+    for variable, lasting in letters:
+        if not lasting and _differentiates(image, variable.name):
+            raise NotShown("a premise at one instant may not be differentiated")
+    from_left = Substitution(lefts, scope.definitions)._term(image, False)
+    from_right = Substitution(rights, scope.definitions)._term(image, False)
+    assume = tuple(s for s in supposed(sequent, None) if _is_unequal(s))
+    yield Obligation("left side", relation("=", statement.left, from_left), scope, assume)
+    yield Obligation("right side", relation("=", from_right, statement.right), scope, assume)
+
+
+def _is_unequal(statement: Statement) -> bool:
+    return all(r.operator == "≠" for r in relations_of(statement)) and not hasattr(statement, "lasting")
+
+
+def _differentiates(term: Term, name: str, below: bool = False) -> bool:
+    if isinstance(term, Symbol) and term.declaration.name == name:
+        return below
+    if isinstance(term, Derivative):
+        return _differentiates(term.body, name, True)
+    operator = (
+        term.children and getattr(term, "head", "") == "mul" and term.children[0].type.kind == "operator"
+    )
+    if operator or isinstance(term, TimeOperator):
+        return any(_differentiates(child, name, True) for child in term.children)
+    return any(_differentiates(child, name, below) for child in term.children)
+
+
+def _instance(sequent: Sequent, use: Use):
+    """The equation that a premise says for these values, and whether it lasts; yields what its own premises
+    and its sets ask for."""
+    if not -len(sequent.premises) <= use.premise < len(sequent.premises):
+        raise NotShown(f"there is no premise {use.premise}; there are {len(sequent.premises)}")
+    premise = sequent.premises[use.premise]
+    goal, scope, given = premise.goal, sequent.scope, dict(use.at)
+    lasting = premise.lasting
+    while not isinstance(goal, Atom):
+        match goal:
+            case All(variables, body):
+                taken = {
+                    k: given.pop(k) for k in list(given) if any(same_letter(k, v.name) for v in variables)
+                }
+                for variable, term in read_members(scope, variables, taken).items():
+                    yield from belongs("instance", sequent, variable, term)
+                goal = put_in(sequent, variables, taken, body)
+            case AllFrom(integer, least, body):
+                value = _integer(given.pop(integer, None), integer, least, scope)
+                goal = at_integer(body, integer, value)
+            case Implies(antecedent, conclusion):
+                yield from obligations(sequent.of(antecedent), Kernel())
+                goal = conclusion
+            case Both(parts):
+                flat = [
+                    Atom(e) for p in parts for e in (equations(p.statement) if isinstance(p, Atom) else ())
+                ]
+                if len(flat) < len(parts):
+                    raise NotShown("only a conjunction of equations can be used in parts")
+                goal = Atom(flat[use.part].statement)
+                break
+            case _:
+                raise NotShown(f"{kind_of(goal)} in a premise cannot be used for an equation")
+    if given:
+        raise NotShown(f"the premise does not bind {', '.join(given)}")
+    said = list(equations(goal.statement))
+    one = said[use.part] if len(said) > 1 else said[0]
+    if one.operator != "=":
+        raise NotShown("expected an equation as the premise to follow from")
+    return (relation("=", one.right, one.left) if use.back else one), lasting
+
+
+def _integer(text: str | None, name: str, least: int, scope: Scope) -> Linear:
+    """An integer that the bounds of its letters keep at `least` or above."""
+    if text is None:
+        raise NotShown(f"no value is given for {name}")
+    value = linear(parse(text).lines[0][0], list(scope.integers))
+    if value is None:
+        raise NotShown(f"expected an integer for {name}, got {text}")
+    lowest = value.substitute(scope.integers)
+    if any(c < 0 for _, c in value.coefficients) or not lowest.is_number or int(lowest) < least:
+        raise NotShown(f"{name} = {text} is not seen to be {least} or more")
+    return value

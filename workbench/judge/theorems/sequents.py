@@ -1,0 +1,137 @@
+"""What is to be shown, from which premises, and what of it is left to the judge of formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from workbench.judge.theorems.goals import (
+    All,
+    AllFrom,
+    AtLeast,
+    Atom,
+    Both,
+    Exists,
+    Goal,
+    Iff,
+    Implies,
+    Scope,
+    Variable,
+)
+from workbench.language.terms import Relation, Statement, Symbol, Term
+
+FORMULA = "formula"
+
+
+class NotShown(Exception):
+    """A proof does not show its goal: which rule, and why."""
+
+
+@dataclass(frozen=True)
+class Premise:
+    """`lasting`: it holds at all times, so that its sides may be differentiated."""
+
+    goal: Goal
+    lasting: bool
+
+
+@dataclass(frozen=True)
+class Sequent:
+    """What is to be shown, in what letters, from which premises."""
+
+    goal: Goal
+    scope: Scope
+    premises: tuple[Premise, ...] = ()
+
+    def of(self, goal: Goal) -> Sequent:
+        return replace(self, goal=goal)
+
+    def given(self, goal: Goal, lasting: bool) -> Sequent:
+        return replace(self, premises=(*self.premises, Premise(goal, lasting)))
+
+
+@dataclass(frozen=True)
+class Obligation:
+    """What the judge of formulas must show: `statement` under `assume`, for all the integers."""
+
+    rule: str
+    statement: Statement
+    scope: Scope
+    assume: tuple[Statement, ...] = ()
+
+    @property
+    def is_trivial(self) -> bool:
+        return isinstance(self.statement, Relation) and self.statement.left == self.statement.right
+
+
+def kind_of(goal: Goal) -> str:
+    if isinstance(goal, Exists):
+        return "∃!" if goal.unique else "∃"
+    names = {Atom: "a formula", AtLeast: "≥", All: "∀", AllFrom: "∀ n", Implies: "⇒", Iff: "⇔", Both: "∧"}
+    return names[type(goal)]
+
+
+def supposed(sequent: Sequent, using: tuple[int, ...] | None) -> Iterator[Statement]:
+    for place, premise in enumerate(sequent.premises):
+        if using is not None and place not in using:
+            continue
+        if isinstance(premise.goal, Atom):
+            yield premise.goal.statement
+        elif isinstance(premise.goal, Both) and all(isinstance(p, Atom) for p in premise.goal.parts):
+            yield from (part.statement for part in premise.goal.parts)
+        elif using is not None:
+            raise NotShown(f"premise {place} is {kind_of(premise.goal)}, which the kernel cannot suppose")
+
+
+def refuse_used(sequent: Sequent, variables: tuple[Variable, ...]) -> None:
+    """A letter that a premise speaks of is not any member of its set any more."""
+    names = {variable.name for variable in variables}
+    for premise in sequent.premises:
+        free = _free_names(premise.goal, sequent.scope)
+        if names & free:
+            raise NotShown(f"{', '.join(names & free)} stands in a premise already; bind another letter")
+
+
+def _free_names(goal: Goal, scope: Scope) -> set[str]:
+    match goal:
+        case Atom(statement):
+            return {
+                n
+                for r in relations_of(statement)
+                for side in (r.left, r.right)
+                for n in names_of(side, scope)
+            }
+        case AtLeast(left, right):
+            return names_of(left, scope) | names_of(right, scope)
+        case All(variables, body) | Exists(variables, body):
+            return _free_names(body, scope) - {variable.name for variable in variables}
+        case AllFrom(body=body):
+            return _free_names(body, scope)
+        case Implies(left, right) | Iff(left, right):
+            return _free_names(left, scope) | _free_names(right, scope)
+        case Both(parts):
+            return set().union(*(_free_names(part, scope) for part in parts))
+
+
+def relations_of(statement: Statement) -> Iterator[Relation]:
+    match statement:
+        case Relation():
+            yield statement
+        case _ if hasattr(statement, "parts"):
+            for part in statement.parts:
+                yield from relations_of(part)
+        case _:
+            yield from relations_of(statement.left)
+            yield from relations_of(statement.right)
+
+
+def names_of(term: Term, scope: Scope) -> set[str]:
+    """What the term depends on; a member of a family depends on what its definitions use."""
+    names: set[str] = set()
+    waiting = [term]
+    while waiting:
+        for part in waiting.pop().walk():
+            if isinstance(part, Symbol) and part.declaration.name not in names:
+                names.add(part.declaration.name)
+                waiting += [d.body for d in scope.definitions if d.declaration == part.declaration]
+    return names

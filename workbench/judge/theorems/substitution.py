@@ -1,0 +1,201 @@
+"""Terms put in the place of letters, with what makes that sound."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from workbench.judge.theorems.goals import (
+    All,
+    AllFrom,
+    AtLeast,
+    Atom,
+    Both,
+    Exists,
+    Goal,
+    GoalError,
+    Iff,
+    Implies,
+    Variable,
+)
+from workbench.language.construct import rebuild, relation, zero
+from workbench.language.definitions import Definitions, expand
+from workbench.language.instances import instantiate
+from workbench.language.integers import Linear
+from workbench.language.terms import (
+    Apply,
+    Conjunction,
+    Derivative,
+    Equivalence,
+    Implication,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+
+
+def is_constant(term: Term, definitions: Definitions) -> bool:
+    """Whether nothing in the term depends on time."""
+    return not any(
+        isinstance(part, TimeOperator) or (isinstance(part, Symbol) and not part.declaration.constant)
+        for part in expand(term, definitions).walk()
+    )
+
+
+class Substitution:
+    """Terms for the bound letters of one quantifier.
+
+    What stands for a constant letter under a derivative must be constant too: at an instant a constant has
+    the value of the term there, and not its derivatives. Definitions that use a letter of the paper are
+    written out.
+    """
+
+    def __init__(self, terms: Mapping[Variable, Term], definitions: Definitions) -> None:
+        self.definitions = definitions
+        self.terms = {v.declaration.name: (v, term) for v, term in terms.items()}
+        self.moving = {
+            v.declaration.name
+            for v, term in terms.items()
+            if v.declaration.constant and not is_constant(term, definitions)
+        }
+        self.used = {
+            part.declaration.name
+            for term in terms.values()
+            for part in expand(term, definitions).walk()
+            if isinstance(part, Symbol)
+        }
+
+    def goal(self, goal: Goal) -> Goal:
+        """Raises GoalError where a letter would be bound or differentiated that must not be."""
+        match goal:
+            case Atom(statement):
+                return Atom(self.statement(statement))
+            case AtLeast(left, right):
+                return AtLeast(self.term(left), self.term(right))
+            case All(variables, body) | Exists(variables, body):
+                for variable in variables:
+                    if variable.name in self.used or variable.name in self.terms:
+                        raise GoalError(f"{variable.name} is bound again where a term with it is put in")
+                new = self.goal(body)
+                return All(variables, new) if isinstance(goal, All) else Exists(variables, new, goal.unique)
+            case AllFrom(integer, least, body):
+                return AllFrom(integer, least, self.goal(body))
+            case Implies(premise, conclusion, lasting):
+                return Implies(self.goal(premise), self.goal(conclusion), lasting)
+            case Iff(left, right):
+                return Iff(self.goal(left), self.goal(right))
+            case Both(parts):
+                return Both(tuple(map(self.goal, parts)))
+
+    def statement(self, statement: Statement) -> Statement:
+        match statement:
+            case Relation():
+                return relation(statement.operator, self.term(statement.left), self.term(statement.right))
+            case Conjunction(parts):
+                return Conjunction(tuple(map(self.statement, parts)))
+            case Equivalence(left, right) | Implication(left, right):
+                return type(statement)(self.statement(left), self.statement(right))
+
+    def term(self, term: Term) -> Term:
+        if not any(self._reaches(definition.body, set()) for definition in self.definitions):
+            return self._term(term, False)
+        whole = expand(term, self.definitions)
+        for part in whole.walk():
+            if isinstance(part, Symbol) and self._left_over(part):
+                raise GoalError(f"{part.declaration.name} is known by its recurrence only, and uses a letter")
+        return self._term(whole, False)
+
+    def _left_over(self, part: Symbol) -> bool:
+        """Whether a member of a family, which stays as it is, depends on one of the letters."""
+        own = (d for d in self.definitions if d.declaration == part.declaration)
+        return any(self._reaches(definition.body, set()) for definition in own)
+
+    def _reaches(self, body: Term, seen: set[str]) -> bool:
+        for part in body.walk():
+            if not isinstance(part, Symbol) or part.declaration.name in seen:
+                continue
+            seen.add(part.declaration.name)
+            if part.declaration.name in self.terms:
+                return True
+            for definition in self.definitions:
+                if definition.declaration == part.declaration and self._reaches(definition.body, seen):
+                    return True
+        return False
+
+    def _term(self, term: Term, differentiated: bool) -> Term:
+        if isinstance(term, Symbol) and term.declaration.name in self.terms:
+            variable, new = self.terms[term.declaration.name]
+            if differentiated and variable.name in self.moving:
+                raise GoalError(
+                    f"{variable.name} is a constant under a derivative, and what replaces it is not"
+                )
+            if variable.argument is None:
+                return new
+            if differentiated:
+                raise GoalError(f"{variable.name} is a map under a derivative")
+            argument = self._term(term.arguments[0], differentiated)
+            inner = Substitution({Variable(variable.argument): argument}, self.definitions)
+            inner.moving = set()
+            return inner._term(new, differentiated)
+        if isinstance(term, Derivative):
+            return rebuild(term, [self._term(term.body, True)])
+        if isinstance(term, Apply) and term.head == "mul" and term.arguments[0].type.kind == "operator":
+            left, right = term.arguments
+            return _without_zeros(rebuild(term, [self._term(left, differentiated), self._term(right, True)]))
+        children = tuple(self._term(child, differentiated) for child in term.children)
+        unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+        return term if unchanged else _without_zeros(rebuild(term, children))
+
+
+#: What is linear in each of its arguments.
+_LINEAR = frozenset(
+    {
+        "neg",
+        "skew",
+        "transpose",
+        "vect",
+        "symmetric",
+        "antisymmetric",
+        "trace",
+        "mul",
+        "dot",
+        "cross",
+        "outer",
+    }
+)
+
+
+def _without_zeros(term: Term) -> Term:
+    """0 for what is linear in a 0: also of an operator that is not known."""
+    is_linear = isinstance(term, Apply) and term.head in _LINEAR and term.type.kind != "block"
+    return zero(term.type) if is_linear and any(isinstance(c, Zero) for c in term.children) else term
+
+
+def _names(term: Term) -> set[str]:
+    return {part.declaration.name for part in term.walk() if isinstance(part, Symbol)}
+
+
+def at_integer(goal: Goal, name: str, value: Linear | int) -> Goal:
+    """The goal with an integer put in. Raises IllFormed for a member that there is not."""
+    values = {name: value}
+    match goal:
+        case Atom(statement):
+            return Atom(instantiate(statement, values))
+        case AtLeast(left, right):
+            return AtLeast(instantiate(left, values), instantiate(right, values))
+        case All(variables, body):
+            return All(variables, at_integer(body, name, value))
+        case Exists(variables, body, unique):
+            return Exists(variables, at_integer(body, name, value), unique)
+        case AllFrom(integer, least, body):
+            if integer == name:
+                raise GoalError(f"{name} is bound twice")
+            return AllFrom(integer, least, at_integer(body, name, value))
+        case Implies(premise, conclusion, lasting):
+            return Implies(at_integer(premise, name, value), at_integer(conclusion, name, value), lasting)
+        case Iff(left, right):
+            return Iff(at_integer(left, name, value), at_integer(right, name, value))
+        case Both(parts):
+            return Both(tuple(at_integer(part, name, value) for part in parts))

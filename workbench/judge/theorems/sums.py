@@ -1,0 +1,292 @@
+"""Sums to a symbolic n, taken away from an equation: by Leibniz' rule, by shifting, by splitting off ends.
+
+    Σ_{k=0}^{n} C(n, k) x⁽ᵏ⁾ × y⁽ⁿ⁻ᵏ⁾ = (x × y)⁽ⁿ⁾
+    Σ_{k=1}^{n} f(k+1) = Σ_{k=2}^{n+1} f(k) = Σ_{k=1}^{n+1} f(k) − f(1)
+
+What is left of a sum becomes a free symbol, the same one for equal sums. So what is proved of the rest holds
+with the sums. Derivatives, and all that is linear, are brought to the addends before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from workbench.language.construct import (
+    apply,
+    big_sum,
+    derivative,
+    integer,
+    number,
+    rebuild,
+    relation,
+    symbol,
+)
+from workbench.language.instances import instantiate
+from workbench.language.integers import Linear
+from workbench.language.printer import to_latex
+from workbench.language.terms import (
+    Apply,
+    BigSum,
+    Counting,
+    Derivative,
+    Integer,
+    Power,
+    Relation,
+    Symbol,
+    Term,
+    Zero,
+)
+from workbench.language.types import Declaration
+
+_LINEAR = frozenset({"neg", "skew", "transpose", "vect", "symmetric", "antisymmetric", "trace"})
+_BILINEAR = frozenset({"mul", "dot", "cross", "outer"})
+_SHIFTS = (0, 1, -1, 2, -2)
+
+
+def has_sums(term: Term) -> bool:
+    return any(isinstance(part, BigSum) for part in term.walk())
+
+
+def without_sums(equation: Relation, least: Mapping[str, int]) -> Relation:
+    """The equation with derivatives and free symbols for its sums. least: the least value of each integer."""
+    return _Sums(dict(least)).equation(equation)
+
+
+@dataclass
+class _Sums:
+    least: dict[str, int]
+    kept: list[BigSum] = field(default_factory=list)
+
+    def equation(self, equation: Relation) -> Relation:
+        left, right = (self._side(side) for side in (equation.left, equation.right))
+        return relation(equation.operator, left, right)
+
+    def _side(self, side: Term) -> Term:
+        total: Term | None = None
+        for negative, addend in _addends(_spread(side)):
+            term = self._without(addend) if isinstance(addend, BigSum) else self._inside(addend)
+            term = apply("neg", term) if negative else term
+            total = term if total is None else apply("add", total, term)
+        assert total is not None
+        return total
+
+    def _inside(self, term: Term) -> Term:
+        if isinstance(term, BigSum):
+            return self._without(term)
+        children = tuple(self._inside(child) for child in term.children)
+        unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+        return term if unchanged else rebuild(term, children)
+
+    def _without(self, total: BigSum) -> Term:
+        if len(total.variables) != 1 or total.lower is None or has_sums(total.body):
+            return self._free(total)
+        leibniz = self._leibniz(total)
+        if leibniz is not None:
+            return leibniz
+        for known in self.kept:
+            matched = self._matched(total, known)
+            if matched is not None:
+                return matched
+        self.kept.append(total)
+        return self._free(total)
+
+    def _free(self, total: BigSum) -> Symbol:
+        return symbol(Declaration(rf"\left({to_latex(total)}\right)", total.type))
+
+    def _matched(self, total: BigSum, known: BigSum) -> Term | None:
+        """The sum as a known one, shifted, with what it has more or less at its ends."""
+        (k,), (j,) = total.variables, known.variables
+        for shift in _SHIFTS:
+            moved = instantiate(total.body, {k: Linear.variable(j) + shift})
+            if moved != known.body:
+                continue
+            lower, upper = total.lower - shift, total.upper - shift
+            if not (self._at_least(upper - lower, -1) and self._at_least(known.upper - known.lower, -1)):
+                continue
+            more_below, more_above = known.lower - lower, upper - known.upper
+            if not (more_below.is_number and more_above.is_number):
+                continue
+            ends = [*_ends(known, j, lower, int(more_below), below=True)]
+            ends += _ends(known, j, upper, int(more_above), below=False)
+            result: Term = self._free(known)
+            for negative, term in ends:
+                result = apply("add", result, apply("neg", term) if negative else term)
+            return result
+        return None
+
+    def _at_least(self, value: Linear, least: int) -> bool:
+        """Whether the value is so much for all integers that there are."""
+        lowest = value.substitute({name: self.least.get(name, 0) for name in value.variables})
+        return all(c > 0 for _, c in value.coefficients) and int(lowest) >= least
+
+    def _leibniz(self, total: BigSum) -> Term | None:
+        """(x y)⁽ᵐ⁾ for Σ_{k=0}^{m} C(m, k) x⁽ᵏ⁾ y⁽ᵐ⁻ᵏ⁾, and what the sum lacks of k = 0 … m at its ends."""
+        (k,) = total.variables
+        factors = list(_factors(total.body))
+        found = [f for f in factors if isinstance(f, Counting) and f.name == "binomial"]
+        if len(found) != 1:
+            return None
+        top, chosen = found[0].arguments
+        if chosen == top - Linear.variable(k):
+            chosen = Linear.variable(k)
+        offset = chosen - Linear.variable(k)
+        if k in top.variables or not offset.is_number:
+            return None
+        result = _product(total.body, k, top, offset)
+        if result is None:
+            return None
+        first, last = Linear(0) - offset, top - offset
+        less_below, less_above = total.lower - first, last - total.upper
+        if not all(less.is_number and 0 <= int(less) <= 3 for less in (less_below, less_above)):
+            return None
+        if not self._at_least(total.upper - total.lower, -1):
+            return None
+        missing = [first + i for i in range(int(less_below))] + [last - i for i in range(int(less_above))]
+        for value in missing:
+            result = apply("add", result, apply("neg", instantiate(_evaluated(total.body, k, value), {})))
+        return result
+
+
+def _evaluated(body: Term, k: str, value: Linear) -> Term:
+    """The addend at a value, where C(m, 0) and C(m, m) are 1."""
+    at = instantiate(body, {k: value})
+    return _ones(at)
+
+
+def _ones(term: Term) -> Term:
+    if isinstance(term, Counting) and term.name == "binomial":
+        top, chosen = term.arguments
+        if chosen == Linear(0) or chosen == top:
+            return number(1)
+        if chosen == Linear(1) or chosen == top - 1:
+            return integer(top)
+        return term
+    children = tuple(_ones(child) for child in term.children)
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    return term if unchanged else rebuild(term, children)
+
+
+def _ends(known: BigSum, j: str, end: Linear, more: int, below: bool) -> Iterator[tuple[bool, Term]]:
+    """What a sum that ends elsewhere has more (or, negative, less) than the known one."""
+    for step in range(abs(more)):
+        if below:
+            value = end + step if more > 0 else known.lower + step
+        else:
+            value = end - step if more > 0 else known.upper - step
+        yield more < 0, _evaluated(known.body, j, value)
+
+
+def _factors(term: Term) -> Iterator[Term]:
+    if isinstance(term, Apply) and term.head in _BILINEAR:
+        for argument in term.arguments:
+            yield from _factors(argument)
+    else:
+        yield term
+
+
+def _product(body: Term, k: str, top: Linear, offset: Linear) -> Term | None:
+    """(x y)⁽ᵐ⁾ for the addend C(m, k) x⁽ᵏ⁾ y⁽ᵐ⁻ᵏ⁾, between factors that do not depend on k; else None."""
+    orders = {Linear.variable(k) + offset, top - Linear.variable(k) - offset}
+    match body:
+        case Apply(head="mul", arguments=(Counting(), right)):
+            return _product(right, k, top, offset)
+        case Apply(head="mul", arguments=(left, Counting())):
+            return _product(left, k, top, offset)
+        case Apply(head=head, arguments=(inner,)) if head in _LINEAR:
+            found = _product(inner, k, top, offset)
+            return None if found is None else apply(head, found)
+        case Apply(head=head, arguments=(left, right)) if head in _BILINEAR:
+            if isinstance(left, Apply) and left.head == "mul" and isinstance(left.arguments[0], Counting):
+                left = left.arguments[1]
+            if not _depends(left, k):
+                found = _product(right, k, top, offset)
+                return None if found is None else apply(head, left, found)
+            if not _depends(right, k):
+                found = _product(left, k, top, offset)
+                return None if found is None else apply(head, found, right)
+            one, other = _base(left, k, orders), _base(right, k, orders)
+            if one is not None and other is not None and {one[1], other[1]} == orders:
+                return derivative(apply(head, one[0], other[0]), top)
+    return None
+
+
+def _base(term: Term, k: str, orders: set[Linear]) -> tuple[Term, Linear] | None:
+    """x and the order of x⁽ᵏ⁾, under what is linear and does not depend on time."""
+    match term:
+        case Derivative(body=body, order=order) if order in orders and not _depends(body, k):
+            return body, order
+        case Apply(head=head, arguments=(inner,)) if head in _LINEAR:
+            found = _base(inner, k, orders)
+            return None if found is None else (apply(head, found[0]), found[1])
+    return None
+
+
+def _depends(term: Term, k: str) -> bool:
+    for part in term.walk():
+        if isinstance(part, Symbol) and any(k in i.variables for i in part.index):
+            return True
+        if isinstance(part, Derivative) and k in part.order.variables:
+            return True
+        if isinstance(part, Counting) and any(k in a.variables for a in part.arguments):
+            return True
+        if isinstance(part, Integer) and k in part.value.variables:
+            return True
+        if isinstance(part, Power) and k in part.exponent.variables:
+            return True
+    return False
+
+
+# addends
+
+
+def _addends(term: Term, negative: bool = False) -> Iterator[tuple[bool, Term]]:
+    if isinstance(term, Apply) and term.head == "add":
+        for argument in term.arguments:
+            yield from _addends(argument, negative)
+    elif isinstance(term, Apply) and term.head == "neg":
+        yield from _addends(term.arguments[0], not negative)
+    else:
+        yield negative, term
+
+
+def _spread(term: Term) -> Term:
+    """The term with its sums outermost: what is linear is brought to their addends."""
+    children = tuple(_spread(child) for child in term.children)
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    term = term if unchanged else rebuild(term, children)
+    if not has_sums(term) or isinstance(term, BigSum):
+        return term
+    if isinstance(term, Derivative) and term.order.is_number:
+        return _over(term.body, lambda part: _derived(part, term.order))
+    if isinstance(term, Apply) and term.head in _LINEAR and term.head != "neg":
+        return _over(term.arguments[0], lambda part: apply(term.head, part))
+    if isinstance(term, Apply) and term.head in _BILINEAR:
+        left, right = term.arguments
+        if has_sums(left) and not has_sums(right):
+            return _over(left, lambda part: apply(term.head, part, right))
+        if has_sums(right) and not has_sums(left):
+            return _over(right, lambda part: apply(term.head, left, part))
+    return term
+
+
+def _over(term: Term, linear) -> Term:
+    """linear(term), brought to the addends, and in sums to theirs."""
+    total: Term | None = None
+    for negative, addend in _addends(term):
+        if isinstance(addend, BigSum):
+            new: Term = big_sum(addend.variables, addend.lower, addend.upper, linear(addend.body))
+        else:
+            new = linear(addend)
+        new = apply("neg", new) if negative else new
+        total = new if total is None else apply("add", total, new)
+    assert total is not None
+    return total
+
+
+def _derived(term: Term, order: Linear) -> Term:
+    if isinstance(term, Zero):
+        return term
+    if isinstance(term, Derivative):
+        return derivative(term.body, term.order + order)
+    return derivative(term, order)

@@ -1,0 +1,70 @@
+"""What every function of lines, screws and reduced accelerations does with the numbers it is given.
+
+Lists become arrays. Exact and symbolic scalars stay what they are. A float that is not finite is refused,
+as `workbench.kinematics.tensors.as_vectors` refuses it. Integers are exact scalars; where the result needs
+a root or an angle, which the integers do not have, they become floats.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar
+
+import numpy as np
+
+from workbench.algebra.dual import Dual, as_array
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def takes_numbers(function: Function) -> Function:
+    """The function on arrays of finite numbers, made of its positional arguments. Raises ValueError."""
+
+    @wraps(function)
+    def on_arrays(*arguments: Any, **options: Any) -> Any:
+        return function(*(_arrays(argument, function.__name__) for argument in arguments), **options)
+
+    return on_arrays
+
+
+def takes_reals(function: Function) -> Function:
+    """As `takes_numbers`; integers that have no exact result are taken for floats."""
+
+    @wraps(function)
+    def on_reals(*arguments: Any, **options: Any) -> Any:
+        exact = [_arrays(argument, function.__name__) for argument in arguments]
+        try:
+            return function(*exact, **options)
+        except TypeError:
+            if not all(map(_is_integer, exact)):
+                raise
+            return function(*map(_floats, exact), **options)
+
+    return on_reals
+
+
+def _arrays(argument: Any, name: str) -> Any:
+    if isinstance(argument, Dual):
+        return Dual(*(_finite(as_array(part), name) for part in (argument.re, argument.du)))
+    if isinstance(argument, np.ndarray | list | tuple):
+        return _finite(as_array(argument), name)
+    return argument
+
+
+def _finite(entries: np.ndarray, name: str) -> np.ndarray:
+    if entries.dtype.kind == "f" and not np.isfinite(entries).all():
+        raise ValueError(f"{name}: expected finite numbers, got a NaN or an infinity")
+    return entries
+
+
+def _is_integer(argument: Any) -> bool:
+    parts = (argument.re, argument.du) if isinstance(argument, Dual) else (argument,)
+    entries = [entry for part in parts for entry in np.asarray(part).flat]
+    return all(isinstance(entry, int | np.integer) for entry in entries)
+
+
+def _floats(argument: Any) -> Any:
+    if isinstance(argument, Dual):
+        return Dual(*(np.asarray(part).astype(float) for part in (argument.re, argument.du)))
+    return argument.astype(float) if isinstance(argument, np.ndarray) else argument

@@ -1,0 +1,81 @@
+"""Products of things that are known with their time derivatives, by Leibniz' rule, and changes of frame.
+
+An array (n + 1, ...) holds a quantity and its derivatives, the order first. A twist is (ω; v), (n + 1, ...,
+6), v being the velocity of the body point at the origin of the frame it is measured in (the chapter's v).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import comb
+
+import numpy as np
+
+from workbench.algebra.dual_tensors import apply, cross, transpose
+from workbench.kinematics.fields import acceleration_tensors
+from workbench.kinematics.frames import drake_twist
+
+
+def product_derivatives(
+    product: Callable[[np.ndarray, np.ndarray], np.ndarray], x: np.ndarray, y: np.ndarray
+) -> np.ndarray:
+    """(x ∘ y)⁽ᵏ⁾ = Σᵢ C(k,i) x⁽ⁱ⁾ ∘ y⁽ᵏ⁻ⁱ⁾ of a bilinear product; as many orders as the shorter one has."""
+    orders = min(len(x), len(y))
+    return np.stack([sum(comb(k, i) * product(x[i], y[k - i]) for i in range(k + 1)) for k in range(orders)])
+
+
+def about_moving_point(twist: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """(ω; v + ω × p) with its derivatives: the velocity of the body point that passes p(t), (n + 1, ...,
+    3)."""
+    omega, v = twist[..., :3], twist[..., 3:]
+    carried = product_derivatives(cross, omega, p)
+    return np.concatenate([omega[: len(carried)], v[: len(carried)] + carried], axis=-1)
+
+
+def turned(R: np.ndarray, twist: np.ndarray) -> np.ndarray:
+    """(R ω; R v) with its derivatives, of R(t) (n + 1, ..., 3, 3)."""
+    return np.concatenate(
+        [product_derivatives(apply, R, part) for part in (twist[..., :3], twist[..., 3:])], axis=-1
+    )
+
+
+def rotation_derivatives(omega: np.ndarray, R: np.ndarray) -> np.ndarray:
+    """R, Ṙ, …, R⁽ᴺ⁾ (N + 1, ..., 3, 3) of ω (N, ..., 3) and R (..., 3, 3): R⁽ⁿ⁾ = Φₙ R, Eq. (15)."""
+    return acceleration_tensors(omega) @ R
+
+
+def position_derivatives(twist: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """p, ṗ, …, p⁽ᴺ⁾ (N + 1, ..., 3) of the body point at p (..., 3), from the twist (N, ..., 6); Eq.
+    (106)."""
+    _, velocity = drake_twist(twist[..., :3], twist[..., 3:], p)
+    return np.concatenate([np.broadcast_to(p, velocity.shape[1:])[None], velocity])
+
+
+def relative_twist(twist_WA: np.ndarray, X_WA: np.ndarray, twist_WB: np.ndarray) -> np.ndarray:
+    """The twist of B as an observer in A sees it, in A's axes and about A's origin, with its derivatives
+    there.
+
+    twist_WA, twist_WB (N, ..., 6): in W. X_WA (..., 4, 4). The twist composes by addition (Eq. (118)):
+    V_AB = Ad(X_AW) (V_WB − V_WA); the derivatives are those of its components in the moving A.
+    """
+    p, R = position_derivatives(twist_WA, X_WA[..., :3, 3]), _axes(twist_WA, X_WA)
+    return turned(transpose(R), about_moving_point(twist_WB - twist_WA, p))
+
+
+def composed_twist(twist_WA: np.ndarray, X_WA: np.ndarray, twist_AB: np.ndarray) -> np.ndarray:
+    """V_WB = V_WA + Ad(X_WA) V_AB with its derivatives: base and relative motion, the inverse of
+    `relative_twist`."""
+    p, R = position_derivatives(twist_WA, X_WA[..., :3, 3]), _axes(twist_WA, X_WA)
+    return twist_WA + about_moving_point(turned(R, twist_AB), -p)
+
+
+def _axes(twist: np.ndarray, X: np.ndarray) -> np.ndarray:
+    return rotation_derivatives(twist[..., :3], X[..., :3, :3])
+
+
+def inverse_pose(X: np.ndarray) -> np.ndarray:
+    """X⁻¹ of rigid X (..., 4, 4)."""
+    R = transpose(X[..., :3, :3])
+    inverse = np.zeros_like(X)
+    inverse[..., :3, :3], inverse[..., :3, 3], inverse[..., 3, 3] = R, -apply(R, X[..., :3, 3]), 1
+    return inverse

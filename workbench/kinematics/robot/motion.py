@@ -1,0 +1,64 @@
+"""A robot's motion, and the answers that are asked of it along a path: peaks, tables, plots, MeshCat."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from workbench.kinematics.robot import answers, meshcat_scene, plots
+from workbench.kinematics.robot.answers import Limits, Peak
+from workbench.kinematics.robot.states import States
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class Motion(States):
+    """What `Robot.motion` and `Robot.along` return: `frame(name)` and `frames`, and what is asked of a
+    whole path."""
+
+    def peaks(
+        self, body: str | None = None, point: ArrayLike = (0, 0, 0), limits: Limits | None = None
+    ) -> list[Peak]:
+        """The largest size on the path of every joint derivative, and of those of a point of a body, with
+        its time.
+
+        limits: by joint, or "*" for all, or "point": {"velocity": ..., "acceleration": ..., "jerk": ...,
+        "snap": ..., "lower": ..., "upper": ...}; beside them the robot's own. Between the samples it is
+        searched for.
+        """
+        return answers.peaks(self, body, point, limits)
+
+    def table(self, body: str | None = None, point: ArrayLike = (0, 0, 0)) -> dict[str, np.ndarray]:
+        """The columns t, coordinates, their derivatives, and those of a point of a body, each (states,)."""
+        return answers.table(self, body, point)
+
+    def to_dataframe(self, body: str | None = None, point: ArrayLike = (0, 0, 0)) -> Any:
+        """`table` as a pandas.DataFrame; ImportError where pandas is not installed."""
+        try:
+            import pandas
+        except ImportError:
+            raise ImportError("a data frame needs pandas: pip install pandas (or use `to_csv`)") from None
+        return pandas.DataFrame(self.table(body, point))
+
+    def to_csv(self, file: str | Path, body: str | None = None, point: ArrayLike = (0, 0, 0)) -> None:
+        """`table` as a CSV file. Raises ValueError where it cannot be written."""
+        answers.write_csv(self.table(body, point), file)
+
+    def plot(
+        self, body: str | None = None, point: ArrayLike = (0, 0, 0), limits: Limits | None = None
+    ) -> Figure:
+        """A matplotlib figure: each order of the joints' derivatives and of the point's, limits dashed."""
+        return plots.plot(self, body, point, limits)
+
+    def show(
+        self, meshcat: Any, body: str, point: ArrayLike = (0, 0, 0), orders: Sequence[int] = (1, 2, 3)
+    ) -> None:
+        """Animate the motion in a pydrake.geometry.Meshcat: the robot's skeleton, the point's path and its
+        accelerations of the `orders`, the instantaneous screw axis and the acceleration centres, in
+        motion."""
+        meshcat_scene.show(self, meshcat, body, point, orders)

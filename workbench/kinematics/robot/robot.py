@@ -1,0 +1,144 @@
+"""A robot: bodies on a tree of joints, built once; its motions to any order, in NumPy arrays.
+
+Every array has the order axis first, then the states, then what belongs to one state:
+q_derivatives[k, ..., i] is the k-th time derivative of coordinate i. Units: rad, m, s.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from workbench.kinematics.robot.inverse import inverse_kinematics
+from workbench.kinematics.robot.joints import Mimic, TreeJoint
+from workbench.kinematics.robot.motion import Motion
+from workbench.kinematics.robot.paths import Path as JointPath
+from workbench.kinematics.robot.paths import as_path
+from workbench.kinematics.robot.states import states_on_path
+from workbench.kinematics.robot.structure import Structure
+from workbench.kinematics.robot.urdf import UrdfError, read_urdf
+
+if TYPE_CHECKING:
+    from workbench.drake.gate import MultibodyPlant
+
+BLOCK = 4096  # states that are worked on at a time, where a batch is streamed
+
+
+class Robot(Structure):
+    """A robot with named joints and bodies; make it by `from_urdf`, `from_plant`, or of `TreeJoint`s.
+
+    name; bodies, positions, velocities: names, in the order of every array; limits: by joint.
+    The world is the body "world".
+    """
+
+    @classmethod
+    def from_urdf(cls, path: str | Path, base: str = "fixed", rotations: str = "quaternion") -> Robot:
+        """The robot of a URDF file; its meshes are not needed.
+
+        base: how its root moves in the world: "fixed" or "floating", by a joint `base`. rotations: how this
+        and the file's own floating joints are turned: "quaternion" or "rpy" (roll, pitch, yaw).
+        Raises UrdfError, a ValueError, in one line.
+        """
+        if base not in ("fixed", "floating") or rotations not in ("quaternion", "rpy"):
+            expected = "fixed or floating, rotations quaternion or rpy"
+            raise ValueError(f"base: expected {expected}, got {base!r} and {rotations!r}")
+        floating = {"floating": "floating" if rotations == "quaternion" else "floating_rpy"}
+        urdf = read_urdf(path)
+        world = "world"
+        root = [TreeJoint("base", floating.get(base, base), world, urdf.root)]
+        if urdf.root == world:  # the file's own name for what does not move
+            if base != "fixed":
+                raise ValueError(f"{path}: its root is the world itself, so its base cannot be {base}")
+            root = []
+        try:
+            joints = [replace(j, kind=floating.get(j.kind, j.kind)) for j in urdf.joints]
+            return cls(urdf.name, [*root, *joints])
+        except ValueError as error:
+            raise UrdfError(f"{path}: {error}") from None
+
+    @classmethod
+    def from_plant(cls, plant: MultibodyPlant, mimics: Mapping[str, Mimic] | None = None) -> Robot:
+        """The robot of a finalized Drake plant; its coordinates and velocities are the plant's, in its order.
+
+        mimics: joints that follow others (a plant does not tell). Raises ValueError.
+        """
+        from workbench.kinematics.robot.plant import tree_joints
+
+        return cls("plant", tree_joints(plant, mimics or {}))
+
+    def motion(self, q_derivatives: ArrayLike, v_derivatives: ArrayLike | None = None) -> Motion:
+        """The motion of all bodies to the order N, at one state or at many.
+
+        q_derivatives (N + 1, ..., positions): the coordinates and their time derivatives, the order first; or
+        q_derivatives (..., positions) and v_derivatives (N, ..., velocities): the coordinates, and the
+        velocities with their derivatives. Raises ValueError for another shape, or a NaN or infinity.
+        """
+        if v_derivatives is None:
+            return Motion(self, self.derivatives(q_derivatives))
+        return Motion(self, *self.state(q_derivatives, v_derivatives))
+
+    def along(
+        self, trajectory: Any, times: ArrayLike | None = None, order: int = 4, samples: int = 201
+    ) -> Motion:
+        """The motion along a trajectory at `times` (...) in s (`samples` of them over all of it unless
+        given).
+
+        trajectory: a `Path` of `workbench.kinematics.robot.paths`, or a Drake Trajectory of the positions.
+        """
+        path = self.path(trajectory)
+        at = np.linspace(path.start, path.end, samples) if times is None else np.asarray(times, dtype=float)
+        if not np.isfinite(at).all():
+            raise ValueError("times: expected finite times in s (of a path without end, give them)")
+        return states_on_path(Motion, self, path, at, order)
+
+    def path(self, trajectory: Any) -> JointPath:
+        """The trajectory as a path of this robot's coordinates; ValueError if it has another number of
+        them."""
+        return as_path(trajectory, len(self.positions))
+
+    def blocks(
+        self, q_derivatives: np.ndarray, v_derivatives: np.ndarray | None = None, size: int = BLOCK
+    ) -> Iterator[Motion]:
+        """The motions of a large batch, block by block: q_derivatives (N + 1, states, positions).
+
+        The memory is that of one block of `size` states, whatever the batch (which may be a np.memmap).
+        """
+        with_velocities = v_derivatives is not None
+        states = len(q_derivatives) if with_velocities else q_derivatives.shape[1]
+        for start in range(0, states, size):
+            block = slice(start, start + size)
+            if with_velocities:
+                yield self.motion(q_derivatives[block], v_derivatives[:, block])
+            else:
+                yield self.motion(q_derivatives[:, block])
+
+    def inverse(
+        self,
+        body: str,
+        q: ArrayLike,
+        twist_derivatives: ArrayLike,
+        *,
+        expressed: str = "mixed",
+        point: ArrayLike = (0, 0, 0),
+        rows: Sequence[int] = range(6),
+        weight: ArrayLike | None = None,
+        null_space: ArrayLike | None = None,
+        rtol: float = 1e-6,
+    ) -> np.ndarray:
+        """The velocities and their derivatives (N, ..., velocities) that move a body as prescribed.
+
+        q (..., positions); twist_derivatives (N, ..., len(rows)): those rows of (ω; v) and of its
+        derivatives, as `FrameMotion.jacobian` with the same `expressed` and `point` has them. As many
+        moving joints as rows: the solution. More: at each order the one of least Σ weightᵢ vᵢ² among those
+        that fit, nearest to `null_space` (N, ..., velocities), 0 unless given; weight (velocities,) > 0, 1
+        unless given. Raises SingularJacobian, with the singular values, where σ_min <= rtol · σ_max.
+        """
+        options = {"expressed": expressed, "point": point, "rows": tuple(rows), "rtol": rtol}
+        return inverse_kinematics(
+            self, body, q, twist_derivatives, weight=weight, null_space=null_space, **options
+        )

@@ -1,0 +1,218 @@
+"""A robot's joints from a URDF file: links, joints, mimic; nothing else of the file is looked at.
+
+Besides URDF's own joint types it knows Drake's (`<drake:joint>`): ball, screw, universal, planar. It shares
+nothing with Drake's parser, so that the one can be held against the other.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass
+from math import pi
+from pathlib import Path
+
+import numpy as np
+
+from workbench.kinematics.robot.joints import Limits, Mimic, TreeJoint
+from workbench.kinematics.robot.tree import rotation_of_rpy
+
+KINDS = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+    "fixed": "fixed",
+    "floating": "floating",
+    "planar": "planar",
+    "ball": "ball_rpy",
+    "screw": "helical",
+    "universal": "universal",
+}
+DRAKE = "{http://drake.mit.edu}"
+XACRO = "the file is a xacro that is not expanded: run `xacro FILE > robot.urdf` and take robot.urdf"
+
+
+class UrdfError(ValueError):
+    """A file that no robot can be made of; the message is one line."""
+
+
+@dataclass(frozen=True)
+class Urdf:
+    """What a URDF says of a robot's kinematics: its name, its links and the joints between them, as in the
+    file."""
+
+    name: str
+    links: tuple[str, ...]
+    joints: tuple[TreeJoint, ...]
+
+    @property
+    def root(self) -> str:
+        """The one link that no joint leads to."""
+        children = {joint.child for joint in self.joints}
+        return next(link for link in self.links if link not in children)
+
+
+def read_urdf(path: str | Path) -> Urdf:
+    """The robot in a URDF file. Raises UrdfError, which says what was expected and where."""
+    path = Path(path)
+    if not path.is_file():
+        raise UrdfError(f"no URDF file at {path}")
+    try:
+        return parse_urdf(path.read_bytes())
+    except UrdfError as error:
+        raise UrdfError(f"{path}: {error}") from None
+
+
+def parse_urdf(text: bytes | str) -> Urdf:
+    """The robot in the text of a URDF file; errors as `read_urdf`."""
+    text = text.encode() if isinstance(text, str) else text
+    if b"<drake:" in text and b"xmlns:drake" not in text:
+        text = text.replace(b"<robot", b'<robot xmlns:drake="http://drake.mit.edu"', 1)
+    try:
+        robot = ET.fromstring(text)
+    except ET.ParseError as error:
+        raise UrdfError(XACRO if b"<xacro:" in text else f"not XML: {error}") from None
+    if robot.tag != "robot":
+        raise UrdfError(f"expected a URDF, whose outermost tag is <robot>, got <{robot.tag}>")
+    tags = {element.tag for element in robot.iter() if isinstance(element.tag, str)}
+    if any("xacro" in tag for tag in tags):
+        raise UrdfError(XACRO)
+    links = tuple(_attribute(link, "name", "a link") for link in robot.findall("link"))
+    if not links:
+        raise UrdfError("expected a <robot> with at least one <link>, got none")
+    for link in links:
+        if links.count(link) > 1:
+            raise UrdfError(f"link {link!r} is there {links.count(link)} times: expected one of each name")
+    elements = [element for element in robot if element.tag in ("joint", f"{DRAKE}joint")]
+    joints = tuple(_joint(element) for element in elements)
+    _require_tree(links, joints)
+    return Urdf(robot.get("name") or "robot", links, joints)
+
+
+def _joint(element: ET.Element) -> TreeJoint:
+    name = _attribute(element, "name", "joint")
+    what = f"joint {name!r}"
+    kind = _attribute(element, "type", what)
+    if kind not in KINDS:
+        raise UrdfError(f"{what}: expected a type among {', '.join(KINDS)}, got {kind!r}")
+    axis = _numbers(element.find("axis"), "xyz", (1.0, 0.0, 0.0), f"{what}: axis")
+    X_PF, X_MC = _origin(element.find("origin"), what), np.eye(4)
+    if kind == "planar":  # x and y of the plane are those of the joint's frame turned so that z is the axis
+        tilt = _tilt(axis, what)
+        X_PF, X_MC = X_PF @ tilt, tilt.T
+    pitch = element.find(f"{DRAKE}screw_thread_pitch")
+    try:
+        return TreeJoint(
+            name,
+            KINDS[kind],
+            _attribute(_child(element, "parent", what), "link", f"{what}: parent"),
+            _attribute(_child(element, "child", what), "link", f"{what}: child"),
+            X_PF,
+            X_MC,
+            axis,
+            0.0 if pitch is None else _numbers(pitch, "value", (0.0,), f"{what}: pitch")[0] / (2 * pi),
+            _limits(element.find("limit"), kind, what),
+            _mimic(element.find("mimic"), kind, what),
+        )
+    except ValueError as error:
+        raise UrdfError(str(error)) from None
+
+
+def _limits(element: ET.Element | None, kind: str, what: str) -> Limits:
+    if element is None:
+        return Limits()
+    bounds = {name: _numbers(element, name, (np.nan,), f"{what}: limit")[0] for name in Limits._fields}
+    return Limits(np.nan, np.nan, bounds["velocity"]) if kind == "continuous" else Limits(**bounds)
+
+
+def _mimic(element: ET.Element | None, kind: str, what: str) -> Mimic | None:
+    if element is None or kind == "fixed":  # a fixed joint has nothing that could follow
+        return None
+    return Mimic(
+        _attribute(element, "joint", f"{what}: mimic"),
+        _numbers(element, "multiplier", (1.0,), f"{what}: mimic")[0],
+        _numbers(element, "offset", (0.0,), f"{what}: mimic")[0],
+    )
+
+
+def _origin(element: ET.Element | None, what: str) -> np.ndarray:
+    X = np.eye(4)
+    X[:3, :3] = rotation_of_rpy(np.array(_numbers(element, "rpy", (0.0, 0.0, 0.0), f"{what}: origin")))
+    X[:3, 3] = _numbers(element, "xyz", (0.0, 0.0, 0.0), f"{what}: origin")
+    return X
+
+
+def _tilt(axis: tuple[float, ...], what: str) -> np.ndarray:
+    """The least rotation, (4, 4), that takes z to the axis."""
+    length = np.linalg.norm(axis)
+    if length == 0:
+        raise UrdfError(f"{what}: expected an axis of non-zero length, got {axis}")
+    x, y, z = np.asarray(axis) / length
+    X = np.eye(4)
+    if z < -1 + 1e-12:
+        X[:3, :3] = np.diag([1.0, -1.0, -1.0])
+    else:
+        a, b, c = x * x / (1 + z), y * y / (1 + z), x * y / (1 + z)
+        X[:3, :3] = [[1 - a, -c, x], [-c, 1 - b, y], [-x, -y, z]]
+    return X
+
+
+def _numbers(
+    element: ET.Element | None, name: str, default: tuple[float, ...], what: str
+) -> tuple[float, ...]:
+    text = None if element is None else element.get(name)
+    if text is None:
+        return default
+    try:
+        values = tuple(float(part) for part in text.split())
+    except ValueError:
+        values = ()
+    if len(values) != len(default) or not np.isfinite(values).all():
+        count = "a finite number" if len(default) == 1 else f"{len(default)} finite numbers"
+        raise UrdfError(f"{what}: expected {count} for {name}, got {text!r}")
+    return values
+
+
+def _child(element: ET.Element, tag: str, what: str) -> ET.Element:
+    found = element.find(tag)
+    if found is None:
+        raise UrdfError(f"{what}: expected a <{tag}>, got none")
+    return found
+
+
+def _attribute(element: ET.Element, name: str, what: str) -> str:
+    value = element.get(name)
+    if not value:
+        raise UrdfError(f"{what}: expected an attribute {name!r}, got none")
+    return value
+
+
+def _require_tree(links: tuple[str, ...], joints: tuple[TreeJoint, ...]) -> None:
+    inboard: dict[str, TreeJoint] = {}
+    names: set[str] = set()
+    for joint in joints:
+        for end in (joint.parent, joint.child):
+            if end not in links:
+                raise UrdfError(f"joint {joint.name!r}: no link {end!r} in the file")
+        if joint.name in names:
+            raise UrdfError(f"joint {joint.name!r} is there twice: expected one of each name")
+        if joint.child in inboard:
+            other = inboard[joint.child].name
+            raise UrdfError(
+                f"link {joint.child!r}: joints {other!r} and {joint.name!r} lead to it, expected one"
+            )
+        names.add(joint.name)
+        inboard[joint.child] = joint
+    roots = [link for link in links if link not in inboard]
+    if len(roots) > 1:
+        raise UrdfError(
+            f"expected one root link, got {len(roots)} links that no joint leads to: {', '.join(roots)}"
+        )
+    reached = set(roots)
+    for link in links:
+        path = []
+        while link not in reached:
+            if link in path:
+                raise UrdfError(f"joints {', '.join(inboard[x].name for x in path)} form a circle")
+            path.append(link)
+            link = inboard[link].parent
+        reached.update(path)

@@ -1,0 +1,255 @@
+"""A paper's own notation: a spelling with formal arguments, and what it means in the reader's language."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields
+from typing import Any
+
+from workbench.language.construct import zero
+from workbench.language.errors import Fault, SpecError
+from workbench.language.syntax import (
+    Bracket,
+    Chain,
+    Conditional,
+    Group,
+    Infix,
+    Leaf,
+    Lines,
+    Matrix,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    parse,
+)
+from workbench.language.terms import Term, Zero
+from workbench.language.types import type_of_kind
+
+_ALLOWED = ("where", "means")
+
+
+@dataclass(frozen=True, slots=True)
+class Known(Node):
+    """A term that stands for a formal argument."""
+
+    term: Term
+
+
+@dataclass(frozen=True)
+class Notation:
+    """`key` as the author spells it; `formals`: letter → kind ("dual vector")."""
+
+    key: str
+    formals: Mapping[str, str]
+    pattern: Node
+    means: Node
+
+    @staticmethod
+    def read(key: str, spec: Any) -> Notation:
+        """One entry of [notation]: '[x]_\\times' = { where = { x = "vector" }, means = '…' }. Raises
+        SpecError."""
+        if (
+            not isinstance(spec, Mapping)
+            or set(spec) - set(_ALLOWED)
+            or not isinstance(spec.get("means"), str)
+        ):
+            raise SpecError(f"expected {{ where = {{ x = \"vector\" }}, means = '…' }}, got {spec!r}", key)
+        formals = spec.get("where", {})
+        if not isinstance(formals, Mapping) or not all(isinstance(kind, str) for kind in formals.values()):
+            raise SpecError('where: expected kinds of letters such as { x = "vector" }', key)
+        notation = Notation(key, dict(formals), _one(key, key), _one(spec["means"], key))
+        for letter in formals:
+            if not _occurs(letter, notation.pattern):
+                raise SpecError(f"where: {letter} does not stand in it", key)
+        if not formals and _letter(notation.pattern) is None:
+            raise SpecError("a notation without arguments is a symbol: a letter or a number in its font", key)
+        return notation
+
+    def fits(self, terms: Mapping[str, Term]) -> bool:
+        """Whether the terms are of the kinds of the formal arguments; 0 is of every kind."""
+        kinds = self.formals.items()
+        return all(isinstance(terms[x], Zero) or str(terms[x].type) == kind for x, kind in kinds)
+
+    def filled(self, terms: Mapping[str, Term]) -> Node:
+        """What it means, with these terms for the formal arguments."""
+        typed = {
+            letter: zero(type_of_kind(self.formals[letter]) or term.type) if isinstance(term, Zero) else term
+            for letter, term in terms.items()
+        }
+        return _filled(self.means, typed)
+
+    def matched(self, node: Node) -> dict[str, Node] | None:
+        """The nodes in the places of the formal arguments; None if the node is not spelt so."""
+        found: dict[str, Node] = {}
+        return found if _match(self.pattern, node, self.formals, found) else None
+
+    @property
+    def accent(self) -> str | None:
+        """The style that it puts on its one argument."""
+        match self.pattern:
+            case Styled(style=style, body=body) if self._is_formal(body):
+                return style
+        return None
+
+    @property
+    def mark(self) -> Node | None:
+        """The superscript that it puts on its one argument."""
+        match self.pattern:
+            case Scripted(nucleus=nucleus, sub=None, sup=Node() as sup, primes=0) if self._is_formal(nucleus):
+                return _bare(sup)
+        return None
+
+    @property
+    def is_prime(self) -> bool:
+        match self.pattern:
+            case Scripted(nucleus=nucleus, sub=None, sup=None, primes=1):
+                return self._is_formal(nucleus)
+        return False
+
+    @property
+    def sign(self) -> tuple[str, str, str] | None:
+        """The sign that it puts between two arguments, and their letters."""
+        match self.pattern:
+            case Product(items=(Leaf(text=left), Infix(operator=sign), Leaf(text=right))):
+                return sign, left, right
+        return None
+
+    @property
+    def is_constant(self) -> bool:
+        return not self.formals
+
+    def _is_formal(self, node: Node) -> bool:
+        return isinstance(leaf := _bare(node), Leaf) and leaf.text in self.formals
+
+
+@dataclass(frozen=True)
+class Notations:
+    """All notation of a paper, by how it is looked for."""
+
+    entries: tuple[Notation, ...] = ()
+
+    @staticmethod
+    def build(specs: Mapping[str, Any]) -> Notations:
+        """Raises SpecError; also where two entries can match one term."""
+        entries = tuple(Notation.read(key, spec) for key, spec in specs.items())
+        for place, one in enumerate(entries):
+            for other in entries[:place]:
+                if _collide(one, other):
+                    raise SpecError(f"it can match the same term as {other.key}", one.key)
+        return Notations(entries)
+
+    def accents(self, style: str) -> list[Notation]:
+        return [entry for entry in self.entries if entry.accent == style]
+
+    def marks(self, sup: Node) -> list[Notation]:
+        return [entry for entry in self.entries if entry.mark is not None and _same(entry.mark, _bare(sup))]
+
+    def primes(self) -> list[Notation]:
+        return [entry for entry in self.entries if entry.is_prime]
+
+    def signs(self, sign: str) -> list[Notation]:
+        return [entry for entry in self.entries if entry.sign is not None and entry.sign[0] == sign]
+
+    def constants(self) -> Iterable[Notation]:
+        return (entry for entry in self.entries if entry.is_constant)
+
+    def shapes(self, node: Node) -> list[tuple[Notation, dict[str, Node]]]:
+        """Entries that are spelt like the node: brackets, matrices and marks on them."""
+        if not self.entries:
+            return []
+        found = ((entry, entry.matched(node)) for entry in self.entries if entry.formals)
+        return [(entry, places) for entry, places in found if places is not None]
+
+
+def _one(text: str, key: str) -> Node:
+    try:
+        lines = parse(text).lines
+    except Fault as fault:
+        raise SpecError(f"{text}, column {fault.at + 1}: {fault}", key) from None
+    if len(lines) != 1 or len(lines[0]) != 1 or isinstance(lines[0][0], Chain | Conditional | Lines):
+        raise SpecError(f"expected one expression, got {text}", key)
+    return lines[0][0]
+
+
+def _bare(node: Node) -> Node:
+    while isinstance(node, Group) and len(node.parts) == 1:
+        (node,) = node.parts
+    return node
+
+
+def _letter(node: Node) -> Node | None:
+    node = _bare(node)
+    while isinstance(node, Styled | Scripted):
+        node = _bare(node.body if isinstance(node, Styled) else node.nucleus)
+    return node if isinstance(node, Leaf) else None
+
+
+def _parts(value: Any) -> Iterable[Any]:
+    """The fields of a node but its place, and what they hold."""
+    if isinstance(value, Sum):
+        return [(sign, addend) for sign, _, addend in value.addends]
+    if isinstance(value, Node):
+        return [getattr(value, each.name) for each in fields(value) if each.name != "at"]
+    return value if isinstance(value, tuple) else ()
+
+
+def _occurs(letter: str, value: Any) -> bool:
+    if isinstance(value, Leaf):
+        return value.text == letter
+    return any(_occurs(letter, part) for part in _parts(value))
+
+
+def _same(one: Any, other: Any) -> bool:
+    return _match(one, other, {}, {})
+
+
+def _match(pattern: Any, node: Any, formals: Mapping[str, str], found: dict[str, Node]) -> bool:
+    if isinstance(pattern, Node) and isinstance(node, Node):
+        pattern, node = _bare(pattern), _bare(node)
+        if isinstance(pattern, Leaf) and pattern.text in formals:
+            if pattern.text in found:
+                return _same(found[pattern.text], node)
+            found[pattern.text] = node
+            return True
+    if isinstance(pattern, Node | tuple):
+        mine, its = list(_parts(pattern)), list(_parts(node))
+        return (
+            type(pattern) is type(node)
+            and len(mine) == len(its)
+            and all(_match(a, b, formals, found) for a, b in zip(mine, its, strict=True))
+        )
+    return pattern == node
+
+
+def _filled(value: Any, terms: Mapping[str, Term]) -> Any:
+    if isinstance(value, Leaf) and value.kind == "LETTER" and value.text in terms:
+        return Known(value.at, terms[value.text])
+    if isinstance(value, Node):
+        changed = {
+            each.name: _filled(getattr(value, each.name), terms)
+            for each in fields(value)
+            if each.name != "at"
+        }
+        return type(value)(value.at, **changed)
+    if isinstance(value, tuple):
+        return tuple(_filled(part, terms) for part in value)
+    return value
+
+
+def _collide(one: Notation, other: Notation) -> bool:
+    """Whether one spelling can be both: the same pattern, with formals of the same kinds."""
+    found: dict[str, Node] = {}
+    if not _match(one.pattern, other.pattern, one.formals, found):
+        return False
+    letters = {letter: _bare(node).text for letter, node in found.items() if isinstance(_bare(node), Leaf)}
+    return len(letters) == len(one.formals) and all(
+        other.formals.get(letters[letter]) == kind for letter, kind in one.formals.items()
+    )
+
+
+def is_shape(node: Node) -> bool:
+    """Whether a node that is no name may be spelt in the paper's own notation."""
+    nucleus = node.nucleus if isinstance(node, Scripted) else node
+    return isinstance(nucleus, Bracket | Matrix)

@@ -1,0 +1,183 @@
+"""What a formula says of its letters beside its statements: the ranges of integers, and sets.
+
+Nothing is supposed by ∈: a symbol that is not declared as what the formula says of it is refused.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from workbench.language.errors import Fault
+from workbench.language.integers import Linear
+from workbench.language.names import INDEX_LETTERS, Scripts, base_name, linear, literal, spell, variable_name
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import Bracket, Chain, Group, Leaf, Node, Product, Scripted, Styled, Sum
+from workbench.language.terms import Apply, Symbol, Term
+
+NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}
+
+#: Letter and dimension of a set → what its members are called.
+_SETS = {
+    ("R", ""): "scalar",
+    ("R", "3"): "vector",
+    ("V", "3"): "vector",
+    ("V", ""): "vector",
+    ("E", "3"): "vector",
+    ("SO", "3"): "rotation",
+    ("so", "3"): "skew tensor",
+    ("S", "2"): "unit vector",
+}
+_STYLE = re.compile(r"\\(mathbb|mathbf|mathrm|mathcal|mathfrak|mathsf|boldsymbol|underline)|[{}\s]")
+_OF_TIME = re.compile(r"\^\{\\mathbb\{R\}\}$")
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """The values that a formula states for an integer variable: lower … upper, both included.
+    None: no bound."""
+
+    variable: str
+    lower: Linear
+    upper: Linear | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Membership:
+    """The expressions that a formula says to be in a set."""
+
+    members: tuple[Node, ...]
+    where: Node
+
+
+def is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> bool:
+    """Whether the clause is no relation between terms, but says what values its letters take."""
+    signs = [sign for sign, _ in clause.relations]
+    if clause.universal and set(signs) <= {"=", "≠"}:
+        names = {variable_name(side) for side in clause.sides[:1]}
+        return not names & set(table.symbols) and None not in names
+    if "∈" in signs or "≥" in signs or ">" in signs:
+        return True
+    if signs != ["="]:
+        return False
+    name, value = variable_name(clause.sides[0]), clause.sides[1]
+    is_value = isinstance(value, Leaf) and value.text.isdigit()
+    is_variable = name in integers | INDEX_LETTERS and name not in table.symbols
+    return _bar(value) is not None or (is_value and is_variable)
+
+
+def _bar(node: Node) -> tuple[Node, ...] | None:
+    """The a, b of \\overline{a, b}."""
+    match node:
+        case Styled(style="\\overline", body=Group(parts=(_, _) as ends)):
+            return ends
+    return None
+
+
+def ranges_of(
+    clause: Chain, members: Sequence[Node], table: SymbolTable, integers: frozenset[str]
+) -> list[Range | Membership]:
+    """What "n ≥ 1", or "a, b ∈ S" with the members before the last one, says. Raises Fault."""
+    (sign, at), *more = clause.relations or [("", clause.at)]
+    if more or not sign:
+        raise Fault("expected one range, such as n \\geq 1 or n \\in \\mathbb{N}", more[0][1] if more else at)
+    left, right = clause.sides
+    if sign == "∈":
+        return _in_set((*members, left), right, table)
+    refuse_alone(members)
+    name = variable_name(left)
+    if name is None:
+        raise Fault("expected an integer variable before the bound", left.at)
+    if name in table.symbols:
+        raise _no_variable(name, left.at)
+    ends = _bar(right) or (right,)
+    bounds = [linear(end, integers | _letters(end)) for end in ends]
+    if None in bounds:
+        raise Fault("expected an integer bound", right.at)
+    lower = bounds[0] + 1 if sign == ">" else bounds[0]
+    return [Range(name, lower, bounds[-1] if sign == "=" else None)]
+
+
+def _no_variable(name: str, at: int) -> Fault:
+    return Fault(f"{name} is a symbol; what is assumed of symbols is written with = and \\neq", at)
+
+
+def _letters(node: Node) -> frozenset[str]:
+    """The integer variables that a bound such as m or n − 1 names."""
+    if isinstance(node, Sum):
+        return frozenset().union(*(_letters(addend) for _, _, addend in node.addends))
+    name = variable_name(node)
+    return frozenset() if name is None else frozenset({name})
+
+
+def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[Range | Membership]:
+    """n ∈ ℕ is a range; a, b ∈ V₃ is said of terms."""
+    lower = NATURALS.get(set_name(where))
+    if lower is None:
+        return [Membership(members, where)]
+    names = [variable_name(member) for member in members]
+    if None in names:
+        raise Fault("expected integer variables before \\in", members[names.index(None)].at)
+    for name, member in zip(names, members, strict=True):
+        if name in table.symbols:
+            raise _no_variable(name, member.at)
+    return [Range(name, Linear(lower)) for name in names]
+
+
+def refuse_alone(members: Sequence[Node]) -> None:
+    """Raises Fault if there are expressions of which nothing is said."""
+    if members:
+        raise Fault("expected a relation (= or \\neq), got an expression alone", members[0].at)
+
+
+# sets
+
+
+def require_member(term: Term, where: Node, at: int) -> None:
+    """Raises Fault for a set that is not known, and for a term that is not declared to be in it."""
+    name = set_name(where)
+    letter, _, dimension = _STYLE.sub("", _OF_TIME.sub("", name)).replace("^", "_").partition("_")
+    kind = _SETS.get((letter, dimension))
+    if kind is None:
+        raise Fault(f"the set {name} is not known here; declare what its members are in [symbols]", where.at)
+    dual = "dual " if "\\underline" in name else ""
+    if not _is(term, kind) or (term.type.dual and not dual):
+        got = "dual " * term.type.dual + ("rotation" if _is(term, "rotation") else term.type.kind)
+        raise Fault(f"a member of {name} is a {dual}{kind}; here it is a {got}, as declared", at)
+
+
+def _is(term: Term, kind: str) -> bool:
+    match kind:
+        case "rotation":
+            return isinstance(term, Symbol) and term.declaration.rotation
+        case "unit vector":
+            return isinstance(term, Symbol) and term.declaration.unit
+        case "skew tensor":
+            return isinstance(term, Apply) and term.head in ("skew", "antisymmetric")
+    return term.type.kind == kind
+
+
+def set_name(node: Node) -> str:
+    """The canonical name of a set; SO(3) is spelled SO_3. Raises Fault."""
+    match node:
+        case Product(items=(*letters, Bracket(kind="(", parts=(Leaf(kind="NUMBER") as size,)))):
+            nucleus = letters[0] if len(letters) == 1 else Product(node.at, tuple(letters))
+            return set_name(Scripted(node.at, nucleus, size))
+    scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
+    styles, letter = [], scripted.nucleus
+    while isinstance(letter, Styled) or (isinstance(letter, Group) and len(letter.parts) == 1):
+        if isinstance(letter, Styled):
+            styles.append(letter.style)
+            letter = letter.body
+        else:
+            letter = letter.parts[0]
+    if isinstance(letter, Product) and all(isinstance(item, Leaf) for item in letter.items):
+        letter = Leaf(letter.at, "LETTER", "".join(item.text for item in letter.items))  # SO
+    scripts = Scripts(sub=scripted.sub, sup=scripted.sup)
+    pieces = None
+    if isinstance(letter, Leaf):
+        pieces = spell(base_name(styles, letter.text), scripts, ())
+    if pieces is None:
+        raise Fault("expected a set, such as \\mathbb{N} or \\mathbf{V}_3", node.at)
+    return literal(pieces)

@@ -1,0 +1,189 @@
+"""What a text writes for the eye, as the claim language spells it. Every token stays in its place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from workbench.papers.texts import Token
+
+_DROPPED = frozenset(
+    [
+        "displaystyle",
+        "textstyle",
+        "scriptstyle",
+        "nolimits",
+        "limits",
+        "mathstrut",
+        "strut",
+        "nobreak",
+        "allowbreak",
+        "noindent",
+        "centering",
+        "smallskip",
+        "medskip",
+        "bigskip",
+        "hfill",
+        "hfil",
+        "par",
+        "left.",
+        "right.",
+        "null",
+        "kern-",
+        "protect",
+        "relax",
+        "linebreak",
+        "nonumber",
+        "notag",
+        "normalsize",
+        "small",
+        "footnotesize",
+        "scriptsize",
+        "tiny",
+        "large",
+        "boldmath",
+        "unboldmath",
+    ]
+)
+_DROPPED_WITH_ARGUMENT = frozenset(
+    ["hspace", "vspace", "phantom", "hphantom", "vphantom", "color", "label", "hskip", "mspace"]
+)
+_UNWRAPPED = frozenset(
+    [
+        "mathclap",
+        "mathrlap",
+        "mathllap",
+        "mathord",
+        "mathrel",
+        "mathbin",
+        "mathop",
+        "mathopen",
+        "mathclose",
+        "mathinner",
+        "boxed",
+        "fbox",
+        "underbrace",
+        "overbrace",
+        "smash",
+        "cancel",
+        "Aboxed",
+        "mathstrut",
+        "substack",
+    ]
+)
+_UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})
+_LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace"})
+_TEXTS = frozenset({"mbox", "text", "hbox", "textrm"})
+_BOLD = frozenset({"\\boldmath", "\\bf", "\\bfseries"})
+_TYPED = {(":", "="): ":=", ("=", ">"): "\\Rightarrow"}
+_RENAMED = {
+    **dict.fromkeys(
+        ("mathbfit", "symbf", "symbfit", "bm", "pmb", "mathbold"),
+        "\\boldsymbol",
+    ),
+    "vb": "\\mathbf",
+    "mathbfup": "\\mathbf",
+    "lbrace": "\\{",
+    "rbrace": "\\}",
+    "lparen": "(",
+    "rparen": ")",
+    "lbrack": "[",
+    "rbrack": "]",
+    "Vert": "\\|",
+    "vert": "|",
+    "mid": "|",
+    "defeq": ":=",
+    "coloneq": ":=",
+    "coloneqq": ":=",
+    "vcentcolon": ":",
+    "colon": ":",
+    "triangleq": ":=",
+    "leqslant": "\\leq",
+    "geqslant": "\\geq",
+    "dfrac": "\\frac",
+    "tfrac": "\\frac",
+    "cfrac": "\\frac",
+}
+
+
+def respelled(tokens: Sequence[Token]) -> list[Token]:
+    """Without what moves, colours or numbers; bold italics and brackets by names that the reader knows."""
+    return list(_respelled(list(tokens)))
+
+
+def _respelled(tokens: list[Token]) -> Iterator[Token]:
+    place = 0
+    while place < len(tokens):
+        token = tokens[place]
+        word = token.word
+        place += 1
+        if word is None:
+            following = tokens[place] if place < len(tokens) else token
+            if (sign := _TYPED.get((token.text, following.text))) is not None:
+                yield Token(sign, token.source, token.start, max(token.end, following.end), token.call)
+                place += 1
+            else:
+                yield token
+        elif word in _DROPPED:
+            continue
+        elif word in _TEXTS and (inner := _formula_in(tokens, place)) is not None:
+            is_bold, inner, place = inner
+            if is_bold:
+                yield token.standing_for("\\boldsymbol")
+            yield token.standing_for("{")
+            yield from _respelled(inner)
+            yield token.standing_for("}")
+        elif word in _DROPPED_WITH_ARGUMENT:
+            _, place = argument(tokens, _past(tokens, place, "*"))
+        elif word in _UNWRAPPED:
+            inner, place = argument(tokens, place)
+            yield from _respelled(inner)
+            if word in _LIMITS_ARE_NOTES:
+                place = _past_script(tokens, place)
+        elif word in _UNWRAPPED_SECOND:
+            _, place = argument(tokens, place)
+            inner, place = argument(tokens, place)
+            yield from _respelled(inner)
+        else:
+            yield token.standing_for(_RENAMED.get(word, token.text))
+
+
+def _formula_in(tokens: Sequence[Token], place: int) -> tuple[bool, list[Token], int] | None:
+    """The formula of \\mbox{\\boldmath $x$}, and whether it is bold; None for words."""
+    inner, end = argument(tokens, place)
+    plain = [token for token in inner if token.text != " " and token.text not in _BOLD]
+    if len(plain) < 3 or plain[0].text != "$" or plain[-1].text != "$" or len(plain) != _dollars(plain):
+        return None
+    return any(token.text in _BOLD for token in inner), plain[1:-1], end
+
+
+def _dollars(tokens: Sequence[Token]) -> int:
+    """How many of the tokens stand in the first formula between dollars, these counted."""
+    return next((place + 1 for place, token in enumerate(tokens) if place and token.text == "$"), 0)
+
+
+def argument(tokens: Sequence[Token], place: int) -> tuple[list[Token], int]:
+    """The argument at `place`, braces gone, and the place behind it."""
+    place = _past(tokens, place, " ")
+    if place >= len(tokens):
+        return [], place
+    if tokens[place].text != "{":
+        return [tokens[place]], place + 1
+    depth = 0
+    for end in range(place, len(tokens)):
+        depth += (tokens[end].text == "{") - (tokens[end].text == "}")
+        if depth == 0:
+            return list(tokens[place + 1 : end]), end + 1
+    return list(tokens[place + 1 :]), len(tokens)
+
+
+def _past(tokens: Sequence[Token], place: int, text: str) -> int:
+    while place < len(tokens) and tokens[place].text == text:
+        place += 1
+    return place
+
+
+def _past_script(tokens: Sequence[Token], place: int) -> int:
+    after = _past(tokens, place, " ")
+    if after < len(tokens) and tokens[after].text in "_^":
+        return argument(tokens, after + 1)[1]
+    return place

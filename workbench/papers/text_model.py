@@ -1,0 +1,205 @@
+"""What a model says beside a text: `paper.toml` with `source = "paper.tex"`, or comments in the text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from workbench.papers.model import Notation, PaperError
+from workbench.papers.notation import notation_of
+from workbench.papers.texts import Directive, Display
+from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml_places import KeyPath
+
+MODEL_KEYS = (
+    "title",
+    "doi",
+    "notation",
+    "conventions",
+    "symbols",
+    "definitions",
+    "motion",
+    "frames",
+    "points",
+    "source",
+    "macros",
+    "scope",
+    "claim",
+    "guessed",
+)
+CLAIM_KEYS = (
+    "at",
+    "printed",
+    "reading",
+    "corrected",
+    "hypothesis",
+    "assume",
+    "orders",
+    "skip",
+    "note",
+)
+_SCOPE_KEYS = ("from", "symbols", "definitions", "motion", "frames", "points")
+_CLAIM_KEY = re.compile(rf"\s*({'|'.join(CLAIM_KEYS)})\s*=")
+_LINE = re.compile(r"line\s+(\d+)")
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table inside of a TOML file, read as if it were a file of its own."""
+
+    toml: TomlFile
+    prefix: KeyPath
+
+    @property
+    def path(self) -> Path:
+        return self.toml.path
+
+    def value(self, path: KeyPath, expected: type, default: Any = None) -> Any:
+        return self.toml.value((*self.prefix, *path), expected, default)
+
+    def text(self, path: KeyPath) -> str | None:
+        return self.toml.text((*self.prefix, *path))
+
+    def texts(self, path: KeyPath) -> tuple[str, ...]:
+        return self.toml.texts((*self.prefix, *path))
+
+    def error_at_key(self, path: KeyPath, message: str) -> PaperError:
+        return self.toml.error_at_key((*self.prefix, *path), message)
+
+    def error_at_value(self, path: KeyPath, message: str) -> PaperError:
+        return self.toml.error_at_value((*self.prefix, *path), message)
+
+    def error_in_string(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
+        return self.toml.error_in_string((*self.prefix, *path), line, column, message)
+
+    def error_in_key(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
+        return self.toml.error_in_key((*self.prefix, *path), line, column, message)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What the model says of one claim or display. `at`: label, number, id, or "line N"; of a comment in the
+    text, the display that it stands before or in."""
+
+    table: Table
+    at: str | Display
+
+
+@dataclass
+class TextModel:
+    """`chain`: the files that the notation stands on. `scopes`: what is declared anew from a display on
+    (its place in reading order). `guessed`: symbols whose kinds nobody has confirmed. `faults`: what of the
+    model cannot be used."""
+
+    chain: list[TomlFile] = field(default_factory=list)
+    scopes: list[tuple[int, Table]] = field(default_factory=list)
+    guessed: tuple[str, ...] = ()
+    entries: list[Entry] = field(default_factory=list)
+    faults: list[PaperError] = field(default_factory=list)
+
+    def notations(self) -> list[tuple[int, Notation]]:
+        """From which display on each notation holds. Raises PaperError."""
+        made = [(0, notation_of(self.chain))]
+        for count in range(1, len(self.scopes) + 1):
+            start = self.scopes[count - 1][0]
+            made.append((start, notation_of(self.chain, [table for _, table in self.scopes[:count]])))
+        return made
+
+
+def read_entries(toml: TomlFile) -> list[Entry]:
+    """The [[claim]] tables. Raises PaperError at a table that does not say where it belongs."""
+    entries = []
+    for index, claim in enumerate(toml.value(("claim",), list, [])):
+        path = ("claim", index)
+        if not isinstance(claim, dict):
+            raise toml.error_at_value(path, "claim: expected tables, written [[claim]]")
+        toml.allow_keys(path, CLAIM_KEYS)
+        at = toml.text((*path, "at"))
+        if at is None:
+            raise toml.error_at_key(
+                path, "missing key 'at': a label, an equation number, an id or \"line N\""
+            )
+        entries.append(Entry(Table(toml, path), at))
+    return entries
+
+
+def read_scopes(toml: TomlFile, displays: Sequence[Display], model: TextModel) -> None:
+    """The [[scope]] tables, each from its place on."""
+    for index, scope in enumerate(toml.value(("scope",), list, [])):
+        path = ("scope", index)
+        if not isinstance(scope, dict):
+            raise toml.error_at_value(path, "scope: expected tables, written [[scope]]")
+        toml.allow_keys(path, _SCOPE_KEYS)
+        start = toml.text((*path, "from"))
+        if start is None:
+            raise toml.error_at_key(
+                path, "missing key 'from': a label, an equation number, a section or \"line N\""
+            )
+        place = place_of(start, displays)
+        if place is None:
+            model.faults.append(toml.error_at_value((*path, "from"), f"from: the text has no {start!r}"))
+        else:
+            model.scopes.append((place, Table(toml, path)))
+    model.scopes.sort(key=lambda scope: scope[0])
+
+
+def place_of(name: str, displays: Sequence[Display]) -> int | None:
+    """The first display that the name means: by label, number, section or line."""
+    tests: tuple[Callable[[Display], bool], ...] = (
+        lambda display: name in display.labels,
+        lambda display: name.strip("()") in display.numbers,
+        lambda display: bool(name) and name in (display.section, display.heading),
+    )
+    if match := _LINE.fullmatch(name):
+        line = int(match[1])
+        return next((place for place, display in enumerate(displays) if _covers(display, line)), None)
+    for test in tests:
+        if (found := next((p for p, d in enumerate(displays) if test(d)), None)) is not None:
+            return found
+    return None
+
+
+def _covers(display: Display, line: int) -> bool:
+    return display.line <= line <= display.source.place(display.end)[0]
+
+
+def read_directives(directives: Sequence[Directive], displays: Sequence[Display], model: TextModel) -> None:
+    """Comments `%! workbench: key = value`: of the notation, or of the display that follows."""
+    notation: dict[Path, dict[int, str]] = {}
+    for directive in directives:
+        line, column = directive.source.place(directive.start)
+        text = directive.source.line(line)
+        at = text.find(directive.text, column - 1)
+        payload = " " * at + directive.text
+        if _CLAIM_KEY.match(directive.text):
+            try:
+                toml = TomlFile(directive.source.path, "\n" * (line - 1) + payload)
+                toml.allow_keys((), CLAIM_KEYS)
+                display = _following(directive, displays)
+                if display is None:
+                    raise PaperError(directive.source.path, line, column, "no display follows this comment")
+                model.entries.append(Entry(Table(toml, ()), display))
+            except PaperError as error:
+                model.faults.append(error)
+        else:
+            notation.setdefault(directive.source.path, {})[line] = payload
+    for path, lines in notation.items():
+        text = "\n".join(lines.get(number, "") for number in range(1, max(lines) + 1))
+        toml = TomlFile(path, text)
+        toml.allow_keys((), ("title", "doi", "conventions", "symbols", "definitions", "motion"))
+        model.chain.append(toml)
+
+
+def _following(directive: Directive, displays: Sequence[Display]) -> Display | None:
+    behind = (d for d in displays if d.source.path == directive.source.path and d.end > directive.start)
+    return next(iter(sorted(behind, key=lambda display: display.start)), None)
+
+
+def names_of(displays: Sequence[Display]) -> Iterator[str]:
+    """Everything by which a display of the text can be meant, for messages."""
+    for display in displays:
+        yield from display.labels
+        yield from display.numbers

@@ -1,0 +1,356 @@
+"""A text and what its model says: one claim for each step of each display, each fault in its own place."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from pathlib import Path
+
+from workbench.language.definitions import Definitions
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.terms import Conjunction, Derivative, Relation, Statement, Symbol, Term
+from workbench.papers.formulas import FormulaReader, read_statement, why_ill_formed
+from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
+from workbench.papers.orders import Orders, orders_within
+from workbench.papers.steps import Step, steps_of
+from workbench.papers.text_model import Entry, TextModel, names_of
+from workbench.papers.texts import Display, Text, Token, spelled
+
+_NO_ID = re.compile(r"[^\w.+*'-]+")
+
+
+@dataclass(frozen=True)
+class TextPaper(Paper):
+    """`faults`: what of the model does not fit the text (any more), all of it. `warnings`: of the text."""
+
+    text: Text | None = None
+    faults: tuple[PaperError, ...] = ()
+    warnings: tuple[PaperError, ...] = ()
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A step with the id and the notation of its claim."""
+
+    id: str
+    display: Display
+    step: Step
+    notation: Notation
+    chain: tuple[str, ...]
+
+
+def text_paper(
+    text: Text, model: TextModel, title: str, doi: str | None, paths: tuple[Path, ...]
+) -> TextPaper:
+    """Raises PaperError where the notation cannot be used; any other fault is one of the paper's `faults`."""
+    notations = model.notations()
+    placed = list(placed_steps(text.displays, notations))
+    if not placed:
+        raise PaperError(text.path, None, None, "no displayed equation in it")
+    entries, faults = _assigned(model, placed, text.displays)
+    claims = []
+    for each in placed:
+        try:
+            claims.append(_claim(each, entries.get(each.id), model.guessed))
+        except PaperError as error:
+            faults.append(error)
+            claims.append(_claim(each, None, model.guessed))
+    return TextPaper(
+        title,
+        doi,
+        paths,
+        notations[0][1],
+        tuple(claims),
+        text=text,
+        faults=(*model.faults, *faults),
+        warnings=tuple(text.warnings),
+    )
+
+
+def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Notation]]) -> Iterator[Placed]:
+    taken: set[str] = set()
+    for place, display in enumerate(displays):
+        notation = [known for start, known in notations if start <= place][-1]
+        lines = steps_of(display)
+        bases = [_base(display, step) for line in lines for step in line]
+        numbering: dict[str, int] = {}
+        for line in lines:
+            before: list[str] = []
+            for step in line:
+                base = _base(display, step)
+                numbering[base] = numbering.get(base, 0) + 1
+                name = f"{base}.{numbering[base]}" if bases.count(base) > 1 else base
+                while name in taken:
+                    name += "'"
+                taken.add(name)
+                yield Placed(name, display, step, notation, tuple(before))
+                before.append(name)
+
+
+def _base(display: Display, step: Step) -> str:
+    """The label, or the number, or the line."""
+    name = next(iter(step.labels), None) or step.number or next(iter(display.labels), None)
+    cleaned = _NO_ID.sub("-", name or "").strip("-")[:60]
+    return cleaned or f"L{display.line}"
+
+
+def _assigned(
+    model: TextModel, placed: Sequence[Placed], displays: Sequence[Display]
+) -> tuple[dict[str, list[Entry]], list[PaperError]]:
+    """What the model says of each claim, and what it says of none."""
+    assigned: dict[str, list[Entry]] = {}
+    faults: list[PaperError] = []
+    for entry in model.entries:
+        found = [each for each in placed if _means(entry.at, each)]
+        if not found:
+            faults.append(_nowhere(entry, placed, displays))
+            continue
+        try:
+            _check_printed(entry, found, placed)
+            _check_single(entry, found)
+        except PaperError as error:
+            faults.append(error)
+            continue
+        for each in found:
+            assigned.setdefault(each.id, []).append(entry)
+    return assigned, faults
+
+
+def _means(at: str | Display, placed: Placed) -> bool:
+    if isinstance(at, Display):
+        return placed.display is at
+    step, display = placed.step, placed.display
+    if at == placed.id or at in step.labels or (step.number and at.strip("()") == step.number):
+        return True
+    if at.startswith("line "):
+        number = at[5:].strip()
+        first, last = display.line, display.source.place(display.end)[0]
+        return number.isdecimal() and first <= int(number) <= last
+    return at in display.labels
+
+
+def _nowhere(entry: Entry, placed: Sequence[Placed], displays: Sequence[Display]) -> PaperError:
+    known = {*names_of(displays), *(each.id for each in placed)}
+    near = get_close_matches(str(entry.at), sorted(known), 1)
+    hint = f"; did you mean {near[0]}?" if near else ""
+    moved = _same_text(entry, placed)
+    if moved is not None:
+        hint = f"; the same formula stands at line {moved.display.line}"
+    return entry.table.error_at_value(("at",), f"at: the text has no display {entry.at!r} (any more){hint}")
+
+
+def _same_text(entry: Entry, placed: Sequence[Placed]) -> Placed | None:
+    printed = entry.table.text(("printed",))
+    if printed is None:
+        return None
+    return next((each for each in placed if _bare(printed) in _written(each)), None)
+
+
+def _check_printed(entry: Entry, found: Sequence[Placed], placed: Sequence[Placed]) -> None:
+    printed = entry.table.text(("printed",))
+    if printed is None or any(_bare(printed) in _written(each) for each in found):
+        return
+    moved = _same_text(entry, placed)
+    hint = f"; the same formula stands at line {moved.display.line}" if moved else ""
+    now = found[0].display.latex if len(found) > 1 else found[0].step.spelled()[0]
+    raise entry.table.error_at_value(("printed",), f"printed: the text says {_short(now)} there now{hint}")
+
+
+def _written(placed: Placed) -> set[str]:
+    """How a model may quote the formula: as it stands in the file, or with its macros expanded."""
+    display = placed.display
+    raw = display.source.text[display.start : display.end]
+    return {_bare(raw), _bare(display.latex), _bare(placed.step.spelled()[0])}
+
+
+def _bare(latex: str) -> str:
+    return "".join(latex.split()).rstrip(".,;")
+
+
+def _short(latex: str) -> str:
+    text = " ".join(latex.split())
+    return text if len(text) <= 80 else f"{text[:79]}…"
+
+
+def _check_single(entry: Entry, found: Sequence[Placed]) -> None:
+    """A reading or a correction belongs to one step."""
+    if len(found) < 2:
+        return
+    for key in ("reading", "corrected"):
+        if entry.table.text((key,)) is not None:
+            names = ", ".join(each.id for each in found)
+            raise entry.table.error_at_key(
+                (key,), f"{key}: {len(found)} steps stand there; name one of {names}"
+            )
+
+
+def _claim(placed: Placed, entries: Sequence[Entry] | None, guessed: Sequence[str]) -> Claim:
+    """Raises PaperError for a key of the model that cannot be used."""
+    tables = [entry.table for entry in entries or ()]
+    display, step = placed.display, placed.step
+    orders = _orders(tables)
+    has_reading = any(table.text(("reading",)) for table in tables)
+    printed, within = _printed(placed, orders, has_reading)
+    assume, printed = _assumed(placed, printed)
+    span = span_of(step.own, display)
+    claim = Claim(
+        placed.id,
+        printed,
+        placed.notation,
+        equation=step.number,
+        section=f"{display.section} {display.heading}".strip() or None,
+        assume=assume,
+        orders=within,
+        file=display.source.path,
+        line=span.line,
+        span=span,
+        chain=placed.chain,
+        guessed=_used(printed, guessed),
+        states=printed.statement and stated(printed.statement, placed.notation.definitions),
+    )
+    for table in tables:
+        claim = _with_keys(claim, table)
+    return claim
+
+
+def _with_keys(claim: Claim, table) -> Claim:
+    reader = FormulaReader(table, (), claim.notation, claim.orders)
+    changes: dict[str, object] = {}
+    for key in ("reading", "corrected", "hypothesis"):
+        if table.text((key,)) is not None:
+            changes[key] = reader.intended(key)
+    assume = reader.intended_list("assume")
+    if assume:
+        changes["assume"] = (*claim.assume, *assume)
+    if (skip := table.text(("skip",))) is not None:
+        changes["skip"] = skip
+    if note := table.text(("note",)):
+        changes["note"] = note
+    if "reading" in changes and claim.printed.unread is not None:
+        unread = claim.printed.unread
+        changes["printed"] = replace(claim.printed, unread=None, ill_formed=f"cannot be read: {unread}")
+    return replace(claim, **changes)
+
+
+def _used(printed: Formula, guessed: Sequence[str]) -> tuple[str, ...]:
+    """Of the guessed symbols those that the formula uses; all, where it does not fit together."""
+    if printed.statement is None or not guessed:
+        return tuple(guessed)
+    used = {term.declaration.name for term in terms_of(printed.statement) if isinstance(term, Symbol)}
+    return tuple(name for name in guessed if name in used)
+
+
+def terms_of(statement: Statement) -> Iterator[Term]:
+    if isinstance(statement, Conjunction):
+        for part in statement.parts:
+            yield from terms_of(part)
+    elif isinstance(statement, Relation):
+        yield from statement.left.walk()
+        yield from statement.right.walk()
+    else:
+        yield from terms_of(statement.left)
+        yield from terms_of(statement.right)
+
+
+def _orders(tables: Sequence) -> Orders | None:
+    for table in tables:
+        if (text := table.text(("orders",))) is not None:
+            try:
+                return Orders.parse(text)
+            except ValueError as error:
+                raise table.error_at_value(("orders",), str(error)) from None
+    return None
+
+
+def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Formula, Orders | None]:
+    latex, owners = placed.step.spelled()
+    opaque = sorted(
+        name for name in placed.display.opaque if re.search(rf"\\{re.escape(name)}(?![A-Za-z])", latex)
+    )
+    if opaque:
+        names = ", ".join(f"\\{name}" for name in opaque)
+        return Formula(
+            latex, unread=f"the macro {names} could not be expanded; --macros can say what it is"
+        ), orders
+    try:
+        statement, ranges = read_statement(latex, placed.notation, orders)
+        return Formula(latex, statement), orders_within(orders, ranges)
+    except IllFormedAt as error:
+        at = _at(latex, owners, error.line, error.column)
+        return Formula(latex, ill_formed=_message(error), at=at), orders
+    except ReadError as error:
+        at = _at(latex, owners, error.line, error.column)
+        return Formula(latex, unread=f"cannot be read: {error.message}", at=at), orders
+    except ValueError as error:
+        return Formula(latex, unread=str(error)), orders
+
+
+def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], Formula]:
+    """The conditions beside the formula; where one cannot be read, the formula is unread."""
+    made: list[Formula] = []
+    for tokens in placed.step.assumed:
+        latex, owners = spelled(tokens)
+        try:
+            made.append(Formula(latex, read_statement(latex, placed.notation, None)[0]))
+        except (ReadError, IllFormedAt) as error:
+            why = f"its condition {latex} cannot be read: {error.message}"
+            return (), replace(
+                printed, statement=None, unread=why, at=_at(latex, owners, error.line, error.column)
+            )
+    return tuple(made), printed
+
+
+def _message(error: IllFormedAt) -> str:
+    why = why_ill_formed(error)
+    return why.partition(": ")[2] if why.startswith("line ") else why
+
+
+def _at(latex: str, owners: Sequence[Token], line: int, column: int) -> Span:
+    """The author's characters at a place of the formula."""
+    offset = sum(len(text) + 1 for text in latex.split("\n")[: line - 1]) + column - 1
+    token = owners[min(max(offset, 0), len(owners) - 1)]
+    return _span([token])
+
+
+def span_of(tokens: Sequence[Token], display: Display) -> Span:
+    """From the first to the last of the author's characters; macros stand where they are called."""
+    own = [token for token in tokens if token.source is display.source]
+    own = [token for token in own if display.start <= token.start and token.end <= display.end]
+    if own:
+        return _span(own)
+    source = display.source
+    return Span(source.path, *source.place(display.start), *source.place(display.end))
+
+
+def _span(tokens: Sequence[Token]) -> Span:
+    first = min(tokens, key=lambda token: token.start)
+    last = max(tokens, key=lambda token: token.end)
+    return Span(first.source.path, *first.source.place(first.start), *last.source.place(last.end))
+
+
+def stated(statement: Statement, definitions: Definitions) -> str | None:
+    """The symbol, or its highest derivative, that stands alone on one side, occurs nowhere else, and has no
+    definition: what the formula may say of it is no identity."""
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return None
+    for one, other in ((statement.left, statement.right), (statement.right, statement.left)):
+        symbol, order = _derived(one)
+        if symbol is None or symbol.declaration.name in _defined(definitions):
+            continue
+        if not any(_derived(term) == (symbol, order) for term in other.walk()):
+            return symbol.declaration.name
+    return None
+
+
+def _derived(term: Term) -> tuple[Symbol | None, object]:
+    if isinstance(term, Symbol):
+        return term, 0
+    if isinstance(term, Derivative) and isinstance(term.body, Symbol):
+        return term.body, term.order
+    return None, 0
+
+
+def _defined(definitions: Definitions) -> set[str]:
+    return {definition.declaration.name for definition in definitions}

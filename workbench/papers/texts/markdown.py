@@ -1,0 +1,178 @@
+"""Markdown: kramdown, MyST, GitHub and mdBook. What is code, a comment or front matter is no formula."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import replace
+
+from workbench.papers.texts.delimiters import Found, formulas
+from workbench.papers.texts.prose import plain
+from workbench.papers.texts.view import View
+
+_FENCE = re.compile(r"([ >\t]*)(`{3,}|~{3,}|:{3,})(.*)")
+_FRONT_MATTER = re.compile(r"\A---[ \t]*\n(?:(?!---).*\n)*---[ \t]*\n")
+_MATH_FENCE = re.compile(r"\s*(?:\{math\}|math)\s*(.*)")
+_OPTION = re.compile(r"(?m)^[ \t]*:(\w+):[ \t]*(.*)\n?")
+_LABEL = re.compile(r"[ \t]*\(([\w:.-]+)\)[ \t]*(?=\n|\Z)")
+_HEADING = re.compile(r" {0,3}#{1,6}[ \t]+(\S.*)")
+_UNDERLINE = re.compile(r"(?:={3,}|-{3,})[ \t]*")
+_QUOTE = re.compile(r"(?m)^[ \t]*>[ ]?")
+_TICKS = re.compile(r"`+")
+_SINGLE = re.compile(r"(?<![\\$])\$(?!\$)[^$\n]+\$(?!\$)")
+_ESCAPED = re.compile(r"\\([!-/:-@\[-`{-~])")
+
+
+def markdown(view: View, inline: bool = False) -> Iterator[Found]:
+    """The formulas in reading order."""
+    headings = _headings(view.text)
+    for found, start in sorted(_all(view, inline), key=lambda pair: pair[1]):
+        yield replace(found, section=headings.at(start))
+
+
+def _all(view: View, inline: bool) -> Iterator[tuple[Found, int]]:
+    searched, fenced = _without_code(view.text)
+    for inner, inner_end, start, label in fenced:
+        yield _fenced(view, inner, inner_end, start, label), start
+    escaped = "\\\\[" in searched or "\\\\(" in searched
+    in_paragraph = _is_kramdown(view.text, searched)
+    for found, start, end in formulas(view, searched, escaped, inline):
+        environment = found.environment
+        if in_paragraph and searched.startswith("$$", start) and _stands_in_a_line(searched, start, end):
+            if not inline:
+                continue
+            environment = "$"
+        label = _LABEL.match(searched, end)
+        yield replace(_unmarked(found, escaped), environment=environment).named(label and label[1]), start
+
+
+def _unmarked(found: Found, escaped: bool) -> Found:
+    """Without the marks of a quotation, and without backslashes that Markdown takes away before MathJax."""
+    view = found.view
+    line = view.source.text.rfind("\n", 0, found.start) + 1
+    if ">" in view.source.text[line : found.start] and _QUOTE.match(view.source.text, line):
+        view = view.replace(_QUOTE, lambda match: "")
+    if escaped:
+        view = view.replace(_ESCAPED, lambda match: match[1])
+    return replace(found, view=view)
+
+
+def _fenced(view: View, inner: int, inner_end: int, start: int, label: str) -> Found:
+    body = view.cut(inner, inner_end)
+    options = {match[1]: match[2].strip() for match in _OPTION.finditer(body.text)}
+    body = body.replace(_OPTION, lambda match: "")
+    name = options.get("label") or options.get("name") or label
+    return Found(body, view.at[start], view.at[inner_end], label=name or None)
+
+
+def _is_kramdown(text: str, searched: str) -> bool:
+    """Whether $$ inside of a sentence is a formula in the line: kramdown knows no single $."""
+    return text.startswith("---") and "$$" in searched and not _SINGLE.search(searched)
+
+
+def _stands_in_a_line(text: str, start: int, end: int) -> bool:
+    line = text.rfind("\n", 0, start) + 1
+    previous = text[:line].rstrip("\n").rpartition("\n")[2] if text[max(0, line - 2) : line] != "\n\n" else ""
+    following = text[end : (text.find("\n", end) + 1 or len(text) + 1) - 1]
+    before = text[line:start].strip(" \t>")
+    return bool(before or previous.strip(" \t>") or following.strip(" \t.,;"))
+
+
+def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]]]:
+    """The text with code, comments and front matter blanked; math fences as (inner, end, start, label)."""
+    pieces: list[str] = []
+    fenced: list[tuple[int, int, int, str]] = []
+    front = _FRONT_MATTER.match(text)
+    position = front.end() if front else 0
+    if front:
+        pieces.append(_blank(text[:position]))
+    fence: tuple[str, int, int, str | None] | None = None
+    for line in text[position:].splitlines(keepends=True):
+        match = _FENCE.match(line)
+        after = position + len(line)
+        if fence is not None:
+            mark, start, inner, label = fence
+            closes = match is not None and match[2].startswith(mark) and not match[3].strip("`~: \n\t")
+            if closes:
+                if label is not None:
+                    fenced.append((inner, position, start, label))
+                fence = None
+            pieces.append(_blank(line))
+        elif match and not (match[2][0] == "`" and "`" in match[3]):
+            is_math = _MATH_FENCE.fullmatch(match[3].rstrip("\n"))
+            if match[2][0] != ":" or is_math:
+                fence = (match[2], position, after, is_math[1] if is_math else None)
+                pieces.append(_blank(line))
+            else:
+                pieces.append(line)
+        else:
+            pieces.append(line)
+        position = after
+    if fence is not None and fence[3] is not None:
+        fenced.append((fence[2], len(text), fence[1], fence[3]))
+    return _without_spans(_without_comments("".join(pieces))), fenced
+
+
+def _without_comments(text: str) -> str:
+    pieces, position = [], 0
+    while (start := text.find("<!--", position)) >= 0 and (end := text.find("-->", start)) >= 0:
+        pieces += [text[position:start], _blank(text[start : end + 3])]
+        position = end + 3
+    return "".join([*pieces, text[position:]])
+
+
+def _without_spans(text: str) -> str:
+    """Code between as many backticks on either side; the formulas of GitHub's $`…`$ stay."""
+    runs = [match.span() for match in _TICKS.finditer(text)]
+    by_length: dict[int, list[int]] = defaultdict(list)
+    for start, end in runs:
+        by_length[end - start].append(start)
+    pieces, position = [], 0
+    for start, end in runs:
+        if start < position:
+            continue
+        same = by_length[end - start]
+        place = bisect_right(same, start)
+        if place == len(same):
+            continue
+        closing = same[place] + end - start
+        if "\n\n" in text[start : min(closing, start + 5000)] or closing - start > 5000:
+            continue
+        is_formula = text[start - 1 : start] == "$" and text[closing : closing + 1] == "$"
+        inside = text[end : closing - (end - start)]
+        ticks = " " * (end - start)
+        pieces += [
+            text[position:start],
+            ticks + inside + ticks if is_formula else _blank(text[start:closing]),
+        ]
+        position = closing
+    return "".join([*pieces, text[position:]])
+
+
+def _blank(text: str) -> str:
+    return re.sub(r"[^\n]", " ", text)
+
+
+class _Headings:
+    def __init__(self, entries: list[tuple[int, str]]) -> None:
+        self.starts = [start for start, _ in entries]
+        self.names = [name for _, name in entries]
+
+    def at(self, position: int) -> str:
+        place = bisect_right(self.starts, position)
+        return self.names[place - 1] if place else ""
+
+
+def _headings(text: str) -> _Headings:
+    searched, _ = _without_code(text)
+    entries: list[tuple[int, str]] = []
+    start, before = 0, ""
+    for line in searched.split("\n"):
+        if match := _HEADING.match(line):
+            entries.append((start, plain(match[1].rstrip("# \t"))))
+        elif _UNDERLINE.fullmatch(line) and before.strip():
+            entries.append((start - len(before) - 1, plain(before)))
+        start, before = start + len(line) + 1, line
+    return _Headings(entries)

@@ -1,0 +1,107 @@
+"""A text by its file: .tex, .md, .rst, .html, .ipynb."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from workbench.papers.model import PaperError
+from workbench.papers.texts.delimiters import Found, within
+from workbench.papers.texts.markdown import markdown
+from workbench.papers.texts.prose import sentence_before
+from workbench.papers.texts.restructured import restructured
+from workbench.papers.texts.tex.displays import with_sentence
+from workbench.papers.texts.tex.document import TexReader, Text
+from workbench.papers.texts.tex.state import Names
+from workbench.papers.texts.tex.tokens import Lexer, Token
+from workbench.papers.texts.view import Source, View
+from workbench.papers.texts.web import notebook, web
+
+Find = Callable[[View, bool], Iterator[Found]]
+
+_TEX = frozenset({".tex", ".latex", ".ltx"})
+_MARKUP: dict[str, Find] = {
+    **dict.fromkeys((".md", ".markdown", ".mdx", ".qmd", ".rmd"), markdown),
+    ".rst": restructured,
+    **dict.fromkeys((".html", ".htm", ".xhtml"), web),
+    ".ipynb": notebook,
+}
+SUFFIXES = _TEX | set(_MARKUP)
+
+_DECLARATION = re.compile(r"\s*\\(?:re)?newcommand|\s*\\g?def\b|\s*\\DeclareMathOperator|\s*\\let\b")
+
+
+def is_text(path: Path) -> bool:
+    return path.suffix.lower() in SUFFIXES
+
+
+def read_text(path: Path | str, macros: Path | str | None = None, inline: bool = False) -> Text:
+    """The displays of a text, macros expanded, each token with the author's own characters.
+
+    macros: a TeX file of macros that a site or a class keeps elsewhere; they win over those of the text.
+    inline: formulas inside of sentences too. Raises PaperError for a file that cannot be used.
+    """
+    path = Path(path)
+    if not is_text(path):
+        raise PaperError(path, None, None, f"expected one of {', '.join(sorted(SUFFIXES))}")
+    overrides = None if macros is None else _macros(Path(macros))
+    reader = TexReader(path.parent, overrides, inline)
+    find = _MARKUP.get(path.suffix.lower())
+    if find is None:
+        reader.read_file(path)
+    else:
+        source = Source.open(path)
+        reader.sources.append(source)
+        for found in find(source.view(), inline):
+            _read_found(reader, found)
+    return _text(path, reader)
+
+
+def _macros(path: Path) -> Names:
+    reader = TexReader(path.parent)
+    reader.read_file(path)
+    return reader.names
+
+
+def _read_found(reader: TexReader, found: Found) -> None:
+    if _DECLARATION.match(found.view.text):
+        reader.open(Lexer(found.view))
+        reader.run()
+        return
+    found = within(found)
+    reader.heading = found.section
+    opening = Token("\\[", found.view.source, found.start, found.start + 1)
+    if found.environment in ("\\[", "$", "\\("):
+        closing = {"\\[": "\\]", "$": "$", "\\(": "\\)"}[found.environment]
+        reader.push([Token(closing, found.view.source, found.end, found.end)])
+    display = reader.read_display(found.view, opening, found.environment)
+    reader.waiting.clear()
+    before = sentence_before(found.view.source.text, found.start)
+    rows = display.rows
+    if found.label is not None and rows:
+        first = rows[0]
+        number = first.number
+        if number is None and not display.numbers:
+            reader.counters.step("equation")
+            number = reader.counters.number("equation")
+        rows = (replace(first, labels=(*first.labels, found.label), number=number), *rows[1:])
+        reader.labels.setdefault(found.label, number)
+    display = replace(display, start=found.start, end=found.end, rows=rows)
+    reader.displays.append(with_sentence(display, before))
+
+
+def _text(path: Path, reader: TexReader) -> Text:
+    warnings = [
+        PaperError(source.path, None, None, message)
+        for source in reader.sources
+        for message in source.warnings
+    ]
+    warnings += [
+        PaperError(token.source.path, *token.source.place(token.start), message)
+        for token, message in reader.warnings
+    ]
+    return Text(
+        path, reader.sources, reader.displays, reader.labels, reader.directives, warnings, reader.names
+    )

@@ -1,0 +1,106 @@
+"""reStructuredText: the math directive and role, as docutils and Sphinx read them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from workbench.papers.texts.delimiters import Found
+from workbench.papers.texts.prose import plain
+from workbench.papers.texts.view import View
+
+_DIRECTIVE = re.compile(r"(\s*)\.\. math::[ \t]*(.*)")
+_OPTION = re.compile(r"\s*:(label|name|nowrap|class|no-wrap|width):\s*(.*)")
+_CODE = re.compile(
+    r"\s*\.\. (code|code-block|sourcecode|raw|literalinclude|comment|jupyter-\w+|parsed-literal)\b"
+)
+_UNDERLINE = re.compile(r"([=\-~^\"'`#*+.:_])\1{2,}\s*")
+_ROLE = re.compile(r":math:`([^`]+)`")
+
+
+@dataclass(frozen=True)
+class _Line:
+    start: int
+    text: str
+
+    @property
+    def indent(self) -> int:
+        return len(self.text) - len(self.text.lstrip())
+
+    @property
+    def end(self) -> int:
+        return self.start + len(self.text)
+
+
+def restructured(view: View, inline: bool = False) -> Iterator[Found]:
+    lines = _lines(view.text)
+    place, literal, section = 0, None, ""
+    while place < len(lines):
+        line = lines[place]
+        if literal is not None and line.text.strip() and line.indent <= literal:
+            literal = None
+        if literal is None:
+            if match := _DIRECTIVE.fullmatch(line.text):
+                place, found = _directive(view, lines, place, match, section)
+                yield from found
+                continue
+            if place and _UNDERLINE.fullmatch(line.text) and lines[place - 1].text.strip():
+                section = plain(lines[place - 1].text)
+            if inline:
+                yield from _roles(view, line, section)
+            is_note = line.text.lstrip().startswith(".. ")
+            if _CODE.match(line.text) or (line.text.rstrip().endswith("::") and not is_note):
+                literal = line.indent
+        place += 1
+
+
+def _directive(
+    view: View, lines: list[_Line], place: int, match: re.Match[str], section: str
+) -> tuple[int, Iterator[Found]]:
+    """The line behind the directive, and its formula if it has one."""
+    opening = lines[place]
+    label = None
+    spans: list[tuple[int, int]] = []
+    if match[2].strip():
+        spans.append((opening.start + match.start(2), opening.end))
+    is_head = True
+    place += 1
+    while place < len(lines) and (not lines[place].text.strip() or lines[place].indent > len(match[1])):
+        line = lines[place]
+        if is_head and (option := _OPTION.fullmatch(line.text)):
+            label = option[2].strip() if option[1] in ("label", "name") else label
+        elif line.text.strip():
+            spans.append((line.start + line.indent, line.end))
+            is_head = False
+        else:
+            is_head = False
+        place += 1
+    if not spans:
+        return place, iter(())
+    start, end = view.at[opening.start + len(match[1])], view.at[spans[-1][1]]
+    return place, iter([Found(_body(view, spans), start, end, "\\[", label or None, section)])
+
+
+def _body(view: View, spans: list[tuple[int, int]]) -> View:
+    """The lines without their indent, with a line feed between."""
+    text, at = [], []
+    for start, end in spans:
+        text.append(view.text[start:end] + "\n")
+        at += view.at[start : end + 1]
+    return View("".join(text)[:-1], view.source, at)
+
+
+def _roles(view: View, line: _Line, section: str) -> Iterator[Found]:
+    for match in _ROLE.finditer(line.text):
+        inner, inner_end = line.start + match.start(1), line.start + match.end(1)
+        start, end = line.start + match.start(), line.start + match.end()
+        yield Found(view.cut(inner, inner_end), view.at[start], view.at[end - 1] + 1, "$", None, section)
+
+
+def _lines(text: str) -> list[_Line]:
+    made, start = [], 0
+    for line in text.split("\n"):
+        made.append(_Line(start, line))
+        start += len(line) + 1
+    return made

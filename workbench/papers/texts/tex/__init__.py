@@ -1,0 +1,1 @@
+"""TeX itself: tokens with their origin, macros expanded, counters, and the displays of a document."""

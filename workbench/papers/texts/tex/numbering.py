@@ -1,0 +1,138 @@
+"""LaTeX's counters: what number an equation or a section has."""
+
+from __future__ import annotations
+
+import re
+
+SECTIONS = ("part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph")
+_BOOKS = frozenset({"book", "report", "memoir", "scrbook", "scrreprt", "amsbook", "extbook", "extreport"})
+_PIECE = re.compile(
+    r"\\the([A-Za-z]+)\s*|\\(arabic|[aA]lph|[rR]oman)\s*\{\s*([A-Za-z@]+)\s*\}|\\[A-Za-z]+\s*|[{}$]|\\(.)"
+)
+_ROMAN = ((1000, "m"), (900, "cm"), (500, "d"), (400, "cd"), (100, "c"), (90, "xc"), (50, "l"), (40, "xl"),
+          (10, "x"), (9, "ix"), (5, "v"), (4, "iv"), (1, "i"))  # fmt: skip
+
+
+_STYLES = re.compile(
+    "text(normal|rm|up|it|bf)?|math(rm|bf)|normalfont|rmfamily|upshape|[mh]box|relax|protect|ensuremath|bf|rm|it|sf|tt"
+)
+
+
+class Counters:
+    """Values, what each is reset by, and how each is printed (as LaTeX that names counters)."""
+
+    def __init__(self) -> None:
+        self.values = dict.fromkeys((*SECTIONS, "equation", "figure", "table"), 0)
+        self.within: dict[str, str] = dict(zip(SECTIONS[3:], SECTIONS[2:], strict=False))
+        self.printed = {
+            "section": "\\arabic{section}",
+            **{name: f"\\the{outer}.\\arabic{{{name}}}" for name, outer in self.within.items()},
+        }
+        self.current = ""  # what a label refers to
+        self.top = "section"
+        self.is_book = False
+        self._saved: tuple[int, str | None] | None = None  # of the equations around subequations
+
+    def use_class(self, name: str) -> None:
+        if name in _BOOKS:
+            self.is_book, self.top = True, "chapter"
+            self.within |= dict.fromkeys(("section", "equation", "figure", "table"), "chapter")
+            self.printed["section"] = "\\thechapter.\\arabic{section}"
+
+    def step(self, name: str) -> None:
+        self.values[name] = self.values.get(name, 0) + 1
+        self._reset_below(name)
+        self.current = self.number(name)
+
+    def set(self, name: str, value: int, add: bool = False) -> None:
+        self.values[name] = value + (self.values.get(name, 0) if add else 0)
+
+    def new(self, name: str, outer: str | None = None) -> None:
+        self.values.setdefault(name, 0)
+        if outer:
+            self.number_within(name, outer)
+
+    def number_within(self, name: str, outer: str) -> None:
+        self.within[name] = outer
+        self.printed[name] = f"\\the{outer}.\\arabic{{{name}}}"
+
+    def without(self, name: str) -> None:
+        self.within.pop(name, None)
+        self.printed[name] = f"\\arabic{{{name}}}"
+
+    def appendix(self) -> None:
+        self.values[self.top] = 0
+        self._reset_below(self.top)
+        self.printed[self.top] = f"\\Alph{{{self.top}}}"
+
+    def number(self, name: str) -> str:
+        """\\thename."""
+        return self._number(name, 0)
+
+    def text(self, latex: str) -> str:
+        """A tag or a \\thename as it is printed, its styles dropped."""
+        return self._text(latex, 0).strip()
+
+    def section(self) -> str:
+        """The number of the innermost section that has one; empty before the first."""
+        numbered = [name for name in SECTIONS[SECTIONS.index(self.top) :] if self.values[name]]
+        return self.number(numbered[-1]) if numbered else ""
+
+    def begin_subequations(self) -> None:
+        self.step("equation")
+        self._saved = (self.values["equation"], self.printed.get("equation"))
+        self.printed["equation"] = f"{self.number('equation')}\\alph{{equation}}"
+        self.values["equation"] = 0
+
+    def end_subequations(self) -> None:
+        if self._saved is None:
+            return
+        self.values["equation"], printed = self._saved
+        self._saved = None
+        if printed is None:
+            del self.printed["equation"]
+        else:
+            self.printed["equation"] = printed
+
+    def _reset_below(self, name: str) -> None:
+        for inner, outer in self.within.items():
+            if outer == name:
+                self.values[inner] = 0
+                if inner != name:
+                    self._reset_below(inner)
+
+    def _number(self, name: str, depth: int) -> str:
+        printed = self.printed.get(name)
+        if printed is None:
+            plain = str(self.values.get(name, 0))
+            in_chapter = self.is_book and self.within.get(name) == "chapter" and self.values["chapter"]
+            return f"{self._number('chapter', depth + 1)}.{plain}" if in_chapter else plain
+        return self._text(printed, depth + 1)
+
+    def _text(self, latex: str, depth: int) -> str:
+        if depth > 9:
+            return "?"
+        return _PIECE.sub(lambda match: self._piece(match, depth), latex)
+
+    def _piece(self, match: re.Match[str], depth: int) -> str:
+        if match[1]:
+            return self._number(match[1], depth)
+        if match[2]:
+            return _written(match[2], self.values.get(match[3], 0))
+        if match[4]:
+            return match[4]
+        name = match[0].strip("\\ \n\t")
+        return "" if _STYLES.fullmatch(name) or not name.isalpha() else match[0]
+
+
+def _written(how: str, value: int) -> str:
+    if how == "arabic" or value <= 0:
+        return str(value) if how == "arabic" else ""
+    if how.lower() == "alph":
+        letter = chr(96 + value) if value <= 26 else "?"
+        return letter.upper() if how == "Alph" else letter
+    text, left = "", min(value, 4000)
+    for worth, letters in _ROMAN:
+        text += letters * (left // worth)
+        left %= worth
+    return text.upper() if how == "Roman" else text

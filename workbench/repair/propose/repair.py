@@ -1,0 +1,360 @@
+"""What the right form of a claim is, from its printed form alone; nothing is proposed that is not proved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from itertools import islice, product
+from time import monotonic
+from typing import Any
+
+from workbench.budget import Budget, OutOfBudget, Workers
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.subject.inventory import NotExact
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.construct import symbol
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.integers import Linear
+from workbench.language.printer import to_latex
+from workbench.language.symbols import SymbolTable
+from workbench.language.terms import Statement, Symbol, Term
+from workbench.language.types import Declaration
+from workbench.papers.formulas import read_statement
+from workbench.papers.model import Claim
+from workbench.repair.propose.judging import verdict_or_none
+from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.repair.screening.sameness import Sameness
+from workbench.repair.screening.screen import Screen
+from workbench.repair.screening.vacuous import is_idle, is_vacuous
+from workbench.repair.terms.edits import edits
+from workbench.repair.terms.places import places
+from workbench.repair.terms.search import Candidate, Change, Neighbourhood, candidate_of, cost
+from workbench.repair.trees.as_printed import as_printed
+from workbench.repair.trees.readings import Readings
+from workbench.typeset.differences import difference, in_one_line
+from workbench.typeset.latex_atoms import in_colour
+
+_PROVED = (Outcome.PROVED, Outcome.DEFINITION)
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """A proved form, as LaTeX that reads as what was proved, and what is different in it."""
+
+    latex: str
+    changes: tuple[Change, ...]
+    verdict: Verdict
+
+    @property
+    def edit(self) -> str:
+        """The changes as a person would say them."""
+        return "; ".join(change.description for change in self.changes)
+
+    def difference(self, printed: str) -> list[dict[str, str]]:
+        """Both forms side by side (`Difference.parts`); this one alone where one cannot be taken apart."""
+        found = difference(printed, self.latex)
+        return list(found.parts) if found else [{"same": self.latex}]
+
+    def in_colour(self, printed: str) -> str:
+        """LaTeX with what differs from the printed form in green."""
+        found = difference(printed, self.latex)
+        return in_colour(self.latex, found.marked_after if found else ())
+
+    def to_dict(self, printed: str) -> dict[str, Any]:
+        """For the report."""
+        return {
+            "latex": self.latex,
+            "edit": self.edit,
+            "difference": self.difference(printed),
+            "verdict": str(self.verdict.outcome),
+        }
+
+
+@dataclass(repr=False)
+class Repair:
+    """What was found. `candidates`: how many were looked at; `complete`: the search came to its end."""
+
+    claim: Claim | None
+    proposals: list[Proposal] = field(default_factory=list)
+    candidates: int = 0
+    seconds: float = 0.0
+    complete: bool = False
+
+    def to_dict(self) -> dict[str, Any]:
+        return {
+            "id": self.claim.id,
+            "printed": self.claim.printed.latex,
+            "proposed": self.proposed(),
+            "candidates": self.candidates,
+            "complete": self.complete,
+        }
+
+    @property
+    def printed(self) -> str:
+        """The printed form in the spelling of the proposals: the canonical one, if it can be read, in the
+        printed letters."""
+        formula = self.claim.printed
+        if formula.statement is None:
+            return formula.latex
+        integers = self.claim.orders.variables if self.claim.orders else ()
+        table = self.claim.notation.symbols
+        return as_printed(to_latex(formula.statement), formula.latex, table, integers)
+
+    def proposed(self) -> list[dict[str, Any]]:
+        return [proposal.to_dict(self.printed) for proposal in self.proposals]
+
+    def __str__(self) -> str:
+        lines = [
+            f"{p.latex}\n    {p.edit} ({p.verdict.outcome})\n    {in_one_line(p.difference(self.printed))}"
+            for p in self.proposals
+        ]
+        return "\n".join(lines) or f"no proposal among {self.candidates} candidates"
+
+    __repr__ = __str__
+
+    def _repr_markdown_(self) -> str:
+        lines = [
+            f"$$ {p.in_colour(self.printed)} $$\n\n{p.edit} (**{p.verdict.outcome}**)" for p in self.proposals
+        ]
+        return "\n\n".join(lines) or f"no proposal among {self.candidates} candidates"
+
+
+def repair(
+    claim: Claim,
+    limits: Limits = STANDARD,
+    progress: Callable[[Repair], None] = lambda found: None,
+    judge: Judge | None = None,
+) -> Repair:
+    """Proposals for a claim, fewest changes first. Its `reading` and `corrected` are not looked at.
+
+    Ctrl-C ends the search and keeps what was found, and so does the limit on time.
+    """
+    judge = judge or Judge(claim.notation.definitions)
+    found = Repair(claim)
+    bench = _Bench(claim, judge, limits, found, progress)
+    start = monotonic()
+    try:
+        bench.run()
+    except (KeyboardInterrupt, _LimitReached):
+        found.complete = False
+    finally:
+        bench.aside.close()
+    found.seconds = monotonic() - start
+    return found
+
+
+class _LimitReached(Exception):
+    """The limit on time or candidates is reached."""
+
+
+class _Bench:
+    """One claim under repair."""
+
+    def __init__(
+        self, claim: Claim, judge: Judge, limits: Limits, found: Repair, progress: Callable[[Repair], None]
+    ) -> None:
+        self.claim, self.judge, self.limits, self.found, self.progress = claim, judge, limits, found, progress
+        self.end = monotonic() + limits.seconds
+        self.assume, self.instances = claim.supposed, claim.instances
+        self.integers = claim.orders.variables if claim.orders else ()
+        self.seen: set[Statement] = set()
+        self.proved: list[Statement] = []
+        self.idle: list[Candidate] = []
+        printed = claim.printed.statement
+        self.printed_size = None if printed is None else _size(printed)
+        self.table = claim.notation.symbols
+        self.aside = Workers(partial(verdict_or_none, claim, judge), Budget())
+
+    def run(self) -> None:
+        self.found.complete = True  # until something is cut short
+        if self.claim.theorem is not None:
+            return
+        printed = self.claim.printed.statement
+        if printed is not None:
+            self._repair_false([Candidate(printed, ())])
+        else:
+            self._repair_ill_formed()
+        if not self.found.proposals:
+            self._judge_best(self.idle)
+
+    @cached_property
+    def screen(self) -> Screen | None:
+        return self._screen()
+
+    @cached_property
+    def sameness(self) -> Sameness:
+        return Sameness(self.judge.definitions, self.assume, self.instances[-2:])
+
+    def _repair_ill_formed(self) -> None:
+        """The readings that hold; if none of them is proved, the neighbours of the likeliest readings."""
+        readings = Readings(self.claim, self._screen(), self._tick)
+        if any(self._offer(stage) for stage in readings.that_hold()):
+            return
+        likeliest = list(readings.likeliest(self.limits.readings))
+        screen = self.screen
+        if screen is not None and self._offer(c for c in likeliest if screen.vanishes(c.statement)):
+            return
+        if screen is None or not self._is_equation(likeliest):
+            self._offer(iter(likeliest))
+        else:
+            self._repair_false(likeliest)
+
+    def _is_equation(self, read: Sequence[Candidate]) -> bool:
+        return any(self.screen.residual(candidate.statement) is not None for candidate in read)
+
+    def _repair_false(self, read: Sequence[Candidate]) -> None:
+        """One stage of the search after another, each for all readings."""
+        if self.screen is None:
+            for candidate in read:
+                self._offer(_unscreened(candidate))
+            return
+        second = self._second_screens()
+        seen_at_points = {c.statement for c in read if self.screen.residual(c.statement) is not None}
+        stages = []
+        for candidate in read:
+            near, far = symbols_like(candidate.statement, self.table, self.integers)
+            neighbourhood = Neighbourhood(
+                candidate.statement, self._screen(), second, near, far, len(read) > 1, self._tick
+            )
+            stages.append((candidate, neighbourhood.stages()))
+        while stages:
+            for entry in list(stages):
+                before, rest = entry
+                stage = next(rest, None)
+                if stage is None:
+                    stages.remove(entry)
+                    continue
+                most = self.limits.judged if before.statement in seen_at_points else self.limits.unscreened
+                if self._offer((replace(c, changes=(*before.changes, *c.changes)) for c in stage), most):
+                    return
+
+    def _screen(self) -> Screen | None:
+        """Several points, at values of the integers that are neither the first nor all the same."""
+        some = self.instances[1:4] or self.instances[:1]
+        try:
+            return Screen(self.judge.definitions, self.assume, (some * 4)[:3] if len(some) > 1 else some * 3)
+        except NotExact:
+            return None
+
+    def _second_screens(self) -> list[Screen]:
+        some = [self.instances[0], self.instances[-1]] if len(self.instances) > 1 else self.instances
+        try:
+            return [Screen(self.judge.definitions, self.assume, some, seed=77)]
+        except NotExact:
+            return []
+
+    def _offer(self, candidates: Iterator[Candidate], most: int | None = None) -> bool:
+        """Judges up to `most` candidates of one stage. Whether any was proved."""
+        self._judge_best(list(islice(self._new(candidates), most or self.limits.judged)))
+        return bool(self.found.proposals)
+
+    def _judge_best(self, candidates: Sequence[Candidate]) -> None:
+        """Makes proposals of those that are proved, the likeliest first, as long as they have no more changes
+        than the first one."""
+        proposals = self.found.proposals
+        for candidate in sorted(candidates, key=self._rank):
+            if proposals and len(candidate.changes) > len(proposals[0].changes):
+                break
+            if any(self.sameness.same(known, candidate.statement) for known in self.proved):
+                continue
+            verdict = self._verdict(candidate.statement)
+            if verdict is not None and verdict.outcome in _PROVED:
+                proposals.append(Proposal(self._latex(candidate), candidate.changes, verdict))
+                self.proved.append(candidate.statement)
+                if len(proposals) >= self.limits.proposals:
+                    break
+
+    def _rank(self, candidate: Candidate) -> tuple:
+        """Few changes first; of as many, likely misprints, and what does not make the formula longer."""
+        size = _size(candidate.statement)
+        growth = size - self.printed_size if self.printed_size else 0
+        kind, *rest = candidate.unlikely or (0,)
+        likely = kind + 2 * max(-1, min(growth, 3))
+        return len(candidate.changes), likely, size, rest
+
+    def _new(self, candidates: Iterator[Candidate]) -> Iterator[Candidate]:
+        for candidate in candidates:
+            self._tick()
+            if candidate.statement in self.seen or is_vacuous(candidate.statement):
+                continue
+            self.seen.add(candidate.statement)
+            if self.screen is not None and is_idle(candidate.statement, self.screen):
+                self.idle.append(candidate)
+            else:
+                yield candidate
+
+    def _tick(self) -> None:
+        self.found.candidates += 1
+        self.progress(self.found)
+        if self.found.candidates > self.limits.candidates or monotonic() > self.end:
+            raise _LimitReached
+
+    def _latex(self, candidate: Candidate) -> str:
+        """As it would have been printed, if that reads as the candidate; else the canonical LaTeX."""
+        canonical = to_latex(candidate.statement)
+        integers = self.claim.orders.variables if self.claim.orders else ()
+        respelled = as_printed(canonical, self.claim.printed.latex, self.table, integers)
+        for latex in (candidate.latex, respelled):
+            with suppress(ReadError, IllFormedAt):
+                if latex is not None:
+                    read, _ = read_statement(latex, self.claim.notation, self.claim.orders)
+                    if read == candidate.statement:
+                        return latex
+        return canonical
+
+    def _verdict(self, statement: Statement) -> Verdict | None:
+        left = self.end - monotonic()
+        try:
+            return self.aside.call(statement, min(left, self.limits.judgement))
+        except OutOfBudget:
+            self.found.complete = False
+            if monotonic() >= self.end:
+                raise _LimitReached from None
+            return None
+
+
+def _unscreened(printed: Candidate) -> Iterator[Candidate]:
+    """One-place edits of what cannot be screened."""
+    for edit in sorted(edits(printed.statement), key=cost):
+        if edit.statement is not None:
+            candidate = candidate_of(edit)
+            yield replace(candidate, changes=(*printed.changes, *candidate.changes))
+
+
+def _size(statement: Statement) -> int:
+    return sum(1 for _ in places(statement))
+
+
+def symbols_like(
+    statement: Statement, table: SymbolTable, integers: Sequence[str] = ()
+) -> tuple[list[Term], list[Term]]:
+    """What of a paper may have stood in a statement, likely and less likely: symbols without index and
+    members of families whose indices occur in the statement; members with other small indices."""
+    terms = [term for _, term in places(statement)]
+    occurring = dict.fromkeys(t.index for t in terms if isinstance(t, Symbol) and t.index)
+    named = {t.declaration for t in terms if isinstance(t, Symbol)}
+    variables = [Linear.variable(name) for name in integers]
+    entries = dict.fromkeys((*(i for index in occurring for i in index), *variables, Linear(1)))
+    small = [*map(Linear, range(7)), *(v + k for v in variables for k in (1, -1, 2, -2))]
+    near: dict[Term, None] = {}
+    far: dict[Term, None] = {}
+    for declaration in table.symbols.values():
+        if declaration.parameters:
+            continue
+        if not declaration.indices:
+            near[symbol(declaration)] = None
+            continue
+        likely = [*occurring, *product(entries, repeat=declaration.indices)]
+        if declaration in named:
+            likely += [(v + k,) for v in variables for k in (1, -1)]
+        for family, indices in ((near, likely), (far, [(i,) for i in small])):
+            for index in indices:
+                if len(index) == declaration.indices and _is_known(declaration, index, table):
+                    family[symbol(declaration, index)] = None
+    return list(near), [term for term in far if term not in near]
+
+
+def _is_known(declaration: Declaration, index: tuple[Linear, ...], table: SymbolTable) -> bool:
+    return not declaration.introduced or table.defines(declaration.name, index)

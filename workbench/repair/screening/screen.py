@@ -1,0 +1,328 @@
+"""A quick look at thousands of candidates: is the residual zero at random points modulo a 61-bit prime?
+
+A non-zero residual modulo the prime, at a point where no denominator vanishes, shows that the statement is
+false: cleared of denominators it is no zero polynomial then, so it also differs from zero at some rational
+point, and at one where all supposed inequations hold (`Screen.certifies`: where this argument applies).
+Zero proves nothing here; the judge does.
+
+A candidate shares all subterms but those above the change with the printed statement, and what they are at
+the points is kept; so only the changed subterms are computed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from random import Random
+from typing import Any
+
+from flint import nmod, nmod_mat
+
+from workbench.judge.second.components import OperatorValue, Value
+from workbench.judge.second.jets import JetEngine
+from workbench.judge.second.rings import PRIME, PointSource
+from workbench.judge.subject.assumptions import Assumptions
+from workbench.judge.subject.inventory import Lookup, NotExact
+from workbench.judge.subject.parameters import SPHERES, Parameter
+from workbench.language.instances import Instantiation, instantiate
+from workbench.language.integers import Linear
+from workbench.language.terms import (
+    Conjunction,
+    IllFormed,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
+
+
+class FlintResidueRing:
+    """The integers modulo PRIME in FLINT: a screen only, so it need not be apart from the first engine."""
+
+    def __init__(self) -> None:
+        self.took_roots = False
+
+    def constant(self, numerator: int, denominator: int) -> nmod:
+        return nmod(numerator, PRIME) / nmod(denominator, PRIME)
+
+    def divide(self, a: nmod, b: nmod) -> nmod:
+        if b == 0:
+            raise ZeroDivisionError("division by zero modulo the prime")
+        return nmod(int(a), PRIME) / b
+
+    def root(self, square: nmod) -> nmod:
+        """One of the two roots, always the same; the other choice is as good in all identities that hold for
+        norms whatever their signs, and the judge sees those that do not."""
+        self.took_roots = True
+        root = square ** ((PRIME + 1) // 4)
+        if root * root != square:
+            raise ZeroDivisionError("no root modulo the prime at this point")
+        return root
+
+
+class RandomPoint(dict):
+    """A point of all parameters there may be; each gets its value when it is first asked for."""
+
+    def __init__(self, seed: int) -> None:
+        super().__init__()
+        self._seed = seed
+
+    def __missing__(self, parameter: Parameter) -> nmod:
+        symbol = parameter.symbol
+        place = f"{symbol.declaration.name} {symbol.index} {symbol.arguments or ''}"
+        key = f"{self._seed} {place} {parameter.part}"
+        if parameter.part in SPHERES:
+            self._put_on_sphere(parameter, Random(key))
+        else:
+            place = f"{key} {parameter.order} {parameter.component}"
+            self[parameter] = nmod(Random(place).randrange(1, PRIME), PRIME)
+        return self[parameter]
+
+    def _put_on_sphere(self, parameter: Parameter, random: Random) -> None:
+        """By stereographic projection."""
+        slopes = [nmod(random.randrange(1, PRIME), PRIME) for _ in range(SPHERES[parameter.part] - 1)]
+        square = sum((t * t for t in slopes), start=nmod(0, PRIME))
+        for place, x in enumerate([1 - square, *(t + t for t in slopes)]):
+            self[Parameter(parameter.symbol, parameter.part, 0, place)] = x / (1 + square)
+
+
+class SharingEngine(JetEngine):
+    """Keeps what it knows by the identity of terms: hashing a large term would cost more than its value.
+
+    `given`: symbols whose values are put in from outside, as if they were constant.
+    """
+
+    def __init__(self, source: Any, definitions: Lookup) -> None:
+        super().__init__(source, definitions)
+        self.given: dict[Symbol, Value] = {}
+        self._kept: dict[int, tuple[Term, Value]] = {}
+        self._symbols: dict[Symbol, Value] = {}
+        self._passing: dict[int, tuple[Term, Value]] = {}
+        self._operators: dict[tuple[Symbol, int], OperatorValue] = {}
+        self.keeps = True
+
+    def value(self, term: Term, depth: int) -> Value:
+        if isinstance(term, Symbol):
+            if term in self.given:
+                return self._given(term, depth)
+            known = self._symbols.get(term)
+            if known is None or known.depth < depth:
+                known = self._symbols[term] = self._evaluate(term, depth)
+            return known.cut(0, depth)
+        entry = self._kept.get(id(term)) or self._passing.get(id(term))
+        if entry is None or entry[1].depth < depth:
+            kept = self._kept if self.keeps else self._passing
+            entry = kept[id(term)] = (term, self._evaluate(term, depth))
+        return entry[1].cut(0, depth)
+
+    def operator(self, term: Term, depth: int) -> OperatorValue:
+        if not isinstance(term, Symbol) or term.type.kind != "operator":
+            return super().operator(term, depth)
+        if (term, depth) not in self._operators:
+            self._operators[term, depth] = super().operator(term, depth)
+        return self._operators[term, depth]
+
+    def forget_candidate(self) -> None:
+        """Drops what was computed while `keeps` was False."""
+        self._passing.clear()
+
+    def _given(self, symbol: Symbol, depth: int) -> Value:
+        value = self.given[symbol]
+        still = [[0 * value.re[0]] * depth, None if value.du is None else [0 * value.du[0]] * depth]
+        return Value(value.re + still[0], None if value.du is None else value.du + still[1])
+
+
+class ScreenPoint:
+    """One point, and one choice of the integers. What is instantiated is shared between candidates."""
+
+    def __init__(self, values: Mapping[str, int], engine: SharingEngine) -> None:
+        self.engine = engine
+        self._instances = Instantiation({name: Linear(value) for name, value in values.items()})
+        self._has_integers = bool(values)
+        self._kept = 0
+
+    def instance(self, formula: Any) -> Any:
+        return self._instances.formula(formula) if self._has_integers else formula
+
+    def keep(self) -> None:
+        """From now on what is known of the terms so far stays."""
+        self._kept = len(self._instances.done)
+        self.engine.keeps = False
+
+    def forget_candidate(self) -> None:
+        if self.engine.keeps:
+            return
+        self.engine.forget_candidate()
+        done = self._instances.done
+        while len(done) > self._kept:
+            done.popitem()
+
+    def residual(self, statement: Statement) -> tuple[int, ...] | None:
+        """left − right of all equations of the statement; None where there is no such number."""
+        try:
+            found: list[int] = []
+            for relation in equations_of(self.instance(statement)):
+                found += map(int, self.engine.differences(relation.left, relation.right))
+            return tuple(found)
+        except (ZeroDivisionError, NotExact, IllFormed, ValueError):
+            return None
+        finally:
+            self.forget_candidate()
+
+    def parts(self, term: Term) -> tuple[list[int], list[int]] | None:
+        """The components of the real and of the dual part, those of an operator by rising power of D."""
+        try:
+            instance = self.instance(term)
+            is_operator = instance.type.kind == "operator"
+            values = self.engine.operator(instance, 0) if is_operator else (self.engine.value(instance, 0),)
+        except (ZeroDivisionError, NotExact, IllFormed, ValueError):
+            return None
+        real = [int(x) for value in values for x in value.re[0].ravel()]
+        dual = [0] * len(real)
+        if any(value.du is not None for value in values):
+            dual = [
+                0 if value.du is None else int(value.du[0].ravel()[i])
+                for value in values
+                for i in range(value.re[0].size)
+            ]
+        return real, dual
+
+    def components(self, term: Term) -> tuple[int, ...] | None:
+        """The term's own components. What is known of it stays, for products that it is a factor of."""
+        kept, self.engine.keeps = self.engine.keeps, True
+        try:
+            return tuple(map(int, self.engine.components(self.instance(term))))
+        except (ZeroDivisionError, NotExact, IllFormed, ValueError):
+            return None
+        finally:
+            self.engine.keeps = kept
+            self._kept = len(self._instances.done)
+
+
+class Screen:
+    """The points at which candidates for one statement are looked at.
+
+    instances: values of the integer variables; assume: what the claim supposes. Equations are satisfied by
+    solving them for a free symbol in which they are linear; raises NotExact where there is none.
+    """
+
+    def __init__(
+        self,
+        definitions: Lookup,
+        assume: Sequence[Statement] = (),
+        instances: Sequence[Mapping[str, int]] = ({},),
+        seed: int = 0,
+    ) -> None:
+        self.points: list[ScreenPoint] = []
+        self._ring = FlintResidueRing()
+        for number, values in enumerate(instances):
+            point = RandomPoint(seed + number)
+            supposed = Assumptions([instantiate(a, values) if values else a for a in assume])
+            satisfy(point, supposed.equations, definitions)
+            engine = SharingEngine(PointSource(self._ring, point), definitions)
+            self.points.append(ScreenPoint(values, engine))
+
+    @property
+    def certifies(self) -> bool:
+        """Whether a non-zero residual shows that the statement is false: not if a root was taken, which has
+        two values. Supposed equations are solved by Cramer's rule, so the point stands for rational ones."""
+        return not self._ring.took_roots
+
+    def keep(self, statement: Statement) -> tuple[int, ...] | None:
+        """The residual, with the values of all subterms kept for the candidates to come."""
+        residual = self.residual(statement)
+        for point in self.points:
+            point.keep()
+        return residual
+
+    def residual(self, statement: Statement) -> tuple[int, ...] | None:
+        """left − right of all equations of the statement at all points; None where there is no such number:
+        a denominator vanishes, an index leaves its family, or the statement is not made of equations."""
+        found: list[int] = []
+        for point in self.points:
+            residual = point.residual(statement)
+            if residual is None:
+                return None
+            found += residual
+        return tuple(found)
+
+    def vanishes(self, statement: Statement) -> bool:
+        """Whether the residual is zero at all points; the first that shows otherwise ends it."""
+        for point in self.points:
+            residual = point.residual(statement)
+            if residual is None or any(residual):
+                return False
+        return True
+
+    def components(self, term: Term, shape: Term) -> tuple[int, ...] | None:
+        """The term at all points: a real and a dual part, each with as many components as the real part of
+        `shape`. Coefficients of an operator and dual parts that the term lacks are 0."""
+        found: list[int] = []
+        for point in self.points:
+            parts = point.parts(term)
+            count = point.parts(shape)
+            point.forget_candidate()
+            if parts is None or count is None or len(parts[0]) > len(count[0]):
+                return None
+            for part in parts:
+                found += part + [0] * (len(count[0]) - len(part))
+        return tuple(found)
+
+
+def equations_of(statement: Statement) -> Iterator[Relation]:
+    """The equations of which the statement is made. Raises NotExact where it says anything else."""
+    match statement:
+        case Relation(operator="="):
+            yield statement
+        case Conjunction(parts=parts):
+            for part in parts:
+                yield from equations_of(part)
+        case _:
+            raise NotExact("not an equation")
+
+
+def satisfy(point: RandomPoint, equations: Sequence[Relation], definitions: Lookup) -> None:
+    """Changes the point so that the equations hold there. Raises NotExact where this does not succeed."""
+    solved: set[tuple[Symbol, str, int]] = set()
+    for equation in equations:
+        _differences(point, equation, definitions)  # asks the point for all that occurs
+        groups = dict.fromkeys((p.symbol, p.part, p.order) for p in point if p.part not in SPHERES)
+        for group in reversed(groups):
+            if group not in solved and _solve(point, equation, definitions, group):
+                solved.add(group)
+                break
+        else:
+            raise NotExact("no symbol in which the supposed equation is linear")
+    if any(any(_differences(point, e, definitions)) for e in equations):
+        raise NotExact("the supposed equations depend on one another")
+
+
+def _solve(
+    point: RandomPoint, equation: Relation, definitions: Lookup, group: tuple[Symbol, str, int]
+) -> bool:
+    """Solves an equation for the components of one derivative of one symbol, if it is linear there."""
+    parameters = [p for p in point if (p.symbol, p.part, p.order) == group]
+    before = dict(point)
+
+    def at(values: Sequence[int]) -> list[nmod]:
+        point.update({p: nmod(v, PRIME) for p, v in zip(parameters, values, strict=True)})
+        return _differences(point, equation, definitions)
+
+    size = len(parameters)
+    start = at([0] * size)
+    units = [[int(i == j) for j in range(size)] for i in range(size)]
+    columns = [[x - y for x, y in zip(at(unit), start, strict=True)] for unit in units]
+    matrix = nmod_mat(len(start), size, [int(c[i]) for i in range(len(start)) for c in columns], PRIME)
+    if len(start) == size and matrix.rank() == size:
+        target = nmod_mat(size, 1, [int(-x) for x in start], PRIME)
+        if not any(at([int(x) for x in matrix.solve(target).entries()])):
+            return True
+    point.update(before)
+    return False
+
+
+def _differences(point: RandomPoint, equation: Relation, definitions: Lookup) -> list[nmod]:
+    engine = JetEngine(PointSource(FlintResidueRing(), point), definitions)
+    try:
+        return engine.differences(equation.left, equation.right)
+    except ZeroDivisionError:
+        raise NotExact("a denominator vanishes in a supposed equation") from None

@@ -1,0 +1,91 @@
+"""Equations that hold and say nothing: b = b + c − c, or 0 = 0 in disguise."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+from workbench.judge.second.rings import PRIME
+from workbench.language.construct import derivative
+from workbench.language.terms import (
+    Apply,
+    Conjunction,
+    Identity,
+    Relation,
+    Statement,
+    Term,
+    TimeOperator,
+    Zero,
+)
+from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.places import places, sides
+
+
+def is_vacuous(statement: Statement) -> bool:
+    """Whether addends cancel in a sum, or an equation holds by the order and cancelling of its addends alone,
+    or a chain comes back to one of its sides."""
+    sums = (term for _, term in places(statement) if isinstance(term, Apply) and term.head == "add")
+    return any(map(_cancels, sums)) or _is_trivial(statement)
+
+
+def is_idle(statement: Statement, screen: Screen) -> bool:
+    """Whether nothing but 0 is left of both sides of an equation, apart from addends that they share, though
+    neither is printed as 0."""
+    match statement:
+        case Relation(operator="="):
+            if isinstance(statement.left, Zero) or isinstance(statement.right, Zero):
+                return False
+            left, right = (Counter(_addends(side, 1)) for side in (statement.left, statement.right))
+            return _vanishes(left - right, statement.left, screen) and _vanishes(
+                right - left, statement.left, screen
+            )
+        case Conjunction(parts=parts):
+            return all(is_idle(part, screen) for part in parts)
+    return False
+
+
+def _vanishes(addends: Counter, shape: Term, screen: Screen) -> bool:
+    total: list[int] | None = None
+    for (sign, term), count in addends.items():
+        components = screen.components(term, shape)
+        if components is None or (total is not None and len(total) != len(components)):
+            return False
+        total = [
+            (t + sign * count * x) % PRIME
+            for t, x in zip(total or [0] * len(components), components, strict=True)
+        ]
+    return not any(total or ())
+
+
+def _cancels(term: Apply) -> bool:
+    counts = Counter(_addends(term, 1))
+    return any((-sign, addend) in counts for sign, addend in counts)
+
+
+def _is_trivial(statement: Statement) -> bool:
+    match statement:
+        case Relation(operator="="):
+            counts: Counter[Term] = Counter()
+            for sign, side in ((1, statement.left), (-1, statement.right)):
+                for factor, term in _addends(side, sign):
+                    counts[term] += factor
+            return not any(counts.values())
+        case Conjunction(parts=parts):
+            chain = [side for _, side in sides(statement)]
+            return len(set(chain)) < len(chain) or any(map(_is_trivial, parts))
+    return False
+
+
+def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
+    match term:
+        case Apply(head="add"):
+            for addend in term.arguments:
+                yield from _addends(addend, sign)
+        case Apply(head="neg", arguments=(inner,)):
+            yield from _addends(inner, -sign)
+        case Apply(head="mul", arguments=(Identity(), x) | (x, Identity())) if x.type.kind == "tensor":
+            yield from _addends(x, sign)
+        case Apply(head="mul", arguments=(TimeOperator(), x)) if x.type.kind != "operator":
+            yield sign, derivative(x, 1)  # D x is only another way to write it
+        case _:
+            yield sign, term

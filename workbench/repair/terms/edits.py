@@ -1,0 +1,110 @@
+"""Everything that differs from a statement in one place: what a misprint may have done to it, and so also
+what may undo a misprint.
+
+What construction refuses is yielded too, with the reason: that types exclude a mutant is an answer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from workbench.language.printer import to_latex
+from workbench.language.terms import Apply, Conjunction, Equivalence, IllFormed, Implication, Statement, Term
+from workbench.repair.terms.places import Place, places, replaced, subterm
+from workbench.repair.terms.variants import Said, atoms_of, sum_of, variants
+
+#: The kinds of edit, likeliest misprint first.
+KINDS = (
+    "sign",
+    "coefficient",
+    "tilde",
+    "dots",
+    "product",
+    "swap",
+    "transpose",
+    "exponent",
+    "index",
+    "symbol",
+    "mark",
+    "bound",
+    "addend dropped",
+    "addend added",
+)
+
+
+@dataclass(frozen=True)
+class Edit:
+    """One change. `statement` is the changed statement, None if construction refused it; then `ill_formed`
+    says why. `old`, `new`: the subterms at `place` (`new` is None where it could not even be built)."""
+
+    kind: str
+    place: Place
+    said: Said
+    old: Term
+    new: Term | None
+    statement: Statement | None
+    ill_formed: str | None = None
+
+    @property
+    def description(self) -> str:
+        """The change in words, formulas between dollar signs."""
+        template, *parts = self.said
+        return template.format(*(f"${to_latex(p)}$" if isinstance(p, Term) else str(p) for p in parts))
+
+
+def edits(
+    statement: Statement,
+    replacements: Sequence[Term] = (),
+    addends: Sequence[Term] = (),
+    within: Place = (),
+) -> Iterator[Edit]:
+    """All one-place edits of a statement, place by place, none twice.
+
+    replacements: terms that may stand for a symbol beside those of the statement itself; only those of its
+    type and weight are tried. addends: terms that may be missing from a sum of their type and weight.
+    within: only edits at this place and below.
+    """
+    seen = {statement}
+    of_sums: set[int] = set()  # the addends met so far
+    atoms = tuple(dict.fromkeys((*atoms_of(statement), *replacements)))
+    for place, term in places(statement):
+        is_addend = len(place) == _depth_of_sides(statement, place) or id(term) in of_sums
+        if isinstance(term, Apply) and term.head == "add":
+            of_sums.update(map(id, term.arguments))
+        if place[: len(within)] != within:
+            continue
+        missing = () if id(term) in of_sums else addends
+        for kind, said, make in variants(term, is_addend, atoms, missing):
+            new = None
+            try:
+                new = make()
+                changed = replaced(statement, place, new)
+            except IllFormed as fault:
+                yield Edit(kind, place, said, term, new, None, str(fault))
+                continue
+            if changed not in seen:
+                seen.add(changed)
+                yield Edit(kind, place, said, term, new, changed)
+
+
+def _depth_of_sides(statement: Statement, place: Place) -> int:
+    """How long the place of a whole side is that begins as this place does."""
+    depth, node = 0, statement
+    while isinstance(node, Conjunction | Equivalence | Implication):
+        parts = node.parts if isinstance(node, Conjunction) else (node.left, node.right)
+        node = parts[place[depth]]
+        depth += 1
+    return depth + 1
+
+
+def without(statement: Statement, place: Place) -> Statement | None:
+    """The statement without the addend at the place; None where that is a whole side."""
+    for length in range(len(place) - 1, 0, -1):
+        parent = subterm(statement, place[:length])
+        if isinstance(parent, Apply) and parent.head == "add":
+            rest = parent.arguments[: place[length]] + parent.arguments[place[length] + 1 :]
+            return replaced(statement, place[:length], sum_of(rest))
+        if not isinstance(parent, Apply) or parent.head not in ("neg", "mul"):
+            return None
+    return None

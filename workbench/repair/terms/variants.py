@@ -1,0 +1,374 @@
+"""What may stand in the place of a term after one change at its top, by the term's kind."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from functools import partial
+
+from workbench.language.construct import apply, big_sum, counting, derivative, integer, number, power, symbol
+from workbench.language.integers import Linear
+from workbench.language.printer import to_latex
+from workbench.language.terms import (
+    Apply,
+    BigSum,
+    Counting,
+    Derivative,
+    Identity,
+    Integer,
+    Number,
+    Power,
+    Statement,
+    Symbol,
+    Term,
+    Zero,
+)
+from workbench.language.types import Weight
+from workbench.repair.terms.places import places
+
+#: A sentence with {} for terms, integers and words, and what goes there.
+Said = tuple
+
+#: Kind, the change in words, and how the new term is made (IllFormed where it cannot be).
+Variant = tuple[str, Said, Callable[[], Term]]
+
+_FACTORS = tuple(Fraction(text) for text in ("2", "1/2", "3", "1/3", "3/2", "2/3", "4", "1/4"))
+_PRODUCT_SIGNS = {"dot": "·", "cross": "×", "outer": "⊗", "mul": "juxtaposition"}
+#: Besides letters, what may stand in brackets or bars with an exponent.
+_SQUARED = frozenset(("skew", "dot", "outer", "triple", "det", "trace", "norm"))
+_OTHER_FUNCTION = {
+    "symmetric": "antisymmetric",
+    "antisymmetric": "symmetric",
+    "re": "du",
+    "du": "re",
+    "sin": "cos",
+    "cos": "sin",
+    "det": "trace",
+    "trace": "det",
+    "divergence": "curl",
+    "curl": "divergence",
+}
+
+
+def atoms_of(statement: Statement) -> Iterator[Term]:
+    """The symbols of the statement, as they stand there: with their index and dots."""
+    for _, term in places(statement):
+        bare = term.body if isinstance(term, Derivative) else term
+        if isinstance(bare, Symbol) and not bare.arguments:
+            yield term
+
+
+def variants(
+    term: Term, is_addend: bool, atoms: Sequence[Term] = (), addends: Sequence[Term] = ()
+) -> Iterator[Variant]:
+    """The variants of a term. is_addend: it is an addend or a whole side, so it has a sign of its own."""
+    if is_addend and not isinstance(term, Zero):
+        yield from _sign_and_factor(term)
+    match term:
+        case Number():
+            yield from _numbers(term)
+        case Integer(value=value):
+            for step in (1, -1):
+                yield "coefficient", ("{} becomes {}", value, value + step), partial(integer, value + step)
+        case Counting():
+            yield from _countings(term)
+        case Symbol():
+            yield from _indices(term)
+        case Power():
+            yield from _exponents(term)
+        case BigSum():
+            yield from _bounds(term)
+        case Apply(head="add"):
+            yield from _sums(term)
+        case Apply():
+            yield from _operations(term, is_addend)
+    yield from _dots(term)
+    yield from _squares(term)
+    yield from _marks_added(term)
+    yield from _other_symbols(term, atoms)
+    is_sum = isinstance(term, Apply) and term.head == "add"
+    if is_sum or (is_addend and addends):
+        yield from _missing(term, addends)
+
+
+# sums, signs and numbers
+
+
+def _sign_and_factor(term: Term) -> Iterator[Variant]:
+    """Of an addend or a whole side. What a sum's addends can do is not done to the sum again."""
+    if isinstance(term, Apply) and term.head == "neg":
+        yield "sign", ("the minus sign before {} is dropped", term.arguments[0]), lambda: term.arguments[0]
+    elif not (isinstance(term, Apply) and term.head == "add"):
+        yield "sign", ("{} gets a minus sign", term), partial(apply, "neg", term)
+    if coefficient(term) == 1:
+        for factor in _FACTORS[:3]:
+            yield "coefficient", ("{} gets the factor {}", term, factor), partial(times, factor, term)
+
+
+def coefficient(term: Term) -> Fraction:
+    """The number in front of a product."""
+    while isinstance(term, Apply) and term.head in ("mul", "neg", "div", "dot", "cross", "outer"):
+        term = term.arguments[0]
+    return term.value if isinstance(term, Number) else Fraction(1)
+
+
+def number_and_rest(addend: Term) -> tuple[Fraction, tuple[Term, ...]]:
+    """The sign and number of an addend, and its other factors."""
+    sign = Fraction(1)
+    while isinstance(addend, Apply) and addend.head == "neg":
+        addend, sign = addend.arguments[0], -sign
+    number_ = coefficient(addend)
+    if isinstance(addend, Number) or number_ in (0, 1):
+        return sign * number_, () if isinstance(addend, Number) else tuple(factors_of(addend))
+    sign_after = Fraction(1)
+    rest = times(1 / number_, addend)
+    while isinstance(rest, Apply) and rest.head == "neg":
+        rest, sign_after = rest.arguments[0], -sign_after
+    return sign * number_ * sign_after, tuple(factors_of(rest))
+
+
+def times(factor: Fraction | int, term: Term) -> Term:
+    """factor·term as one would print it: the sign before the addend, the number in front of the product."""
+    factor = Fraction(factor)
+    if isinstance(term, Number):
+        return number(factor * term.value)
+    if isinstance(term, Apply) and term.head == "neg":
+        return times(-factor, term.arguments[0])
+    if factor < 0:
+        return apply("neg", times(-factor, term))
+    if factor == 1:
+        return term
+    if isinstance(term, Apply) and term.head in ("mul", "dot", "cross", "outer") and coefficient(term) != 1:
+        left, right = term.arguments
+        if isinstance(left, Number) and term.head == "mul":
+            scaled = factor * left.value
+            return right if scaled == 1 else apply("mul", number(scaled), right)
+        return apply(term.head, times(factor, left), right)
+    if isinstance(term, Apply) and term.head == "div" and coefficient(term) != 1:
+        return apply("div", times(factor, term.arguments[0]), term.arguments[1])
+    return apply("mul", number(factor), term)
+
+
+def _numbers(term: Number) -> Iterator[Variant]:
+    value = term.value
+    for new in dict.fromkeys([*(value * factor for factor in _FACTORS), value + 1, value - 1, -value]):
+        if new not in (0, value):
+            yield "coefficient", ("the number {} becomes {}", value, new), partial(number, new)
+
+
+def _countings(term: Counting) -> Iterator[Variant]:
+    for place, argument in enumerate(term.arguments):
+        for step in (1, -1):
+            changed = list(term.arguments)
+            changed[place] = argument + step
+            said = ("{} becomes {} in the {} {}", argument, argument + step, term.name, term)
+            yield "coefficient", said, partial(counting, term.name, *changed)
+
+
+def _sums(term: Apply) -> Iterator[Variant]:
+    """Each addend dropped."""
+    for place, addend in enumerate(term.arguments):
+        rest = term.arguments[:place] + term.arguments[place + 1 :]
+        yield "addend dropped", ("the addend {} is dropped", addend), partial(sum_of, rest)
+
+
+def sum_of(addends: Sequence[Term]) -> Term:
+    return addends[0] if len(addends) == 1 else apply("add", *addends)
+
+
+def with_addend(term: Term, addend: Term) -> Term:
+    """term + addend as one sum."""
+    present = term.arguments if isinstance(term, Apply) and term.head == "add" else (term,)
+    return apply("add", *(t for t in present if not isinstance(t, Zero)), addend)
+
+
+def _missing(term: Term, addends: Sequence[Term]) -> Iterator[Variant]:
+    for addend in addends:
+        if addend.type.kind == term.type.kind and addend.weight == term.weight:
+            yield "addend added", ("the addend {} is added", addend), partial(with_addend, term, addend)
+
+
+def _bounds(term: BigSum) -> Iterator[Variant]:
+    for step in (1, -1):
+        upper = term.upper + step
+        said = ("the upper bound {} of the sum becomes {}", term.upper, upper)
+        yield "bound", said, partial(big_sum, term.variables, term.lower, upper, term.body)
+        if term.lower is not None:
+            lower = term.lower + step
+            said = ("the lower bound {} of the sum becomes {}", term.lower, lower)
+            yield "bound", said, partial(big_sum, term.variables, lower, term.upper, term.body)
+
+
+# indices, exponents, dots
+
+
+def _indices(term: Symbol) -> Iterator[Variant]:
+    for place, index in enumerate(term.index):
+        for step in (1, -1):
+            changed = list(term.index)
+            changed[place] = index + step
+            if not (changed[place].is_number and int(changed[place]) < 0):
+                said = ("the index {} of {} becomes {}", index, term, changed[place])
+                yield "index", said, partial(symbol, term.declaration, changed, term.arguments)
+
+
+def _exponents(term: Power) -> Iterator[Variant]:
+    for step in (2, -2) if term.base.type.kind == "vector" else (1, -1):
+        exponent = term.exponent + step
+        if exponent.is_number and int(exponent) < 1:
+            continue
+        said = ("the exponent {} of {} becomes {}", term.exponent, term.base, exponent)
+        yield "exponent", said, partial(raised_to, term.base, exponent)
+
+
+def _squares(term: Term) -> Iterator[Variant]:
+    in_brackets = isinstance(term, Apply) and term.head in _SQUARED
+    if (in_brackets or isinstance(term, Symbol | Derivative)) and term.type.kind in ("scalar", "tensor"):
+        yield "exponent", ("{} gets the exponent 2", term), partial(power, term, 2)
+
+
+def raised_to(base: Term, exponent: Linear) -> Term:
+    return base if exponent == Linear(1) else power(base, exponent)
+
+
+def _dots(term: Term) -> Iterator[Variant]:
+    match term:
+        case Derivative(body=body, order=order):
+            for step in (1, -1):
+                said = ("{} is differentiated {} instead of {} times", body, order + step, order)
+                yield "dots", said, partial(differentiated, body, order + step)
+        case Symbol() | Apply(head="skew"):
+            yield "dots", ("{} gets a dot", term), partial(derivative, term, 1)
+
+
+def differentiated(body: Term, order: Linear) -> Term:
+    return body if order == Linear(0) else derivative(body, order)
+
+
+# operations
+
+
+def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
+    head, arguments = term.head, term.arguments
+    match head:
+        case "skew":
+            yield from _tilde_moved(arguments[0])
+        case "neg" if not is_addend:
+            yield "sign", ("the minus sign before {} is dropped", arguments[0]), lambda: arguments[0]
+        case "transpose":
+            yield "transpose", ("the transpose of {} is dropped", arguments[0]), lambda: arguments[0]
+            said = ("the transpose of {} becomes its inverse", arguments[0])
+            yield "transpose", said, partial(apply, "inverse", arguments[0])
+        case "inverse":
+            yield "exponent", ("the inverse of {} is dropped", arguments[0]), lambda: arguments[0]
+            said = ("the inverse of {} becomes its transpose", arguments[0])
+            yield "transpose", said, partial(apply, "transpose", arguments[0])
+        case "adjugate":
+            yield "mark", ("the star of {} is dropped", arguments[0]), lambda: arguments[0]
+        case "triple":
+            a, b, c = arguments
+            said = ("the first two factors of {} change places", term)
+            yield "swap", said, partial(apply, "triple", b, a, c)
+        case "mul":
+            yield from _factors(term)
+        case "div":
+            said = ("the denominator of {} is dropped", term)
+            yield "coefficient", said, lambda: arguments[0]
+    if head in _OTHER_FUNCTION:
+        other = _OTHER_FUNCTION[head]
+        yield "mark", ("{} becomes {} in {}", head, other, term), partial(apply, other, arguments[0])
+    if head in ("cross", "outer", "compose"):
+        said = ("the factors of {} change places", term)
+        yield "swap", said, partial(apply, head, *reversed(arguments))
+    if len(arguments) == 2 and all(a.type.kind == "vector" for a in arguments):
+        for other, sign in _PRODUCT_SIGNS.items():
+            if other != head and head in _PRODUCT_SIGNS:
+                said = ("{} becomes {} in {}", _PRODUCT_SIGNS[head], sign, term)
+                yield "product", said, partial(apply, other, *arguments)
+
+
+def factors_of(term: Term) -> list[Term]:
+    """The factors of a product written in a row."""
+    if isinstance(term, Apply) and term.head == "mul":
+        return [*factors_of(term.arguments[0]), term.arguments[1]]
+    return [term]
+
+
+def product_of(factors: Sequence[Term]) -> Term:
+    result = factors[0]
+    for factor in factors[1:]:
+        result = apply("mul", result, factor)
+    return result
+
+
+def _factors(term: Apply) -> Iterator[Variant]:
+    """A numeric factor dropped; the last two factors swapped, those before them in the product they make."""
+    *before, first, last = factors_of(term)
+    if not before and isinstance(first, Number):
+        yield "coefficient", ("the factor {} of {} is dropped", first.value, last), lambda: last
+    if "scalar" not in (first.type.kind, last.type.kind):
+        said = ("{} and {} change places", first, last)
+        yield "swap", said, partial(product_of, [*before, last, first])
+
+
+# marks
+
+
+def _tilde_moved(body: Term) -> Iterator[Variant]:
+    yield "tilde", ("the tilde of {} is dropped", body), lambda: body
+    match body:
+        case Apply(head="mul", arguments=(left, right)):
+            said = ("the tilde over {} moves to {}", body, right)
+            yield "tilde", said, lambda: apply("mul", left, apply("skew", right))
+            said = ("the tilde over {} moves to {}", body, left)
+            yield "tilde", said, lambda: apply("mul", apply("skew", left), right)
+
+
+def _marks_added(term: Term) -> Iterator[Variant]:
+    if isinstance(term, Zero | Identity):
+        return
+    if term.type.kind == "vector":
+        yield "tilde", ("{} gets a tilde", term), partial(apply, "skew", term)
+    if term.type.kind != "tensor":
+        return
+    if not (isinstance(term, Apply) and term.head == "transpose"):
+        yield "transpose", ("{} gets a transpose", term), partial(apply, "transpose", term)
+    match term:
+        case Apply(head="mul", arguments=(left, Apply(head="skew", arguments=(x,)))):
+            said = ("the tilde over {} moves over the product {}", x, term)
+            yield "tilde", said, lambda: apply("skew", apply("mul", left, x))
+        case Symbol():
+            yield "mark", ("{} becomes its adjugate", term), partial(apply, "adjugate", term)
+
+
+def _other_symbols(term: Term, atoms: Sequence[Term]) -> Iterator[Variant]:
+    """Another symbol of the same kind and weight; one of smaller weight with the dots that it lacks."""
+    bare = term.body if isinstance(term, Derivative) else term
+    if not isinstance(bare, Symbol) or bare.arguments:
+        return
+    for atom in atoms:
+        other = differentiated_to(term.weight, atom) if atom.type.kind == term.type.kind else None
+        if other is not None and other != term:
+            underlined = other.type.dual != term.type.dual and _letter(other) == _letter(term)
+            kind = "mark" if underlined else "symbol"
+            yield kind, ("{} becomes {}", term, other), lambda other=other: other
+
+
+def differentiated_to(weight: Weight, atom: Term) -> Term | None:
+    """The atom, or its derivative, of this weight."""
+    if atom.weight == weight:
+        return atom
+    if weight is None or atom.weight is None or not isinstance(atom, Symbol):
+        return None
+    order = weight - atom.weight
+    is_positive = order.constant >= 0 if order.is_number else all(c > 0 for _, c in order.coefficients)
+    is_moving = not atom.declaration.constant and atom.type.kind not in ("matrix", "operator")
+    return derivative(atom, order) if is_positive and is_moving else None
+
+
+def _letter(term: Term) -> str:
+    """The symbol without underline and font."""
+    text = to_latex(term)
+    for mark in ("\\underline", "\\mathbf", "\\boldsymbol", "{", "}"):
+        text = text.replace(mark, "")
+    return text

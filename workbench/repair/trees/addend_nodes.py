@@ -1,0 +1,58 @@
+"""The addends of an untyped side, also those in brackets, and the side cut down to one of them."""
+
+from __future__ import annotations
+
+from workbench.language.syntax import Bracket, Fraction, Group, Leaf, Node, Product, Sum
+from workbench.repair.trees.nodes import below, exchanged
+
+_LINEAR = frozenset(("symmetric", "skew", "vect", "trace", "re", "du"))
+
+
+def addends_of(node: Node) -> list[Node]:
+    """The addends of a side, also those in brackets with only numbers and linear functions before them."""
+    match node:
+        case Sum(addends=addends):
+            return [leaf for _, _, addend in addends for leaf in addends_of(addend)]
+        case Bracket(parts=(part,)) | Group(parts=(part,)):
+            return addends_of(part) if _holds_sum(part) else [node]
+        case Fraction(numerator=numerator) if _holds_sum(numerator):
+            return addends_of(numerator)
+        case Product(items=items):
+            sums = [item for item in items if _holds_sum(item)]
+            if len(sums) == 1 and all(item is sums[0] or _is_plain(item) for item in items):
+                return addends_of(sums[0])
+    return [node]
+
+
+def _holds_sum(node: Node) -> bool:
+    match node:
+        case Sum():
+            return True
+        case Bracket(parts=(part,)) | Group(parts=(part,)) | Fraction(numerator=part):
+            return _holds_sum(part)
+        case Product(items=items):
+            return any(_holds_sum(item) for item in items)
+    return False
+
+
+def _is_plain(node: Node) -> bool:
+    match node:
+        case Leaf(kind="NUMBER"):
+            return True
+        case Leaf(kind="FUNCTION", text=text):
+            return text in _LINEAR
+        case Fraction():
+            return all(isinstance(part, Fraction | Group) or _is_plain(part) for part in below(node))
+    return False
+
+
+def alone(side: Node, leaf: Node) -> Node:
+    """The side with each sum around the leaf cut down to the addend that holds it."""
+    cut: dict[int, Node] = {}
+    sums = [part for part in below(side) if isinstance(part, Sum)]
+    for node in reversed(sums):
+        for sign, at, addend in node.addends:
+            if any(part is leaf for part in below(addend)):
+                cut[id(node)] = Sum(node.at, ((sign, at, exchanged(addend, cut)),))
+                break
+    return exchanged(side, cut)

@@ -1,0 +1,34 @@
+"""A proposed formula with its symbols spelled as the printed one spells them: \\boldsymbol{\\omega} where the
+paper has it beside \\omega."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from workbench.language.errors import Fault
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import Node, parse
+from workbench.repair.trees.integers import bound_variables
+from workbench.repair.trees.letters import meaning, occurrences
+from workbench.repair.trees.marks import Mark, marked
+from workbench.repair.trees.nodes import latex_of
+
+
+def as_printed(latex: str, printed: str, table: SymbolTable, integers: Collection[str]) -> str:
+    """The formula in the letters of the printed one; as it is where that cannot be parsed."""
+    try:
+        lines, shown = parse(latex), parse(printed)
+    except Fault:
+        return latex
+    spelled: dict[str, dict[str, Node]] = {}  # by name: the letters that stand for it in print
+    for found in occurrences(shown):
+        name = meaning(found, table, frozenset(integers) | bound_variables(shown))
+        if name is not None and not found.styles:
+            spelled.setdefault(name, {}).setdefault(latex_of(found.node), found.node)
+    marks = []
+    for found in occurrences(lines):
+        name = meaning(found, table, frozenset(integers) | bound_variables(lines))
+        forms = spelled.get(name, {}) if name is not None and not found.styles else {}
+        if forms and latex_of(found.node) not in forms:
+            marks.append(Mark(found.node, next(iter(forms.values())), 0, "mark", ""))
+    return latex_of(marked(marks, lines)) if marks else latex

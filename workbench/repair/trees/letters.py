@@ -1,0 +1,213 @@
+"""Letters that the paper does not have: where they stand in a formula, and which known ones they may be."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from workbench.language.errors import Fault
+from workbench.language.names import Scripts, base_name, linear, spell, variable_name
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import (
+    Accented,
+    Bracket,
+    Chain,
+    Fraction,
+    Group,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+)
+from workbench.repair.trees.marks import FONTS, Mark, letter_of, other_case
+from workbench.repair.trees.nodes import children, latex_of
+
+#: Letters that are mistaken for one another in print and by machines that read it.
+_ALIKE = (
+    ("\\rho", "p", "P"),
+    ("\\omega", "w"),
+    ("\\nu", "v"),
+    ("\\alpha", "a"),
+    ("\\phi", "\\Phi", "\\varphi"),
+    ("\\varepsilon", "\\epsilon", "e"),
+    ("\\eta", "n"),
+    ("\\kappa", "k"),
+    ("\\chi", "x", "X"),
+    ("\\tau", "t"),
+    ("\\mu", "u"),
+)
+_BUILT_IN = frozenset(("\\mathbf{I}", "\\underline{\\mathbf{I}}", "\\varepsilon", "\\mathbf{D}"))
+_COUNTING = frozenset(("C", "\\mathbf{C}", "\\mathrm{C}"))
+_OF_TIME = frozenset(("d", "t"))
+
+
+@dataclass(frozen=True)
+class Occurrence:
+    """A letter where it stands. node: the letter in its fonts; styles: those further out; holder: the node
+    whose scripts it has; left: what holds its left scripts."""
+
+    node: Node
+    styles: tuple[str, ...]
+    scripts: Scripts
+    holder: Scripted | None = None
+    left: Scripted | None = None
+    bracket: Bracket | None = None
+
+    @property
+    def text(self) -> str:
+        return letter_of(self.node).text
+
+    @property
+    def base(self) -> str:
+        return self.base_of(self.node)
+
+    def base_of(self, node: Node) -> str:
+        """The name that the letter would have with another one in the place of the node."""
+        return base_name((*self.styles, *_styles(node)), letter_of(node).text)
+
+
+def _styles(node: Node) -> tuple[str, ...]:
+    styles: tuple[str, ...] = ()
+    while not isinstance(node, Leaf):
+        if isinstance(node, Styled):
+            styles = (*styles, node.style)
+        node = node.body if isinstance(node, Styled) else node.parts[0]
+    return styles
+
+
+def occurrences(node: Node) -> Iterator[Occurrence]:
+    """The letters of a formula that name something; not those inside indices."""
+    match node:
+        case Product(items=items):
+            left = None
+            for place, item in enumerate(items):
+                if isinstance(item, Scripted) and item.nucleus == Group(item.nucleus.at, ()):
+                    left = item
+                    continue
+                after = items[place + 1] if place + 1 < len(items) else None
+                bracket = after if isinstance(after, Bracket) and after.kind == "(" else None
+                for found in occurrences(item):
+                    first = left is not None and found.left is None
+                    found = replace(found, bracket=bracket if found.bracket is None else found.bracket)
+                    yield _with_left(found, left) if first else found
+                left = None
+        case Fraction(numerator=above, denominator=below):
+            within = (found for part in (above, below) for found in occurrences(part))
+            yield from (f for f in within if not (is_rate(node) and f.text in _OF_TIME))
+        case _:
+            yield from _letters_in(node, (), Scripts(), None)
+
+
+def _with_left(found: Occurrence, left: Scripted) -> Occurrence:
+    scripts = replace(found.scripts, left_sub=left.sub, left_sup=left.sup)
+    return replace(found, scripts=scripts, left=left)
+
+
+def _letters_in(
+    node: Node, styles: tuple[str, ...], scripts: Scripts, holder: Scripted | None
+) -> Iterator[Occurrence]:
+    while isinstance(node, Group) and len(node.parts) == 1:
+        (node,) = node.parts
+    if letter_of(node) is not None:
+        yield Occurrence(node, styles, scripts, holder)
+        return
+    match node:
+        case Styled(body=body):
+            yield from _letters_in(body, (*styles, node.style), scripts, holder)
+        case Accented(body=body):
+            yield from _letters_in(body, styles, scripts, holder)
+        case Scripted(nucleus=nucleus, sub=sub, sup=sup):
+            within = Scripts(None, None, sub or scripts.sub, sup or scripts.sup, node.primes)
+            yield from _letters_in(nucleus, styles, within, node if holder is None else holder)
+            if letter_of(nucleus) is not None and letter_of(nucleus).text == "e" and sup is not None:
+                yield from occurrences(sup)
+        case Product() | Fraction():
+            yield from occurrences(node)
+        case _:
+            for child in children(node):
+                yield from occurrences(child)
+
+
+def is_rate(fraction: Fraction) -> bool:
+    """Whether it is d/dt or d^k x/dt^k."""
+    items = []
+    for part in (fraction.numerator, fraction.denominator):
+        part = part.parts[0] if isinstance(part, Group) and len(part.parts) == 1 else part
+        items.append(part.items[0] if isinstance(part, Product) else part)
+    heads = [item.nucleus if isinstance(item, Scripted) else item for item in items]
+    return all(isinstance(head, Leaf) and head.text == "d" for head in heads)
+
+
+def is_known(
+    found: Occurrence, table: SymbolTable, integers: Collection[str], node: Node | None = None
+) -> bool:
+    """Whether the paper has the letter, or has one if `node` stood in its place."""
+    return meaning(found, table, integers, node) is not None
+
+
+def meaning(
+    found: Occurrence, table: SymbolTable, integers: Collection[str], node: Node | None = None
+) -> str | None:
+    """The name under which the paper has the letter, or what it would be with `node` in its place."""
+    base = found.base_of(node or found.node)
+    if base in _BUILT_IN or (base in _COUNTING and found.scripts.sub) or (base == "e" and found.scripts.sup):
+        return base
+    if base == "t" or variable_name(_plain(base, found)) in integers:
+        return base
+    for scripts in (found.scripts, found.scripts.without_sup()):
+        pieces = spell(base, scripts, integers)
+        if pieces is not None:
+            symbol = table.find(pieces) or (table.find(pieces, True) if found.bracket else None)
+            if symbol is not None:
+                return symbol[0].name
+    return None
+
+
+def _plain(base: str, found: Occurrence) -> Node:
+    leaf = Leaf(0, "LETTER", base)
+    return Scripted(0, leaf, found.scripts.sub) if found.scripts.sub is not None else leaf
+
+
+def other_letters(
+    found: Sequence[Occurrence], table: SymbolTable, integers: Collection[str]
+) -> Iterator[tuple[list[Mark], int]]:
+    """What one letter may be, wherever it stands, so that the paper has it: the marks, and how much is
+    changed: 1 for the font, the underline or the case, 2 for another letter."""
+    first = found[0]
+    letter = letter_of(first.node)
+    names = [letter.text, other_case(letter.text)]
+    names += [other for group in _ALIKE if letter.text in group for other in group if other not in names]
+    seen: set[tuple[str | None, ...]] = set()
+    for text in names:
+        plain = Leaf(letter.at, "LETTER", text)
+        for font in (plain, *(Styled(letter.at, font, plain) for font in FONTS)):
+            for new in (font, Styled(letter.at, "\\underline", font)):
+                if latex_of(new) == latex_of(first.node):
+                    continue
+                meant = tuple(meaning(one, table, integers, new) for one in found)
+                if None not in meant and meant not in seen:
+                    seen.add(meant)
+                    said = f"${latex_of(first.node)}$ should be ${latex_of(new)}$ throughout"
+                    if len(found) == 1:
+                        said = said.removesuffix(" throughout")
+                    marks = [Mark(one.node, new, 1, "mark", said) for one in found]
+                    yield marks, 1 if text in names[:2] else 2
+
+
+def has_readable_sup(found: Occurrence, table: SymbolTable, integers: Collection[str]) -> bool:
+    """Whether the superscript of the letter is a power, an order, a mark, or a part of its name."""
+    sup = found.scripts.sup
+    if sup is None or found.base == "e":
+        return True
+    inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
+    if isinstance(inner, Bracket) or (isinstance(inner, Leaf) and inner.text in ("T", "*")):
+        return True
+    try:
+        if linear(inner, integers) is not None:
+            return True
+    except Fault:
+        return True
+    pieces = spell(found.base, found.scripts, integers)
+    signed = latex_of(inner).lstrip("{").startswith("-")
+    return signed or isinstance(inner, Chain) or (pieces is not None and table.find(pieces) is not None)

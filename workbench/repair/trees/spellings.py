@@ -1,0 +1,133 @@
+"""What is wrong with a formula before any type is looked at: an accent, a bracket, a condition, a superscript
+or a letter that the reader does not know, each put right in the ways an editor would think of first."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+from workbench.language.errors import Fault
+from workbench.language.statements import clauses_of
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import Lines, Node, parse
+from workbench.repair.terms.search import Change
+from workbench.repair.trees.garbled import (
+    Step,
+    conditions,
+    is_condition,
+    rates,
+    repeated_sides,
+    stray_signs,
+    superscripts,
+)
+from workbench.repair.trees.unknown_letters import arguments, arrows, known_letters, left_scripts
+
+#: The most spellings of one formula that are looked at.
+MOST = 24
+
+_STRANGE_ACCENT = re.compile(r"\\(?:hat|widehat|check|breve|acute|grave)(?![A-Za-z])")
+_CIRCLE = re.compile(r"\\overset\s*\{\s*\\circ\s*\}|\\mathring(?![A-Za-z])|\\r(?![A-Za-z])")
+_DOTS = ("\\dot", "\\ddot", "\\dddot", "\\ddddot")
+
+#: What a strange accent and what a circle may stand for.
+_ACCENTS = (("\\tilde", "\\dddot"), *(("\\underline", dots) for dots in _DOTS), ("\\dot", "\\tilde"))
+
+
+@dataclass(frozen=True)
+class Spelling:
+    """A formula in which every letter, accent and condition is one that the reader knows."""
+
+    lines: Lines
+    changes: tuple[Change, ...] = ()
+
+
+def spellings(latex: str, table: SymbolTable, integers: frozenset[str]) -> Iterator[Spelling]:
+    """The formula as printed if nothing in it is unknown; else with the fewest changes that make it so."""
+    steps: tuple[Step, ...] = (
+        conditions,
+        superscripts,
+        rates,
+        stray_signs,
+        arrows,
+        left_scripts,
+        known_letters,
+        arguments,
+        repeated_sides,
+    )
+    yield from islice(_spelled(latex, steps, table, integers), MOST)
+
+
+def _spelled(
+    latex: str, steps: Sequence[Step], table: SymbolTable, integers: frozenset[str]
+) -> Iterator[Spelling]:
+    for text, changes in _texts(latex):
+        found = [Spelling(_in_rows(parse(text)), changes)]
+        for step in steps:
+            found = [
+                Spelling(lines, (*before.changes, *more))
+                for before in found
+                for lines, more in step(before.lines, table, integers)
+            ]
+        yield from found
+
+
+def _in_rows(lines: Lines) -> Lines:
+    """One statement to a line, with the conditions that follow it; a line that goes on joined to the last."""
+    if (
+        not any(isinstance(clause, Lines) for line in lines.lines for clause in line)
+        and len(lines.lines) == 1
+    ):
+        return lines
+    rows: list[tuple[Node, ...]] = []
+    try:
+        for clause in clauses_of(lines):
+            rows[-1:] = [(*rows[-1], clause)] if rows and is_condition(clause) else [*rows[-1:], (clause,)]
+    except Fault:
+        return lines
+    return Lines(lines.at, tuple(rows))
+
+
+# text that cannot be parsed
+
+
+def _texts(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
+    if _parses(latex):
+        yield latex, ()
+        return
+    accents = [*_STRANGE_ACCENT.findall(latex), *_CIRCLE.findall(latex)]
+    seen: set[str] = set()
+    if accents:
+        for tilde, dots in _ACCENTS:
+            text = _CIRCLE.sub(lambda _, d=dots: d, _STRANGE_ACCENT.sub(lambda _, t=tilde: t, latex))
+            if text not in seen and _parses(text):
+                seen.add(text)
+                shown = [tilde] * bool(_STRANGE_ACCENT.search(latex)) + [dots] * bool(_CIRCLE.search(latex))
+                said = f"the accent {accents[0]} should be {' and '.join(shown)}"
+                yield text, (Change("mark", said),)
+        return
+    yield from _brackets(latex)
+
+
+def _brackets(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
+    """One bracket dropped or put in, where that makes a formula."""
+    for place, sign in enumerate(latex):
+        if sign in "()[]":
+            text = latex[:place] + latex[place + 1 :]
+            if _parses(text):
+                yield text, (Change("bracket", f"the bracket {sign} in column {place + 1} is one too many"),)
+    ends = [match.end() for match in re.finditer(r"\\[A-Za-z]+|\\.|[^\\\s]", latex)]
+    for sign in (")", "]", "}", "(", "["):
+        for place in reversed(ends):
+            text = f"{latex[:place]}{sign}{latex[place:]}"
+            if _parses(text):
+                yield text, (Change("bracket", f"a bracket {sign} is missing in column {place + 1}"),)
+
+
+def _parses(latex: str) -> bool:
+    try:
+        parse(latex)
+    except Fault:
+        return False
+    return True

@@ -1,0 +1,182 @@
+"""Letters that the paper does not have become letters that it has: in another font, underlined or not, those
+that they are mistaken for, with other left scripts or with the argument that was lost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import islice, pairwise, product
+
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, parse
+from workbench.language.types import VECTOR
+from workbench.repair.trees.garbled import Found, changes_of, letters_of_clauses
+from workbench.repair.trees.integers import bound_variables
+from workbench.repair.trees.letters import Occurrence, is_known, meaning, other_letters
+from workbench.repair.trees.marks import Mark, marked
+from workbench.repair.trees.nodes import below, latex_of
+
+#: The most ways to put the letters of one formula right.
+MOST = 24
+
+
+def arrows(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
+    """PQ for the vector between P and Q, where the paper has the places of both, as r_P and r_Q."""
+    strange = {id(f.node): f.text for f in letters_of_clauses(lines) if not is_known(f, table, integers)}
+    found: list[Found] = []
+    for part in below(lines):
+        if not (isinstance(part, Product) and len(part.items) > 1):
+            continue
+        ends = part.items[-2:]
+        names = [strange.get(id(end), "") for end in ends]
+        if not all(len(name) == 1 and name.isupper() for name in names):
+            continue
+        for letter in _letters_with_subscripts(names, table):
+            start, end = (parse(f"{letter}_{{{name}}}").lines[0][0] for name in names)
+            vector = Bracket(part.at, "(", (Sum(part.at, (("", part.at, end), ("-", part.at, start))),))
+            rest = part.items[:-2]
+            new = Product(part.at, (*rest, vector)) if rest else vector
+            said = f"${''.join(names)}$ should be ${latex_of(vector)}$"
+            others = [
+                Mark(other, new, 1, "symbol", said)
+                for other in below(lines)
+                if isinstance(other, Product) and latex_of(other) == latex_of(part)
+            ]
+            found.append((marked(others, lines), changes_of(others)))
+    return found or [(lines, ())]
+
+
+def _letters_with_subscripts(names: Sequence[str], table: SymbolTable) -> list[str]:
+    """The letters x for which the paper has vectors x_P for all the names P."""
+    having = []
+    for name in names:
+        ending = f"_{{{name}}}"
+        vectors = [n for n, d in table.symbols.items() if n.endswith(ending) and d.type == VECTOR]
+        having.append([n.removesuffix(ending) for n in vectors])
+    first, *others = having
+    return [letter for letter in first if all(letter in other for other in others)]
+
+
+def known_letters(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
+    """Letters that the paper does not have become letters that it has, each in the same way throughout."""
+    known = integers | bound_variables(lines)
+    strange: dict[str, list[Occurrence]] = {}
+    for found in letters_of_clauses(lines):
+        if not is_known(found, table, known):
+            left = latex_of(found.left) if found.left is not None else ""
+            strange.setdefault(f"{left} {found.base}", []).append(found)
+    if not strange:
+        return [(lines, ())]
+    ways = []
+    for found in strange.values():
+        of_letter = sorted(_known_forms(found, lines, table, known), key=lambda way: way[1])
+        if not of_letter:
+            return [(lines, ())]
+        ways.append([marks for marks, _ in of_letter[:4]])
+    chosen = [[mark for marks in way for mark in marks] for way in islice(product(*ways), MOST)]
+    return [(marked(marks, lines), changes_of(marks)) for marks in chosen]
+
+
+def _known_forms(
+    found: Sequence[Occurrence], lines: Lines, table: SymbolTable, integers: frozenset[str]
+) -> Iterator[tuple[list[Mark], int]]:
+    """Other letters; also with the left scripts up for down, or without them."""
+    yield from other_letters(found, table, integers)
+    if found[0].left is None:
+        return
+    for change in (_swapped, _without_left):
+        marks = [mark for one in found for mark in change(one, lines)[1]]
+        moved = [change(one, lines)[0] for one in found]
+        if all(is_known(one, table, integers) for one in moved):
+            yield marks, 1
+        for more, cost in other_letters(moved, table, integers):
+            yield [*marks, *more], cost + 1
+
+
+def _swapped(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]]:
+    left = one.left
+    new = Scripted(left.at, left.nucleus, left.sup, left.sub)
+    said = f"${latex_of(left)}$ should be ${latex_of(new)}$"
+    scripts = replace(one.scripts, left_sub=one.scripts.left_sup, left_sup=one.scripts.left_sub)
+    return replace(one, scripts=scripts), [Mark(left, new, 1, "index", said)]
+
+
+def _without_left(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]]:
+    marks = []
+    for part in below(lines):
+        if isinstance(part, Product) and any(item is one.left for item in part.items):
+            rest = tuple(item for item in part.items if item is not one.left)
+            new = rest[0] if len(rest) == 1 else Product(part.at, rest)
+            said = f"the index ${latex_of(one.left)}$ does not belong there"
+            marks.append(Mark(part, new, 1, "index", said))
+    return replace(one, scripts=replace(one.scripts, left_sub=None, left_sup=None)), marks
+
+
+def left_scripts(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
+    """Left scripts that have run into what stands before them: a subscript on a bracket, or perhaps the
+    second digit of an index."""
+    marks = []
+    for part in below(lines):
+        if isinstance(part, Product):
+            marks += _from_brackets(part)
+    found = [(marked(marks, lines), changes_of(marks))]
+    letters = list(letters_of_clauses(lines))
+    more = [mark for one, following in pairwise(letters) for mark in _from_index(one, following)]
+    if more:
+        found.append((marked([*marks, *more], lines), changes_of([*marks, *more])))
+    return found
+
+
+def _from_index(one: Occurrence, following: Occurrence) -> Iterator[Mark]:
+    sub = one.scripts.sub
+    digits = latex_of(sub).strip("{}") if sub is not None else ""
+    if len(digits) == 2 and digits.isdigit() and following.holder is not None and following.left is None:
+        at = following.holder.at
+        left = Scripted(at, Group(at, ()), Leaf(at, "NUMBER", digits[1]))
+        said = f"${digits[1]}$ in ${latex_of(one.holder)}$ belongs to ${latex_of(following.holder)}$"
+        yield Mark(sub, Leaf(sub.at, "NUMBER", digits[0]), 1, "index", said)
+        row = Group(at, (Product(at, (left, following.holder)),))
+        yield Mark(following.holder, row, 1, "index", said)
+
+
+def _from_brackets(product: Product) -> Iterator[Mark]:
+    items = list(product.items)
+    changed = False
+    for place, item in enumerate(product.items[:-1]):
+        if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket) and item.sub is not None:
+            changed = True
+            bracket = item.nucleus if item.sup is None else Scripted(item.at, item.nucleus, None, item.sup)
+            left = Scripted(item.at, Group(item.at, ()), item.sub)
+            items[place] = (bracket, left)
+            index = latex_of(item.sub)
+            following = latex_of(product.items[place + 1])
+            said = f"the index ${index}$ of the bracket belongs to ${following}$"
+    if changed:
+        row = [part for item in items for part in (item if isinstance(item, tuple) else (item,))]
+        yield Mark(product, Product(product.at, tuple(row)), 1, "index", said)
+
+
+def arguments(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
+    """A function of the paper that takes one argument more than it has here."""
+    known = integers | bound_variables(lines)
+    for found in letters_of_clauses(lines):
+        if found.bracket is None:
+            continue
+        formals = table.formals.get(meaning(found, table, known) or "", ())
+        given = found.bracket.parts
+        if len(formals) != len(given) + 1:
+            continue
+        ways: list[Found] = []
+        formal_names = {f.name for fs in table.formals.values() for f in fs}
+        for place, formal in enumerate(formals):
+            for name, declaration in table.symbols.items():
+                if declaration.type != formal.type or "@" in name or name in formal_names:
+                    continue
+                argument = parse(name).lines[0][0]
+                parts = (*given[:place], argument, *given[place:])
+                bracket = Bracket(found.bracket.at, found.bracket.kind, parts)
+                said = f"the argument ${name}$ is missing in ${latex_of(bracket)}$"
+                mark = Mark(found.bracket, bracket, 1, "symbol", said)
+                ways.append((marked([mark], lines), changes_of([mark])))
+        return ways or [(lines, ())]
+    return [(lines, ())]

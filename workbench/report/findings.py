@@ -1,0 +1,203 @@
+"""What is wrong in a paper, each fault in its place, as people, editors and CI read it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from workbench.judge.verdict import Outcome
+from workbench.papers import Paper, PaperError
+from workbench.papers.model import Span
+from workbench.papers.text_paper import TextPaper
+from workbench.verify.claims import HOLDS, ClaimResult
+
+LEVELS = ("error", "warning", "note")
+_LEVEL_OF = {
+    Outcome.REFUTED: "error",
+    Outcome.ILL_FORMED: "error",
+    Outcome.CONDITIONAL: "warning",
+    Outcome.PROBABLE: "warning",
+    Outcome.UNCHECKED: "note",
+}
+_RULES = {
+    "refuted": "The formula is well-formed and false.",
+    "ill-formed": "Types or weights do not fit as printed.",
+    "conditional": "The formula holds only under a condition that the text does not state.",
+    "probable": "The formula was tested at random points only.",
+    "unchecked": "The formula could not be judged.",
+    "known": "A fault that the model names, with its proved correction.",
+    "unexpected": "The verdict is not the one that the model announces.",
+    "model": "What the model says does not fit the text.",
+    "text": "The text could not be read as TeX would read it.",
+}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """`code` is one of the rules above. `claim`: its id; empty for what concerns no claim."""
+
+    level: str
+    code: str
+    message: str
+    span: Span
+    claim: str = ""
+    latex: str = ""
+
+
+def findings(paper: Paper, results: Sequence[ClaimResult]) -> list[Finding]:
+    """All of them, in the order of the text; nothing for a claim that is proved or a definition."""
+    found = [finding for finding in _of_results(results)]
+    if isinstance(paper, TextPaper):
+        found += [_of_error("error", "model", error, paper) for error in paper.faults]
+        found += [_of_error("warning", "text", error, paper) for error in paper.warnings]
+    return sorted(found, key=lambda each: (str(each.span.file), each.span.line, each.span.column))
+
+
+def _of_results(results: Sequence[ClaimResult]) -> Iterator[Finding]:
+    broken: set[str] = set()  # steps of a chain that do not follow
+    for result in results:
+        claim, outcome = result.claim, result.verdict.outcome
+        if outcome in (Outcome.REFUTED, Outcome.ILL_FORMED):
+            is_first = not broken.intersection(claim.chain)
+            broken.add(claim.id)
+        else:
+            is_first = False
+        if result.passed and outcome in HOLDS:
+            continue
+        code, level = str(outcome), _LEVEL_OF.get(outcome, "error")
+        if result.passed:
+            code, level = ("known", "note") if claim.skip is None else ("unchecked", "note")
+        elif outcome == result.expected or outcome in HOLDS:
+            code, level = "unexpected", "error"
+        message = _message(result, bool(claim.chain), is_first)
+        yield Finding(level, code, message, place_of(result), claim.id, claim.printed.latex)
+
+
+def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:
+    verdict = result.verdict
+    parts = [str(verdict.outcome)]
+    if is_step and verdict.outcome is Outcome.REFUTED:
+        parts[0] += (
+            ": the first step that does not follow" if is_first else ": does not follow from the step before"
+        )
+    if verdict.reason:
+        parts[0] += f": {verdict.reason}"
+    if verdict.hypothesis:
+        parts.append(f"holds if {verdict.hypothesis}")
+    if counterexample := verdict.counterexample:
+        values = ", ".join(f"{name} = {_tuple(entries)}" for name, entries in counterexample.values.items())
+        sides = f"{_tuple(counterexample.left)} ≠ {_tuple(counterexample.right)}"
+        parts.append(f"{values} gives {sides}")
+    if not result.passed and result.why_not and verdict.outcome in HOLDS | {result.expected}:
+        parts.append(result.why_not)
+    return "; ".join(parts)
+
+
+def place_of(result: ClaimResult) -> Span:
+    """Where the fault is: in a text, under the author's characters."""
+    claim = result.claim
+    if claim.printed.at is not None:
+        return claim.printed.at
+    if claim.span is not None:
+        return claim.span
+    return Span(claim.file or Path(), claim.line or 1, 1, claim.line or 1, 1)
+
+
+def _of_error(level: str, code: str, error: PaperError, paper: Paper) -> Finding:
+    line, column = error.line or 1, error.column or 1
+    span = Span(Path(error.file or paper.paths[0]), line, column, line, column + 1)
+    return Finding(level, code, error.message, span)
+
+
+def _tuple(entries: Sequence[str]) -> str:
+    return entries[0] if len(entries) == 1 else "(" + ", ".join(entries) + ")"
+
+
+def github(found: Sequence[Finding]) -> str:
+    """Workflow commands: GitHub shows them beside the lines."""
+    lines = []
+    for each in found:
+        level = "notice" if each.level == "note" else each.level
+        places = {
+            "file": str(each.span.file),
+            "line": each.span.line,
+            "endLine": each.span.end_line,
+            "col": each.span.column,
+            "endColumn": each.span.end_column,
+            "title": f"{each.code} {each.claim}".strip(),
+        }
+        properties = ",".join(f"{name}={_escaped(str(value), ':,')}" for name, value in places.items())
+        lines.append(f"::{level} {properties}::{_escaped(each.message)}\n")
+    return "".join(lines)
+
+
+def _escaped(text: str, more: str = "") -> str:
+    text = text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+    for character in more:
+        text = text.replace(character, f"%{ord(character):02X}")
+    return text
+
+
+def sarif(found: Sequence[Finding], version: str) -> dict[str, Any]:
+    """SARIF 2.1.0; columns count code points, the end column is behind the last."""
+    used = sorted({each.code for each in found})
+    rules = [{"id": code, "shortDescription": {"text": _RULES[code]}} for code in used]
+    driver = {"name": "workbench", "version": version, "rules": rules}
+    return {
+        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "version": "2.1.0",
+        "runs": [
+            {
+                "tool": {"driver": driver},
+                "columnKind": "unicodeCodePoints",
+                "results": [_sarif_result(each, used) for each in found],
+            }
+        ],
+    }
+
+
+def _sarif_result(each: Finding, used: Sequence[str]) -> dict[str, Any]:
+    region = {
+        "startLine": each.span.line,
+        "startColumn": each.span.column,
+        "endLine": each.span.end_line,
+        "endColumn": each.span.end_column,
+    }
+    location = {"artifactLocation": {"uri": each.span.file.as_posix()}, "region": region}
+    mark = hashlib.sha256("\n".join((each.code, each.claim, each.latex, each.message)).encode()).hexdigest()
+    return {
+        "ruleId": each.code,
+        "ruleIndex": used.index(each.code),
+        "level": each.level,
+        "message": {"text": each.message},
+        "locations": [{"physicalLocation": location}],
+        "partialFingerprints": {"claim/v1": mark[:32]},
+    }
+
+
+def rdjsonl(found: Sequence[Finding], lines_of: dict[Path, list[str]]) -> str:
+    """Reviewdog's JSON lines; columns count UTF-8 bytes, from 1."""
+    severities = {"error": "ERROR", "warning": "WARNING", "note": "INFO"}
+    made = []
+    for each in found:
+        lines = lines_of.get(each.span.file, [])
+        start = {"line": each.span.line, "column": _bytes(lines, each.span.line, each.span.column)}
+        end = {"line": each.span.end_line, "column": _bytes(lines, each.span.end_line, each.span.end_column)}
+        data = {
+            "message": each.message,
+            "location": {"path": str(each.span.file), "range": {"start": start, "end": end}},
+            "severity": severities[each.level],
+            "source": {"name": "workbench"},
+            "code": {"value": each.code},
+        }
+        made.append(json.dumps(data, ensure_ascii=False) + "\n")
+    return "".join(made)
+
+
+def _bytes(lines: Sequence[str], line: int, column: int) -> int:
+    text = lines[line - 1] if 0 < line <= len(lines) else ""
+    return len(text[: column - 1].encode("utf-8", "replace")) + 1

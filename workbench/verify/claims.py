@@ -1,0 +1,295 @@
+"""Runs the claims of a paper: each printed form, its reading and its correction get a verdict of their own,
+and the claim passes if the verdicts are those that its keys announce."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+
+from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.subject.assumptions import Unsatisfiable
+from workbench.judge.subject.inventory import NotExact
+from workbench.judge.theorems.goals import Scope
+from workbench.judge.theorems.proofs import False_, Kernel, Proven
+from workbench.judge.theorems.prove import prove
+from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
+from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
+from workbench.papers.selection import select_claims
+from workbench.verify.memory import Keys, Memory
+from workbench.verify.witnesses import Witnesses
+
+#: Outcomes that count as true: what a definition says is true by its being one.
+HOLDS = frozenset({Outcome.PROVED, Outcome.DEFINITION})
+
+#: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
+_RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
+
+#: From this many claims on it pays to start a process for each core.
+MANY = 40
+
+#: The forms of a claim that get a verdict each.
+FORMS = ("printed", "reading", "corrected")
+
+
+@dataclass(frozen=True)
+class ClaimResult:
+    """The verdict on a claim as printed, on its reading and on its correction. `why_not`: if the claim did
+    not pass, which verdict was expected and which one came."""
+
+    claim: Claim
+    verdict: Verdict
+    reading: Verdict | None
+    corrected: Verdict | None
+    expected: Outcome
+    passed: bool
+    why_not: str = ""
+
+
+class PaperJudge:
+    """The judges of a paper: one for each notation, made on first use. Each judgement has the budget: that
+    given here, or the paper's, or the standard one. memory: where verdicts of earlier runs are kept."""
+
+    def __init__(
+        self,
+        paper: Paper,
+        second_engine: bool = True,
+        motions: bool = True,
+        budget: Budget | None = None,
+        memory: Memory | None = None,
+    ) -> None:
+        self.paper = paper
+        self.options = {"second_engine": second_engine}
+        self.budget = budget or paper.budget or STANDARD
+        self._witnesses = Witnesses() if motions else None
+        self._waiting: Sequence[Claim] = ()
+        self._judges: dict[int, Judge] = {}
+        self._theorem = cache(lambda name: paper.theorems[name]())  # several claims can rest on one
+        self._claims = {claim.id: claim for claim in paper.claims}
+        self._workers = self._new_workers(1)
+        self._memory = memory
+        self._keys = (
+            Keys(paper.theorems, {**self.options, "motions": motions, "budget": self.budget})
+            if memory
+            else None
+        )
+
+    def result(self, claim: Claim) -> ClaimResult:
+        """The result for one of the paper's claims."""
+        (result,) = self.results([claim])
+        return result
+
+    def results(self, claims: Sequence[Claim]) -> Iterator[ClaimResult]:
+        """The results for claims of the paper, in their order, each as soon as it is there.
+
+        Many claims are judged on all cores: a claim does not depend on another."""
+        asked = [(claim, form) for claim in claims for form in _forms(claim)]
+        known = {(claim.id, form): self._recall(claim, form) for claim, form in asked}
+        new = [name_and_form for name_and_form, verdict in known.items() if verdict is None]
+        self._waiting = [self._claims[name] for name, _ in new]
+        workers = self._workers if len(new) < MANY else self._new_workers(os.cpu_count() or 1)
+        verdicts = workers.map(new)
+        try:
+            for claim in claims:
+                found = {form: known[claim.id, form] for form in _forms(claim)}
+                for form in found:
+                    if found[form] is None:
+                        found[form] = self._remember(claim, form, next(verdicts))
+                yield _result(claim, *(found.get(form) for form in FORMS))
+        finally:
+            verdicts.close()
+            if workers is not self._workers:
+                workers.close()
+
+    def _recall(self, claim: Claim, form: str) -> Verdict | None:
+        return self._memory.recall(self._keys.of(claim, form)) if self._memory else None
+
+    def _remember(self, claim: Claim, form: str, answer: Verdict | OutOfBudget) -> Verdict:
+        """The answer as a verdict; kept if it does not hang on how fast this machine is."""
+        if isinstance(answer, OutOfBudget):
+            return Verdict(Outcome.UNCHECKED, reason=str(answer))
+        if self._memory:
+            self._memory.remember(self._keys.of(claim, form), answer)
+        return answer
+
+    def close(self) -> None:
+        """Ends the processes in which claims are judged."""
+        self._workers.close()
+
+    def _new_workers(self, count: int) -> Workers:
+        return Workers(self._verdict_on, self.budget, count, prepare=self._prepare)
+
+    def _prepare(self) -> None:
+        _load_engines()
+        if self._witnesses:
+            for claim in self._waiting:
+                self._witnesses.prepare(claim)
+
+    def _verdict_on(self, name_and_form: tuple[str, str]) -> Verdict:
+        name, form = name_and_form
+        claim = self._claims[name]
+        if form == "printed":
+            return self._printed(claim)
+        return self._verdict(claim, getattr(claim, form), claim.hypothesis if form == "reading" else None)
+
+    def _printed(self, claim: Claim) -> Verdict:
+        if claim.goal is not None or claim.theorem is not None:
+            shown = self._proof if claim.goal is not None else self._argument
+            verdict = _undisturbed(lambda: shown(claim))
+            return self._seen(verdict, claim, claim.printed, claim.hypothesis)
+        if claim.skip is not None:
+            return Verdict(Outcome.UNCHECKED, reason=f"left out: {claim.skip}")
+        verdict = self._verdict(claim, claim.printed, claim.hypothesis)
+        if verdict.outcome is Outcome.REFUTED and claim.states is not None:
+            return Verdict(Outcome.UNCHECKED, reason=_states(claim.states), read_back=verdict.read_back)
+        if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
+            return Verdict(
+                Outcome.UNCHECKED, reason=_as_guessed(verdict, claim.guessed), read_back=verdict.read_back
+            )
+        return verdict
+
+    def _proof(self, claim: Claim) -> Verdict:
+        """On the goal, by its proof; without one, by the judge of formulas alone."""
+        proven = Proven(None, False_()) if claim.corrected is not None else Proven(Kernel())
+        if claim.theorem is not None:
+            proven = self.paper.theorems[claim.theorem]
+            if not isinstance(proven, Proven):
+                return Verdict(
+                    Outcome.UNCHECKED, reason=f"{claim.theorem} is an argument, and no proof of a goal"
+                )
+        notation = claim.notation
+        return prove(
+            claim.goal.goal,
+            Scope(notation.symbols, notation.definitions, {}),
+            self._judge(notation),
+            proven,
+            assume=claim.supposed,
+            bare=claim.goal.bare if claim.hypothesis is not None else None,
+        )
+
+    def _argument(self, claim: Claim) -> Verdict:
+        """What the steps of an argument support: they are checked, and what joins them is prose."""
+        name = claim.theorem
+        if isinstance(self.paper.theorems[name], Proven):
+            return Verdict(Outcome.UNCHECKED, reason=f"{name} proves a goal, and the claim has none")
+        verdict = self._theorem(name)
+        if verdict.outcome == Outcome.UNCHECKED:
+            return verdict
+        return replace(verdict, outcome=Outcome.ARGUED, scope=None, reason=claim.argued)
+
+    def _verdict(self, claim: Claim, formula: Formula, hypothesis: Formula | None) -> Verdict:
+        if formula.ill_formed is not None:
+            return Verdict(Outcome.ILL_FORMED, reason=formula.ill_formed)
+        if formula.unread is not None:
+            return Verdict(Outcome.UNCHECKED, reason=formula.unread)
+        try:
+            verdict = _undisturbed(
+                lambda: self._judge(claim.notation).judge(
+                    formula.statement,
+                    assume=claim.supposed,
+                    hypothesis=hypothesis and hypothesis.statement,
+                    orders=claim.orders,
+                )
+            )
+        except Unsatisfiable as error:
+            if claim.span is not None:
+                return Verdict(Outcome.UNCHECKED, reason=str(error))
+            raise PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error}") from None
+        return self._seen(verdict, claim, formula, hypothesis)
+
+    def _seen(self, verdict: Verdict, claim: Claim, form: Formula, hypothesis: Formula | None) -> Verdict:
+        return self._witnesses.seen(verdict, claim, form, hypothesis) if self._witnesses else verdict
+
+    def _judge(self, notation: Notation) -> Judge:
+        if id(notation) not in self._judges:
+            self._judges[id(notation)] = Judge(
+                notation.definitions,
+                bound=frozenset(s.declaration.name for s in notation.motion),
+                **self.options,
+            )
+        return self._judges[id(notation)]
+
+
+def _undisturbed(judge: Callable[[], Verdict]) -> Verdict:
+    """The verdict; where the engines disagree, a defect of the workbench that must not stop the other claims,
+    it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
+    try:
+        return judge()
+    except NotExact as outside:
+        return Verdict(Outcome.UNCHECKED, reason=str(outside))
+    except EngineDisagreement as error:
+        return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench, its engines disagree: {error}")
+
+
+def _as_guessed(verdict: Verdict, names: Sequence[str]) -> str:
+    shown = ", ".join(names[:5]) + (", …" if len(names) > 5 else "")
+    why = f" ({verdict.reason})" if verdict.reason else ""
+    return f"{verdict.outcome} if the kinds of {shown} are as guessed{why}; confirm them, and it is judged"
+
+
+def _states(symbol: str) -> str:
+    return f"says what {symbol} is, which nothing defines; a definition of {symbol} makes it a claim"
+
+
+def judge_paper(
+    paper: Paper,
+    select: Sequence[str] = (),
+    progress: Callable[[ClaimResult], None] = lambda result: None,
+    **options: bool | Budget | Memory | None,
+) -> list[ClaimResult]:
+    """The results of the selected claims, in reading order; `progress` sees each as soon as it is there.
+    options: those of PaperJudge."""
+    judge = PaperJudge(paper, **options)
+    results = []
+    try:
+        for result in judge.results(select_claims(paper.claims, select)):
+            results.append(result)
+            progress(result)
+    finally:
+        judge.close()
+    return results
+
+
+def _forms(claim: Claim) -> list[str]:
+    return [form for form in FORMS if form == "printed" or getattr(claim, form) is not None]
+
+
+def _load_engines() -> None:
+    """Here, once, and not in each process."""
+    import workbench.judge.second.drake_ring
+    import workbench.judge.second.sympy_ring  # noqa: F401
+
+
+def _result(
+    claim: Claim, verdict: Verdict, reading: Verdict | None, corrected: Verdict | None
+) -> ClaimResult:
+    expected = claim.expected
+    faults = list(_faults(claim, expected, verdict, reading, corrected))
+    return ClaimResult(claim, verdict, reading, corrected, expected, not faults, "; ".join(faults))
+
+
+def _faults(
+    claim: Claim, expected: Outcome, verdict: Verdict, reading: Verdict | None, corrected: Verdict | None
+) -> Iterator[str]:
+    yield from _differs("as printed", expected, verdict)
+    if reading is not None:
+        intended = Outcome.PROVED
+        if claim.corrected is not None:
+            intended = Outcome.REFUTED
+        elif claim.hypothesis is not None:
+            intended = Outcome.CONDITIONAL
+        yield from _differs("the reading", intended, reading)
+    if corrected is not None:
+        yield from _differs("the correction", Outcome.PROVED, corrected)
+
+
+def _differs(what: str, expected: Outcome, verdict: Verdict) -> Iterable[str]:
+    got = verdict.outcome
+    if got == Outcome.PROVED and not verdict.evidence:
+        yield f"{what}: proved without evidence"
+    if got == expected or (expected == Outcome.PROVED and got in HOLDS):
+        return
+    reason = f" ({verdict.reason})" if verdict.reason else ""
+    yield f"{what}: expected {expected}, got {got}{reason}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.printer import to_latex
 from workbench.language.reader import read, read_formula, read_term
 from workbench.language.symbols import SymbolTable
 
@@ -203,6 +204,38 @@ def test_the_value_of_a_symbol_is_a_statement() -> None:
 def test_a_condition_on_a_symbol_is_not_dropped(condition: str) -> None:
     with pytest.raises(ReadError, match="s is a symbol; what is assumed of symbols"):
         read(f"a = b, {condition}", TABLE)
+
+
+def test_a_bold_letter_that_is_a_symbol_is_no_index() -> None:
+    table = SymbolTable.build({"a": {"kind": "vector"}, r"\mathbf{n}": {"kind": "vector"}})
+    with pytest.raises(ReadError, match="expected an integer variable"):
+        read(r"a = a, \mathbf{n} = \overline{1, 3}", table)
+    with pytest.raises(ReadError, match="expected integer variables"):
+        read(r"a = a, \mathbf{n} \in \mathbb{N}", table)
+
+
+def test_a_circle_over_a_letter_is_a_part_of_its_name() -> None:
+    table = SymbolTable.build({r"\mathring{a}": {"kind": "vector"}})
+    for spelt in (r"\overset{\circ}{a}", r"\overset {\circ} {a}", r"\mathring{a}"):
+        assert to_latex(read_term(spelt, table)) == r"\mathring{a}"
+
+
+@pytest.mark.parametrize(
+    ("formula", "feature"),
+    [
+        (r"\min_a s = 0", "optimization is said by a goal"),
+        (r"a \mapsto b = 0", "a map is not read"),
+        (r"a = \{ b \mid s = 0 \}", "a set given by a condition"),
+    ],
+)
+def test_what_is_not_read_is_named(formula: str, feature: str) -> None:
+    with pytest.raises(ReadError, match=feature):
+        read(formula, TABLE)
+
+
+def test_a_bracket_that_is_never_closed_is_told_before_what_is_not_read() -> None:
+    with pytest.raises(ReadError, match="never closed"):
+        read(r"\min_a |s = 0", TABLE)
 
 
 @pytest.mark.parametrize("bound", [r"n \leq 5", r"1 \leq n \leq 5", r"n \le 5", r"n \lt 5"])

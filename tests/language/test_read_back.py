@@ -139,6 +139,8 @@ def test_words_between_statements() -> None:
         (r"n \in \mathbb{N}", 0, None),
         (r"\forall n \in \mathbb{N}^*", 1, None),
         (r"n = \overline{1, 5}", 1, 5),
+        (r"\mathbf{n} = \overline{1, 5}", 1, 5),
+        (r"\boldsymbol{n} \in \mathbb{N}^*", 1, None),
     ],
 )
 def test_ranges(stated: str, lower: int, upper: int | None) -> None:

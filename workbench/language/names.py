@@ -19,7 +19,16 @@ INDEX_LETTERS = frozenset("ijklmnp")
 #: Superscripts that mean the transpose.
 TRANSPOSES = frozenset({"T", "\\mathrm{T}", "\\mathsf{T}"})
 
-_OUTERMOST_FIRST = ("\\underline", "\\overline", "\\bar", "\\vec", "\\hat", "\\check", "\\breve")
+_OUTERMOST_FIRST = (
+    "\\underline",
+    "\\overline",
+    "\\bar",
+    "\\vec",
+    "\\hat",
+    "\\check",
+    "\\breve",
+    "\\mathring",
+)
 _CLOSING = {"(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
 
 #: A piece of a spelling: text, or an integer that may be an index.

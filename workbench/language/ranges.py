@@ -55,16 +55,28 @@ def is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> boo
     """Whether the clause is no relation between terms, but says what values its letters take."""
     signs = [sign for sign, _ in clause.relations]
     if clause.universal and set(signs) <= {"=", "≠"}:
-        names = {variable_name(side) for side in clause.sides[:1]}
+        names = {_index_name(side, table) for side in clause.sides[:1]}
         return not names & set(table.symbols) and None not in names
     if "∈" in signs or "≥" in signs or ">" in signs:
         return True
     if signs != ["="]:
         return False
-    name, value = variable_name(clause.sides[0]), clause.sides[1]
+    name, value = _index_name(clause.sides[0], table), clause.sides[1]
     is_value = isinstance(value, Leaf) and value.text.isdigit()
     is_variable = name in integers | INDEX_LETTERS and name not in table.symbols
     return _bar(value) is not None or (is_value and is_variable)
+
+
+def _index_name(node: Node, table: SymbolTable) -> str | None:
+    """The integer variable that a range is about. One in bold is that in light type, if bold is no symbol."""
+    match node:
+        case Styled(style="\\mathbf" | "\\boldsymbol" as style, body=body):
+            while isinstance(body, Group) and len(body.parts) == 1:
+                (body,) = body.parts
+            name = variable_name(body)
+            is_index = name in INDEX_LETTERS and f"{style}{{{name}}}" not in table.symbols
+            return name if is_index else None
+    return variable_name(node)
 
 
 def _bar(node: Node) -> tuple[Node, ...] | None:
@@ -86,7 +98,7 @@ def ranges_of(
     if sign == "∈":
         return _in_set((*members, left), right, table)
     refuse_alone(members)
-    name = variable_name(left)
+    name = _index_name(left, table)
     if name is None:
         raise Fault("expected an integer variable before the bound", left.at)
     if name in table.symbols:
@@ -116,7 +128,7 @@ def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[
     lower = NATURALS.get(set_name(where))
     if lower is None:
         return [Membership(members, where)]
-    names = [variable_name(member) for member in members]
+    names = [_index_name(member, table) for member in members]
     if None in names:
         raise Fault("expected integer variables before \\in", members[names.index(None)].at)
     for name, member in zip(names, members, strict=True):

@@ -35,6 +35,7 @@ _TOKEN = re.compile(
     r"""(?P<space>[ \t\r\n~]+)
     | \\(?:stackrel|overset)\s*\{\s*(?:\\(?:text|mathrm|rm)\s*\{\s*def\.?\s*\}|def|\\triangle|\\Delta)\s*\}
       \s*(?P<defined>\{\s*=\s*\}|=)
+    | (?P<ring>\\overset\s*\{\s*\\circ\s*\})
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
       \{(?P<words>[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[a-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
@@ -67,6 +68,7 @@ class _Tokenizer:
         self.out: list[Token] = []
         self.open: list[_Open] = []
         self.size: str | None = None  # a pending \left, \right, \bigl …
+        self.refused: Fault | None = None  # told if the brackets match
 
     def tokens(self) -> list[Token]:
         if len(self.text) > LONGEST:
@@ -78,6 +80,8 @@ class _Tokenizer:
             raise Fault(f"{self.open[-1].what} is never closed", self.open[-1].at)
         if self.size:
             raise Fault(f"\\{self.size} without a bracket", len(self.text))
+        if self.refused:
+            raise self.refused
         return _join_lines(_marks(self.out))
 
     def emit(self, kind: str, value: str, at: int) -> None:
@@ -92,6 +96,8 @@ class _Tokenizer:
         match kind:
             case "defined" | "assign":
                 self.emit("RELATION", "=", at)
+            case "ring":
+                self.command("mathring", text, at)
             case "words":
                 self.words(text, match["words"], at)
             case "name":
@@ -166,7 +172,7 @@ class _Tokenizer:
         elif name in DOTS:
             raise Fault(_guessed(text), at)
         elif name in EXPECTED:
-            raise Fault(f"{text}: {EXPECTED[name]}", at)
+            self.refused = self.refused or Fault(f"{text}: {EXPECTED[name]}", at)
         else:
             raise Fault(f"unknown command {text}", at)
 

@@ -38,7 +38,7 @@ _LETTERS = """
 """
 _STYLES = (
     "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak mathscr mathds mathbfit mathbfup symup"
-    " underline overline bar vec hat check breve"
+    " underline overline bar vec hat check breve mathring"
 )
 _FUNCTION_COMMANDS = "det sin cos tan cot sec csc exp sqrt Re"
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
@@ -168,6 +168,14 @@ WORDS = {
 DOTS = frozenset({"dots", "ldots", "cdots", "vdots", "ddots", "dotsb", "dotsc", "dotsi", "dotsm", "dotso"})
 #: What to write in place of commands that cannot be read.
 EXPECTED = {
+    **dict.fromkeys(
+        ("min", "max", "inf", "sup"),
+        "optimization is said by a goal: the bound for all places (\\forall), and one that has it (\\exists)",
+    ),
+    **dict.fromkeys(
+        ("mapsto", "to", "rightarrow", "colon"), "a map is not read; its values are, as in f(x) = …"
+    ),
+    **dict.fromkeys(("mid", "subset", "subseteq"), "a set given by a condition is not read"),
     **dict.fromkeys(("leq", "le", "lt"), "a range is written n \\geq 1 or n = \\overline{1,5}"),
     "prime": "a prime is written '",
 }

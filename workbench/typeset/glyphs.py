@@ -53,7 +53,7 @@ SAME = {"≜": "=", "⊤": "T", "⟺": "⇔"}
 ACCENTS = {
     r"\dot": ".", r"\ddot": "..", r"\dddot": "...", r"\ddddot": "....", r"\tilde": "˜",
     r"\widetilde": "˜", r"\hat": "^", r"\widehat": "^", r"\bar": "¯", r"\overline": "¯",
-    r"\vec": "→", r"\underline": "_",
+    r"\vec": "→", r"\underline": "_", r"\mathring": "˚",
 }  # fmt: skip
 DELIMITERS = {
     "(", ")", "[", "]", "|", ".", "/", r"\{", r"\}", r"\langle", r"\rangle", r"\|", r"\Vert",

@@ -76,7 +76,7 @@ def motion_of_last_body() -> Verdict:
                 "if R̲ₖ is, then so is R̲ₖ₊₁ = R̲ₖ ᵏR̲ₖ₊₁",
                 r"(X Q)(X Q)^T = X X^T",
                 r"\det (X Q) = \det X",
-                but_not=r"\det (X Q) = -\det X",
+                but_not=r"\det (X Y) = \det X",
             ),
             step(
                 "(I + ε c̃) A (I + ε d̃) B is the displacement by B, d and then by A, c",
@@ -116,7 +116,7 @@ def tensors_by_polynomials() -> Verdict:
             step(
                 "n = 1: Φ̲₁ is ω̲̃",
                 r"\Phi_1(x) = \tilde{x}",
-                but_not=r"\Phi_1(x) = -\tilde{x}",
+                but_not=r"\Phi_0(x) = \tilde{x}",
             ),
             step(
                 "n = 2, …, 5, the polynomials written out by the recurrence",

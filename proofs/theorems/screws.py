@@ -71,7 +71,7 @@ def lie_algebra_of_the_dual_group() -> Verdict:
             SCREW.step(
                 "the velocity of a curve of the group is a skew tensor times the curve's tensor",
                 r"(\dot{A} A^T)^T = -\dot{A} A^T",
-                but_not=r"(\dot{A} A^T)^T = \dot{A} A^T",
+                but_not=r"(\dot{T} T^T)^T = -\dot{T} T^T",
             ),
             *_exponential(),
             *_lie_algebra(),
@@ -130,7 +130,7 @@ def _exponential() -> list[Step]:
             " coefficients of 1 − cos α and sin α",
             r"\tilde{u}^3 = -\tilde{u}",
             r"\tilde{u}^4 = -\tilde{u}^2",
-            but_not=r"\tilde{u}^3 = \tilde{u}",
+            but_not=r"\tilde{b}^3 = -\tilde{b}",
         ),
         SCREW.step(
             "Ẋ = α̇ ũ X, the differential equation of exp(α ũ); X = I at α = 0",
@@ -181,7 +181,7 @@ def _representation() -> list[Step]:
             " w·u₀ = 0",
             r"(w \cdot r) w + \sin(2a) n + (1 - \cos(2a)) w \times n = r",
             r"w \cdot n = 0",
-            but_not=r"(w \cdot r) w + \sin(2a) n - (1 - \cos(2a)) w \times n = r",
+            but_not=r"\sin(2a) n + (1 - \cos(2a)) w \times n = r",
         ),
         SCREW.step(
             "(80) for α̲ = 2 a + ε d, u̲ = w + ε n is (I + ε ρ̃) R with that ρ",
@@ -208,7 +208,7 @@ def _onto() -> list[Step]:
             "where ψ ≠ 0, ψ̲ is |ψ̲| times a unit dual vector",
             rf"{direction} \cdot {direction} = 1",
             rf"|\underline{{\psi}}| {direction} = \underline{{\psi}}",
-            but_not=rf"{direction} \cdot {direction} = 2",
+            but_not=r"\underline{\psi} \cdot \underline{\psi} = 1",
         ),
         *_exponential(),
         SCREW.step(

@@ -76,7 +76,7 @@ def _every_order() -> list[Step]:
             "Φₙ = F Rᵀ and aₙ = h − Φₙ ρ have the recurrence (20), whatever functions F and h are",
             rf"{twist} = \frac{{d}}{{dt}}(F R^T) + (F R^T) \tilde{{\omega}}",
             r"\dot{h} - \dot{F} R^T \rho = \frac{d}{dt}(h - F R^T \rho) + (F R^T) v",
-            but_not=rf"{twist} = \frac{{d}}{{dt}}(F R^T) - (F R^T) \tilde{{\omega}}",
+            but_not=rf"{twist} = \frac{{d}}{{dt}}(F R^T) + \tilde{{\omega}} (F R^T)",
         ),
         _MOTION.step(
             "Ṙ = ω̃ R and ρ̇ = ω̃ ρ + v: so R⁽ⁿ⁾ = (ω̃ R)⁽ⁿ⁻¹⁾ and ρ⁽ⁿ⁾ = (ω̃ ρ + v)⁽ⁿ⁻¹⁾",

@@ -18,7 +18,7 @@ LETTERS = Letters(
     },
     {r"\Phi_1": r"\tilde{\omega}", r"\Phi_{n+1}": r"\dot{\Phi}_n + \Phi_n \Phi_1"},
 )
-FALSE = r"a \times b = b \times a"
+FALSE = r"a \times b = f b"
 
 
 def outcome(*formulas, but_not=FALSE, orders=None):
@@ -91,3 +91,32 @@ def test_a_counterexample_is_found_or_refused():
     assert set(found.values) == {"a", "b"}
     with pytest.raises(ValueError, match="false somewhere, got proved"):
         LETTERS.counterexample(r"a \cdot b = b \cdot a")
+
+
+@pytest.mark.parametrize(
+    ("formula", "control"),
+    [
+        (r"a \times b = -b \times a", r"a \times b = b \times a"),
+        (r"a \times b + b \times a = 0", r"a \times b = b \times a"),
+        (r"(a + b)^2 = a^2 + 2 a \cdot b + b^2", r"b^2 - 2 a \cdot b = (a + b)^2 - a^2"),
+        (r"\tilde{a} b = a \times b", r"\tilde{a} b = b \times a"),
+        (r"\tilde{a}^T = -\tilde{a}", r"\tilde{a}^T = \tilde{a}"),
+        (r"(-1) f = -f", r"(-1) f = f"),
+    ],
+)
+def test_a_control_that_flips_signs_alone_is_refused(formula, control):
+    with pytest.raises(ValueError, match="more than signs"):
+        LETTERS.step("shown", formula, but_not=control)
+
+
+@pytest.mark.parametrize(
+    ("formula", "control"),
+    [
+        (r"(R a)^2 = a^2", r"(R^T b)^2 = a^2"),
+        (r"\Phi_2 = \dot{\Phi}_1 + \Phi_1^2", r"\Phi_2 = \dot{\Phi}_1"),
+        (r"2 f = f + f", r"3 f = f + f"),
+        (r"\frac{d}{dt}(R a) = \dot{R} a + R \dot{a}", r"\frac{d}{dt}(R a) = \dot{R} a + R a"),
+    ],
+)
+def test_a_control_of_substance_is_kept(formula, control):
+    assert argue([LETTERS.step("shown", formula, but_not=control)]).outcome == Outcome.PROVED

@@ -20,6 +20,7 @@ from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource
 from workbench.judge.subject.inventory import take_inventory
 from workbench.judge.theorems.arguments import Engine, Step, Way, vanishing
+from workbench.judge.theorems.controls import is_another_sign_of
 from workbench.judge.verdict import Counterexample, Outcome
 from workbench.language.defining import read_definitions
 from workbench.language.definitions import Definitions
@@ -47,10 +48,15 @@ class Letters:
 
         orders: the values of integer variables, for which each formula is checked one by one.
         Raises ReadError or IllFormedAt for a formula that cannot be read, ValueError for one that is not
-        an equation (or a chain of them).
+        an equation (or a chain of them), or for a control that differs from a formula by signs alone.
         """
         said = [relation for formula in formulas for relation in self._relations(formula, orders)]
         denied = list(self._relations(but_not, orders))
+        if all(any(is_another_sign_of(wrong, right) for right in said) for wrong in denied):
+            raise ValueError(
+                f"step {shown!r}: expected a control without a premise or a factor, one that differs by"
+                f" more than signs; got {but_not}"
+            )
         return Step(
             shown,
             *(

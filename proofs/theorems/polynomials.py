@@ -154,7 +154,7 @@ def twist_determines_the_fields() -> Verdict:
                 r"\frac{d}{dt} [\tilde{\omega}] + \tilde{\omega} \tilde{\omega}"
                 r" = \tilde{\dot{\omega}} + \tilde{\omega}^2",
                 r"\tilde{\omega} v = \omega \times v",
-                but_not=r"\frac{d}{dt} [\tilde{\omega}] + \tilde{\omega} \tilde{\omega} = \tilde{\dot{\omega}}",
+                but_not=r"\frac{d}{dt} [\tilde{\omega}] + \tilde{\omega}^2 = \tilde{\dot{\omega}}",
             ),
             _TENSORS.step(
                 "step: by (20) the next have Ẇ = ω̃⁽ⁿ⁾, ẇ = v⁽ⁿ⁾, and lower derivatives in Ḟ + Φₙω̃, ḟ + Φₙv",

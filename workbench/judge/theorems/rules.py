@@ -49,6 +49,7 @@ from workbench.judge.theorems.sequents import (
     FORMULA,
     NotShown,
     Obligation,
+    Premise,
     Sequent,
     kind_of,
     refuse_used,
@@ -113,7 +114,7 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             square = relation("=", power(left, 2), zero(SCALAR))
             yield from obligations(sequent.of(Atom(square)), then)
         case Atom(Relation("≠", left, right)), Contradicts(place, then):
-            denied = sequent.premises[place].goal
+            denied = _premise(sequent, place).goal
             if not isinstance(denied, Atom) or not isinstance(denied.statement, Relation):
                 raise NotShown(f"premise {place} is no inequation")
             if denied.statement.operator != "≠":
@@ -265,9 +266,7 @@ def _differentiates(term: Term, name: str, below: bool = False) -> bool:
 def _instance(sequent: Sequent, use: Use):
     """The equation that a premise says for these values, and whether it lasts; yields what its own premises
     and its sets ask for."""
-    if not -len(sequent.premises) <= use.premise < len(sequent.premises):
-        raise NotShown(f"there is no premise {use.premise}; there are {len(sequent.premises)}")
-    premise = sequent.premises[use.premise]
+    premise = _premise(sequent, use.premise)
     goal, scope, given = premise.goal, sequent.scope, dict(use.at)
     lasting = premise.lasting
     while not isinstance(goal, Atom):
@@ -302,6 +301,12 @@ def _instance(sequent: Sequent, use: Use):
     if one.operator != "=":
         raise NotShown("expected an equation as the premise to follow from")
     return (relation("=", one.right, one.left) if use.back else one), lasting
+
+
+def _premise(sequent: Sequent, place: int) -> Premise:
+    if not -len(sequent.premises) <= place < len(sequent.premises):
+        raise NotShown(f"there is no premise {place}; there are {len(sequent.premises)}")
+    return sequent.premises[place]
 
 
 def _integer(text: str | None, name: str, least: int, scope: Scope) -> Linear:

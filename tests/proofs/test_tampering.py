@@ -1,0 +1,83 @@
+"""Each goal of the chapter, and each proof of one, tampered with in every place: none is shown any more."""
+
+from functools import partial
+
+import pytest
+
+import proofs
+from tests.proofs.tampering import (
+    made_false,
+    with_a_changed_conclusion,
+    with_another_member,
+    with_idle_conclusions,
+    without_a_premise,
+)
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.theorems.goals import All, AllFrom, Exists, Goal, Scope
+from workbench.judge.theorems.proofs import False_, Kernel, Proven
+from workbench.judge.theorems.prove import prove
+from workbench.judge.verdict import Outcome
+from workbench.papers.load import find_paper
+from workbench.papers.model import Claim
+
+GOALS = [claim for claim in find_paper().claims if claim.goal is not None]
+
+
+def of(claims):
+    """Of the claims that rest on one theorem the first; the others in the slow suite."""
+    seen: set[str | None] = {None}
+    for claim in claims:
+        slow = [pytest.mark.slow] if claim.theorem in seen and claim.theorem else []
+        seen.add(claim.theorem)
+        yield pytest.param(claim, id=claim.id, marks=slow)
+
+
+SHOWN = list(of(claim for claim in GOALS if claim.expected != Outcome.REFUTED))
+REFUTED = list(of(claim for claim in GOALS if claim.expected == Outcome.REFUTED))
+
+
+def theorem(claim: Claim) -> Proven:
+    if claim.theorem is not None:
+        return proofs.chapter.theorems[claim.theorem]
+    return Proven(None, False_()) if claim.corrected is not None else Proven(Kernel())
+
+
+def outcome(claim: Claim, goal: Goal, proven: Proven) -> Outcome:
+    notation = claim.notation
+    scope = Scope(notation.symbols, notation.definitions, {})
+    bare = claim.goal.bare if claim.hypothesis else None
+    return prove(goal, scope, Judge(notation.definitions), proven, claim.supposed, bare).outcome
+
+
+@pytest.mark.parametrize("claim", SHOWN)
+def test_a_goal_with_a_conclusion_made_false_is_not_shown(claim):
+    changed = list(with_a_changed_conclusion(claim.goal.goal, made_false))
+    assert changed
+    for goal in changed:
+        assert outcome(claim, goal, theorem(claim)) in (Outcome.UNCHECKED, Outcome.REFUTED)
+
+
+@pytest.mark.parametrize("claim", SHOWN)
+def test_no_premise_of_a_goal_is_idle(claim):
+    for goal in without_a_premise(claim.goal.goal):
+        assert outcome(claim, goal, theorem(claim)) == Outcome.UNCHECKED
+
+
+@pytest.mark.parametrize("claim", REFUTED)
+def test_what_stands_against_a_goal_stands_against_no_idle_one(claim):
+    goal = with_idle_conclusions(claim.goal.goal)
+    expected = Outcome.REFUTED if _asks_for_one_only(goal) else Outcome.UNCHECKED
+    assert outcome(claim, goal, theorem(claim)) == expected
+
+
+def _asks_for_one_only(goal: Goal) -> bool:
+    while isinstance(goal, All | AllFrom):
+        goal = goal.body
+    return isinstance(goal, Exists) and goal.unique
+
+
+@pytest.mark.parametrize("claim", list(of(GOALS)))
+def test_a_proof_with_another_witness_or_expression_shows_nothing(claim):
+    shown = partial(outcome, claim, claim.goal.goal)
+    for proven in with_another_member(theorem(claim)):
+        assert shown(proven) == Outcome.UNCHECKED

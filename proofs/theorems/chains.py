@@ -116,7 +116,7 @@ def tensors_by_polynomials() -> Verdict:
             step(
                 "n = 1: Φ̲₁ is ω̲̃",
                 r"\Phi_1(x) = \tilde{x}",
-                but_not=r"\Phi_0(x) = \tilde{x}",
+                but_not=r"\Phi_1(x) = \tilde{a}",
             ),
             step(
                 "n = 2, …, 5, the polynomials written out by the recurrence",

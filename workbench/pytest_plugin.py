@@ -45,6 +45,8 @@ class PaperFile(pytest.File):
             paper = load_paper(self.path)
         except PaperError as error:
             raise self.CollectError(str(error)) from None
+        if paper.faults:
+            raise self.CollectError("\n".join(str(error) for error in paper.faults))
         judge = PaperJudge(paper)
         for claim in paper.claims:
             yield ClaimItem.from_parent(self, name=claim.id, claim=claim, judge=judge)

@@ -207,3 +207,109 @@ def test_init_writes_ten_true_claims(tmp_path: Path) -> None:
     result = run("check", str(path))
     assert (result.exit_code, "10 claims: 10 proved" in result.output) == (0, True)
     assert run("init", str(path)).exit_code == 2
+
+
+MENDED = r"""source = "p.md"
+[citation]
+authors = "A. Author"
+commit = "0123456"
+[symbols]
+'a' = { kind = "vector" }
+'b' = { kind = "vector" }
+[[claim]]
+at = "one"
+corrected = 'a \times b = -b \times a'
+fault = "misprint"
+mend = [['b \times a', '-b \times a']]
+note = "A sign."
+[[claim]]
+at = "two"
+corrected = 'b \times a = -a \times b'
+fault = "misprint"
+mended_by = "one"
+[[claim]]
+at = ["three", "L8"]
+unread = "derivatives"
+"""
+FOUR = r"""$$ a \times b = b \times a $$ (one)
+
+$$ b \times a = a \times b $$ (two)
+
+$$ \partial a = b $$ (three)
+
+
+$$ \partial b = a = c $$
+"""
+
+
+def faulty(tmp_path: Path, model: str = MENDED, text: str = FOUR) -> Path:
+    (tmp_path / "p.md").write_text(text)
+    path = tmp_path / "p.toml"
+    path.write_text(model)
+    return path
+
+
+def test_faults_of_a_text_are_mended_as_those_of_a_paper_file(tmp_path: Path) -> None:
+    path = faulty(tmp_path)
+    for command in (["check", str(path), "--no-proposals"], ["verify", "--paper", str(path)]):
+        result = run(*command)
+        assert result.exit_code == 0, result.output
+    out = tmp_path / "out"
+    assert run("report", "--paper", str(path), "--out", str(out)).exit_code == 0
+    note = (out / "erratum.tex").read_text()
+    assert "0123456" in note and "A. Author" in note
+    assert note.count(r"for \(b \times a\) read") == 1, "the second is mended by the edit of the first"
+
+
+def test_a_verdict_where_none_was_expected_passes_unless_it_is_a_fault(tmp_path: Path) -> None:
+    path = faulty(tmp_path, text=FOUR.replace(r"\partial a = b", "a + b = b + a"))
+    result = run("check", str(path), "--no-proposals")
+    assert (result.exit_code, "can do without `unread`" in result.output) == (0, True)
+    path = faulty(tmp_path, text=FOUR.replace(r"\partial a = b", "a + b = b - a"))
+    result = run("check", str(path), "--no-proposals")
+    assert (result.exit_code, "error: refuted" in result.output) == (1, True)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ('mended_by = "one"', 'mended_by = "ten"', "mended_by: no claim has the id 'ten'"),
+        ("[['b \\times a'", "[['c'", "expected 'c' once in what is printed"),
+        ('fault = "misprint"\nmended_by', "mended_by", "only a claim with a fault has it"),
+        ('fault = "misprint"\nmend ', 'fault = "slip"\nmend ', "expected one of error, misprint"),
+        ('["three", "L8"]', '["three", "L9"]', "the text has no display 'L9'"),
+        ('["three", "L8"]', "[]", "at: expected a place, or a list of places"),
+    ],
+)
+def test_what_a_model_says_of_faults_is_checked(tmp_path: Path, old: str, new: str, says: str) -> None:
+    assert old in MENDED
+    path = faulty(tmp_path, MENDED.replace(old, new))
+    for command in (["check", str(path), "--no-proposals"], ["verify", "--paper", str(path)]):
+        result = run(*command)
+        assert result.exit_code in (1, 2) and says in result.output
+
+
+TEXTS = Path(__file__).parents[2] / "proofs" / "texts"
+
+
+@pytest.mark.parametrize("model", sorted(TEXTS.glob("*/*.toml")), ids=lambda path: path.stem)
+def test_the_installed_texts_say_where_they_come_from(model: Path) -> None:
+    paper = load_paper(model)
+    assert paper.faults == () and paper.warnings == ()
+    assert {"authors", "source", "commit", "licence"} <= set(paper.citation)
+    assert all(
+        claim.note for claim in paper.claims if claim.fault and not claim.mend.by and not claim.mend.cause
+    )
+
+
+def test_ten_displays_of_the_texts_are_false_and_five_garbled() -> None:
+    """pytest judges each of these claims, see proofs/texts: here they are counted."""
+    false, garbled = set(), set()
+    for model in TEXTS.glob("*/*.toml"):
+        for claim in load_paper(model).claims:
+            place = (claim.file, claim.equation or claim.id.partition(".")[0])
+            if claim.corrected is not None:
+                false.add(place)
+            elif claim.fault is not None:
+                garbled.add(place)
+    assert len(false) >= 10 and len(garbled - false) >= 5

@@ -16,7 +16,7 @@ from workbench.cli.certify import certify
 from workbench.cli.check import check
 from workbench.cli.ingest import ingest_text
 from workbench.cli.init import init
-from workbench.cli.judging import engine_options, judged, print_results, proposals_flag
+from workbench.cli.judging import as_expected, engine_options, judged, print_results, proposals_flag
 from workbench.cli.motion import motion
 from workbench.cli.options import (
     Unusable,
@@ -88,7 +88,7 @@ def verify(select: Sequence[str], paper_name: str | None, as_json: bool, **engin
     paper = find_paper(paper_name)
     results = judged(paper, select, **engines)
     print_results(paper, results, as_json)
-    sys.exit(0 if all(result.passed for result in results) else 1)
+    sys.exit(0 if as_expected(paper, results) else 1)
 
 
 @main.command()
@@ -163,7 +163,7 @@ def report(
         for path in written:
             terminal.print(str(path), markup=False)
         terminal.print(summary_line(results))
-    sys.exit(0 if all(result.passed for result in results) else 1)
+    sys.exit(0 if as_expected(paper, results) else 1)
 
 
 def _require_directory(out: Path) -> None:

@@ -70,6 +70,13 @@ def judged(
         return judge_paper(paper, select, progress=advance, budget=budget, memory=memory, **engines)
 
 
+def as_expected(paper: Paper, results: Sequence[ClaimResult]) -> bool:
+    """Whether each verdict is the expected one; tells what of a model does not fit its text."""
+    for fault in paper.faults:
+        click.echo(f"Error: {fault}", err=True)
+    return not paper.faults and all(result.passed for result in results)
+
+
 def print_results(paper: Paper, results: Sequence[ClaimResult], as_json: bool) -> None:
     from workbench.cli.terminal import console, results_table, summary_line
     from workbench.verify.results import report_dict

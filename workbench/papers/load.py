@@ -19,7 +19,7 @@ from workbench.papers.formulas import FormulaReader
 from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
 from workbench.papers.lines import Line, split_lines
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
-from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Stated, Theorem
+from workbench.papers.model import CITATION_KEYS, Claim, Formula, Notation, Paper, PaperError, Stated, Theorem
 from workbench.papers.notation import NOTATION_KEYS, notation_chain, notation_of
 from workbench.papers.orders import Orders
 from workbench.papers.sisters import claim_ids, sisters_of
@@ -28,7 +28,6 @@ from workbench.papers.texts import is_text
 from workbench.papers.toml_file import TomlFile
 from workbench.papers.toml_places import KeyPath
 
-CITATION_KEYS = ("authors", "source", "year", "pages", "read", "recheck")
 _PAPER_KEYS = (*NOTATION_KEYS, "citation", "section", "claim")
 _FORMULA_KEYS = ("printed", "formula", "goal", "reading", "corrected", "hypothesis", "assume", "orders")
 _CLAIM_KEYS = (

@@ -26,6 +26,9 @@ Theorem: TypeAlias = "Proven | Callable[[], Verdict]"
 #: What a fault can be.
 FAULTS = ("error", "misprint", "transcription", "wording", "hypothesis")
 
+#: What a note to an editor says of the paper and of what was read.
+CITATION_KEYS = ("authors", "source", "year", "pages", "commit", "licence", "read", "recheck")
+
 
 class PaperError(ValueError):
     """A paper that cannot be used: the file and, where the fault has one, the line and column, from 1."""
@@ -136,7 +139,8 @@ class Claim:
     words. quote: a printed sentence.   goal: what one identity cannot say.   theorem: the name of its proof
     in the installed paper.   argued: why no rule ties that proof to a goal.   fault: what kind of fault the
     claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps before it in
-    its chain, `skip` why its author leaves it out, `states` the symbol that it may define, `guessed` its
+    its chain, `skip` why its author leaves it out, `unread` why its model
+    expects no verdict, `states` the symbol that it may define, `guessed` its
     symbols whose kinds nobody has confirmed.
     """
 
@@ -165,13 +169,14 @@ class Claim:
     span: Span | None = None
     chain: tuple[str, ...] = ()
     skip: str | None = None
+    unread: str | None = None
     states: str | None = None
     guessed: tuple[str, ...] = ()
 
     @property
     def expected(self) -> Outcome:
         """What the keys of the claim say of its printed form."""
-        if self.skip is not None:
+        if self.skip is not None or self.unread is not None:
             return Outcome.UNCHECKED
         if self.argued is not None:
             return Outcome.ARGUED
@@ -199,8 +204,9 @@ class Paper:
     notation: that of its one file; of several files, the first notation file that one of them names, or else
     that of the first. Each claim carries its own.   theorems: name → a proof for
     the goal of the claim that names it, or an argument of its own.
-    budget: of each judgement; None where the paper says nothing of it.   citation: what a note to its editor
-    says of it and of what was read (see `load.CITATION_KEYS`).
+    budget: of each judgement; None where the paper says nothing of it.   faults: what of a model does not fit
+    its text.   citation: what a note to its editor
+    says of it and of what was read (CITATION_KEYS).
     """
 
     title: str
@@ -211,6 +217,7 @@ class Paper:
     theorems: Mapping[str, Theorem] = field(default_factory=dict)
     budget: Budget | None = None
     citation: Mapping[str, str] = field(default_factory=dict)
+    faults: tuple[PaperError, ...] = ()
 
     @property
     def symbols(self) -> SymbolTable:

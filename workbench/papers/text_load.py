@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
+from workbench.papers.model import CITATION_KEYS
 from workbench.papers.notation import notation_chain
 from workbench.papers.text_model import MODEL_KEYS, TextModel, read_directives, read_entries, read_scopes
 from workbench.papers.text_paper import TextPaper, text_paper
@@ -40,7 +41,9 @@ def paper_of_model(toml: TomlFile, text: Text) -> TextPaper:
     read_directives(text.directives, text.displays, model)
     model.entries[:0] = read_entries(toml)
     title = toml.text(("title",)) or text.path.name
-    return text_paper(text, model, title, toml.text(("doi",)), (toml.path, text.path))
+    toml.allow_keys(("citation",), CITATION_KEYS)
+    citation = {key: said for key in CITATION_KEYS if (said := toml.text(("citation", key)))}
+    return text_paper(text, model, title, toml.text(("doi",)), (toml.path, text.path), citation)
 
 
 def model_beside(text: Path) -> Path | None:

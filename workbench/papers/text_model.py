@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from workbench.papers.mends import MEND_KEYS
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.notation import notation_of
 from workbench.papers.texts import Directive, Display
@@ -29,6 +30,7 @@ MODEL_KEYS = (
     "scope",
     "claim",
     "guessed",
+    "citation",
 )
 CLAIM_KEYS = (
     "at",
@@ -39,7 +41,10 @@ CLAIM_KEYS = (
     "assume",
     "orders",
     "skip",
+    "unread",
     "note",
+    "inherits",
+    *MEND_KEYS,
 )
 _SCOPE_KEYS = ("from", "symbols", "definitions", "motion", "frames", "points")
 _CLAIM_KEY = re.compile(rf"\s*({'|'.join(CLAIM_KEYS)})\s*=")
@@ -117,12 +122,15 @@ def read_entries(toml: TomlFile) -> list[Entry]:
         if not isinstance(claim, dict):
             raise toml.error_at_value(path, "claim: expected tables, written [[claim]]")
         toml.allow_keys(path, CLAIM_KEYS)
-        at = toml.text((*path, "at"))
-        if at is None:
+        if "at" not in claim:
             raise toml.error_at_key(
-                path, "missing key 'at': a label, an equation number, an id or \"line N\""
+                path, "missing key 'at': a label, an equation number, an id or \"line N\", or a list of such"
             )
-        entries.append(Entry(Table(toml, path), at))
+        is_list = isinstance(claim["at"], list)
+        places = toml.texts((*path, "at")) if is_list else (toml.text((*path, "at")),)
+        if not places:
+            raise toml.error_at_value((*path, "at"), "at: expected a place, or a list of places, got none")
+        entries += [Entry(Table(toml, path), at) for at in places]
     return entries
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
@@ -12,6 +12,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.terms import Conjunction, Derivative, Relation, Statement, Symbol, Term
 from workbench.papers.formulas import FormulaReader, read_statement, why_ill_formed
+from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.steps import Step, steps_of
@@ -23,10 +24,9 @@ _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 @dataclass(frozen=True)
 class TextPaper(Paper):
-    """`faults`: what of the model does not fit the text (any more), all of it. `warnings`: of the text."""
+    """`warnings`: what of the text could not be read as TeX would read it."""
 
     text: Text | None = None
-    faults: tuple[PaperError, ...] = ()
     warnings: tuple[PaperError, ...] = ()
 
 
@@ -42,7 +42,12 @@ class Placed:
 
 
 def text_paper(
-    text: Text, model: TextModel, title: str, doi: str | None, paths: tuple[Path, ...]
+    text: Text,
+    model: TextModel,
+    title: str,
+    doi: str | None,
+    paths: tuple[Path, ...],
+    citation: Mapping[str, str] | None = None,
 ) -> TextPaper:
     """Raises PaperError where the notation cannot be used; any other fault is one of the paper's `faults`."""
     notations = model.notations()
@@ -57,12 +62,14 @@ def text_paper(
         except PaperError as error:
             faults.append(error)
             claims.append(_claim(each, None, model.guessed))
+    faults += _unknown_ids(entries, {claim.id for claim in claims})
     return TextPaper(
         title,
         doi,
         paths,
         notations[0][1],
         tuple(claims),
+        citation=citation or {},
         text=text,
         faults=(*model.faults, *faults),
         warnings=tuple(text.warnings),
@@ -122,7 +129,11 @@ def _means(at: str | Display, placed: Placed) -> bool:
     if isinstance(at, Display):
         return placed.display is at
     step, display = placed.step, placed.display
-    if at == placed.id or at in step.labels or (step.number and at.strip("()") == step.number):
+    if (
+        at in (placed.id, placed.id.rpartition(".")[0])
+        or at in step.labels
+        or (step.number and at.strip("()") == step.number)
+    ):
         return True
     if at.startswith("line "):
         number = at[5:].strip()
@@ -178,8 +189,8 @@ def _check_single(entry: Entry, found: Sequence[Placed]) -> None:
     """A reading or a correction belongs to one step."""
     if len(found) < 2:
         return
-    for key in ("reading", "corrected"):
-        if entry.table.text((key,)) is not None:
+    for key in ("reading", "corrected", "fault", "mend"):
+        if key in entry.table.value((), dict):
             names = ", ".join(each.id for each in found)
             raise entry.table.error_at_key(
                 (key,), f"{key}: {len(found)} steps stand there; name one of {names}"
@@ -224,14 +235,30 @@ def _with_keys(claim: Claim, table) -> Claim:
     assume = reader.intended_list("assume")
     if assume:
         changes["assume"] = (*claim.assume, *assume)
-    if (skip := table.text(("skip",))) is not None:
-        changes["skip"] = skip
-    if note := table.text(("note",)):
-        changes["note"] = note
+    for key in ("skip", "unread", "note"):
+        if (text := table.text((key,))) is not None:
+            changes[key] = text
+    if fault := fault_of(table, ()):
+        changes |= {"fault": fault, "mend": mend_of(table, (), claim.printed.latex)}
+    elif any(key in table.value((), dict) for key in MEND_KEYS):
+        mend_of(table, (), "")
+    if inherits := table.texts(("inherits",)):
+        changes["inherits"] = inherits
     if "reading" in changes and claim.printed.unread is not None:
         unread = claim.printed.unread
         changes["printed"] = replace(claim.printed, unread=None, ill_formed=f"cannot be read: {unread}")
     return replace(claim, **changes)
+
+
+def _unknown_ids(entries: Mapping[str, Sequence[Entry]], ids: Collection[str]) -> Iterator[PaperError]:
+    """Where the model names claims that the text does not have."""
+    tables = {id(entry): entry.table for group in entries.values() for entry in group}
+    for table in tables.values():
+        named = [(("inherits", place), name) for place, name in enumerate(table.texts(("inherits",)))]
+        by = table.text(("mended_by",))
+        for path, name in [*named, *([(("mended_by",), by)] if by else [])]:
+            if name not in ids:
+                yield table.error_at_value(path, f"{path[0]}: no claim has the id {name!r}")
 
 
 def _used(printed: Formula, guessed: Sequence[str]) -> tuple[str, ...]:

@@ -119,7 +119,7 @@ class Document:
         return len(self.equations) - self.numbered
 
 
-_CITED = ("authors", "source", "year", "pages", "doi", "read", "recheck")
+_CITED = ("authors", "source", "year", "pages", "doi", "commit", "licence", "read", "recheck")
 _OPEN = ("argued", "probable", "unchecked")
 
 

@@ -67,6 +67,9 @@ def _of_results(results: Sequence[ClaimResult]) -> Iterator[Finding]:
         else:
             is_first = False
         if result.passed and outcome in HOLDS:
+            if claim.unread is not None:
+                message = f"is judged now: {outcome}; its model can do without `unread`"
+                yield Finding("note", "unexpected", message, place_of(result), claim.id, claim.printed.latex)
             continue
         code, level = str(outcome), _LEVEL_OF.get(outcome, "error")
         if result.passed:

@@ -10,7 +10,7 @@ from typing import Any
 from workbench.report.kinds import FAULTS, VERDICTS
 
 _REPORT_KEYS = ("paper", "versions", "claims", "summary", "witnesses")
-_PAPER_KEYS = ("title", "doi", "authors", "source", "year", "pages", "read", "recheck")
+_PAPER_KEYS = ("title", "doi", "authors", "source", "year", "pages", "commit", "licence", "read", "recheck")
 _CLAIM_KEYS = (
     "id", "equation", "section", "printed", "formula", "goal", "statement", "read_back", "verdict", "scope",
     "reason", "fault", "mend", "reading", "corrected", "hypothesis", "assume", "orders", "counterexample",

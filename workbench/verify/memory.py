@@ -33,6 +33,7 @@ _COSMETIC = frozenset(
         "note",
         "inherits",
         "fault",
+        "unread",
         "mend",
         "file",
         "line",

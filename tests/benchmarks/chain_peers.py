@@ -178,6 +178,7 @@ class HeyokaFunction(Peer):
     def __init__(self, problem):
         import heyoka as hy
 
+        hy.set_nthreads(1)  # as the workbench: a call per core is compared, not a number of cores
         m, n = problem.joints, problem.order
         names = [[f"q_{i:03d}_{k:03d}" for k in range(n + 2)] for i in range(m)]
         q = [[hy.make_vars(name) for name in row] for row in names]

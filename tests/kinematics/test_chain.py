@@ -1,10 +1,12 @@
 """Serial chains: laws over many random chains, exact rational references, Drake, and bad input."""
 
 import gc
+import os
 import subprocess
 import sys
 from math import comb, factorial
 
+import llvmlite.binding as llvm
 import numpy as np
 import pytest
 
@@ -313,6 +315,38 @@ chain.twist_derivatives(np.ones((7, 2)))
 assert "numba" in sys.modules
 """
     subprocess.run([sys.executable, "-c", program], check=True)
+
+
+@pytest.mark.slow  # compiles a kernel for each processor
+@pytest.mark.parametrize(
+    "features, width",
+    [("", 2), ("+avx,+avx2,+fma", 4), ("+avx,+avx2,+fma,+avx512vl", 4), ("+avx,+avx512f", 8)],
+)
+def test_the_kernel_is_the_same_for_registers_of_any_size(features, width, implementation, tmp_path):
+    """LLVM splits registers that this machine does not have, so each runs where the instructions are."""
+    there = {feature for feature, has in llvm.get_host_cpu_features().items() if has}
+    if implementation == "NumPy" or not {f[1:] for f in features.split(",") if f} <= there:
+        pytest.skip("not on this processor, or no kernel")
+    program = f"""
+import numpy as np
+from workbench.kinematics import chain_engine, lanes
+from workbench.kinematics.chain import Joint, SerialChain
+assert lanes.WIDTH == {width}
+rng = np.random.default_rng(1)
+for dof in (1, 2, 7):
+    joints = [Joint.helical(rng.normal(size=3), point=rng.normal(size=3), pitch=0.1) for _ in range(dof)]
+    for order in (0, 1, 2, 4, 7, 10):
+        for states in (1, 3, 8, 17):
+            q = rng.normal(size=(order + 2, states, dof))
+            chain_engine._twist_kernel, chain_engine._plain_tasks_left = None, 10
+            engine = chain_engine.Engine(SerialChain(joints)._of_derivatives.links, taylor=False)
+            expected = np.moveaxis(engine._in_numpy(np.moveaxis(q, 0, -1).copy()), -2, 0)
+            chain_engine.load_kernel()
+            found = SerialChain(joints).twist_derivatives(q)
+            assert np.abs(found - expected).max() <= 1e-12 * np.abs(expected).max(), (dof, order, states)
+"""
+    chosen = {"NUMBA_CPU_NAME": "x86-64", "NUMBA_CPU_FEATURES": features, "NUMBA_CACHE_DIR": str(tmp_path)}
+    subprocess.run([sys.executable, "-c", program], check=True, env=os.environ | chosen)
 
 
 def test_many_small_tasks_load_the_kernel(monkeypatch):

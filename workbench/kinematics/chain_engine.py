@@ -11,7 +11,7 @@ from functools import partial
 from math import factorial, inf
 
 import numpy as np
-from numpy import empty, vdot
+from numpy import empty, ndarray, vdot
 from numpy.typing import ArrayLike
 
 from workbench.kinematics import chain_series
@@ -46,15 +46,12 @@ class Engine:
 
     def twist(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """(n + 2, ..., dof) → (n + 1, ..., 6). Raises ValueError for what the chain cannot take."""
-        if out is None:
-            try:
-                address, shape, _ = self._plans[q.shape]  # a state as before: only its numbers are new
-                rows, result = q.T.copy(), empty(shape)
-                square = vdot(rows, rows)
-                if square < inf and _twist_kernel(rows, address, result):
-                    return result
-            except (AttributeError, KeyError, TypeError):
-                pass
+        known = type(q) is ndarray and q.dtype.char == "d" and _twist_kernel is not None and out is None
+        if known and q.shape in self._plans:  # a state as before: only its numbers are new
+            address, shape, _ = self._plans[q.shape]
+            rows, result = q.T.copy(), empty(shape)
+            if vdot(rows, rows) < inf and _twist_kernel(rows, address, result):
+                return result
         rows = _by_state(self._checked(q))
         out = self._checked_result(rows, out)
         results = np.moveaxis(out, 0, -2)
@@ -138,10 +135,10 @@ class Engine:
     def _plan(self, terms):
         """Everything constant in the kernel's work, as one array. In order: joints, dof, terms, the
         base's turn (cos, sin); the factors of the n + 2 derivatives of each coordinate (at least
-        eight numbers, the kernel's width); those of the twist; 0, 1, 1/2, 1/3, …; then for each
+        as many numbers as the kernel is wide); those of the twist; 0, 1, 1/2, 1/3, …; then for each
         joint its angle, slide, pitch, twist angle (cos, sin), shift, the offset along the axis
         before, its turn (cos, sin); the kernel's workspace."""
-        from workbench.kinematics.chain_kernel import workspace_size
+        from workbench.kinematics.chain_kernel import WIDTH, workspace_size
 
         links = self.links
         rate_factors, twist_factors = self._factors(terms)
@@ -160,7 +157,7 @@ class Engine:
         return np.concatenate(
             [
                 [len(joints), links.dof, terms, *links.turn[0]],
-                np.pad(input_factors, (0, max(0, 8 - len(input_factors)))),
+                np.pad(input_factors, (0, max(0, WIDTH - len(input_factors)))),
                 twist_factors,
                 [0.0],
                 1 / np.arange(1.0, terms),

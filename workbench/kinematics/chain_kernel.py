@@ -6,6 +6,8 @@ from numba import njit
 
 from workbench.kinematics import lanes
 from workbench.kinematics.lanes import (
+    REGISTERS,
+    SIZE,
     WIDTH,
     fused_multiply_add,
     load,
@@ -21,6 +23,7 @@ from workbench.kinematics.lanes import (
 OPTIONS = {"fastmath": {"contract"}, "error_model": "numpy"}  # contract: a·b + c at once
 compiled = njit(**OPTIONS)
 inlined = njit(forceinline=True, **OPTIONS)  # a call would put all registers into memory
+FOURS = REGISTERS >= 32  # four coefficients at a time have 16 sums; with fewer registers it is two
 
 # -- trigonometry ---------------------------------------------------------------------------------
 
@@ -89,24 +92,24 @@ def store_exponential(E, k, reciprocals, total):
 
 @inlined
 def extend_exponential(E, rate, terms, reciprocals):
-    """All coefficients of E = e^{iα} from the 0-th, by E' = i α' E; as many as four at a time, since
-    they share their factors."""
+    """All coefficients of E = e^{iα} from the 0-th, by E' = i α' E; as many as FOURS allows at a
+    time, since they share their factors."""
     nothing = (spread(0.0), spread(0.0))
     first = 1
     if (terms - 1) & 1:
         store_exponential(E, 1, reciprocals, add_turned(nothing, load(rate, 0), load2(E, 0)))
         first = 2
-    if (terms - 1) & 2:
+    fours = first + ((terms - first) & 2) if FOURS else terms
+    for k in range(first, fours, 2):
         t0, t1 = nothing, nothing
-        r1 = load(rate, first)
-        for j in range(first):
-            e, r0 = load2(E, 2 * j), load(rate, first - 1 - j)
+        r1 = load(rate, k)
+        for j in range(k):
+            e, r0 = load2(E, 2 * j), load(rate, k - 1 - j)
             t0, t1 = add_turned(t0, r0, e), add_turned(t1, r1, e)
             r1 = r0
-        e = store_exponential(E, first, reciprocals, t0)
-        store_exponential(E, first + 1, reciprocals, add_turned(t1, r1, e))
-        first += 2
-    for k in range(first, terms, 4):
+        e = store_exponential(E, k, reciprocals, t0)
+        store_exponential(E, k + 1, reciprocals, add_turned(t1, r1, e))
+    for k in range(fours, terms, 4):
         t0, t1, t2, t3 = nothing, nothing, nothing, nothing
         r1, r2, r3 = load(rate, k), load(rate, k + 1), load(rate, k + 2)
         for j in range(k):
@@ -174,15 +177,25 @@ def add_along_and_step(W, k, across, V, rate, link):
 
 @inlined
 def rotate_and_step(V, W, E, rate, terms, link):
-    """W = step(z α̇ + e^{iα} V), four coefficients at a time, since they share their factors."""
+    """W = step(z α̇ + e^{iα} V), as many coefficients as FOURS allows at a time, since they share
+    their factors."""
     zero = spread(0.0)
     nothing = (zero, zero, zero, zero)
-    for k in range(terms % 4):
-        t0 = nothing
+    if terms & 1:
+        add_along_and_step(W, 0, add_product(nothing, load2(E, 0), load4(V, 0)), V, rate, link)
+    first = terms & 1
+    fours = first + ((terms - first) & 2) if FOURS else terms
+    for k in range(first, fours, 2):
+        t0, t1 = nothing, nothing
+        e1 = load2(E, 2 * k + 2)
         for j in range(k + 1):
-            t0 = add_product(t0, load2(E, 2 * (k - j)), load4(V, 6 * j))
+            v, e0 = load4(V, 6 * j), load2(E, 2 * (k - j))
+            t0, t1 = add_product(t0, e0, v), add_product(t1, e1, v)
+            e1 = e0
+        t1 = add_product(t1, e1, load4(V, 6 * k + 6))
         add_along_and_step(W, k, t0, V, rate, link)
-    for k in range(terms % 4, terms, 4):
+        add_along_and_step(W, k + 1, t1, V, rate, link)
+    for k in range(fours, terms, 4):
         t0, t1, t2, t3 = nothing, nothing, nothing, nothing
         e1, e2, e3 = load2(E, 2 * k + 2), load2(E, 2 * k + 4), load2(E, 2 * k + 6)
         for j in range(k + 1):
@@ -245,7 +258,7 @@ def twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, re
         row = rows + 8 * ROW * joint
         angle = int(number(row, 0))
         if angle >= 0:
-            E_joint = E + 128 * terms * joint
+            E_joint = E + 2 * SIZE * terms * joint
             alpha = load(Q, angle * columns)
             squares = squares + alpha * alpha
             c, s = cosine_and_sine(alpha)
@@ -254,8 +267,8 @@ def twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, re
     for joint in range(joints - 1):
         angle = int(number(rows + 8 * ROW * joint, 0))
         if angle >= 0:
-            rate = Q + 64 * (angle * columns + 1)
-            extend_exponential(E + 128 * terms * joint, rate, terms, reciprocals)
+            rate = Q + SIZE * (angle * columns + 1)
+            extend_exponential(E + 2 * SIZE * terms * joint, rate, terms, reciprocals)
     for joint in range(joints - 1, -1, -1):
         row = rows + 8 * ROW * joint
         angle, sliding, pitch = int(number(row, 0)), int(number(row, 1)), number(row, 2)
@@ -266,8 +279,8 @@ def twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, re
             spread(number(row, 6)),
             spread(number(row, 7)),
         )
-        rate = Q + 64 * (angle * columns + 1)
-        slide_rate = Q + 64 * (sliding * columns + 1)
+        rate = Q + SIZE * (angle * columns + 1)
+        slide_rate = Q + SIZE * (sliding * columns + 1)
         if joint == joints - 1:
             for k in range(terms):
                 z = load(rate, k) if angle >= 0 else zero
@@ -275,9 +288,9 @@ def twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, re
                 step_along(W, k, z, vz, link)
         else:
             if sliding >= 0:
-                slide(V, D, slide_rate - 64, slide_rate, pitch, reciprocals, terms)
+                slide(V, D, slide_rate - SIZE, slide_rate, pitch, reciprocals, terms)
             if angle >= 0:
-                rotate_and_step(V, W, E + 128 * terms * joint, rate, terms, link)
+                rotate_and_step(V, W, E + 2 * SIZE * terms * joint, rate, terms, link)
             else:
                 turn_and_step(V, W, number(row, 8), number(row, 9), terms, link)
         V, W = W, V
@@ -295,8 +308,34 @@ def twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, re
 
 def workspace_size(dof, joints, terms):
     """Doubles to leave at the end of a plan."""
-    inputs_and_spare = max(dof * (terms + 1), WIDTH) + max(6 * terms, WIDTH)
-    return WIDTH * (inputs_and_spare + 2 * terms * joints + 13 * terms + 2)
+    return WIDTH * (max(dof * (terms + 1), WIDTH) + 2 * terms * joints + 13 * terms + 2)
+
+
+@compiled
+def read_block(source, inputs, here, whole, factors, Q):
+    """`here` states of `inputs` doubles, times their factors, into Q; the first one in all other lanes."""
+    if whole:
+        for i in range(0, inputs, WIDTH):
+            i = max(0, min(i, inputs - WIDTH))
+            load_states(source + 8 * i, 8 * inputs, factors + 8 * i, Q, i)
+        return
+    for i in range(inputs):
+        store(Q, i, spread(number(factors, i) * number(source, i)))
+    for lane in range(1, here):
+        for i in range(inputs):
+            set_number(Q, WIDTH * i + lane, number(factors, i) * number(source, inputs * lane + i))
+
+
+@compiled
+def write_block(result, outputs, here, whole, target):
+    if whole:
+        for i in range(0, outputs, WIDTH):
+            i = max(0, min(i, outputs - WIDTH))
+            store_states(result, i, target + 8 * i, 8 * outputs)
+        return
+    for lane in range(here):
+        for i in range(outputs):
+            set_number(target, outputs * lane + i, number(result, WIDTH * i + lane))
 
 
 def _twists_of_states(q, plan, out):
@@ -307,44 +346,26 @@ def _twists_of_states(q, plan, out):
     held throughout."""
     joints, dof, terms = int(number(plan, 0)), int(number(plan, 1)), int(number(plan, 2))
     inputs, outputs = dof * (terms + 1), 6 * terms
-    padded, row = max(inputs, WIDTH), max(outputs, WIDTH)
     states = q.shape[0] // dof
     factors = plan + 8 * HEADER
-    output_factors = factors + 8 * padded
+    output_factors = factors + 8 * max(inputs, WIDTH)
     reciprocals = output_factors + 8 * terms
     rows = reciprocals + 8 * terms
-    Q = (rows + 8 * ROW * joints + 63) // 64 * 64
-    E = Q + 64 * padded
-    V = E + 128 * terms * joints
-    W = V + 384 * terms
-    D = W + 384 * terms
-    sizes = D + 64 * terms
-    spare = sizes + 64
+    Q = (rows + 8 * ROW * joints + SIZE - 1) // SIZE * SIZE
+    E = Q + SIZE * max(inputs, WIDTH)
+    V = E + 2 * SIZE * terms * joints
+    W = V + 6 * SIZE * terms
+    D = W + 6 * SIZE * terms
+    sizes = D + SIZE * terms
     store(sizes, 0, spread(0.0))
     for first in range(0, states, WIDTH):
         here = min(WIDTH, states - first)
-        source, stride = q.ctypes.data + 8 * inputs * first, 8 * inputs
-        if inputs < WIDTH and (first + here - 1) * inputs + WIDTH > states * inputs:
-            for lane in range(here):
-                for i in range(inputs):
-                    set_number(spare, WIDTH * lane + i, number(source, inputs * lane + i))
-            source, stride = spare, 64
-        for i in range(0, inputs, WIDTH):
-            i = max(0, min(i, inputs - WIDTH))
-            load_states(source + 8 * i, stride, here - 1, factors + 8 * i, Q, i)
+        before = first + WIDTH - 1  # a whole block is read and written by WIDTH doubles of each state
+        whole = here == WIDTH and before * inputs + WIDTH <= states * inputs
+        read_block(q.ctypes.data + 8 * inputs * first, inputs, here, whole, factors, Q)
         result = twist_of_block(Q, E, V, W, D, sizes, plan, joints, terms, output_factors, reciprocals, rows)
-        target, row_bytes = out.ctypes.data + 8 * outputs * first, 8 * outputs
-        direct = here == WIDTH and (first + here - 1) * outputs + row <= states * outputs
-        if not direct:
-            target, row_bytes = spare, 8 * row
-        for i in range(0, outputs, WIDTH):
-            i = max(0, min(i, outputs - WIDTH))
-            store_states(result, i, target + 8 * i, row_bytes)
-        if not direct:
-            target = out.ctypes.data + 8 * outputs * first
-            for lane in range(here):
-                for i in range(outputs):
-                    set_number(target, outputs * lane + i, number(spare, row * lane + i))
+        whole = here == WIDTH and before * outputs + WIDTH <= states * outputs
+        write_block(result, outputs, here, whole, out.ctypes.data + 8 * outputs * first)
     largest = 0.0
     for lane in range(WIDTH):
         largest = max(largest, number(sizes, lane))

@@ -1,20 +1,41 @@
-"""Eight doubles as one number: a Numba type whose operations act on eight states at once.
+"""A few doubles as one number: a Numba type whose operations act on as many states at once.
 
-LLVM keeps such a number in one AVX-512 register, or in several smaller ones. In compiled code
-`memory` is the byte address of an array of them, aligned to 64 bytes; indices count numbers.
+There are as many as one register of the processor holds that Numba compiles for. In compiled code
+`memory` is the byte address of an array of them, aligned to SIZE bytes; indices count numbers.
 """
 
 import operator
 
+import llvmlite.binding as llvm
 from llvmlite import ir
-from numba import types
+from numba import config, types
 from numba.core import cgutils
 from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
 from numba.extending import intrinsic, lower_builtin, models, register_model
 
-WIDTH = 8
+
+def _width() -> int:
+    """Doubles in one register of the processor: of AVX-512, of AVX, and of all others (SSE2, NEON)."""
+    return 8 if "avx512f" in FEATURES else 4 if "avx" in FEATURES else 2
+
+
+def _features() -> set[str]:
+    """What the processor has that Numba compiles for; of one that is only named no more is known."""
+    if config.CPU_FEATURES is not None:
+        return {feature[1:] for feature in config.CPU_FEATURES.split(",") if feature.startswith("+")}
+    if config.CPU_NAME is not None:
+        return set()
+    return {feature for feature, there in llvm.get_host_cpu_features().items() if there}
+
+
+FEATURES = _features()
+WIDTH = _width()
+SIZE = 8 * WIDTH  # bytes of a number, to which it is aligned
+REGISTERS = 16 if "x86_64" in llvm.get_default_triple() and "avx512vl" not in FEATURES else 32
+CHUNK = min(WIDTH, 4)  # states are read and written in pieces of so many doubles
+PIECES = WIDTH // CHUNK
 DOUBLE, INT32, INT64 = ir.DoubleType(), ir.IntType(32), ir.IntType(64)
-HALF, VECTOR = ir.VectorType(DOUBLE, WIDTH // 2), ir.VectorType(DOUBLE, WIDTH)
+PIECE, VECTOR = ir.VectorType(DOUBLE, CHUNK), ir.VectorType(DOUBLE, WIDTH)
 
 
 class Lanes(types.Type):
@@ -74,7 +95,7 @@ def _pointer(builder, memory, index):
 @intrinsic
 def load(typing_context, memory, index):
     def generate(context, builder, sig, args):
-        return builder.load(_pointer(builder, *args), align=64, typ=VECTOR)
+        return builder.load(_pointer(builder, *args), align=SIZE, typ=VECTOR)
 
     return lanes(types.int64, types.int64), generate
 
@@ -82,7 +103,7 @@ def load(typing_context, memory, index):
 @intrinsic
 def store(typing_context, memory, index, value):
     def generate(context, builder, sig, args):
-        builder.store(args[2], _pointer(builder, args[0], args[1]), align=64)
+        builder.store(args[2], _pointer(builder, args[0], args[1]), align=SIZE)
         return context.get_dummy_value()
 
     return types.void(types.int64, types.int64, lanes), generate
@@ -101,7 +122,7 @@ def fused_multiply_add(typing_context, a, b, c):
     """a·b + c with one rounding, on any machine."""
 
     def generate(context, builder, sig, args):
-        return _call(builder, "llvm.fma.v8f64", args)
+        return _call(builder, f"llvm.fma.v{WIDTH}f64", args)
 
     return lanes(lanes, lanes, lanes), generate
 
@@ -130,58 +151,65 @@ def turned_by_quarters(typing_context, shifted, c, s):
     return pair(lanes, lanes, lanes), generate
 
 
-def _exchange(builder, rows, span):
-    """One of the three stages (span 1, 2, 4) of the transposition of eight rows of eight."""
-    low = [e if not e & span else WIDTH + e - span for e in range(WIDTH)]
-    high = [e + span if not e & span else WIDTH + e for e in range(WIDTH)]
-    for i in range(WIDTH):
-        if not i & span:
-            pair = rows[i], rows[i + span]
-            rows[i], rows[i + span] = (_shuffle(builder, *pair, order) for order in (low, high))
+def _transpose_pieces(builder, rows):
+    """Transposes each square of CHUNK by CHUNK doubles in a run of CHUNK rows, in stages of span 1, 2, …"""
+    span = 1
+    while span < CHUNK:
+        low = [e if not e & span else WIDTH + e - span for e in range(WIDTH)]
+        high = [e + span if not e & span else WIDTH + e for e in range(WIDTH)]
+        for i in range(WIDTH):
+            if not i & span:
+                pair = rows[i], rows[i + span]
+                rows[i], rows[i + span] = (_shuffle(builder, *pair, order) for order in (low, high))
+        span *= 2
 
 
-def _half_rows(builder, first, stride, last):
-    """Pointers to the two halves of each of eight rows; rows beyond the `last` repeat it."""
-    halves = []
+def _pieces_of_rows(builder, first, stride):
+    """Pointers to the pieces of each of WIDTH rows."""
+    pieces = []
     for lane in range(WIDTH):
-        lane = INT64(lane)
-        row = builder.select(builder.icmp_signed("<", lane, last), lane, last)
-        address = builder.add(first, builder.mul(stride, row))
-        half = builder.inttoptr(address, HALF.as_pointer())
-        halves.append((half, builder.gep(half, [INT64(1)], source_etype=HALF)))
-    return halves
+        address = builder.add(first, builder.mul(stride, INT64(lane)))
+        start = builder.inttoptr(address, PIECE.as_pointer())
+        pieces.append([builder.gep(start, [INT64(part)], source_etype=PIECE) for part in range(PIECES)])
+    return pieces
+
+
+def _joined(builder, pieces):
+    """One number of the PIECES pieces, in their order."""
+    if PIECES == 1:
+        return pieces[0]
+    return _shuffle(builder, *pieces, list(range(WIDTH)))
 
 
 @intrinsic
-def load_states(typing_context, source, stride, last, factors, memory, index):
-    """Eight doubles of each of eight states, `stride` bytes apart, times eight factors, into
-    memory[index : index + 8]. States beyond the `last` (0 to 7) repeat it."""
+def load_states(typing_context, source, stride, factors, memory, index):
+    """WIDTH doubles of each of WIDTH states, `stride` bytes apart, times as many factors, into
+    memory[index : index + WIDTH]."""
 
     def generate(context, builder, sig, args):
-        source, stride, last, factors, memory, index = args
-        halves = _half_rows(builder, source, stride, last)
-        factor = builder.inttoptr(factors, HALF.as_pointer())
+        source, stride, factors, memory, index = args
+        pieces = _pieces_of_rows(builder, source, stride)
+        factor = builder.inttoptr(factors, PIECE.as_pointer())
         rows = []
-        for half in (0, 1):
-            pointer = builder.gep(factor, [INT64(half)], source_etype=HALF)
-            four = builder.load(pointer, align=8, typ=HALF)
-            twice = _shuffle(builder, four, four, [0, 1, 2, 3] * 2)
-            for i in range(4):
-                pair = [builder.load(halves[lane][half], align=8, typ=HALF) for lane in (i, i + 4)]
-                rows.append(builder.fmul(_shuffle(builder, *pair, list(range(8))), twice))
-        for span in (1, 2):
-            _exchange(builder, rows, span)
+        for part in range(PIECES):
+            pointer = builder.gep(factor, [INT64(part)], source_etype=PIECE)
+            some = builder.load(pointer, align=8, typ=PIECE)
+            scale = _joined(builder, [some] * PIECES)
+            for i in range(CHUNK):
+                here = [builder.load(pieces[i + CHUNK * k][part], align=8, typ=PIECE) for k in range(PIECES)]
+                rows.append(builder.fmul(_joined(builder, here), scale))
+        _transpose_pieces(builder, rows)
         first = _pointer(builder, memory, index)
         for i, row in enumerate(rows):
-            builder.store(row, builder.gep(first, [INT64(i)], source_etype=VECTOR), align=64)
+            builder.store(row, builder.gep(first, [INT64(i)], source_etype=VECTOR), align=SIZE)
         return context.get_dummy_value()
 
-    return types.void(*[types.int64] * 6), generate
+    return types.void(*[types.int64] * 5), generate
 
 
 @intrinsic
 def store_states(typing_context, memory, index, target, stride):
-    """memory[index : index + 8] into eight doubles of each of eight states, in their order."""
+    """memory[index : index + WIDTH] into WIDTH doubles of each of WIDTH states, in their order."""
 
     def generate(context, builder, sig, args):
         memory, index, target, stride = args
@@ -189,15 +217,14 @@ def store_states(typing_context, memory, index, target, stride):
         rows = []
         for i in range(WIDTH):
             pointer = builder.gep(first, [INT64(i)], source_etype=VECTOR)
-            rows.append(builder.load(pointer, align=64, typ=VECTOR))
-        for span in (1, 2):
-            _exchange(builder, rows, span)
-        halves = _half_rows(builder, target, stride, INT64(WIDTH - 1))
+            rows.append(builder.load(pointer, align=SIZE, typ=VECTOR))
+        _transpose_pieces(builder, rows)
+        pieces = _pieces_of_rows(builder, target, stride)
         for lane in range(WIDTH):
-            four = [e % 4 + lane // 4 * 4 for e in range(4)]
-            for half in (0, 1):
-                part = _shuffle(builder, rows[lane % 4 + 4 * half], rows[0], four)
-                builder.store(part, halves[lane][half], align=8)
+            mine = [lane // CHUNK * CHUNK + e for e in range(CHUNK)]
+            for part in range(PIECES):
+                row = rows[lane % CHUNK + CHUNK * part]
+                builder.store(_shuffle(builder, row, row, mine), pieces[lane][part], align=8)
         return context.get_dummy_value()
 
     return types.void(*[types.int64] * 4), generate

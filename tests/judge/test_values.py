@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
+from dataclasses import replace
 from random import Random
 
 import pytest
@@ -27,27 +28,36 @@ from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
 from workbench.papers.orders import Orders
 
-TABLE = SymbolTable.build(
-    {
-        **{name: {"kind": "vector"} for name in ("a", "b", "x", "a_n")},
-        **{name: {"kind": "scalar"} for name in ("f", "g", "s_n", "k_{m,n}", r"\alpha")},
-        **{name: {"kind": "tensor"} for name in ("T", "S")},
-        "R": {"kind": "rotation"},
-        "u": {"kind": "vector", "unit": True},
-        "c": {"kind": "vector", "constant": True},
-        r"\underline{a}": {"kind": "dual vector"},
-        r"\underline{b}": {"kind": "dual vector"},
-        **{name: {"kind": "hamilton quaternion"} for name in ("p", "q", "r")},
-        r"\underline{q}": {"kind": "dual hamilton quaternion"},
-        "e": {"kind": "hamilton quaternion", "unit": True},
-        r"\underline{e}": {"kind": "dual hamilton quaternion", "unit": True},
-        **{name: {"kind": "transform"} for name in ("G", "H")},
-        "J": {"kind": "tensor", "symmetric": True},
-        "L": {"kind": "tensor", "diagonal": True},
-        "M": {"kind": "matrix 6×6"},
-        "N": {"kind": "matrix 2×4"},
-        **{name: {"kind": "matrix 6×1"} for name in ("V", "W")},
-    }
+TABLE = replace(
+    SymbolTable.build(
+        {
+            **{name: {"kind": "vector"} for name in ("a", "b", "x", "a_n")},
+            **{name: {"kind": "scalar"} for name in ("f", "g", "s_n", "k_{m,n}", r"\alpha")},
+            **{name: {"kind": "tensor"} for name in ("T", "S")},
+            "R": {"kind": "rotation"},
+            "u": {"kind": "vector", "unit": True},
+            "c": {"kind": "vector", "constant": True},
+            r"\underline{a}": {"kind": "dual vector"},
+            r"\underline{b}": {"kind": "dual vector"},
+            **{name: {"kind": "hamilton quaternion"} for name in ("p", "q", "r")},
+            r"\underline{q}": {"kind": "dual hamilton quaternion"},
+            "e": {"kind": "hamilton quaternion", "unit": True},
+            r"\underline{e}": {"kind": "dual hamilton quaternion", "unit": True},
+            **{name: {"kind": "transform"} for name in ("G", "H")},
+            "J": {"kind": "tensor", "symmetric": True},
+            "L": {"kind": "tensor", "diagonal": True},
+            "M": {"kind": "matrix 6×6"},
+            "N": {"kind": "matrix 2×4"},
+            **{name: {"kind": "matrix 6×1"} for name in ("V", "W")},
+            **{name: {"kind": "scalar"} for name in ("y", "z", r"\theta")},
+            "w": {"kind": "vector"},
+            "A": {"kind": "scalar", "of": ["y", "z"]},
+            "B": {"kind": "vector", "of": ["y", r"\theta"]},
+            "C": {"kind": "scalar", "of": ["w", "t"]},
+            "D": {"kind": "vector", "of": ["w"]},
+        }
+    ),
+    gradient="row",
 )
 
 IDENTITIES = r"""
@@ -128,6 +138,21 @@ V^2 W = (V \cdot V) W
 \begin{bmatrix} 0 & -f & g \\ f & 0 & -s_1 \\ -g & s_1 & 0 \end{bmatrix} a = \begin{bmatrix} s_1 \\ g \\ f \end{bmatrix} \times a
 \begin{bmatrix} f & g \\ s_1 & s_2 \end{bmatrix} \begin{bmatrix} a \\ b \end{bmatrix} = \begin{bmatrix} f a + g b \\ s_1 a + s_2 b \end{bmatrix}
 \det \begin{bmatrix} f & g \\ s_1 & s_2 \end{bmatrix} = f s_2 - g s_1
+\dot{A} = \frac{\partial A}{\partial y} \dot{y} + \frac{\partial A}{\partial z} \dot{z}
+\dot{C} = \frac{\partial C}{\partial w} \dot{w} + \frac{\partial C}{\partial t}
+\dot{D} = \frac{\partial D}{\partial w} \dot{w}
+\frac{\partial \dot{A}}{\partial y} = \frac{d}{dt} \frac{\partial A}{\partial y}
+\frac{\partial \dot{B}}{\partial \dot{y}} = \frac{\partial B}{\partial y}
+\frac{d}{dt} \frac{\partial \dot{A}}{\partial \dot{z}} = \frac{\partial \dot{A}}{\partial z}
+\frac{\partial \ddot{B}}{\partial \dot{y}} = 2 \frac{\partial \dot{B}}{\partial y}
+\frac{\partial (A \sin \theta)}{\partial \theta} = A \cos \theta
+\frac{\partial (B \cos \theta)}{\partial \theta} = \frac{\partial B}{\partial \theta} \cos \theta - B \sin \theta
+\frac{\partial}{\partial \theta} \sin \frac{\theta}{2} = \frac{1}{2} \cos \frac{\theta}{2}
+\frac{\partial (C D)}{\partial w} = D \frac{\partial C}{\partial w} + C \frac{\partial D}{\partial w}
+\frac{\partial (w \cdot w)}{\partial w} = 2 w^T
+\frac{\partial (w \times D)}{\partial w} = \tilde{w} \frac{\partial D}{\partial w} - \tilde{D}
+\frac{\partial \|w\|}{\partial w} \|w\| = w^T
+\frac{d}{dt} (t a) = a + t \dot{a}
 \begin{bmatrix} J & \tilde{a} \\ -\tilde{a} & L \end{bmatrix}^T = \begin{bmatrix} J & \tilde{a} \\ -\tilde{a} & L \end{bmatrix}
 """.strip().splitlines()  # fmt: skip
 
@@ -244,7 +269,8 @@ def transformed(random: Random, claim: Relation) -> Relation:
 def _bound(s: Symbol) -> bool:
     declaration = s.declaration
     is_formed = declaration.rotation or declaration.transform or declaration.symmetric or declaration.diagonal
-    return is_formed or declaration.unit or declaration.constant or declaration.name == r"\alpha"
+    is_tied = declaration.independent or declaration.of or declaration.clock
+    return is_formed or is_tied or declaration.unit or declaration.constant or declaration.name == r"\alpha"
 
 
 def _like(random: Random, term: Term) -> Term:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from itertools import combinations, pairwise
+from itertools import product as iterate
 from math import comb, factorial
 from random import Random
 
@@ -93,6 +94,8 @@ class World:
         self._drawn: dict[str, Matrix] = {}
         self._known: dict[tuple[str, int | None], Matrix | Operator] = {}
         self._moved: int | None = None  # along which axis a place is moved, for div and curl
+        self._pushed: tuple[str, int, int] | None = None  # name, order, component: moved by ε tᵏ/k!
+        self._functions: dict[str, list[list[tuple[mpf, tuple[int, ...]]]]] = {}
         self._arguments: dict[str, Matrix] = {}
 
     # statements
@@ -144,12 +147,12 @@ class World:
         if any(i < 0 for i in index):
             raise NotRead("a negative index")
         name = _spelled(declaration.name, index)
-        if not symbol.arguments and (name, self._moved) in self._known:
+        if not symbol.arguments and not self._pushed and (name, self._moved) in self._known:
             return self._known[name, self._moved]
         found = self._defined(symbol, name, index, at)
         if found is None:
             found = self._free(symbol, name)
-        if not symbol.arguments and not self._arguments:
+        if not symbol.arguments and not self._arguments and not self._pushed:
             self._known[name, self._moved] = found
         return found
 
@@ -178,13 +181,47 @@ class World:
         return None
 
     def _free(self, symbol: Symbol, name: str) -> Matrix:
+        if symbol.declaration.of:
+            return self._function(symbol, name)
+        if symbol.declaration.clock and name not in self._drawn:
+            rest = (mpf(0),) * (self._length - 2)
+            self._drawn[name] = [[Series((self._curve().re[0], mpf(1), *rest))]]
         if name not in self._drawn:
             self._drawn[name] = self._draw(symbol, name)
         found = self._drawn[name]
         if symbol.declaration.coordinate and self._moved is not None:
             step = [[constant(0, int(i == self._moved))] for i in range(3)]
             return added(found, step)
+        if self._pushed is not None and self._pushed[0] == name:
+            _, order, component = self._pushed
+            size = len(found[0][0].re)
+            push = tuple(mpf(int(k == order)) / factorial(order) for k in range(size))
+            still = (mpf(0),) * size
+            moved = [[Series(still, push if i == component else still)] for i in range(len(found))]
+            return added(found, moved)
         return found
+
+    def _function(self, symbol: Symbol, name: str) -> Matrix:
+        """A random polynomial of what it is `of`, of degree 3."""
+        columns = [self._symbol(argument, {}) for argument in symbol.declaration.of]
+        places = [entry for column in columns for (entry,) in column]
+        rows, width = _size(symbol.type)
+        powers = [p for p in iterate(range(4), repeat=len(places)) if sum(p) <= 3]
+        if name not in self._functions:
+            self._functions[name] = [[(self._curve().re[0], p) for p in powers] for _ in range(rows * width)]
+
+        def value(terms: list[tuple[mpf, tuple[int, ...]]]) -> Series:
+            addends = []
+            for factor, exponents in terms:
+                total = constant(factor)
+                for place, exponent in zip(places, exponents, strict=True):
+                    for _ in range(exponent):
+                        total = total * place
+                addends.append(total)
+            return added_up(addends)
+
+        flat = [value(terms) for terms in self._functions[name]]
+        return [flat[i * width : (i + 1) * width] for i in range(rows)]
 
     def _draw(self, symbol: Symbol, name: str) -> Matrix:
         declaration, type_ = symbol.declaration, symbol.type
@@ -356,6 +393,8 @@ class World:
         head = term.head
         if head in ("divergence", "curl"):
             return self._gradient(head, term.arguments[0], at)
+        if head in ("partial", "total"):
+            return self._partial(*term.arguments, at)
         values = [self.value(argument, at) for argument in term.arguments]
         match head, values:
             case "add", _:
@@ -425,6 +464,33 @@ class World:
                 return exponential(x)
         raise NotRead(f"the operation {head}")
 
+    def _partial(self, body: Term, by: Term, at: Integers) -> Matrix:
+        """∂b/∂x⁽ᵏ⁾ = Sₖ − Σ ∂b/∂x⁽ʲ⁾ tᵏ⁻ʲ/(k−j)! over j < k, where Sₖ is what b changes by if x is moved by
+        ε tᵏ/k!."""
+        order = 0
+        while isinstance(by, Derivative):
+            by, order = by.body, order + _integer(by.order, at)
+        if self._pushed is not None or not isinstance(by, Symbol) or by.declaration.of:
+            raise NotRead("a partial derivative of a partial derivative, or by what is no symbol")
+        name = _spelled(by.declaration.name, [_integer(i, at) for i in by.index])
+        if self._defined(by, name, [_integer(i, at) for i in by.index], at) is not None:
+            raise NotRead("a partial derivative by what is defined")
+        columns = []
+        for component in range(by.type.rows):
+            lower: list[Matrix] = []
+            for k in range(order + 1):
+                self._pushed = (name, k, component)
+                moved = each(self.value(body, at), lambda x: Series(x.du or (mpf(0),) * len(x.re)))
+                self._pushed = None
+                for j, known in enumerate(lower):
+                    power = tuple(mpf(int(i == k - j)) / factorial(k - j) for i in range(LENGTH))
+                    moved = added(moved, scaled_by(known, Series(tuple(-x for x in power))))
+                lower.append(moved)
+            columns.append(lower[-1])
+        if by.type.rows == 1:
+            return columns[0]
+        return [[column[i][0] for column in columns] for i in range(len(columns[0]))]
+
     def _gradient(self, head: str, field: Term, at: Integers) -> Matrix:
         if self._moved is not None:
             raise NotRead("div or curl of a div or curl")
@@ -437,6 +503,10 @@ class World:
         if head == "divergence":
             return [[g[0][0] + g[1][1] + g[2][2]]]
         return [[g[2][1] - g[1][2]], [g[0][2] - g[2][0]], [g[1][0] - g[0][1]]]
+
+
+def scaled_by(matrix: Matrix, factor: Series) -> Matrix:
+    return each(matrix, lambda x: x * factor)
 
 
 def _integer(value: Linear, at: Integers) -> int:

@@ -25,7 +25,7 @@ from workbench.language.syntax import (
     Sum,
 )
 from workbench.language.terms import Derivative, IllFormed, Symbol, Term, Zero
-from workbench.language.types import COVECTOR, TENSOR, VECTOR
+from workbench.language.types import CLOCK, COVECTOR, TENSOR, VECTOR
 
 _ZEROS = {("3", "3"): TENSOR, ("3", "1"): VECTOR, ("1", "3"): COVECTOR}
 _COUNTING = ("C", "\\mathbf{C}", "\\mathrm{C}")
@@ -184,6 +184,8 @@ class _Lettering:
                 return construct.identity(), scripts.sup
             case "\\varepsilon":
                 return construct.dual_unit(), scripts.sup
+            case "t":
+                return construct.symbol(CLOCK), scripts.sup
             case "\\mathbf{D}":
                 return construct.time_operator(), scripts.sup
             case "e" | "\\mathrm{e}" if scripts.sup is not None:

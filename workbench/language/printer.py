@@ -315,6 +315,10 @@ def _apply(term: Apply) -> _Text:
         case "div":
             top, bottom = (_print(a).text for a in arguments)
             return _Text(f"\\frac{{{top}}}{{{bottom}}}", _FACTOR)
+        case "partial" | "total":
+            d = "\\partial" if head == "partial" else "\\mathrm{d}"
+            body, by = (_print(a).at_least(_FACTOR) for a in arguments)
+            return _Text(f"\\frac{{{d} {body}}}{{{d} {by}}}", _FACTOR)
         case "norm":
             return _Text(f"\\left\\|{_print(arguments[0]).text}\\right\\|", _ATOM)
         case "triple":

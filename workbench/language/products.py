@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from workbench.language import construct
@@ -29,9 +29,11 @@ from workbench.language.syntax import (
 )
 from workbench.language.terms import (
     Apply,
+    Derivative,
     IllFormed,
     Integer,
     Number,
+    Symbol,
     Term,
     TimeOperator,
     is_accented_symbol,
@@ -253,15 +255,25 @@ class _Row:
 
     def is_own_variable(self, bracket: Bracket, term: Term) -> bool:
         """Whether the bracket says only what the symbol depends on: x(t), and P(D) for an operator."""
-        if len(bracket.parts) != 1:
+        function = term
+        while isinstance(function, Derivative):
+            function = function.body
+        if isinstance(function, Symbol) and function.declaration.of:
+            if all(self.scope.term(part) in function.declaration.of for part in bracket.parts):
+                return True
+            raise Fault(
+                "a function at another place than its argument; a product needs no bracket", bracket.at
+            )
+        if len(bracket.parts) > 1:
+            return all(self.scope.is_time(part) or self.is_argument(part) for part in bracket.parts)
+        if not bracket.parts:
             return False
         (part,) = bracket.parts
         if term.type.kind == "operator":
             return isinstance(part, Styled) and isinstance(self.scope.term(part), TimeOperator)
         if self.is_argument(part):
             return term.type.kind != "scalar" or self.scope.term(part).type.kind != "scalar"
-        is_t = isinstance(part, Leaf) and part.text == "t"
-        if is_t and "t" not in self.scope.table.symbols and "t" not in self.scope.variables:
+        if self.scope.is_time(part):
             return True
         lone = is_accented_symbol(term) and isinstance(part, Leaf | Styled | Accented | Scripted)
         if lone and "scalar" in (term.type.kind, self.scope.term(part).type.kind):
@@ -356,6 +368,8 @@ class _Row:
 
     def derivative(self, place: int, found: Rate) -> _Factor:
         scope, item = self.scope, self.items[place]
+        if found.by:
+            return self.differentiated(place, found, lambda body: self.slope(item.at, found, body))
         orders = [
             scope.integer(o) if o is not None else Linear(1) for o in (found.order_above, found.order_below)
         ]
@@ -363,19 +377,27 @@ class _Row:
             intent = "one order above and below, \\frac{d^k}{dt^k}"
             fault = IllFormed(f"d/dt of order {orders[0]} above and {orders[1]} below", intent)
             raise Misfit(fault, item.at)
-        if len(found.behind) > (2 if _has_left_scripts(found.behind) else 1):
-            raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
-        if found.behind:
-            body = product(scope, found.behind)
-            term = scope.rate(item.at, body, orders[0], found.frame)
-            return _Factor(term, item.at, place + 1, item)
-        if place + 1 == len(self.items):
+        if place + 1 == len(self.items) and not found.behind:
             if found.frame is not None:
                 raise Fault("the derivative in a frame, of what?", item.at)
             operator = construct.time_operator()
             if orders[0] != Linear(1):
                 operator = construct.power(operator, orders[0])
             return _Factor(operator, item.at, place + 1, item)
+        return self.differentiated(
+            place, found, lambda body: scope.rate(item.at, body, orders[0], found.frame)
+        )
+
+    def differentiated(self, place: int, found: Rate, rate: Callable[[Term], Term]) -> _Factor:
+        """What stands behind the upper d, all of it, or else the factor behind the fraction."""
+        item = self.items[place]
+        if found.behind:
+            lone = len(found.behind) == (2 if _has_left_scripts(found.behind[0]) else 1)
+            if not lone and (not found.upright or isinstance(found.behind[0], Bracket)):
+                raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
+            return _Factor(rate(product(self.scope, found.behind)), item.at, place + 1, item)
+        if place + 1 == len(self.items):
+            raise Fault("the partial derivative of what?", item.at)
         following = self.items[place + 1]
         if isinstance(following, Scripted) and isinstance(following.nucleus, Bracket):
             raise Fault("a power of the derivative or of its argument? bracket it", following.at)
@@ -384,14 +406,24 @@ class _Row:
             self.open_head = "d/dt"
         if factor.end < len(self.items) and not isinstance(following, Bracket):
             raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
-        term = scope.rate(item.at, factor.term, orders[0], found.frame)
-        return _Factor(term, item.at, factor.end, item)
+        return _Factor(rate(factor.term), item.at, factor.end, item)
+
+    def slope(self, at: int, found: Rate, body: Term) -> Term:
+        """∂/∂x of the body as often as it is said."""
+        scope = self.scope
+        orders = [int(scope.integer(order)) if order is not None else 1 for _, order in found.by]
+        above = 1 if found.order_above is None else int(scope.integer(found.order_above))
+        if above != sum(orders):
+            raise Misfit(IllFormed(f"a derivative of order {above} above and {sum(orders)} below"), at)
+        for (variable, _), order in zip(reversed(found.by), reversed(orders), strict=True):
+            by = product(scope, variable)
+            for _ in range(order):
+                body = scope.partial(at, found.head, body, by)
+        return body
 
 
-def _has_left_scripts(items: Sequence[Node]) -> bool:
-    return (
-        bool(items) and isinstance(items[0], Scripted) and items[0].nucleus == Group(items[0].nucleus.at, ())
-    )
+def _has_left_scripts(node: Node) -> bool:
+    return isinstance(node, Scripted) and isinstance(node.nucleus, Group) and not node.nucleus.parts
 
 
 def _value_of(head: str, argument: Term) -> Term:

@@ -1,7 +1,8 @@
-"""Fractions: numbers, quotients, and the d/dt that is printed as one."""
+"""Fractions: numbers, quotients, and the d/dt, ∂/∂x and d/dx that are printed as one."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction as Rational
 from typing import NamedTuple
 
@@ -12,15 +13,21 @@ from workbench.language.scope import Scope
 from workbench.language.syntax import Fraction, Group, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.terms import Number, Term, Zero
 
+_PARTIAL = "\\partial"
+
 
 class Rate(NamedTuple):
     """\\frac{d^k x}{dt^k}: the orders above and below (None where none is written), and what stands behind
-    the upper d."""
+    the upper d. `by`: of \\frac{\\partial^3 x}{\\partial y^2 \\partial z} what it differentiates by, with
+    orders. `head`: "partial", or "total" for \\frac{dx}{dy}. `upright`: whether the d is no italic letter."""
 
     order_above: Node | None
     order_below: Node | None
     behind: tuple[Node, ...]
     frame: Node | None = None
+    by: tuple[tuple[tuple[Node, ...], Node | None], ...] = ()
+    head: str = "partial"
+    upright: bool = False
 
 
 def rate(scope: Scope, fraction: Fraction) -> Rate | None:
@@ -32,9 +39,16 @@ def rate(scope: Scope, fraction: Fraction) -> Rate | None:
     above, below = _factors(fraction.numerator), _factors(fraction.denominator)
     frame, above = _frame(above)
     upper, lower = _letter(above[0]), _letter(below[0])
+    if _PARTIAL in (upper.text, lower.text):
+        return _partial(fraction, upper, above, below, frame)
     if (upper.text, lower.text) == ("d", "d") and len(below) > 1 and _letter(below[1]).text != "t":
-        message = "a derivative by anything but the time t, or a quotient of products with d?"
-        raise Fault(f"{message} set d behind its factor for a product", fraction.at)
+        if scope.knows(upper.name) or scope.knows(lower.name) or frame is not None:
+            message = "a derivative by anything but the time t, or a quotient of products with d?"
+            raise Fault(f"{message} set d behind its factor for a product", fraction.at)
+        variable, order = _split_order(below[1:])
+        return Rate(
+            upper.order, order, above[1:], by=((variable, order),), head="total", upright=upper.name != "d"
+        )
     if len(below) != 2:
         return None
     time = _letter(below[1])
@@ -45,7 +59,41 @@ def rate(scope: Scope, fraction: Fraction) -> Rate | None:
             "a derivative, or a quotient of the symbols d and t? write \\frac{\\mathrm{d}}{\\mathrm{d}t}"
         )
         raise Fault(f"{message} for the derivative", fraction.at)
-    return Rate(upper.order, time.order, above[1:], frame)
+    is_upright = frame is not None or upper.name != "d"
+    return Rate(upper.order, time.order, above[1:], frame, upright=is_upright)
+
+
+def _partial(
+    fraction: Fraction, upper: _Letter, above: tuple[Node, ...], below: tuple[Node, ...], frame: Node | None
+) -> Rate:
+    """\\frac{\\partial^k f}{\\partial x^i \\partial y^j}."""
+    if frame is not None or _letter(below[0]).text != _PARTIAL or upper.text != _PARTIAL:
+        raise Fault("expected a partial derivative, \\frac{\\partial f}{\\partial x}", fraction.at)
+    groups: list[list[Node]] = []
+    for node in below:
+        if _letter(node).text == _PARTIAL:
+            groups.append([])
+        else:
+            groups[-1].append(node)
+    if not all(groups):
+        raise Fault("a partial derivative by nothing", fraction.denominator.at)
+    return Rate(
+        upper.order, None, above[1:], by=tuple(_split_order(tuple(group)) for group in groups), upright=True
+    )
+
+
+def _split_order(variable: tuple[Node, ...]) -> tuple[tuple[Node, ...], Node | None]:
+    """x and 2 of x^2, which below a ∂ is no power."""
+    *before, last = variable
+    inner = last.sup if isinstance(last, Scripted) else None
+    inner = inner.parts[0] if isinstance(inner, Group) and len(inner.parts) == 1 else inner
+    if isinstance(inner, Leaf) and inner.kind == "NUMBER":
+        bare = replace(last, sup=None)
+        unscripted = bare.sub is None and not bare.primes
+        return (*before, bare.nucleus if unscripted else bare), inner
+    if isinstance(inner, Group) and not inner.parts:
+        return (*before, replace(last, sup=None)), None
+    return variable, None
 
 
 def _frame(above: tuple[Node, ...]) -> tuple[Node | None, tuple[Node, ...]]:

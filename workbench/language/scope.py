@@ -14,7 +14,7 @@ from workbench.language.names import Scripts, linear, literal, spell
 from workbench.language.notations import is_shape
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Group, Leaf, Node, Product, Scripted, Sum
-from workbench.language.terms import IllFormed, Term, Zero
+from workbench.language.terms import IllFormed, Term, Zero, is_rate
 
 Result = TypeVar("Result")
 
@@ -52,6 +52,20 @@ class Scope(ABC):
             turning = self.apply(at, "neg", self.apply(at, "cross", spin, body))
             body = rate if isinstance(spin, Zero) else self.apply(at, "add", rate, turning)
         return body
+
+    def partial(self, at: int, head: str, body: Term, by: Term) -> Term:
+        """∂f/∂x, a row or a column as the paper says."""
+        if not is_rate(by):
+            raise Fault("a derivative by anything but a symbol or its time derivative", at)
+        if by.type.kind == "scalar":
+            if body.type.kind == "vector" and self.table.frames:
+                raise Fault("the partial derivative of a vector, seen from which frame?", at)
+            return self.apply(at, head, body, by)
+        if self.table.gradient is None:
+            raise Fault('rows or columns? [conventions] gradient = "row" or "column" says it', at)
+        slope = self.apply(at, head, body, by)
+        is_column = self.table.gradient == "column" and body.type.kind == "scalar"
+        return self.apply(at, "transpose", slope) if is_column else slope
 
     def frame(self, label: Node) -> Term:
         """The angular velocity of the frame of that label."""
@@ -97,6 +111,11 @@ class Scope(ABC):
             raise Fault(f"the formula nests deeper than {DEEPEST_TERM}", at)
         yield
         self.depth -= 1
+
+    def is_time(self, node: Node) -> bool:
+        """Whether it is the letter t, as it stands for the time."""
+        is_t = isinstance(node, Leaf) and node.text == "t"
+        return is_t and "t" not in self.table.symbols and "t" not in self.variables
 
     def knows(self, name: str) -> bool:
         """Whether the name is a symbol or an integer variable here."""

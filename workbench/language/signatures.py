@@ -239,6 +239,22 @@ def _quaternion(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return QUATERNION.with_dual(_dual(arguments)), next(iter(weights), None)
 
 
+def _partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    """∂f/∂x: by a scalar of the type of f; by a column of n the row of n, or the matrix whose row i is that
+    of the component i."""
+    body, by = arguments
+    if body.type.kind == "operator":
+        raise IllFormed("the partial derivative of an operator")
+    if by.type.dual or not (by.type.kind == "scalar" or by.type.is_column):
+        raise IllFormed(f"the partial derivative by a {by.type}; expected a scalar or a vector")
+    weight = None if None in (body.weight, by.weight) else body.weight - by.weight
+    if by.type.kind == "scalar":
+        return body.type, weight
+    if body.type.kind != "scalar" and not body.type.is_column:
+        raise IllFormed(f"the derivative of a {body.type} by a vector has more than two indices")
+    return Type(body.type.rows, by.type.rows, body.type.dual), weight
+
+
 SIGNATURES: dict[str, Signature] = {
     "add": _add,
     "neg": _neg,
@@ -270,5 +286,7 @@ SIGNATURES: dict[str, Signature] = {
     "cos": _function(("scalar",), SCALAR, _weightless),
     "exp": _exp,
     "divergence": _function(("vector",), SCALAR, _times(1)),
+    "partial": _partial,
+    "total": _partial,
     "curl": _function(("vector",), VECTOR, _times(1)),
 }

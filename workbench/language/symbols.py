@@ -9,6 +9,7 @@ from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
+from workbench.language.construct import symbol
 from workbench.language.errors import Fault, SpecError
 from workbench.language.integers import Linear
 from workbench.language.names import (
@@ -26,7 +27,7 @@ from workbench.language.names import (
 from workbench.language.notations import Notation, Notations
 from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, Styled, parse
 from workbench.language.terms import IllFormed, Symbol, Term
-from workbench.language.types import KINDS, Declaration, Type, Weight, type_of_kind
+from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
 _FLAGS = ("constant", "unit", "coordinate", "uniform", "symmetric", "diagonal")
 _FLAGGED = {
@@ -35,7 +36,7 @@ _FLAGGED = {
     "symmetric": ("tensor",),
     "diagonal": ("tensor",),
 }
-_ALLOWED = ("kind", "weight", *_FLAGS, "aliases", "note")
+_ALLOWED = ("kind", "weight", *_FLAGS, "of", "aliases", "note")
 
 #: What these names mean in every formula.
 _BUILTIN = {
@@ -43,6 +44,7 @@ _BUILTIN = {
     "\\mathbf{I}": "the unit tensor",
     "\\underline{\\mathbf{I}}": "the unit tensor",
     "\\mathbf{D}": "the operator d/dt",
+    "\\partial": "the sign of a partial derivative",
 }
 
 
@@ -69,17 +71,22 @@ class SymbolTable:
     frames: Mapping[str, Term] = field(default_factory=dict)
     #: names in brackets that only say what a symbol depends on: f(q)
     arguments: frozenset[str] = frozenset()
+    #: whether ∂f/∂x of a scalar by a vector is a row or a column; None: it is not said
+    gradient: str | None = None
     #: the frame in which \\dot differentiates vectors; None with frames: it is not said
     dot: str | None = None
 
     @staticmethod
     def build(specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
         """The table of a paper's [symbols]: LaTeX key → {kind, weight, constant, unit, coordinate,
-        uniform, aliases, note}. Raises SpecError."""
+        uniform, of, aliases, note}. Raises SpecError."""
         symbols: dict[str, Declaration] = {}
+        functions: dict[str, Sequence[str]] = {}
         for key, spec in specs.items():
             name, index = read_key(key)
             declaration = _declaration(key, name, index, spec)
+            if "of" in spec:
+                functions[name] = _of(key, declaration, spec["of"])
             for alias in (key, *_aliases(key, spec)):
                 pattern, places = read_key(alias)
                 if len(places) != len(index):
@@ -91,7 +98,7 @@ class SymbolTable:
                 _refuse_operation(pattern, key)
                 refuse_builtin(pattern, declaration.type, key)
                 symbols[pattern] = declaration
-        return SymbolTable(symbols)
+        return SymbolTable(_with_arguments(symbols, functions))
 
     def with_notations(self, specs: Mapping[str, Any]) -> SymbolTable:
         """This table, and the notation of the paper. Raises SpecError."""
@@ -316,6 +323,61 @@ def _declaration(key: str, name: str, index: Sequence[Linear], spec: Mapping[str
         uniform=spec.get("uniform", False),
         indices=len(index),
     )
+
+
+def _of(key: str, declaration: Declaration, names: Any) -> Sequence[str]:
+    """What a symbol is said to be a function of."""
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+        raise SpecError(f"of is {names!r}; expected a list of symbols such as ['q', 't']", key)
+    bound = [flag for flag in (*_FLAGS, "rotation", "transform") if getattr(declaration, flag)]
+    if bound or declaration.type.dual or declaration.type.kind == "operator":
+        what = bound[0] if bound else f"a {declaration.type}"
+        raise SpecError(f"of is for real quantities whose values are free, not for {what}", key)
+    return names
+
+
+def _with_arguments(
+    symbols: Mapping[str, Declaration], functions: Mapping[str, Sequence[str]]
+) -> dict[str, Declaration]:
+    """The declarations, where each function holds the symbols that it is `of`. Raises SpecError."""
+    table, made = SymbolTable(symbols), dict(symbols)
+    arguments = {
+        name: [_argument(name, text, table, functions) for text in names] for name, names in functions.items()
+    }
+    named = {declaration.name for found in arguments.values() for declaration, _ in found}
+    for pattern, declaration in symbols.items():
+        if declaration.name in named:
+            made[pattern] = replace(declaration, independent=True)
+    known = {declaration.name: declaration for declaration in (*made.values(), CLOCK)}
+    for pattern, declaration in symbols.items():
+        if declaration.name in arguments:
+            found = tuple(symbol(known[d.name], index) for d, index in arguments[declaration.name])
+            made[pattern] = replace(declaration, of=found)
+    return made
+
+
+def _argument(
+    name: str, text: str, table: SymbolTable, functions: Mapping[str, Sequence[str]]
+) -> tuple[Declaration, tuple[Linear, ...]]:
+    if text == CLOCK.name and text not in table.symbols:
+        return CLOCK, ()
+    pattern, _ = read_key(text)
+    found = table.find([pattern]) if pattern in table.symbols else table.find(_pieces_of(text))
+    if found is None:
+        raise SpecError(f"of: {text} is no declared symbol", name)
+    declaration, index = found
+    is_column = declaration.type.kind == "scalar" or declaration.type.is_column
+    if not is_column or declaration.type.dual or not all(place.is_number for place in index):
+        raise SpecError(f"of: {text} is no scalar and no column of scalars", name)
+    if declaration.name in functions:
+        raise SpecError(f"of: {text} is a function too; name what it is of", name)
+    if declaration.unit or declaration.constant:
+        raise SpecError(f"of: {text} is {'a unit vector' if declaration.unit else 'constant'}", name)
+    return found
+
+
+def _pieces_of(text: str) -> list[Piece]:
+    return key_pieces(parse(text).lines[0][0], text)
 
 
 def _aliases(key: str, spec: Mapping[str, Any]) -> Sequence[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from lark import Lark, Token, Transformer
@@ -320,6 +320,7 @@ _NAMES = {
 }
 
 
+@lru_cache(maxsize=4096)
 def parse(text: str) -> Lines:
     """The lines of a formula. Raises Fault."""
     try:

@@ -219,6 +219,13 @@ class Definition:
     body: Term
 
 
+def is_rate(term: Term) -> bool:
+    """Whether the term is a symbol, or a time derivative of one."""
+    while isinstance(term, Derivative):
+        term = term.body
+    return isinstance(term, Symbol)
+
+
 def is_accented_symbol(term: Term) -> bool:
     """Whether the term is a symbol under dots, orders of derivatives and tildes."""
     while isinstance(term, Derivative) or (isinstance(term, Apply) and term.head == "skew"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 from workbench.language.integers import Linear
 
@@ -92,6 +92,9 @@ class Declaration:
     symmetric, diagonal: a square matrix that is so.
     coordinate: the place of a field; div and curl differentiate by it.
     uniform: the same at every place, so that div and curl take it for a constant.
+    of: the symbols that it is a function of; nothing but them (and t, where it is among them) moves it.
+    independent: others are functions `of` it and it is none itself, so that ∂/∂q keeps it fixed.
+    clock: the time t, whose derivative is 1.
     parameters: how many arguments a function symbol such as Φ_k(ω) takes.
     introduced: only definitions introduce it, so that a member which none of them reaches is nothing.
     """
@@ -107,6 +110,13 @@ class Declaration:
     diagonal: bool = False
     coordinate: bool = False
     uniform: bool = False
+    of: tuple[Any, ...] = ()
+    independent: bool = False
+    clock: bool = False
     indices: int = 0
     parameters: int = 0
     introduced: bool = False
+
+
+#: The time t.
+CLOCK = Declaration("t", SCALAR, Linear(-1), independent=True, clock=True)

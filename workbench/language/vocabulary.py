@@ -48,6 +48,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     **{name: ("LETTER", f"\\{name}") for name in _LETTERS.split()},
     **{name: ("STYLE", f"\\{name}") for name in _STYLES.split()},
     **{name: ("FUNCTION", f"\\{name}") for name in _FUNCTION_COMMANDS.split()},
+    "partial": ("LETTER", "\\partial"),
     "bm": ("STYLE", "\\boldsymbol"),
     "widehat": ("STYLE", "\\hat"),
     "dot": ("ACCENT", "1"),

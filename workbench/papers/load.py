@@ -107,7 +107,8 @@ def merge(paths: Sequence[Path], theorems: Mapping[str, Theorem] | None = None) 
 
     theorems: name → proof; if None, those of the installed paper that the first file is part of.
     """
-    files = [_PaperFile.open(Path(path)) for path in paths]
+    shared_notations: dict[tuple[Path, ...], Notation] = {}
+    files = [_PaperFile.open(Path(path), shared_notations) for path in paths]
     if theorems is None:
         needed = any("theorem" in claim for file in files for claim in file.claims)
         theorems = paper_of(files[0].toml.path).theorems if needed else {}
@@ -156,7 +157,8 @@ class _PaperFile:
     claims: list[dict[str, Any]] = field(default_factory=list)
 
     @staticmethod
-    def open(path: Path) -> _PaperFile:
+    def open(path: Path, known: dict[tuple[Path, ...], Notation]) -> _PaperFile:
+        """`known`: the notations of the files that others stand on, read once for all of them."""
         toml = TomlFile(path)
         toml.allow_keys((), _PAPER_KEYS)
         claims = toml.value(("claim",), list, [])
@@ -171,10 +173,12 @@ class _PaperFile:
         if title is None:
             raise PaperError(path, 1, 1, "missing key 'title'")
         doi = next((found for file in reversed(chain) if (found := file.text(("doi",)))), None)
-        shared = notation_of(chain[:-1]) if len(chain) > 1 else None
+        below = tuple(file.path for file in chain[:-1])
+        if below and below not in known:
+            known[below] = notation_of(chain[:-1])
         budget = next((found for file in reversed(chain) if (found := _budget(file))), None)
         section, notation = toml.text(("section",)), notation_of(chain)
-        return _PaperFile(toml, title, doi, section, notation, shared, budget, claims)
+        return _PaperFile(toml, title, doi, section, notation, known.get(below), budget, claims)
 
     def check_inheritance(self, known: Mapping[str, object], sisters: Sequence[Path]) -> None:
         elsewhere = f", here or in {', '.join(path.name for path in sisters)}" if sisters else ""

@@ -31,12 +31,14 @@ NOTATION_KEYS = (
     "budget",
 )
 HAMILTON = "hamilton, scalar first"
+GRADIENTS = ("row", "column")
 
 
 def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> Notation:
     """The notation that the files give together, the first one first. Each of the scopes declares anew what
     it names, and with it goes what defined it. Raises PaperError."""
-    table = _spellings(files, replace(_table(files, scopes), arguments=_arguments(files)))
+    table = replace(_table(files, scopes), arguments=_arguments(files), gradient=_gradient(files))
+    table = _spellings(files, table)
     table, definitions = framed([*files, *scopes], table)
     for file, key, body in _in_scope(files, scopes):
         definition, table = _definition(file, key, body, table)
@@ -121,10 +123,13 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable
 
 def _says_hamilton(file: TomlFile) -> bool:
     for key in file.value(("conventions",), dict, {}):
-        if key == "arguments":
+        if key == "arguments" or (key == "gradient" and file.text(("conventions", key)) in GRADIENTS):
             continue
         if key != "quaternion" or file.text(("conventions", key)) != HAMILTON:
-            message = f'conventions: expected quaternion = "{HAMILTON}", or arguments = […]'
+            message = (
+                f'conventions: expected quaternion = "{HAMILTON}", gradient = "row" or "column", '
+                "or arguments = […]"
+            )
             raise file.error_at_key(("conventions", key), message)
     return "quaternion" in file.value(("conventions",), dict, {})
 
@@ -132,6 +137,12 @@ def _says_hamilton(file: TomlFile) -> bool:
 def _arguments(files: Sequence[TomlFile]) -> frozenset[str]:
     """What in brackets only says what a symbol depends on."""
     return frozenset(read_key(text)[0] for file in files for text in file.texts(("conventions", "arguments")))
+
+
+def _gradient(files: Sequence[TomlFile]) -> str | None:
+    """Whether the derivative of a scalar by a vector is a row or a column."""
+    found = [text for file in files if (text := file.text(("conventions", "gradient"))) is not None]
+    return found[-1] if found else None
 
 
 def _in_scope(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> Iterator[tuple[TomlFile, str, str]]:

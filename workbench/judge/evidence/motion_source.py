@@ -13,7 +13,7 @@ from workbench.drake.bindings import Bound, alternatives
 from workbench.judge.evidence.lanes import LaneRing, Lanes
 from workbench.judge.second.components import Value
 from workbench.judge.second.rings import PointSource
-from workbench.judge.subject.inventory import Lookup
+from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.language.definitions import solve
 from workbench.language.terms import Symbol, Term
 
@@ -153,6 +153,12 @@ class MotionSource:
             return self._free.circle(angle)
         value = self.jet(angle, 0).re[0][()].values
         return Lanes(np.cos(value)), Lanes(np.sin(value))
+
+    def moved(self, seed: object) -> MotionSource:
+        raise NotExact("a partial derivative, on a motion")
+
+    def slopes(self, function: Symbol, degree: int, count: int) -> list[Any]:
+        raise NotExact("a function of coordinates, on a motion")
 
     def along(self, component: int) -> MotionSource:
         return MotionSource(self._stage, self._bindings, self._free.along(component), component)

@@ -12,6 +12,7 @@ from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource, RationalRing, sample
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter
+from workbench.judge.subject.slopes import indices
 from workbench.judge.verdict import Counterexample
 from workbench.language.construct import apply, derivative
 from workbench.language.printer import to_latex
@@ -110,6 +111,9 @@ def counterexample(
     in `turned` is told by its cosine and sine, another one by its value; that is 0 if both occur."""
     values: dict[str, tuple[str, ...]] = {}
     for symbol, order in inventory.orders.items():
+        if symbol.declaration.of or symbol.declaration.clock:
+            values |= _of_function(trial, symbol, order)
+            continue
         for k in range(order + 1):
             if k and symbol.declaration.constant:
                 break
@@ -127,6 +131,28 @@ def counterexample(
     return Counterexample(
         values, _strings(trial.components(relation.left)), _strings(trial.components(relation.right))
     )
+
+
+def _of_function(trial: Trial, symbol: Symbol, order: int) -> dict[str, tuple[str, ...]]:
+    """A function's value, and those of its partial derivatives that are not 0; of the time its value."""
+    name = to_latex(symbol)
+    values = {name: _strings(trial.components(symbol))}
+    size = symbol.type.rows * symbol.type.columns
+    arguments = [
+        (to_latex(a), f"{to_latex(a)}_{{{i + 1}}}")[a.type.rows > 1]
+        for a in symbol.declaration.of
+        for i in range(a.type.rows)
+    ]
+    for degree in range(1, order + 1 if symbol.declaration.of else 1):
+        for number, places in enumerate(indices(len(arguments), degree)):
+            slopes = [
+                trial.point[Parameter(symbol, f"slope{degree}", 0, number * size + i)] for i in range(size)
+            ]
+            if any(slopes):
+                above = "\\partial" if degree == 1 else f"\\partial^{{{degree}}}"
+                below = " ".join(f"\\partial {arguments[place]}" for place in places)
+                values[f"\\frac{{{above} {name}}}{{{below}}}"] = _strings(slopes)
+    return values
 
 
 def _strings(components: list[Any] | None) -> tuple[str, ...]:

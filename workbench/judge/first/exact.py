@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import partial
 from functools import reduce as fold
 
 from workbench.algebra.differential_ring import Polynomial
@@ -38,6 +39,7 @@ from workbench.judge.first.quaternions import conjugate, hamilton
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parameters
 from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.judge.subject.slopes import seeds
 from workbench.language.terms import (
     Apply,
     Block,
@@ -72,7 +74,15 @@ class ExactEngine:
         for angle in inventory.angles:
             self._free.furnish_angle(angle)
         for symbol in inventory.orders:
-            self._values[symbol] = self._free.furnish(symbol)
+            self._values[symbol] = self._furnished(symbol)
+
+    def _furnished(self, symbol: Symbol) -> Matrix:
+        if symbol.declaration.of:
+            return self._free.furnish_function(symbol, lambda: self._coordinates(symbol))
+        return self._free.furnish(symbol)
+
+    def _coordinates(self, function: Symbol) -> list[Polynomial]:
+        return [p for argument in function.declaration.of for p in flat(self.value(argument))]
 
     def residuals(self, relation: Relation) -> list[Polynomial]:
         """left − right, entry by entry, real parts before dual parts, cleared of denominators."""
@@ -308,6 +318,18 @@ class ExactEngine:
         g = self._gradient(term.arguments[0])
         return ((g[2][1] - g[1][2],), (g[0][2] - g[2][0],), (g[1][0] - g[0][1],))
 
+    def _partial(self, term: Apply) -> Matrix:
+        """∂f/∂x, entry by entry: by a column the derivatives of each entry beside each other."""
+        body, by = term.arguments
+        value, slopes = self.value(body), []
+        for seed in seeds(by, self._definitions.lookup):
+            name = self._free.place(seed.symbol, seed.order, seed.component)
+            once = partial(self.ring.partial, name=name)
+            slopes.append(_scale(self.ring.constant(1 / seed.factor), self._map(once, value)))
+        if by.type.kind == "scalar":
+            return slopes[0]
+        return tuple(tuple(slope[i][0] for slope in slopes) for i in range(len(value)))
+
     def _gradient(self, field: Term) -> Matrix:
         """∂fᵢ/∂ρⱼ at a fixed instant, ρ the declared coordinate."""
         coordinates = [s for s in self._values if isinstance(s, Symbol) and s.declaration.coordinate]
@@ -362,6 +384,8 @@ _HEADS = {
     "sin": ExactEngine._sin,
     "cos": ExactEngine._cos,
     "exp": ExactEngine._exp,
+    "partial": ExactEngine._partial,
+    "total": ExactEngine._partial,
     "divergence": ExactEngine._divergence,
     "curl": ExactEngine._curl,
     "conjugate": _unary(conjugate),

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
+from itertools import product as product_of
 
-from workbench.algebra.differential_ring import DifferentialRing, Polynomial
+from workbench.algebra.differential_ring import Derivation, DifferentialRing, Polynomial
 from workbench.algebra.dual import Dual
 from workbench.algebra.matrices import Matrix, cross, flat, matrix, product, skew
 from workbench.judge.first.quaternions import hamilton
 from workbench.judge.subject.parameters import Parameter, components
+from workbench.judge.subject.slopes import coordinate_count, indices
 from workbench.language.terms import Symbol
 
 
@@ -28,6 +32,10 @@ class FreeSymbols:
         found = [self._generator(symbol, part, order, i) for i in range(count)]
         return [] if None in found else found
 
+    def place(self, symbol: Symbol, order: int, component: int) -> str:
+        """The generator that stands for a component of a derivative."""
+        return self._named[Parameter(symbol, "value", order, component)]
+
     def _shift(self, symbol: Symbol, part: str, count: int) -> list[Polynomial]:
         """Gives each order of the part the next one as its derivative; returns order 0."""
         order, first = 0, self.column(symbol, part, 0, count)
@@ -36,9 +44,11 @@ class FreeSymbols:
             following = self.column(symbol, part, order + 1, count)
             if symbol.declaration.constant:
                 following = [self.ring.zero] * count
+            if symbol.declaration.clock:
+                following = [self.ring.one]
             for generator, rate in zip(current, following, strict=False):
                 self.ring.derive_as(str(generator), rate)
-            if symbol.declaration.constant:
+            if symbol.declaration.constant or symbol.declaration.clock:
                 break
             current, order = following, order + 1
         return first
@@ -129,12 +139,31 @@ class FreeSymbols:
     def furnish_angle(self, angle: Symbol) -> None:
         cosine, sine = self.column(angle, "circle", 0, 2)
         self.ring.square_as(str(sine), self.ring.one - cosine**2)
-        rate = self._generator(angle, "value", 1, 0)
-        if angle.declaration.constant:
-            rate = self.ring.zero
-        if rate is not None:
-            self.ring.derive_as(str(sine), cosine * rate)
-            self.ring.derive_as(str(cosine), -sine * rate)
+        value = self._generator(angle, "value", 0, 0)
+        if value is not None:
+            self.ring.derive_by(str(sine), lambda derivation: cosine * derivation(value))
+            self.ring.derive_by(str(cosine), lambda derivation: -sine * derivation(value))
+
+    def furnish_function(self, symbol: Symbol, coordinates: Callable[[], list[Polynomial]]) -> Matrix:
+        """f(q) and its partial derivatives, d f_α = Σᵢ f_{α+eᵢ} d qᵢ; the q are asked for when d is taken."""
+        count, among, degree = components(symbol), coordinate_count(symbol), 0
+        values = current = self._slopes(symbol, 0, among, count)
+        while current:
+            following = self._slopes(symbol, degree + 1, among, count)
+            for (place, component), generator in current.items() if following else ():
+                more = [following[tuple(sorted((*place, i))), component] for i in range(among)]
+                self.ring.derive_by(str(generator), partial(_by_chain, more, coordinates))
+            current, degree = following, degree + 1
+        return matrix(list(values.values()), symbol.type.columns)
+
+    def _slopes(
+        self, symbol: Symbol, degree: int, among: int, count: int
+    ) -> dict[tuple[tuple[int, ...], int], Polynomial]:
+        """The partial derivatives of a degree: by which coordinates, of which component; none where the
+        inventory does not hold them."""
+        keys = list(product_of(indices(among, degree), range(count)))
+        part = f"slope{degree}" if degree else "value"
+        return dict(zip(keys, self.column(symbol, part, 0, len(keys)), strict=False))
 
     def circle(self, angle: Symbol, count: int) -> tuple[Polynomial, Polynomial]:
         """(cos, sin) of `count` times the angle, by the addition theorems."""
@@ -144,6 +173,13 @@ class FreeSymbols:
         for _ in range(abs(count)):
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
         return self.ring.reduce(cosine), self.ring.reduce(sine)
+
+
+def _by_chain(
+    slopes: list[Polynomial], coordinates: Callable[[], list[Polynomial]], derivation: Derivation
+) -> Polynomial:
+    addends = [slope * derivation(q) for slope, q in zip(slopes, coordinates(), strict=True)]
+    return sum(addends[1:], addends[0])
 
 
 def rank(parameter: Parameter) -> int:

@@ -14,6 +14,7 @@ from typing import Protocol
 from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
 from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
 from workbench.judge.subject.inventory import GRADIENTS, NotExact
+from workbench.judge.subject.slopes import PARTIALS
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.construct import relation
 from workbench.language.definitions import Definitions, expand
@@ -173,6 +174,9 @@ def _scope(
 def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Statement]) -> None:
     """Raises NotExact where div or curl would be taken of a free function that stands for a field."""
     for term in _all_terms(statements):
+        for slope in (t for t in term.walk() if isinstance(t, Apply) and t.head in PARTIALS):
+            if not all(_is_numbered(part) for part in slope.walk()):
+                raise NotExact("a partial derivative with an integer variable in it")
         for gradient in (t for t in term.walk() if isinstance(t, Apply) and t.head in GRADIENTS):
             for part in gradient.walk():
                 hidden: list[Term] = []
@@ -183,6 +187,12 @@ def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Stateme
                     hidden = [part.body]
                 if any(isinstance(t, Symbol) and t.declaration.coordinate for h in hidden for t in h.walk()):
                     raise NotExact(f"the {gradient.head} of a field of every order")
+
+
+def _is_numbered(term: Term) -> bool:
+    if isinstance(term, Derivative | Symbol):
+        return all(i.is_number for i in (term.index if isinstance(term, Symbol) else (term.order,)))
+    return not isinstance(term, BigSum)
 
 
 def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> list[Linear]:

@@ -47,7 +47,8 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     for symbol, occurrences in found.items():
         order = inventory.orders.get(symbol, 0)
         highest = [o for o in occurrences if o.order == order]
-        if order and len(highest) == 1 and not symbol.declaration.constant:
+        is_free = not (symbol.declaration.constant or symbol.declaration.of or symbol.declaration.clock)
+        if order and len(highest) == 1 and is_free:
             (place,) = highest
             if sum(map(len, found.values())) == 1:
                 return None  # ẋ = 0 says that x is constant

@@ -126,6 +126,16 @@ def stack(values: list[Value]) -> Value:
     return Value(re, [np.stack([jet[k] for jet in full]) for k in range(len(re))])
 
 
+def beside(values: list[Value]) -> Value:
+    """Scalars as a row, columns as a matrix."""
+    return Value(
+        [np.stack([v.re[k] for v in values], axis=-1) for k in range(values[0].depth + 1)],
+        None
+        if values[0].du is None
+        else [np.stack([v.du[k] for v in values], axis=-1) for k in range(values[0].depth + 1)],
+    )
+
+
 def is_zero(value: Value) -> bool:
     """Whether all derivatives are 0, those of the dual part too."""
     return not any(bool(x != 0) for jet in (*value.re, *(value.du or ())) for x in jet.ravel())

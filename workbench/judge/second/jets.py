@@ -25,6 +25,7 @@ from workbench.judge.second.components import (
     add,
     add_operators,
     array_shape,
+    beside,
     cross,
     dot,
     entry,
@@ -39,8 +40,10 @@ from workbench.judge.second.components import (
 )
 from workbench.judge.second.jet_algebra import JetAlgebra, Ring
 from workbench.judge.second.quaternions import conjugated, quaternion_product
+from workbench.judge.second.tangents import changes, commuted, composed
 from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.judge.subject.slopes import Seed, indices, seeds
 from workbench.language.construct import apply
 from workbench.language.terms import (
     Apply,
@@ -67,6 +70,12 @@ class Source(Protocol):
     def circle(self, angle: Symbol) -> tuple[Any, Any]:
         """(cos, sin) of the angle at the instant."""
 
+    def moved(self, seed: Seed) -> Source:
+        """The same source with one component of a derivative moved by ε, over dual numbers."""
+
+    def slopes(self, function: Symbol, degree: int, count: int) -> list[Any]:
+        """The partial derivatives of a function `of` something, all those of a degree."""
+
     def along(self, component: int) -> Source:
         """The same source with the coordinate moved by ε along one axis, for div and curl."""
 
@@ -80,6 +89,8 @@ class JetEngine:
         self._definitions = definitions
         self._known: dict[Term, Value] = {}
         self._displaced: list[JetEngine] = []
+        self._moved: dict[Seed, JetEngine] = {}
+        self._origin = self  # the engine that nothing is moved in
 
     def components(self, term: Term) -> list[Any]:
         """All components at the instant: an operator's coefficients by rising power of D, each in reading
@@ -179,6 +190,8 @@ class JetEngine:
                 return Value(self._algebra.constant(0, 1, depth).re, self._algebra.constant(1, 1, depth).re)
             case Symbol():
                 body = self._definitions.lookup(term)
+                if body is None and term.declaration.of:
+                    return self._function(term, depth)
                 return self._source.jet(term, depth) if body is None else self.value(body, depth)
             case Derivative():
                 order = int(term.order)
@@ -277,6 +290,8 @@ class JetEngine:
                 return self._circle(arguments[0], depth)[1]
             case "exp":
                 return self._exp(arguments[0], depth)
+            case "partial" | "total":
+                return self._partial(*arguments, depth)
             case "divergence":
                 gradient = self._gradient(arguments[0], depth)
                 return add(add(entry(gradient[0], 0), entry(gradient[1], 1)), entry(gradient[2], 2))
@@ -390,6 +405,35 @@ class JetEngine:
                 "exp of anything but a purely dual argument or an angle times a unit vector's skew tensor"
             )
         return Value(self._one(value.re[0].shape, depth).re, value.du)
+
+    def _function(self, function: Symbol, depth: int) -> Value:
+        """f(q) by its Taylor series at q, which holds q's changes in time and along coordinates."""
+        ring, arguments = self._algebra.ring, function.declaration.of
+        values = [self.value(argument, depth) for argument in arguments]
+        coordinates = [list(jet) for v in values for jet in zip(*(x.ravel() for x in v.re), strict=True)]
+        start = [x for a in arguments for x in self._origin.value(a, 0).re[0].ravel()]
+        shape, among = array_shape(function.type), len(coordinates)
+        size = function.type.rows * function.type.columns
+        degrees = range(depth + getattr(ring, "depth", 0) + 1)
+        slopes = [self._source.slopes(function, k, size * len(indices(among, k))) for k in degrees]
+        return Value(composed(slopes, coordinates, start, ring, shape))
+
+    def _partial(self, body: Term, by: Term, depth: int) -> Value:
+        """∂f/∂x component by component. With ∂ₖ for the derivative by x⁽ᵏ⁾, ∂ₖ D = D ∂ₖ + ∂ₖ₋₁, so that
+        Dʲ ∂ₖ f = Σᵢ (−1)ⁱ C(j, i) ∂ₖ₋ᵢ Dʲ⁻ⁱ f, where ∂ₖ Dʲ f is what Dʲ f changes by with x⁽ᵏ⁾ moved by ε."""
+        found = []
+        for seed in seeds(by, self._definitions.lookup):
+            lower = [seed._replace(order=seed.order - i) for i in range(min(seed.order, depth) + 1)]
+            moved = [changes(self._moved_by(each).value(body, depth)) for each in lower]
+            du = None if moved[0].du is None else commuted([v.du for v in moved])
+            found.append(Value(commuted([v.re for v in moved]), du))
+        return found[0] if by.type.kind == "scalar" else beside(found)
+
+    def _moved_by(self, seed: Seed) -> JetEngine:
+        if seed not in self._moved:
+            engine = self._moved[seed] = JetEngine(self._source.moved(seed), self._definitions)
+            engine._origin = self._origin
+        return self._moved[seed]
 
     def _gradient(self, field: Term, depth: int) -> list[Value]:
         """∂f/∂ρⱼ for j = 1, 2, 3: the dual part of f at ρ + ε eⱼ."""

@@ -12,8 +12,10 @@ import numpy as np
 
 from workbench.judge.second.components import Value, array_shape, leibniz
 from workbench.judge.second.quaternions import joined, quaternion_product
+from workbench.judge.second.tangents import MovedPoint, TangentRing
 from workbench.judge.subject.inventory import Inventory, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter, parameters
+from workbench.judge.subject.slopes import Seed
 from workbench.language.terms import Symbol
 
 #: A Mersenne prime of 61 bits; it is 3 modulo 4, so a square root is one power.
@@ -122,6 +124,16 @@ class PointSource:
         self._point = point
         self._moved_along = moved_along
 
+    def moved(self, seed: Seed) -> PointSource:
+        """The same source with one component of a derivative moved by ε, over dual numbers."""
+        ring = TangentRing(self.ring)
+        return PointSource(ring, MovedPoint(self._point, ring, seed), self._moved_along)
+
+    def slopes(self, function: Symbol, degree: int, count: int) -> list[Any]:
+        """All partial derivatives of a degree, those of one component side by side."""
+        part = f"slope{degree}" if degree else "value"
+        return [self._point[Parameter(function, part, 0, i)] for i in range(count)]
+
     def along(self, component: int) -> PointSource:
         if self._moved_along is not None:
             raise NotExact("div or curl of a div or curl")
@@ -176,6 +188,8 @@ class PointSource:
     def _parameter(self, symbol: Symbol, part: str, order: int, component: int) -> Any:
         if symbol.declaration.constant and (order or part == "spin"):
             return self.ring.constant(0, 1)
+        if symbol.declaration.clock and order:
+            return self.ring.constant(int(order == 1), 1)
         return self._point[Parameter(symbol, part, order, component)]
 
     def _spun(self, symbol: Symbol, start: np.ndarray, depth: int) -> list[np.ndarray]:

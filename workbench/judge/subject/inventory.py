@@ -9,6 +9,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from workbench.judge.subject import NotExact
+from workbench.judge.subject.slopes import PARTIALS, require_known_dependence, seeds
 from workbench.language.construct import derivative
 from workbench.language.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
 
@@ -20,10 +22,6 @@ class Lookup(Protocol):
     """One step of definition: the body of a defined symbol, None for a free one."""
 
     def lookup(self, symbol: Symbol) -> Term | None: ...
-
-
-class NotExact(ValueError):
-    """The term is well-formed but outside the exact world; the message says which part and why."""
 
 
 @dataclass
@@ -44,12 +42,14 @@ def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
         for symbol, order in survey.orders(term).items():
             known = survey.inventory.orders.get(symbol, 0)
             survey.inventory.orders[symbol] = max(known, order)
+    survey.add_coordinates()
     return survey.inventory
 
 
 def has_gradient(terms: Iterable[Term]) -> bool:
-    """Whether a div or curl stands in the terms, as they are written."""
-    return any(isinstance(t, Apply) and t.head in GRADIENTS for term in terms for t in term.walk())
+    """Whether a div, curl or partial derivative stands in the terms, as they are written."""
+    heads = GRADIENTS | PARTIALS
+    return any(isinstance(t, Apply) and t.head in heads for term in terms for t in term.walk())
 
 
 class _Survey:
@@ -85,7 +85,27 @@ class _Survey:
                 merged[symbol] = max(merged.get(symbol, 0), order + raised)
         if isinstance(term, Apply) and term.head in GRADIENTS:
             _require_known_places(term, merged)
+        if isinstance(term, Apply) and term.head in PARTIALS:
+            body, by = term.arguments
+            if term.head == "total" and self._holds_rates(body):
+                raise NotExact("a time derivative under d/dx; it may change with x")
+            require_known_dependence(term.head, seeds(by, self.definitions.lookup), self.orders(body))
+            for symbol in merged:
+                merged[symbol] += bool(symbol.declaration.of)
         return merged
+
+    def add_coordinates(self) -> None:
+        """What the functions are `of`, as often differentiated as these."""
+        known = self.inventory.orders
+        for function, order in list(known.items()):
+            for argument in function.declaration.of:
+                for symbol, own in self.orders(argument).items():
+                    known[symbol] = max(known.get(symbol, 0), own + order)
+
+    def _holds_rates(self, term: Term) -> bool:
+        bodies = (self.definitions.lookup(part) for part in term.walk() if isinstance(part, Symbol))
+        here = any(isinstance(part, Derivative | TimeOperator) for part in term.walk())
+        return here or any(body is not None and self._holds_rates(body) for body in bodies)
 
     def _raised(self, term: Term, place: int) -> int:
         """How often the child at this place is differentiated by operators that act on it from the left."""

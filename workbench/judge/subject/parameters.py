@@ -11,6 +11,7 @@ relation is needed:
     transform       [R p; 0 1]     R a rotation, p(t) free
     unit quaternion |q| = 1        q̇ = ½ (0, s) q,   s(t) free       (s is the angular velocity)
     dual of it      q + ε ½ ρ q    ρ(t) free                         (q · Du q = 0 has just these solutions)
+    function f(q)   f_α free       d f_α = Σ f_{α+eᵢ} d qᵢ           (see `slopes.py`)
     angle           α, sin α, cos α with sin² + cos² = 1
 
 Both engines name their indeterminates by these parameters, so that a point of one is a point of the other.
@@ -22,6 +23,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from workbench.judge.subject.inventory import Inventory, NotExact
+from workbench.judge.subject.slopes import coordinate_count, indices
 from workbench.language.terms import Symbol
 
 #: Parts whose components lie on a unit sphere, and how many components they have.
@@ -32,7 +34,8 @@ SPHERES = {"circle": 2, "unit": 3, "quaternion": 4}
 class Parameter:
     """Component `component` of the `order`-th derivative of one part of a symbol.
 
-    part: "value", "dual", "unit", "spin", "moment", "quaternion", "translation", or "circle" (cos, sin).
+    part: "value", "dual", "unit", "spin", "moment", "quaternion", "translation", "circle" (cos, sin), or
+    "slope1", "slope2", … for the partial derivatives of that degree, those of one component side by side.
     """
 
     symbol: Symbol
@@ -57,7 +60,11 @@ def parts(symbol: Symbol, order: int) -> tuple[tuple[str, int, int], ...]:
     """(part, components, how many orders) for each part of the symbol differentiated up to `order` times."""
     declaration = symbol.declaration
     dual = symbol.type.dual
-    moving = 0 if declaration.constant else order
+    moving = 0 if declaration.constant or declaration.clock else order
+    if declaration.of:
+        count, among = components(symbol), coordinate_count(symbol)
+        degrees = [("value" if k == 0 else f"slope{k}", indices(among, k)) for k in range(order + 1)]
+        return tuple((part, count * len(places), 1) for part, places in degrees)
     if declaration.transform:
         return (("quaternion", 4, 1), ("spin", 3, moving), ("translation", 3, moving + 1))
     if declaration.unit and symbol.type.kind == "vector":

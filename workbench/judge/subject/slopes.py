@@ -1,0 +1,75 @@
+"""What a partial derivative differentiates by, and the functions `of` something that it differentiates.
+
+A function f of q is at one instant its value and its partial derivatives, the parameters f_α, of which a
+smooth function may have any:
+
+    d f_α = Σᵢ f_{α+eᵢ} d qᵢ      for every derivation d, d/dt and ∂/∂q alike
+
+Under ∂/∂q everything else is kept: other coordinates, t, and q̇ beside q. Nothing is constant unless it is
+said so: each free symbol is constant, a coordinate that functions are `of`, or such a function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from itertools import combinations_with_replacement
+from typing import NamedTuple
+
+from workbench.judge.subject import NotExact
+from workbench.language.terms import Apply, Block, Derivative, Number, Symbol, Term
+
+#: What differentiates by something else than the time.
+PARTIALS = frozenset({"partial", "total"})
+
+
+class Seed(NamedTuple):
+    """A component of a derivative of a free symbol, of which the variable has the multiple `factor`."""
+
+    symbol: Symbol
+    order: int
+    component: int
+    factor: Fraction
+
+
+def seeds(by: Term, lookup) -> list[Seed]:
+    """The components of what is differentiated by. Raises NotExact where they are not free."""
+    match by:
+        case Derivative(order=order):
+            return [seed._replace(order=seed.order + int(order)) for seed in seeds(by.body, lookup)]
+        case Block(entries=entries) if all(len(row) == 1 for row in entries):
+            found = [seed for (entry,) in entries for seed in seeds(entry, lookup)]
+            if len({seed[:3] for seed in found}) == len(found):
+                return found
+        case Apply(head="mul", arguments=(Number(value=value), Symbol() as part)):
+            return [seed._replace(factor=seed.factor * value) for seed in seeds(part, lookup)]
+        case Symbol() if (body := lookup(by)) is not None:
+            return seeds(body, lookup)
+        case Symbol() if not (by.declaration.unit or by.declaration.of or by.type.dual):
+            count = by.type.rows * by.type.columns
+            return [Seed(by, 0, component, Fraction(1)) for component in range(count)]
+    raise NotExact("a partial derivative by what is no free coordinate")
+
+
+def require_known_dependence(head: str, by: Iterable[Seed], symbols: Iterable[Symbol]) -> None:
+    """Nothing is independent of a coordinate unless it is said so. Raises NotExact."""
+    varied = {seed.symbol for seed in by}
+    for symbol in symbols:
+        declaration = symbol.declaration
+        if symbol in varied or declaration.constant:
+            continue
+        name = declaration.name.replace("@", "n")
+        if not (declaration.independent or declaration.of):
+            raise NotExact(f"{name} in the partial derivative may depend on it; `of` says what it depends on")
+        others = {each for each in declaration.of if not each.declaration.clock} - varied
+        if head == "total" and (others or (not declaration.of and not declaration.clock)):
+            raise NotExact(f"{name} in the derivative d/dx may change with x; write \\partial if it is kept")
+
+
+def indices(count: int, degree: int) -> list[tuple[int, ...]]:
+    """The partial derivatives of a degree by `count` coordinates, each as the sorted places of these."""
+    return list(combinations_with_replacement(range(count), degree))
+
+
+def coordinate_count(symbol: Symbol) -> int:
+    return sum(argument.type.rows for argument in symbol.declaration.of)

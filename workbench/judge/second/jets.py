@@ -377,7 +377,7 @@ class JetEngine:
         return total
 
     def _free_circle(self, angle: Symbol, depth: int) -> tuple[Value, Value]:
-        value = self._source.jet(angle, depth)
+        value = self.value(angle, depth)
         c, s = (np.asarray(x, dtype=object) for x in self._source.circle(angle))
         cosine, sine = [c], [s]
         rate = value.re[1:]

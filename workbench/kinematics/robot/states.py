@@ -148,7 +148,9 @@ class RobotFrame(FrameMotion):
             robot = motion.robot
             found = robot._chains.get(body.name) or robot._chain(body)
             if found is not None:  # the compiled engine, for one body
-                return found[0].twist_derivatives(motion._q_derivatives[..., found[1]])
+                chain, own = found
+                q = motion._q_derivatives
+                return chain.twist_derivatives(q if own is ... else q[..., own])
         if body.after == WORLD:
             return np.zeros((motion.order, *motion.shape, 6))
         return motion._tree.twists[:, body.after].reshape(motion.order, *motion.shape, 6)

@@ -154,7 +154,7 @@ class Structure:
         return None if found is None else (found[0], np.arange(len(self.positions))[found[1]].tolist())
 
     def _chain(self, body: Body) -> tuple[SerialChain, Any] | None:
-        """As `chain`, the coordinates as a slice where they stand in a row."""
+        """As `chain`, the coordinates as a slice where they stand in a row, as `...` where they are all."""
         try:
             return self._chains[body.name]
         except KeyError:
@@ -174,6 +174,8 @@ class Structure:
         indices = [self.positions.index(name) for name in reversed(names)]
         if not indices:
             return None
+        if indices == list(range(len(self.positions))):
+            return SerialChain(reversed(joints)), ...
         in_a_row = indices == list(range(indices[0], indices[0] + len(indices)))
         return SerialChain(reversed(joints)), slice(indices[0], indices[-1] + 1) if in_a_row else indices
 

@@ -14,14 +14,15 @@ from workbench.drake.motions import (
     chain_motion,
     free_body_motion,
     reference_motions,
-    special_motions,
 )
 from workbench.drake.plants import CylindricalAxis, body_motion, cylindrical_chain, free_body
+from workbench.drake.special_motions import NAMES, special_motion
 
 ORDER = 5
 GENERAL = reference_motions()
 CHAINS = GENERAL[:2]
-EVERY = (*GENERAL, *special_motions())
+SPECIAL = {name: special_motion(name) for name in NAMES}
+EVERY = (*GENERAL, *(motion for name, motion in SPECIAL.items() if "joint" not in name))
 AXES = (
     CylindricalAxis((1 / 3, 2 / 3, -2 / 3), (0.5, 0.25, -0.5)),
     CylindricalAxis((6 / 7, -2 / 7, 3 / 7), (-0.25, 1.0, 0.5)),
@@ -338,7 +339,16 @@ def test_general_motions_differ():
 
 
 def test_special_motions_are_special():
-    rest, translation, spin, screw, plane = special_motions()
+    rest, translation, spin, screw, plane = (
+        SPECIAL[name]
+        for name in (
+            "rest",
+            "translation",
+            "spin about a fixed axis",
+            "steady screw motion",
+            "plane motion",
+        )
+    )
     for t in rest.samples:
         assert not np.any(rest.jet("p_WP", ORDER, t)[1:])
         assert not np.any(translation.jet("w_WB", ORDER, t))
@@ -351,6 +361,34 @@ def test_special_motions_are_special():
         w, v = (plane.jet(name, ORDER, t) for name in ("w_WB", "v_WB0"))
         close(np.einsum("ki,ki->k", w, v), np.zeros(ORDER + 1))
         assert np.any(v[0])
+
+
+def test_special_chains_are_special():
+    """Of the two axes: parallel, one line, a third motion without a turn; joints that only turn or slide."""
+    for t in (-0.5, 0.75):
+        axis1, axis2, twist1, twist2 = (
+            {
+                name: motion.jet(binding, 0, t)[0]
+                for name, motion in SPECIAL.items()
+                if "joint" in name and binding in motion.available_bindings()
+            }
+            for binding in ("dual_u1_W", "dual_u2_W", "dual_w_WA", "dual_w_AB_W")
+        )
+        parallel, one = "two parallel cylindrical joints", "two cylindrical joints on one axis"
+        opposite = "two parallel cylindrical joints, turning against each other"
+        close(np.cross(axis1[parallel][0], axis2[parallel][0]), np.zeros(3))
+        assert np.linalg.norm(axis1[parallel][1] - axis2[parallel][1]) > 0.1
+        close(axis1[one], axis2[one])
+        close(twist1[opposite][0] + twist2[opposite][0], np.zeros(3))
+        assert np.linalg.norm((twist1[opposite] + twist2[opposite])[1]) > 0.1
+        for joint in (twist1, twist2):
+            turning = joint["two revolute joints"]
+            close(np.dot(turning[0], turning[1]), 0.0)
+            assert np.linalg.norm(turning[0]) > 0.1
+            assert not np.any(joint["two prismatic joints"][0])
+        one_slides = "a cylindrical and a prismatic joint"
+        assert np.any(twist1[one_slides][0]) and not np.any(twist2[one_slides][0])
+        assert np.any(twist2[one_slides][1])
 
 
 def test_reference_motions_are_built_once():

@@ -5,7 +5,7 @@ import pytest
 
 from workbench.drake.bindings import BINDINGS, bound
 from workbench.drake.motions import reference_motions
-from workbench.drake.relations import DEFINED, DEFINED_ON_CHAINS, DRIVEN, FREE
+from workbench.drake.relations import ALSO, DEFINED, DEFINED_ON_CHAINS, DRIVEN, FREE, names_in
 from workbench.drake.sampled_motions import sampled_motions
 from workbench.judge.evidence.motion_check import Subject, witness
 from workbench.judge.evidence.motion_source import Bindings
@@ -16,7 +16,7 @@ from workbench.language.terms import Symbol
 from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration
 
 MOTIONS = (*reference_motions(), *sampled_motions())
-TABLE = (*DEFINED, *DEFINED_ON_CHAINS, *DRIVEN)
+TABLE = (*DEFINED, *ALSO, *DEFINED_ON_CHAINS, *DRIVEN)
 KINDS = {(): SCALAR, (3,): VECTOR, (3, 3): TENSOR}
 
 
@@ -27,14 +27,10 @@ def symbol_of(name: str) -> Symbol:
 
 
 def seen(name, data):
-    used = {name, *names(data)}
+    used = {name, *names_in(data)}
     bindings = Bindings({symbol_of(n): bound(n) for n in used})
     statement = relation("=", symbol_of(name), term_of(data, symbol_of))
     return witness(Subject(statement, (), None, Definitions(), (bindings,), MOTIONS))
-
-
-def names(data) -> set[str]:
-    return {data} if isinstance(data, str) else set().union(*map(names, data[1:]))
 
 
 @pytest.mark.parametrize("name, data", TABLE, ids=[f"{name}-{i}" for i, (name, _) in enumerate(TABLE)])
@@ -68,7 +64,7 @@ def test_every_binding_of_a_chain_is_free_or_defined_once():
     assert len(set(defined)) == len(defined) and not set(defined) & set(FREE)
     standing = set(FREE)
     for name, data in DEFINED:
-        assert names(data) <= standing, name
+        assert names_in(data) <= standing, name
         standing.add(name)
     blocks_and_directions = {"X_WB", "X_WA", "X_AB", "u1_W", "u2_A", "u2_W"}
     third_body_and_origin = {n for n in BINDINGS if "C" in n or n.endswith("3")} | {"p_W0", "dual_u3_W"}

@@ -9,17 +9,18 @@ import pytest
 from workbench.drake.bindings import alternatives, bound
 from workbench.drake.bound_jets import bound_jet
 from workbench.drake.general_paths import small_axes, small_path
-from workbench.drake.motions import chain_motion, reference_motions, special_motions
+from workbench.drake.motions import chain_motion, reference_motions
 from workbench.drake.plants import PlantError
 from workbench.drake.roots import MotionError, disagreements, require_agreement
 from workbench.drake.sampled_motions import sampled_motions, six_revolute_motion, urdf_motion
+from workbench.drake.special_motions import NAMES, special_motion
 
 THREE, ARM = sampled_motions()
 CHAIN = reference_motions()[0]
 
 
 @pytest.mark.parametrize(
-    "motion", (*reference_motions(), *special_motions(), THREE, ARM), ids=lambda motion: motion.name
+    "motion", (*reference_motions(), *map(special_motion, NAMES), THREE, ARM), ids=lambda motion: motion.name
 )
 def test_the_plant_is_the_root_of_every_motion(motion):
     require_agreement(motion)

@@ -156,23 +156,3 @@ def reference_motions() -> tuple[ReferenceMotion, ...]:
         for seed in (1, 2)
     )
     return (*chains, free_body_motion("free body, seed 3", small_path(3, joints=6)))
-
-
-@lru_cache(maxsize=1)
-def special_motions() -> tuple[ReferenceMotion, ...]:
-    """Free bodies where something vanishes: where centres are lost and equalities are strict."""
-    general = small_path(4, joints=6).coefficients
-
-    def restricted(name: str, moving: Sequence[int], degree: int = 6) -> ReferenceMotion:
-        kept = np.zeros_like(general)
-        kept[: degree + 1, moving] = general[: degree + 1, moving]
-        return free_body_motion(name, JointPath(kept))
-
-    roll, _pitch, yaw, x, y, z = range(6)
-    return (
-        restricted("rest", ()),
-        restricted("translation", (x, y, z)),
-        restricted("spin about a fixed axis", (yaw,)),
-        restricted("steady screw motion", (roll, x), degree=1),
-        restricted("plane motion", (yaw, x, y)),
-    )

@@ -43,6 +43,11 @@ def _dual_rotation(R: Term, p: Term) -> Term:
     return ("dual", R, ("mul", ("skew", p), R))
 
 
+def names_in(data: Term) -> set[str]:
+    """The bindings in a term."""
+    return {data} if isinstance(data, str) else set().union(*map(names_in, data[1:]))
+
+
 #: (binding, the term that it is), in order.
 DEFINED: tuple[tuple[str, Term], ...] = (
     ("w_WB", _angular("R_WB")),
@@ -80,6 +85,13 @@ DEFINED: tuple[tuple[str, Term], ...] = (
     ("dual_theta1", ("dual", "theta1", "d1")),
     ("dual_theta2", ("dual", "theta2", "d2")),
     ("dual_u2_W", ("mul", "dual_R_WA", "dual_u2_A")),
+)
+
+#: Other ways to the same bindings, where what they are defined by is not used.
+ALSO: tuple[tuple[str, Term], ...] = (
+    ("dual_w_WB", _angular("dual_R_WB")),
+    ("dual_w_WA", _angular("dual_R_WA")),
+    ("dual_w_AB_A", _angular("dual_R_AB")),
 )
 
 #: Where A's bindings are used beside B's.

@@ -20,6 +20,7 @@ from workbench.papers.installed import DEFAULT, installed, installed_names, pape
 from workbench.papers.lines import Line, split_lines
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import CITATION_KEYS, Claim, Formula, Notation, Paper, PaperError, Stated, Theorem
+from workbench.papers.motion import require_claims
 from workbench.papers.notation import NOTATION_KEYS, notation_chain, notation_of
 from workbench.papers.orders import Orders
 from workbench.papers.sisters import claim_ids, sisters_of
@@ -117,6 +118,7 @@ def merge(paths: Sequence[Path], theorems: Mapping[str, Theorem] | None = None) 
     for file in files:
         for index in range(len(file.claims)):
             claims += _ClaimReader(file, ("claim", index), owners, theorems).claims()
+        require_claims(file.toml, owners)
     parts: dict[str, list[str]] = {}
     for claim in claims:
         parts.setdefault(owners[claim.id], []).append(claim.id)
@@ -281,17 +283,18 @@ class _ClaimReader:
             raise self.file.toml.error_at_value((*self.path, "theorem"), message)
         reader = self._reader(claim)
         goal = self._goal(claim)
-        said = self._said(
+        printed = self._said(
             claim, set(claim.orders.variables if claim.orders else ()) | bound_integers(goal and goal.goal)
         )
         if goal is not None:
-            self._refuse_other_goal(goal, said)
+            self._refuse_other_goal(goal, printed)
         elif claim.theorem is not None and claim.argued is None:
             message = "a theorem needs a goal, or else `argued`: why no rule ties its steps to one"
             raise self.file.toml.error_at_key((*self.path, "theorem"), message)
         return replace(
             claim,
             goal=goal,
+            said=() if goal else tuple(printed),
             corrected=reader.intended("corrected"),
             hypothesis=self._condition(reader, goal),
             assume=reader.intended_list("assume"),

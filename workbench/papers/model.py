@@ -79,11 +79,16 @@ class Robot:
 
 @dataclass(frozen=True)
 class OnMotions:
-    """What motions say of a sentence, in our formulas: one that holds, and one that says it as printed."""
+    """What motions say of a claim, in our formulas: one that holds, and one that says it as printed.
+
+    on: the special motion on which they are looked at.   none: why no motion shows it; "algebra" if it is
+    about no motion."""
 
     holds: Formula | None = None
     printed: Formula | None = None
     orders: Orders | None = None
+    on: str | None = None
+    none: str | None = None
 
 
 @dataclass(frozen=True)
@@ -122,7 +127,7 @@ class Mend:
 @dataclass(frozen=True)
 class Notation:
     """What the formulas of one file are written in. `motion`: symbol → its name on Drake's motions.
-    `on_motions`: claim → what is looked at there, for a claim that is a sentence."""
+    `on_motions`: claim → what is looked at there, where that is not the claim's own formula."""
 
     symbols: SymbolTable
     definitions: Definitions
@@ -136,7 +141,8 @@ class Claim:
     """One `[[claim]]` of a paper file, or one line of it, or one step of a display in a text.
 
     printed: the formula that is judged, as printed, or, where `ours`, our formula for what is printed in
-    words. quote: a printed sentence.   goal: what one identity cannot say.   theorem: the name of its proof
+    words. quote: a printed sentence.   said: the equations of an argued claim.   goal: what one identity
+    cannot say.   theorem: the name of its proof
     in the installed paper.   argued: why no rule ties that proof to a goal.   fault: what kind of fault the
     claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps before it in
     its chain, `skip` why its author leaves it out, `unread` why its model
@@ -159,6 +165,7 @@ class Claim:
     statement: str | None = None
     ours: bool = False
     quote: str | None = None
+    said: tuple[Statement, ...] = ()
     goal: Stated | None = None
     theorem: str | None = None
     argued: str | None = None

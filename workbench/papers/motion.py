@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 
 from workbench.drake.bindings import Bound, alternatives
+from workbench.drake.special_motions import NAMES
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.integers import Linear
 from workbench.language.reader import read_term
@@ -18,6 +19,7 @@ from workbench.papers.toml_file import TomlFile
 from workbench.papers.toml_places import KeyPath
 
 ROBOT, CLAIMS = "robot", "claims"
+_ON_MOTIONS = ("holds", "printed", "orders", "on", "none")
 
 
 def bindings(file: TomlFile, table: SymbolTable, keys: Sequence[str]) -> Iterator[tuple[Symbol, str]]:
@@ -44,20 +46,32 @@ def robot(file: TomlFile) -> Robot | None:
 
 
 def formulas(file: TomlFile, notation: Notation) -> Iterator[tuple[str, OnMotions]]:
-    """The table [motion.claims]: of a claim that is a sentence, a formula that holds by it, and one that is
-    false with what is printed. Raises PaperError."""
+    """The table [motion.claims]: of a claim, a formula that holds by it, and one that is false with what is
+    printed; or why there is none. Raises PaperError."""
     for claim in file.value(("motion", CLAIMS), dict, {}):
         path = ("motion", CLAIMS, claim)
         for key in file.value(path, dict):
-            if key not in ("holds", "printed", "orders"):
-                raise file.error_at_key((*path, key), f"motion: expected holds, printed or orders, got {key}")
-        text = file.text((*path, "orders"))
+            if key not in _ON_MOTIONS:
+                expected = ", ".join(_ON_MOTIONS)
+                raise file.error_at_key((*path, key), f"motion: expected one of {expected}, got {key}")
+        text, on, none = (file.text((*path, key)) for key in ("orders", "on", "none"))
         try:
             orders = None if text is None else Orders.parse(text)
         except ValueError as error:
             raise file.error_at_value((*path, "orders"), f"motion: {error}") from None
+        if on is not None and on not in NAMES:
+            raise file.error_at_value((*path, "on"), f"motion: expected one of {', '.join(NAMES)}, got {on}")
         holds, printed = (_formula(file, (*path, key), notation, orders) for key in ("holds", "printed"))
-        yield claim, OnMotions(holds, printed, orders)
+        if (holds is None) == (none is None):
+            raise file.error_at_key(path, "motion: expected holds, or none and why no motion shows it")
+        yield claim, OnMotions(holds, printed, orders, on, none)
+
+
+def require_claims(file: TomlFile, ids: Container[str]) -> None:
+    """Raises PaperError for a table [motion.claims] that names no claim."""
+    for claim in file.value(("motion", CLAIMS), dict, {}):
+        if claim not in ids:
+            raise file.error_at_key(("motion", CLAIMS, claim), f"motion: no claim has the id {claim!r}")
 
 
 def _formula(file: TomlFile, path: KeyPath, notation: Notation, orders: Orders | None) -> Formula | None:

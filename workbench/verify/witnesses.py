@@ -2,21 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 from workbench.judge.evidence.motion_source import Bindings, Motion, bindings_of
+from workbench.judge.theorems.goals import atoms
+from workbench.judge.theorems.said import said
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.terms import Relation
-from workbench.papers.model import Claim, Formula, Notation, PaperError
+from workbench.language.terms import Relation, Statement
+from workbench.papers.model import Claim, Formula, Notation, OnMotions, PaperError
+from workbench.papers.ties import names_behind
+from workbench.verify.on_motions import METHOD
+
+if TYPE_CHECKING:
+    from workbench.judge.evidence.motion_check import Ranges, Witness
+
+#: A statement, what it supposes, and its integers.
+Saying: TypeAlias = "tuple[Statement, tuple[Statement, ...], Ranges | None]"
 
 VETO = "proved, but Drake's motions contradict it: a binding or the workbench is wrong"
 
 TIED = "it holds on Drake's motions, where the bound symbols are tied as they are not here"
 
 #: Verdicts that a motion can contradict.
-_TRUE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION})
+_TRUE = frozenset({Outcome.PROVED, Outcome.CONDITIONAL, Outcome.DEFINITION, Outcome.ARGUED})
+
+#: Why a claim without equations has no witness, unless `none` of [motion.claims] says more.
+WORDS = "a sentence, with no formula to evaluate"
+EXISTENCE = "what it says of a motion is that something exists, or is the only one"
 
 
 class Witnesses:
@@ -25,48 +40,39 @@ class Witnesses:
     def __init__(self) -> None:
         self._of: dict[int, tuple[tuple[Bindings, ...], tuple[Motion, ...]]] = {}
 
-    def seen(self, verdict: Verdict, claim: Claim, form: Formula | None, under: Formula | None) -> Verdict:
+    def seen(self, verdict: Verdict, claim: Claim, form: Formula, under: Formula | None) -> Verdict:
         """The verdict on a form of the claim, with what the motions say of it among its evidence.
 
         under: the hypothesis with which it holds. Raises PaperError for a binding that contradicts a
-        definition, or a robot that Drake cannot load.
+        definition, a formula of [motion.claims] that says nothing, or a robot that Drake cannot load.
         """
         if verdict.outcome not in _TRUE | {Outcome.REFUTED}:
             return verdict
-        if form is None or form.statement is None:
-            return self._sentence(verdict, claim)
         if not claim.notation.motion:
             return replace(verdict, no_motion=_algebra())
-        from workbench.judge.evidence.motion_check import Subject, witness
-
-        bindings, motions = self._known(claim)
-        premises = claim.supposed if under is None else (*claim.supposed, under.statement)
-        subject = Subject(
-            form.statement, premises, claim.orders, claim.notation.definitions, bindings, motions
-        )
-        found = witness(subject, course=claim.corrected is not None)
-        if found.evidence is None:
-            return replace(verdict, no_motion=found.reason)
-        evidence = (*verdict.evidence, found.evidence)
+        found = self._witness(claim, list(_sayings(claim, form, under)), claim.corrected is not None)
         if found.vetoed and verdict.outcome in _TRUE:
-            return Verdict(Outcome.UNCHECKED, reason=VETO, evidence=evidence)
+            return Verdict(Outcome.UNCHECKED, reason=VETO, evidence=(*verdict.evidence, found.evidence))
         if verdict.outcome == Outcome.REFUTED and _only_tied(form, claim, found):
             return Verdict(Outcome.UNCHECKED, reason=TIED, evidence=(found.evidence,))
-        return replace(verdict, evidence=evidence)
-
-    def _sentence(self, verdict: Verdict, claim: Claim) -> Verdict:
-        """With our formulas for the sentence: one that must hold, one that is false if what is printed is."""
+        seen = verdict.evidence if found.evidence is None else (*verdict.evidence, found.evidence)
         ours = claim.notation.on_motions.get(claim.id)
-        if ours is None:
-            return replace(verdict, no_motion="a sentence, with no formula to evaluate")
-        from workbench.judge.evidence.motion_check import Subject, witness
+        if ours is None or (form is not claim.printed and form is not claim.reading):
+            return replace(verdict, evidence=seen, no_motion=found.reason)
+        return self._ours(replace(verdict, evidence=seen), claim, ours)
 
-        bindings, motions = self._known(claim)
+    def _ours(self, verdict: Verdict, claim: Claim, ours: OnMotions) -> Verdict:
+        """With our formulas for the claim: one that must hold, one that is false if what is printed is."""
+        if ours.none is not None:
+            return replace(verdict, no_motion=_algebra() if ours.none == "algebra" else ours.none)
+        if ours.printed is not None:  # the false form and the right one, evaluated alike
+            told = tuple(e for e in verdict.evidence if e.method != METHOD)
+            verdict = replace(verdict, evidence=told)
         for form in (ours.printed, ours.holds):
             if form is None:
                 continue
-            subject = Subject(form.statement, (), ours.orders, claim.notation.definitions, bindings, motions)
-            found = witness(subject, course=ours.printed is not None)
+            saying = (form.statement, (), ours.orders)
+            found = self._witness(claim, [saying], ours.printed is not None, ours.on)
             if found.evidence is None:
                 raise PaperError(claim.file, None, None, f"motion.claims: {claim.id}: {found.reason}")
             shown = replace(found.evidence, figures={"formula": form.latex, **found.evidence.figures})
@@ -74,6 +80,23 @@ class Witnesses:
             if found.vetoed != (form is ours.printed):
                 return Verdict(Outcome.UNCHECKED, reason=VETO, evidence=verdict.evidence)
         return verdict
+
+    def _witness(
+        self, claim: Claim, sayings: Sequence[Saying], course: bool, on: str | None = None
+    ) -> Witness:
+        """What the motions say of all of these together; `on`: one of the special motions instead."""
+        from workbench.judge.evidence.motion_check import Subject, Witness, witness
+
+        if not sayings and claim.goal is None:
+            return Witness(None, WORDS)
+        bindings, motions = self._known(claim)
+        if on is not None:
+            motions = (_special(on),)
+        known = claim.notation.definitions
+        found = witness(*(Subject(*saying, known, bindings, motions) for saying in sayings), course=course)
+        if claim.goal is not None and found.reason == _algebra() and _of_motion(claim):
+            return Witness(None, EXISTENCE)
+        return found
 
     def prepare(self, claim: Claim) -> None:
         """Makes the references of the claim's notation, so that processes forked later share them. Raises as
@@ -100,12 +123,35 @@ class Witnesses:
         return choices, motions
 
 
-def _only_tied(form: Formula, claim: Claim, found: Any) -> bool:
+def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Saying]:
+    """The equations of a form of the claim: its own, or those of its goal, or those of its argument."""
+    if form is claim.printed and claim.goal is not None:
+        for part in said(claim.goal.goal):
+            yield part.statement, (*claim.supposed, *part.premises), part
+        return
+    supposed = claim.supposed
+    if under is not None and under.statement is not None:
+        supposed = (*supposed, under.statement)
+    for statement in claim.said if form.statement is None else (form.statement,):
+        yield statement, supposed, claim.orders
+
+
+def _of_motion(claim: Claim) -> bool:
+    """Whether the claim's goal speaks of what is bound."""
+    from workbench.judge.evidence.motion_check import relations
+
+    sides = [side for s in atoms(claim.goal.goal) for r in relations(s) for side in (r.left, r.right)]
+    bound = {symbol.declaration.name for symbol in claim.notation.motion}
+    return not bound.isdisjoint(names_behind(sides, claim.notation.definitions))
+
+
+def _only_tied(form: Formula, claim: Claim, found: Witness) -> bool:
     """Whether a refuted equation holds on the motions in every instance: what is bound is free in the exact
     judge, and the counterexample may be no motion."""
     equation = isinstance(form.statement, Relation) and form.statement.operator == "="
     return (
         equation
+        and found.evidence is not None
         and not found.vetoed
         and len(found.evidence.figures.get("instances", [{}])) == len(claim.instances)
     )
@@ -133,6 +179,13 @@ def _motions(notation: Notation) -> tuple[Motion, ...]:
     from workbench.drake.sampled_motions import urdf_motion
 
     return (*_general(), urdf_motion(notation.robot.urdf, notation.robot.body))
+
+
+@lru_cache(maxsize=32)
+def _special(name: str) -> Motion:
+    from workbench.drake.special_motions import special_motion
+
+    return special_motion(name)
 
 
 @lru_cache(maxsize=1)

@@ -63,27 +63,51 @@ class Witness:
     vetoed: bool = False
 
 
-def witness(subject: Subject, course: bool = False) -> Witness:
-    """Evaluates the instances of the statement on all motions that have what it is about.
+def witness(*subjects: Subject, course: bool = False) -> Witness:
+    """Evaluates the instances of the statements on all motions that have what they are about.
 
     course: also tell the residual over time, on the first of the motions.
     """
     reasons: list[str] = []
     seen: list[_Seen] = []
-    try:
-        for values in subject.orders.assignments() if subject.orders else [{}]:
-            found = _instance(subject, values)
-            if isinstance(found, _Seen):
-                seen.append(found)
-            else:
-                reasons.append(found)
-            if len(seen) == INSTANCES or len(reasons) > 2 * INSTANCES:
-                break
-    except (NotExact, IllFormed) as outside:
-        reasons.append(str(outside))
+    for subject in subjects:
+        found = list(_instances(subject))
+        seen += [instance for instance in found if isinstance(instance, _Seen)]
+        reasons += [reason for reason in found if isinstance(reason, str)]
     if not seen:
-        return Witness(None, next((r for r in reasons if r == ALGEBRA), reasons[0] if reasons else ALGEBRA))
+        return Witness(None, next((r for r in reasons if r != ALGEBRA), ALGEBRA))
     return _told(seen, course)
+
+
+def _instances(subject: Subject) -> Iterator[_Seen | str]:
+    """The lowest instances that can be told, or why one cannot."""
+    told = failed = 0
+    try:
+        for values in _spread(subject.orders):
+            found = _instance(subject, values)
+            yield found
+            told += isinstance(found, _Seen)
+            failed += isinstance(found, str)
+            if told == INSTANCES or failed > 2 * INSTANCES:
+                return
+    except (NotExact, IllFormed) as outside:
+        yield str(outside)
+
+
+def _spread(orders: Ranges | None) -> list[dict[str, int]]:
+    """The values of the integers, first those where all of them grow together, m = n = 1, 2, 3."""
+    if orders is None:
+        return [{}]
+    rows = list(orders.assignments())
+    values = {name: sorted({row[name] for row in rows}) for name in rows[0]}
+
+    def apart(row: dict[str, int]) -> bool:
+        """Whether an integer is not as far up its range as the others, nor at its end."""
+        places = [values[name].index(value) for name, value in row.items()]
+        top = max(places, default=0)
+        return any(p != min(top, len(values[n]) - 1) for n, p in zip(row, places, strict=True))
+
+    return sorted(rows, key=apart)
 
 
 @dataclass(frozen=True)

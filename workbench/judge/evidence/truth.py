@@ -23,6 +23,9 @@ EPSILON = float(np.finfo(float).eps)
 #: An error this large, over the size of the sides, leaves nothing to be seen.
 USELESS = 1e-3
 
+#: What a premise changes by when an unknown changes by 1, and which is rounding alone.
+NOTHING = 1e-9
+
 Array = np.ndarray
 
 
@@ -166,6 +169,7 @@ class Evaluation:
             columns.append(self._residuals(moved, equations) - here)
         matrix = np.moveaxis(np.array(columns), 0, -1)  # (lanes, equations, unknowns)
         usable = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(here).all(axis=1)
+        matrix[usable] *= np.abs(matrix[usable]).max(axis=(1, 2), keepdims=True) > NOTHING
         step = np.full((len(here), len(unknowns)), np.nan)
         if usable.any():
             step[usable] = (-np.linalg.pinv(matrix[usable]) @ here[usable][:, :, None])[:, :, 0]

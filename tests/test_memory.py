@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sqlite3
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -131,3 +133,24 @@ def test_a_verdict_comes_back_as_it_was(outcome):
     whole = Verdict(outcome, "a", "all n", "r", "h", against, evidence)
     for verdict in (whole, Verdict(outcome)):
         assert Verdict.from_dict(verdict.to_dict()) == verdict
+
+
+def test_keys_are_the_same_in_every_process() -> None:
+    """Sets have another order where Python hashes texts otherwise."""
+    program = """
+from workbench.papers import find_paper
+from workbench.verify.memory import Keys
+paper = find_paper(None)
+keys = Keys(paper.theorems, {})
+print([(claim.id, keys.of(claim, "printed")) for claim in paper.claims])
+"""
+    seen = {
+        subprocess.run(
+            [sys.executable, "-c", program],
+            env=os.environ | {"PYTHONHASHSEED": seed},
+            capture_output=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(seen) == 1

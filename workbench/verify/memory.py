@@ -11,7 +11,7 @@ import json
 import os
 import sqlite3
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Set
 from contextlib import suppress
 from dataclasses import fields, is_dataclass
 from functools import cache
@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from workbench.judge.verdict import Verdict
-from workbench.language.terms import Symbol
+from workbench.language.terms import Symbol, Term
 from workbench.papers.model import Claim, Notation, Theorem
 
 #: What a claim says of itself that no verdict depends on.
@@ -155,7 +155,7 @@ class _Reach:
         bindings = sorted((repr(symbol), bound) for symbol, bound in notation.motion.items())
         self._motion = repr((bindings, notation.robot and (notation.robot, notation.robot.urdf.read_bytes())))
         self._bound = {symbol.declaration.name for symbol in notation.motion}
-        self.whole = repr((notation.symbols, tuple(notation.definitions)))
+        self.whole = repr((_in_order(notation.symbols), tuple(notation.definitions)))
 
     def of(self, said: Any) -> tuple[str, list[str]]:
         """The definitions, in their order, of all that the symbols in it stand for, and of the bound ones,
@@ -168,17 +168,28 @@ class _Reach:
         return self._motion, [text for name in self._texts if name in reached for text in self._texts[name]]
 
 
-def _names_in(part: Any) -> Iterator[str]:
-    if isinstance(part, Symbol):
-        yield part.declaration.name
+def _in_order(part: Any) -> list[Any]:
+    """The fields of a dataclass; the sets among them sorted, since their order is another in each process."""
+    values = (getattr(part, field.name) for field in fields(part))
+    return [sorted(value, key=repr) if isinstance(value, Set) else value for value in values]
+
+
+def _names_in(part: Any) -> frozenset[str]:
+    """The names of all symbols in a part of a claim or of a definition."""
+    if isinstance(part, Term):
+        return _names_in_term(part)
     if isinstance(part, dict):
         part = tuple(part.values())
-    if isinstance(part, tuple | list):
-        for entry in part:
-            yield from _names_in(entry)
     elif is_dataclass(part):
-        for field in fields(part):
-            yield from _names_in(getattr(part, field.name))
+        part = [getattr(part, field.name) for field in fields(part)]
+    if isinstance(part, tuple | list):
+        return frozenset().union(*map(_names_in, part))
+    return frozenset()
+
+
+@cache
+def _names_in_term(term: Term) -> frozenset[str]:
+    return frozenset(part.declaration.name for part in term.walk() if isinstance(part, Symbol))
 
 
 @cache

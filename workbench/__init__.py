@@ -49,6 +49,9 @@ def check(
     seconds, megabytes: of processor time and memory for each judgement, beyond which the verdict is
         `unchecked`; 20 s and 4000 MB if neither is given.
 
+    What was judged before by this version is not judged again; it is kept under WORKBENCH_CACHE, or where
+    the system keeps such files.
+
     Raises ReadError (a ValueError, with line and column) for what cannot be read, PaperError for a paper that
     cannot be used, and ValueError for arguments that say nothing. What can be read but makes no sense gets
     the verdict `ill-formed`.

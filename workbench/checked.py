@@ -31,6 +31,7 @@ from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.report.kinds import VERDICTS
 from workbench.verify.claims import HOLDS, ClaimResult, judge_paper
+from workbench.verify.memory import standard_memory
 from workbench.verify.results import claim_dict
 
 if TYPE_CHECKING:
@@ -137,7 +138,8 @@ def check(
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
         name = "check" if len(lines) == 1 else f"check.{number}"
         claims.append(Claim(name, formula, known, assume=supposed, orders=values))
-    results = judge_paper(Paper("", None, (), known, tuple(claims)), budget=budget)
+    with standard_memory() as memory:
+        results = judge_paper(Paper("", None, (), known, tuple(claims)), budget=budget, memory=memory)
     checked = [Checked(result) for result in results]
     return checked[0] if len(checked) == 1 else CheckedLines(checked)
 

@@ -8,7 +8,6 @@ from judge.motion_papers import HEAD, MOTION, judged, motions, paper
 
 from workbench.drake.sampled_motions import six_revolute_motion
 from workbench.drake.special_motions import special_motion
-from workbench.judge.evidence import motion_check
 from workbench.judge.evidence.motion_check import Subject, witness
 from workbench.judge.evidence.motion_source import bindings_of
 from workbench.judge.theorems.goals import Scope, read_goal
@@ -194,7 +193,7 @@ def test_a_corrected_form_above_its_error_fails_the_run(tmp_path, monkeypatch, n
     """With a motion of the wrong sign, which neither the plant nor the definitions are asked about."""
     planted = Planted(special_motion("two revolute joints"), name)
     monkeypatch.setattr(witnesses, "_motions", lambda notation: (planted,))
-    monkeypatch.setattr(motion_check, "_checked", lambda motion: None)
+    monkeypatch.setattr(witnesses, "_require_agreement", lambda motion: None)
     monkeypatch.setattr("workbench.judge.evidence.binding_check.require_consistent", lambda *anything: None)
     printed = r"""
         printed = '\ddot{p} + \dot{R} x = \dot{v} - \omega \times (R x)'

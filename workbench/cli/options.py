@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import json
-import os
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from functools import wraps
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -69,22 +67,13 @@ cache_option = click.option(
 json_flag = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
 
-@contextmanager
-def memory_of_verdicts(wanted: bool) -> Iterator[Memory | None]:
+def memory_of_verdicts(wanted: bool) -> AbstractContextManager[Memory | None]:
     """The verdicts of earlier runs; none if they are not wanted."""
     if not wanted:
-        yield None
-        return
-    from platformdirs import user_cache_path
+        return nullcontext()
+    from workbench.verify.memory import standard_memory
 
-    from workbench.verify.memory import Memory
-
-    place = os.environ.get("WORKBENCH_CACHE")
-    memory = Memory((Path(place) if place else user_cache_path("kinematics-workbench")) / "verdicts.sqlite")
-    try:
-        yield memory
-    finally:
-        memory.close()
+    return standard_memory()
 
 
 def json_text(data: Any) -> str:

@@ -63,7 +63,6 @@ class PaperJudge:
         self.paper = paper
         self.options = {"second_engine": second_engine}
         self.budget = budget or paper.budget or STANDARD
-        self._witnesses = Witnesses() if motions else None
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[int, Judge] = {}
         self._theorem = cache(lambda name: paper.theorems[name]())  # several claims can rest on one
@@ -75,6 +74,7 @@ class PaperJudge:
             if memory
             else None
         )
+        self._witnesses = Witnesses(memory, self._keys) if motions else None
 
     def result(self, claim: Claim) -> ClaimResult:
         """The result for one of the paper's claims."""

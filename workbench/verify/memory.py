@@ -11,8 +11,8 @@ import json
 import os
 import sqlite3
 import sys
-from collections.abc import Mapping, Set
-from contextlib import suppress
+from collections.abc import Iterator, Mapping, Set
+from contextlib import contextmanager, suppress
 from dataclasses import fields, is_dataclass
 from functools import cache
 from hashlib import sha256
@@ -20,7 +20,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from workbench.judge.verdict import Verdict
+from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.terms import Symbol, Term
 from workbench.papers.model import Claim, Notation, Theorem
 
@@ -78,6 +78,13 @@ class Memory:
             insert = "INSERT OR REPLACE INTO verdicts (key, verdict, seal) VALUES (?, ?, ?)"
             self._database.execute(insert, (key, text, _seal(key, text)))
 
+    def knows(self, key: str) -> bool:
+        """Whether what the key stands for was found to be so."""
+        return self.recall(key) is not None
+
+    def know(self, key: str) -> None:
+        self.remember(key, Verdict(Outcome.PROVED))
+
     def close(self) -> None:
         if self._database is not None:
             with suppress(sqlite3.Error), self._database:
@@ -85,6 +92,19 @@ class Memory:
                 self._database.execute(f"DELETE FROM verdicts WHERE rowid <= ({oldest}) - ?", (_MOST,))
             self._database.close()
             self._database = None
+
+
+@contextmanager
+def standard_memory() -> Iterator[Memory]:
+    """That under WORKBENCH_CACHE, or where the system keeps such files."""
+    from platformdirs import user_cache_path
+
+    place = os.environ.get("WORKBENCH_CACHE")
+    memory = Memory((Path(place) if place else user_cache_path("kinematics-workbench")) / "verdicts.sqlite")
+    try:
+        yield memory
+    finally:
+        memory.close()
 
 
 def _opened(file: Path) -> sqlite3.Connection | None:
@@ -130,16 +150,24 @@ class Keys:
     def of(self, claim: Claim, form: str) -> str:
         """The key of the verdict on one form of a claim."""
         said = {f.name: getattr(claim, f.name) for f in fields(claim) if f.name not in _COSMETIC}
-        notation = claim.notation
-        said["on motions"] = notation.on_motions.get(claim.id)
-        if id(notation) not in self._reaches:
-            self._reaches[id(notation)] = _Reach(notation)
-        reach = self._reaches[id(notation)]
+        reach = self._reach(claim.notation)
+        said["on motions"] = claim.notation.on_motions.get(claim.id)
         if claim.goal is None:
             reached: Any = reach.of(said)
         else:  # its proof may speak of any symbol
             reached = reach.of(said), reach.whole, self._proofs.get(claim.theorem or "")
         return sha256(repr((form, said, reached, self._ground)).encode()).hexdigest()
+
+    def of_bindings(self, notation: Notation) -> str:
+        """The key of the agreement of a notation's bindings with its definitions, on motions that agree
+        with their plants."""
+        reached = self._reach(notation).of(None)
+        return sha256(repr(("bindings", reached, self._ground)).encode()).hexdigest()
+
+    def _reach(self, notation: Notation) -> _Reach:
+        if id(notation) not in self._reaches:
+            self._reaches[id(notation)] = _Reach(notation)
+        return self._reaches[id(notation)]
 
 
 class _Reach:

@@ -18,6 +18,7 @@ from workbench.verify.on_motions import METHOD
 
 if TYPE_CHECKING:
     from workbench.judge.evidence.motion_check import Ranges, Witness
+    from workbench.verify.memory import Keys, Memory
 
 #: A statement, what it supposes, and its integers.
 Saying: TypeAlias = "tuple[Statement, tuple[Statement, ...], Ranges | None]"
@@ -35,9 +36,13 @@ EXISTENCE = "what it says of a motion is that something exists, or is the only o
 
 
 class Witnesses:
-    """Looks at the forms of a paper's claims on Drake's motions; references are made once and shared."""
+    """Looks at the forms of a paper's claims on Drake's motions; references are made once and shared.
 
-    def __init__(self) -> None:
+    Before that, the motions are held against their plants, and the bindings against the definitions; with
+    a memory that is done once for all runs."""
+
+    def __init__(self, memory: Memory | None = None, keys: Keys | None = None) -> None:
+        self._memory, self._keys = memory, keys
         self._of: dict[int, tuple[tuple[Bindings, ...], tuple[Motion, ...]]] = {}
 
     def seen(self, verdict: Verdict, claim: Claim, form: Formula, under: Formula | None) -> Verdict:
@@ -117,7 +122,13 @@ class Witnesses:
         choices = bindings_of(notation.motion)
         try:
             motions = _motions(notation)
-            require_consistent(notation.definitions, choices, motions)
+            key = self._keys.of_bindings(notation) if self._memory else ""
+            if not (self._memory and self._memory.knows(key)):
+                for motion in motions:
+                    _require_agreement(motion)
+                require_consistent(notation.definitions, choices, motions)
+                if self._memory:
+                    self._memory.know(key)
         except (BindingError, PlantError) as error:
             raise PaperError(claim.file, None, None, str(error)) from None
         return choices, motions
@@ -162,6 +173,7 @@ def course_on(motion: Motion, claim: Claim, form: Formula) -> tuple[list[float],
     motion of one's own; None where it cannot be told. Raises ValueError where it says nothing of it."""
     from workbench.judge.evidence.motion_check import Subject, witness
 
+    _require_agreement(motion)
     bindings = bindings_of(claim.notation.motion)
     subject = Subject(
         form.statement, claim.supposed, claim.orders, claim.notation.definitions, bindings, (motion,)
@@ -185,7 +197,16 @@ def _motions(notation: Notation) -> tuple[Motion, ...]:
 def _special(name: str) -> Motion:
     from workbench.drake.special_motions import special_motion
 
-    return special_motion(name)
+    motion = special_motion(name)
+    _require_agreement(motion)
+    return motion
+
+
+@lru_cache(maxsize=32)
+def _require_agreement(motion: Motion) -> None:
+    from workbench.drake.roots import require_agreement
+
+    require_agreement(motion)
 
 
 @lru_cache(maxsize=1)

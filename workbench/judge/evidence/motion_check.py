@@ -237,22 +237,12 @@ def _order(bindings: Bindings, symbol: Symbol, depth: int) -> int:
 
 @lru_cache(maxsize=32)
 def _stage(motions: tuple[Motion, ...]) -> Stage:
-    """Motions that the plant itself agrees with, at their sample times."""
-    for motion in motions:
-        _checked(motion)
     return Stage([(motion, time) for motion in motions for time in motion.samples])
 
 
 @lru_cache(maxsize=32)
 def _course(motion: Motion) -> Stage:
     return Stage([(motion, time) for time in motion.course])
-
-
-@lru_cache(maxsize=32)
-def _checked(motion: Motion) -> None:
-    from workbench.drake.roots import require_agreement
-
-    require_agreement(motion)
 
 
 def _told(seen: Sequence[_Seen], course: bool) -> Witness:

@@ -23,6 +23,8 @@ EVERY_VERDICT = Path(__file__).parent / "papers" / "every_verdict.toml"
         (r"a \times b = -b \times a", Outcome.PROVED),
         (r"a \times b = b \times a", Outcome.REFUTED),
         (r"a b = b a", Outcome.ILL_FORMED),
+        (r"\begin{aligned} a \times b &= -b \times a \\ &= -(b \times a) \end{aligned}", Outcome.PROVED),
+        (r"\begin{aligned} a \times b &= -b \times a \\ &= b \times a \end{aligned}", Outcome.REFUTED),
     ],
 )
 def test_outcomes(latex, outcome):

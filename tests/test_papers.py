@@ -369,7 +369,8 @@ def test_orders_of_one_variable_bounded_by_another():
         (r"\begin{aligned} a &= b \end{aligned}", [r"\begin{aligned} a &= b \end{aligned}"]),
         (r"\begin{cases} a = b, \\ c = d. \end{cases}", ["a = b", "c = d"]),
         (r"\begin{cases} a = b, \\ c = d \end{cases}, n \geq 1", [r"a = b, n \geq 1", r"c = d, n \geq 1"]),
-        (r"\left\{\begin{array}{l} a = b \\[2pt] + c \\ d = e \end{array}\right.", ["a = b  + c", "d = e"]),
+        (r"\left\{\begin{array}{l} a = b \\[2pt] + c \\ d = e \end{array}\right.", ["a = b + c", "d = e"]),
+        (r"\begin{aligned} a &= b, \\ &= c \\ &\neq d. \end{aligned}", ["a  = b  = c  \\neq d"]),
         (
             r"\begin{aligned} A &= \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \\ a &= b \end{aligned}",
             [r"A  = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", "a  = b"],

@@ -14,7 +14,7 @@ _SPACE = re.compile(r"\s*")
 _COLUMNS = re.compile(r"\s*\{[lcr|\s]*\}")
 _RIGHT_NOTHING = re.compile(r"\s*\\right\s*\.")
 _BLANK = re.compile(r"(?:\s|\\(?:quad|qquad|[,;:! ])|~)*")
-_CONTINUES = re.compile(r"[+-]")
+_SIGN = re.compile(r"[+-]")
 _RELATION = re.compile(r"=|\\neq?\b")
 
 
@@ -38,8 +38,8 @@ class Line:
 def split_lines(latex: str) -> list[Line]:
     """The lines of a formula that is one aligned or cases environment; any other formula is one line.
 
-    A line that begins with a sign and holds no relation goes on with the line before it; what stands behind
-    the environment (such as ", n \\geq 1") belongs to each line.
+    A line that begins with a relation, or with a sign and holds no relation, goes on with the line before it;
+    what stands behind the environment (such as ", n \\geq 1") belongs to each line.
     """
     left = _LEFT_BRACE.match(latex)
     opening = _TOKEN.match(latex, _SPACE.match(latex, left.end() if left else 0).end())
@@ -66,7 +66,7 @@ def split_lines(latex: str) -> list[Line]:
     right = _RIGHT_NOTHING.match(latex, start) if left else None
     trailer = list(range(right.end() if right else start, len(latex)))
     joined = _joined(unmarked, rows)
-    if len(joined) < 2:
+    if len(rows) == 2 or not joined:  # the last one ends with the environment
         return [Line(latex)]
     return [_line(latex, unmarked, _trimmed(unmarked, row) + trailer) for row in joined]
 
@@ -79,8 +79,9 @@ def _joined(characters: list[str], rows: list[list[int]]) -> list[list[int]]:
         content = text[_BLANK.match(text).end() :]
         if not content:
             continue
-        if joined and _CONTINUES.match(content) and not _RELATION.search(content):
-            joined[-1] += row
+        goes_on = _RELATION.match(content) or (_SIGN.match(content) and not _RELATION.search(content))
+        if joined and goes_on:
+            joined[-1] = _trimmed(characters, joined[-1]) + row
         else:
             joined.append(row)
     return joined

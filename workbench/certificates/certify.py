@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from workbench.certificates import coqc
 from workbench.certificates.forms import Certificate, Form, certificate, forms_of
 from workbench.certificates.nodes import NotCertified
-from workbench.certificates.refutation import refutation
+from workbench.certificates.refutation import not_empty, refutation
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.verify.claims import ClaimResult
 
@@ -19,7 +19,8 @@ from workbench.verify.claims import ClaimResult
 class Certified:
     """One exact form: its certificate, or the first obstacle to one; what Coq said, if it was asked.
 
-    `outcome`: the verdict on the form, which a certificate never changes.
+    `outcome`: the verdict on the form, which a certificate never changes. `gap`: why no motion is known that
+    meets the premises; `met`: what Coq said of one.
     """
 
     form: Form
@@ -27,17 +28,24 @@ class Certified:
     certificate: Certificate | None
     obstacle: str = ""
     checked: coqc.Checked | None = None
+    gap: str = ""
+    met: coqc.Checked | None = None
+
+    @property
+    def certified(self) -> bool:
+        """Coq accepts the certificate, and that its premises can be met, if it has any."""
+        own = self.checked is not None and self.checked.expected and not self.gap
+        return own and (self.certificate.motions is None or (self.met is not None and self.met.expected))
+
+    @property
+    def seconds(self) -> float:
+        return sum(said.seconds for said in (self.checked, self.met) if said)
 
     @property
     def broken(self) -> bool:
         """Coq refuses the certificate, or it rests on axioms nobody expects: a defect of the workbench."""
-        if self.checked is None or self.checked.expected:
-            return False
-        return self.outcome == Outcome.PROVED or not self.unfinished
-
-    @property
-    def unfinished(self) -> bool:
-        return self.checked is not None and self.checked.fault.startswith("not finished")
+        refused = [said for said in (self.checked, self.met) if said is not None and not said.expected]
+        return any(self.outcome == Outcome.PROVED or not _unfinished(said) for said in refused)
 
     @property
     def word(self) -> str:
@@ -46,27 +54,38 @@ class Certified:
             return f"not certified: {self.obstacle}"
         if self.checked is None:
             return "written"
-        if self.unfinished:
+        if _unfinished(self.checked):
             return f"not certified: {self.checked.fault}"
         if not self.checked.accepted:
             return f"REFUSED BY COQ: {self.checked.fault}"
+        if self.gap:
+            return f"not certified: {self.gap}"
+        if self.met is not None and not self.met.expected:
+            return f"REFUSED BY COQ, a motion that meets the premises: {self.met.fault}"
         rest = "axioms of the real numbers" if self.checked.axioms else "no axioms"
         return f"certified: Coq {coqc.version()}, {rest}"
 
     def to_dict(self) -> dict:
         """For the report; nothing in it depends on the machine's speed."""
-        said = self.checked
+        said = self.checked if self.certified else None
         return {
             "form": self.form.name,
-            "checked_by": f"Coq {coqc.version()}" if said and said.expected else None,
-            "axioms": list(said.axioms) if said and said.expected else [],
+            "checked_by": f"Coq {coqc.version()}" if said else None,
+            "axioms": list(said.axioms) if said else [],
             "scope": self.certificate.scope if self.certificate else None,
-            "statement": "\n\n".join(t.statement for t in self.certificate.theorems)
-            if self.certificate
-            else None,
+            "statement": _statements(self.certificate),
+            "premises_met": _statements(self.certificate.motions) if self.certificate else None,
             "obstacle": self.obstacle or None,
             "word": self.word,
         }
+
+
+def _unfinished(said: coqc.Checked) -> bool:
+    return said.fault.startswith("not finished")
+
+
+def _statements(certificate: Certificate | None) -> str | None:
+    return "\n\n".join(t.statement for t in certificate.theorems) if certificate else None
 
 
 def exact_forms(results: Sequence[ClaimResult]) -> Iterator[tuple[Form, ClaimResult, Verdict]]:
@@ -83,12 +102,14 @@ def written(form: Form, verdict: Verdict) -> Certified:
     """The certificate of a form, not yet checked."""
     try:
         if verdict.outcome == Outcome.REFUTED:
-            made = refutation(form, verdict)
-        else:
-            made = certificate(form, every=(verdict.scope or "").startswith("all"))
+            return Certified(form, verdict.outcome, refutation(form, verdict))
+        made = certificate(form, every=(verdict.scope or "").startswith("all"))
     except NotCertified as obstacle:
         return Certified(form, verdict.outcome, None, str(obstacle))
-    return Certified(form, verdict.outcome, made)
+    try:
+        return Certified(form, verdict.outcome, replace(made, motions=not_empty(made)))
+    except NotCertified as gap:
+        return Certified(form, verdict.outcome, made, gap=str(gap))
 
 
 def checked_all(
@@ -98,11 +119,7 @@ def checked_all(
     coqc.library()
 
     def one(each: Certified) -> Certified:
-        if each.certificate is None:
-            done = each
-        else:
-            said = coqc.check(each.certificate.text)
-            done = Certified(each.form, each.outcome, each.certificate, each.obstacle, said)
+        done = _with(each, coqc.check)
         progress(done)
         return done
 
@@ -110,12 +127,17 @@ def checked_all(
         return list(pool.map(one, certificates))
 
 
+def _with(each: Certified, ask: Callable[[str], coqc.Checked | None]) -> Certified:
+    if each.certificate is None:
+        return each
+    motions = each.certificate.motions
+    return replace(each, checked=ask(each.certificate.text), met=ask(motions.text) if motions else None)
+
+
 def with_certificates(claims: Sequence[dict], results: Sequence[ClaimResult]) -> list[dict]:
     """The claims of a report, each with what is remembered of the certificates of its exact forms."""
     found: dict[str, list[dict]] = {}
     for form, result, verdict in exact_forms(results):
-        each = written(form, verdict)
-        if each.certificate is not None:
-            each = replace(each, checked=coqc.recall(each.certificate.text))
+        each = _with(written(form, verdict), coqc.recall)
         found.setdefault(result.claim.id, []).append(each.to_dict())
     return [{**claim, "certificates": found.get(claim["id"], [])} for claim in claims]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from workbench.certificates import nodes
 from workbench.certificates.nodes import ATOM, Node, flag, single
@@ -158,22 +160,49 @@ _TAKEN = frozenset(
         "upd",
         "den",
         "hom",
+        "made",
+        "of_time",
+        "claimed",
+        "found",
+        "cosine",
+        "sine",
+        "time",
+        "nonzero_at",
+        "zero_at",
+        "equal_at",
+        "value_at",
+        "minv",
+        "unique",
     ]
 )
+
+
+@dataclass(frozen=True)
+class Origin:
+    """What a symbol of the proof is: `free`, or free and a `rotation`, `unit` or `constant`; or what `is` the
+    value, by definition or by a premise, is one `over` it, its `inverse`, `cos` or `sin`. `after`: how
+    many lines of the statement stand before."""
+
+    node: Node
+    how: str
+    after: int
+    value: Node | None = None
 
 
 class Collector:
     """Collects what the terms of one statement need."""
 
-    def __init__(self, definitions: Definitions) -> None:
+    def __init__(self, definitions: Definitions, slots: Sequence[tuple[bool, str, str]] = ()) -> None:
         self.definitions = definitions
         self.binders: list[tuple[str, str]] = []  # universally quantified, in order
         self.statement: list[str] = []  # definitions and premises before the conclusion
         self.introduced: list[str] = []  # the names that `intros` gives
-        self.slots: list[tuple[bool, str, str]] = []  # what has indeterminates or stands for such
+        self.slots = list(slots)  # what has indeterminates or stands for such
         self.facts: list[str] = []  # what the proof knows of symbols, each with its own proof
         self.values: list[str] = []  # what it knows of their values, in terms of those before
-        self.lets: list[tuple[str, str]] = []  # slots that are defined, and the deep copies of what they are
+        self.origins: list[Origin] = []  # of the symbols, in the order in which they came
+        self.places: dict[str, Node] = {}  # of what is universally quantified
+        self.holes: dict[str, list[tuple[str, str]]] = {}  # what each supposition says, as deep copies
         self.steps: list[str] = []  # of the context, after the premises
         self.pivots: dict[Symbol, bool] = {}  # defined symbols whose definition is not used
         self.read_back: dict[str, Term] = {}
@@ -203,30 +232,41 @@ class Collector:
         self._names.add(name)
         return name
 
-    def variable(self, dual: bool, kind: str, name: str) -> Node:
+    def variable(self, dual: bool, kind: str, name: str, how: str = "free") -> Node:
         """A universally quantified variable."""
         self.binders.append((name, nodes.type_name(dual, kind)))
-        return self.slot(dual, kind, name)
+        self.places[name] = self.slot(dual, kind, name)
+        self.origins.append(Origin(self.places[name], how, len(self.statement)))
+        return self.places[name]
+
+    def helper(self, node: Node, how: str, value: Node) -> Node:
+        """A universally quantified variable that a premise will say everything of."""
+        self.binders.append((node.text, nodes.type_name(node.dual, node.kind)))
+        self.places[node.text] = node
+        self.origins.append(Origin(node, how, len(self.statement), value))
+        return node
 
     def slot(self, dual: bool, kind: str, text: str, level: int = ATOM) -> Node:
         self.slots.append((dual, kind, text))
         return Node(dual, kind, text, level, f"(Var {flag(dual)} {kind} {len(self.slots) - 1})")
 
-    def suppose(self, text: str, name: str) -> str:
+    def suppose(self, text: str, name: str, says: list[tuple[str, str]]) -> str:
         """A premise of the statement; its name in the proof."""
         name = self.fresh(name)
+        self.holes[name] = says
         self.statement.append(f"{text} ->")
         self.introduced.append(name)
         return name
 
-    def stands_for(self, node: Node, value: Node, proof: str) -> None:
+    def stands_for(self, node: Node, value: Node, proof: str, by_definition: bool = True) -> None:
         """The symbol of a slot is known to be the value."""
+        if by_definition:
+            self.origins.append(Origin(node, "is", len(self.statement), value))
         index = node.deep.split()[-1].rstrip(")")
         place = f"{flag(node.dual)} {node.kind} {index}"
         if self.steps:
             self.step(f"given {{}} {place} {value.deep} {proof}")
         else:
-            self.lets.append((index, value.deep))
             self.values.append(single(f"@Value {place} {value.deep}", proof))
 
     def place(self) -> int:

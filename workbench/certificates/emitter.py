@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from workbench.certificates import families, functions, nodes, operators, suppositions
-from workbench.certificates.collector import Collector
+from workbench.certificates.collector import Collector, Origin
 from workbench.certificates.fields import curl, divergence
 from workbench.certificates.nodes import KINDS, Node, NotCertified
 from workbench.language.definitions import Definitions
@@ -164,7 +164,9 @@ class Emitter(Collector):
         if symbol in self.pivots:
             self.statement.append(f"let {name} := {value.text} in")
             self.introduced.append(name)
-            return self.slot(value.dual, value.kind, name)
+            node = self.slot(value.dual, value.kind, name)
+            self.origins.append(Origin(node, "is", len(self.statement), value))
+            return node
         return self.defined(name, value)
 
 

@@ -186,9 +186,12 @@ def _is_base(emitter: Collector, definition: Definition, own: list[Definition]) 
 
 
 def of_symbolic_order(emitter: Collector, term: Derivative) -> Node:
-    """x⁽ⁿ⁺ᶜ⁾ of a free symbol x."""
+    """x⁽ⁿ⁺ᶜ⁾ of a free symbol x, or of another name of one; x⁽ⁿ⁾ is then a symbol of its own."""
     body = term.body
-    if not isinstance(body, Symbol) or emitter.definitions.lookup(body) is not None:
+    named = body
+    while isinstance(named, Symbol) and (definition := emitter.definitions.lookup(named)) is not None:
+        named = definition
+    if not isinstance(body, Symbol) or not isinstance(named, Symbol):
         raise NotCertified("a derivative of symbolic order of anything but a symbol")
     value = emitter.symbol(body)
     order = term.order

@@ -32,31 +32,33 @@ class Form:
 
 @dataclass(frozen=True)
 class Certificate:
-    """A Coq file: its theorems, in order."""
+    """A Coq file: its theorems, in order. `motions`: that their premises can be met, in a file of its own (of
+    no form), since it rests on the real numbers and many theorems can share it."""
 
-    form: Form
+    form: Form | None
     theorems: tuple[Theorem, ...]
     scope: str | None = None
     header: str = HEADER
+    motions: Certificate | None = None
 
     @property
     def text(self) -> str:
-        latex = (
-            " ".join(self.form.formula.latex.split())
-            .replace("(*", "( *")
-            .replace("*)", "* )")
-            .replace('"', "''")
-        )
-        about = f"(* {self.form.claim.id}, {self.form.name}: {latex} *)"
+        about = f"(* {_said(self.form)} *)" if self.form else "(* motions that meet premises *)"
         names = [t.name for t in self.theorems]
         last = names[0]
         together = ""
         if len(names) > 1:  # printing what one rests on takes a second, whatever it is
-            last = f"{self.form.identifier}_each"
+            last = f"{names[0]}_each"
             together = f"Definition {last} := ({', '.join(f'@{name}' for name in names)})."
         return "\n".join(
             [about, self.header, *(t.text for t in self.theorems), together, f"Print Assumptions {last}.", ""]
         )
+
+
+def _said(form: Form) -> str:
+    latex = " ".join(form.formula.latex.split())
+    escaped = latex.replace("(*", "( *").replace("*)", "* )").replace('"', "''")
+    return f"{form.claim.id}, {form.name}: {escaped}"
 
 
 def forms_of(claim: Claim) -> Iterator[Form]:

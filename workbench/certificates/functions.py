@@ -28,13 +28,13 @@ def reciprocal(emitter: Collector, below: Term) -> Node:
         value = emitter.term(below)
         if value.dual or value.kind != "Scalar":
             raise NotCertified("a reciprocal of a dual number")
-        name = emitter.fresh("over")
-        emitter.binders.append((name, "scalar K"))
-        known = emitter.suppose(f"reciprocal {value.at(ATOM)} {name}", f"{name}_is")
-        place = emitter.place()
+        name, place = emitter.fresh("over"), emitter.place()
+        made = emitter.helper(Node(False, "Scalar", name, ATOM, f"(Var false Scalar {place})"), "over", value)
+        says = [(f"(Scale {value.deep} {made.deep})", nodes.number(1).deep)]
+        known = emitter.suppose(f"reciprocal {value.at(ATOM)} {name}", f"{name}_is", says)
         emitter.step(f"with_reciprocal {{}} {place} {value.deep} {known}")
         emitter.read_back[name] = key
-        emitter.helpers[key] = Node(False, "Scalar", name, ATOM, f"(Var false Scalar {place})")
+        emitter.helpers[key] = made
     return emitter.helpers[key]
 
 
@@ -47,14 +47,18 @@ def inverse(emitter: Collector, term: Apply) -> Node:
         name = emitter.fresh(
             f"inverse_{value.text}" if value.level == ATOM and value.text.isidentifier() else "inverse_of_it"
         )
-        emitter.binders.append((name, "tensor K"))
-        known = emitter.suppose(f"inverse {value.at(ATOM)} {name}", f"{name}_is")
         one, two = emitter.place(), emitter.place()
+        made = emitter.helper(
+            Node(False, "Tensor", name, ATOM, f"(Var false Tensor {two})"), "inverse", value
+        )
+        unit = nodes.identity(False).deep
+        says = [(f"(Prod {value.deep} {made.deep})", unit), (f"(Prod {made.deep} {value.deep})", unit)]
+        known = emitter.suppose(f"inverse {value.at(ATOM)} {name}", f"{name}_is", says)
         emitter.step(f"with_reciprocal {{}} {one} (Det {value.deep}) (inverse_det {known})")
         adjugate = f"(Scale (Var false Scalar {one}) (Adj {value.deep}))"
         emitter.step(f"given {{}} false Tensor {two} {adjugate} (inverse_adj {known})")
         emitter.read_back[name] = term
-        emitter.helpers[term] = Node(False, "Tensor", name, ATOM, f"(Var false Tensor {two})")
+        emitter.helpers[term] = made
     return emitter.helpers[term]
 
 
@@ -102,11 +106,16 @@ def _turn(emitter: Collector, angle: Node, angle_term: Term) -> tuple[Node, Node
     pair = []
     for what in ("cos", "sin"):
         name = emitter.fresh(f"{what}_{angle.text}")
-        emitter.binders.append((name, "scalar K"))
-        pair.append(emitter.slot(False, "Scalar", name))
+        pair.append(emitter.helper(emitter.slot(False, "Scalar", name), what, real))
         emitter.read_back[name] = Apply(angle_term.type, None, what, (angle_term,))
     c, s = pair
-    known = emitter.suppose(f"turn {real.at(ATOM)} {c.text} {s.text}", f"{angle.text}_turns")
+    rate = f"(DD {real.deep})"
+    says = [
+        (f"(Plus (Scale {c.deep} {c.deep}) (Scale {s.deep} {s.deep}))", nodes.number(1).deep),
+        (f"(DD {c.deep})", f"(Neg (Scale {s.deep} {rate}))"),
+        (f"(DD {s.deep})", f"(Scale {c.deep} {rate})"),
+    ]
+    known = emitter.suppose(f"turn {real.at(ATOM)} {c.text} {s.text}", f"{angle.text}_turns", says)
     places = " ".join(n.deep.split()[-1].rstrip(")") for n in pair)
     emitter.values.append(f"(@turn_at_ok K here {real.deep} {places} {known})")
     return c, s

@@ -1,16 +1,21 @@
-"""A counterexample as a theorem: not for all smooth motions. The motion is a polynomial in time with the
-counterexample's derivatives at t = 0, where the two sides differ."""
+"""What is not so for all smooth motions: false statements, by a motion on which they fail; and that no motion
+meets a theorem's premises, by one that does, so that the theorem is not empty."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from workbench.certificates.collector import Origin
 from workbench.certificates.emitter import Emitter
 from workbench.certificates.forms import Certificate, Form
-from workbench.certificates.nodes import NotCertified, flag, rational
+from workbench.certificates.instances import BASE, Instance, instances, latest, on_polynomials, place
+from workbench.certificates.nodes import Node, NotCertified, flag, single
 from workbench.certificates.theorem import Theorem, theorem
+from workbench.certificates.trigonometric import order, parsed
 from workbench.judge.verdict import Verdict
 from workbench.language.construct import derivative
 from workbench.language.instances import instantiate
@@ -20,8 +25,12 @@ from workbench.language.terms import IllFormed
 #: Of a vector on which an operator acts: any that tells two operators apart.
 _PROBE = (("1", "2", "-1", "3"), ("2", "-3", "1", "1"), ("3", "1", "2", "-1"))
 
-_HEADER = """From Coq Require Import QArith List.
-From Kin Require Import Kin Poly Terms Certify Modulo Symbols Forms Facts Smooth Refute.
+#: The n with which premises about every n are tried.
+_NUMBERS = (2, 3, 4)
+
+HEADER = """From Coq Require Import QArith List.
+From Kin Require Import Kin Poly Terms Certify Modulo Symbols Forms Facts Fraction Context Steps.
+From Kin Require Import Smooth Time Refute Witness.
 Import ListNotations.
 Open Scope Q_scope. Open Scope kin_scope.
 Notation K := smooth_functions.
@@ -29,45 +38,133 @@ Notation K := smooth_functions.
 
 
 @dataclass
-class Refutation(Theorem):
-    """The same statement, denied, for all motions of the real numbers."""
+class Denied:
+    """`~ forall …`: that the premises of a theorem exclude each other (`conclusions` is then empty), or that
+    its conclusion follows from them. `made`: the statement of which a motion is an instance."""
 
-    motions: Mapping[str, str] = field(default_factory=dict)
+    name: str
+    emitter: Emitter
+    conclusions: list[str]
+    made: Theorem
+    instance: Instance
+    last: str  # the rest of the proof
+    numbers: Mapping[str, int] = field(default_factory=dict)  # values of integer variables
 
     @property
     def statement(self) -> str:
-        binders = " ".join(f"({name} : {type_})" for name, type_ in self.emitter.binders)
+        binders = [f"({name} : nat)" for name in self.numbers]
+        binders += [f"({name} : {type_})" for name, type_ in self.emitter.binders]
         return "\n  ".join(
             [
-                f"Theorem {self.name} : ~ forall {binders},",
-                *self.emitter.statement,
-                " /\\ ".join(self.conclusions) + ".",
+                f"Theorem {self.name} : ~ forall {' '.join(binders)},",
+                *self._lines(),
+                (" /\\ ".join(self.conclusions) or "False") + ".",
             ]
         )
 
+    def _lines(self) -> list[str]:
+        shifted = [n for n in self.numbers if n.endswith("_less_1")]
+        return [*(f"let {n.removesuffix('_less_1')} := S {n} in" for n in shifted), *self.emitter.statement]
+
     @property
     def proof(self) -> str:
-        emitter = self.emitter
-        ((left, right),) = self.goals[0]
-        slots = emitter.slots
-        values = [f"motion_of {self.motions[s]} {flag(d)} {k}" for d, k, s in slots if s in self.motions]
-        listed = "; ".join(f"({flag(d)}, {k}, {self.motions.get(s, '[]')})" for d, k, s in slots)
-        opened = "".join(f"(Let {index} {deep} " for index, deep in emitter.lets)
-        closed = ")" * len(emitter.lets)
-        return (
-            "\n  ".join(
-                [
-                    "Proof.",
-                    "intros claimed.",
-                    f"specialize (claimed {' '.join(f'({v})' for v in values)}).",
-                    f"revert claimed. refine (@refuted [{listed}] _ _",
-                    f"  {opened}{left}{closed}",
-                    f"  {opened}{right}{closed} _).",
-                    "vm_cast_no_check (@eq_refl bool true).",
-                ]
+        emitter = self.made.emitter
+        slots = emitter.slots[len(BASE) :]
+        more = "; ".join(f"as_slot {flag(d)} {k} {_inside(text)}" for d, k, text in slots)
+        shapes = "; ".join(f"({flag(d)}, {k})" for d, k, _ in emitter.slots)
+        facts = ["(time_at_ok more)"]
+        for node, deep in self._known():
+            value = f"@Value {' '.join(place(node))} {deep}"
+            facts.append(
+                single(
+                    value,
+                    f"(alike (K := K) (d := {flag(node.dual)}) (k := {node.kind}) {_inside(node.text)})",
+                )
             )
-            + "\nQed."
-        )
+        joined = "".join(f"(joined {fact}\n    " for fact in facts) + "(Forall_nil _)" + ")" * len(facts)
+        lines = [
+            "intros claimed.",
+            *self._posed(),
+            f"pose (more := [{more}] : list (slot K)).",
+            "pose (these := (time_slots ++ more)%list).",
+            "pose (here := envK 0 these).",
+            f"pose (facts := {joined}).",
+        ]
+        if emitter.holes:
+            lines.append(f"pose (known0 := @premised K [{shapes}] these eq_refl eq_refl _ facts).")
+            for count, (origin, deep) in enumerate(self._late()):
+                value = f"{' '.join(place(origin.node))} {deep} (alike {_inside(origin.node.text)})"
+                lines.append(f"pose (known{count + 1} := given known{count} {value}).")
+            lines += [f"assert ({name} : {text}). {self._shown(name)}" for name, text in self._suppositions()]
+        return "\n  ".join(["Proof.", *lines, self.last]) + "\nQed."
+
+    def _known(self) -> Iterator[tuple[Node, str]]:
+        """The slots whose value is said before there are reciprocals and inverses, with it."""
+        late = [origin for origin, _ in self._late()]
+        for origin in latest(self.made.emitter):
+            if origin not in late:
+                yield origin.node, self._meaning(origin)
+
+    def _late(self) -> list[tuple[Origin, str]]:
+        """Reciprocals and inverses, and what is defined after the first of them."""
+        origins = latest(self.made.emitter)
+        first = next((i for i, o in enumerate(origins) if o.how in ("over", "inverse")), len(origins))
+        return [(o, self._meaning(o)) for o in origins[first:] if o.how in ("over", "inverse", "is")]
+
+    def _meaning(self, origin: Origin) -> str:
+        known = self.instance.variables.get(origin)
+        return known[1] if known else origin.value.deep
+
+    def _posed(self) -> Iterator[str]:
+        """The variables, and the definitions, in an order in which each is made of those before."""
+        emitter = self.made.emitter
+        said = 0
+        for origin, (text, _) in self.instance.variables.items():
+            yield from map(_as_pose, emitter.statement[said : origin.after])
+            said = max(said, origin.after)
+            yield f"pose ({origin.node.text} := {text} : {origin.node.type})."
+        yield from map(_as_pose, emitter.statement[said:])
+
+    def _suppositions(self) -> Iterator[tuple[str, str]]:
+        emitter = self.made.emitter
+        yield from ((name, text) for name, text in emitter.binders if name in emitter.holes)
+        texts = [line.removesuffix(" ->") for line in emitter.statement if line.endswith("->")]
+        yield from zip((n for n in emitter.introduced if n in emitter.holes), texts, strict=True)
+
+    def _shown(self, name: str) -> str:
+        known = f"known{len(self._late())}"
+        parts = [f"certify {known}\n    {a}\n    {b}" for a, b in self.made.emitter.holes[name]]
+        split = "".join(f"refine (conj _ _); [{part} |]. " for part in parts[:-1])
+        return f"{{ {split}{parts[-1]}. }}"
+
+    @property
+    def use(self) -> str:
+        """What is claimed, of this motion."""
+        own = self.made.emitter
+        numbers = [f"{v - 1 if n.endswith('_less_1') else v}%nat" for n, v in self.numbers.items()]
+        given = [
+            f"(fun _ => {mine})" if type_.startswith("nat -> ") else mine
+            for (_, type_), (mine, _) in zip(self.emitter.binders, own.binders, strict=True)
+        ]
+        premises = [n for n in own.introduced if n in own.holes]
+        return " ".join(["claimed", *numbers, *given, *premises])
+
+    @property
+    def text(self) -> str:
+        return f"{self.statement}\n{self.proof}\n"
+
+
+def _inside(text: str) -> str:
+    return text if text.isidentifier() or text[0] == "(" else f"({text})"
+
+
+def _as_pose(line: str) -> str:
+    """A definition of the statement, within a proof."""
+    found = re.fullmatch(r"let (\S+)(?: : ([^:=]+))? := (.*) in", line, re.DOTALL)
+    if found is None:
+        return "(* a premise *)"
+    type_ = f" : {found[2]}" if found[2] else ""
+    return f"pose ({found[1]} := {found[3]}{type_})."
 
 
 def refutation(form: Form, verdict: Verdict) -> Certificate:
@@ -77,38 +174,118 @@ def refutation(form: Form, verdict: Verdict) -> Certificate:
         raise NotCertified("no rational counterexample")
     claim, definitions = form.claim, form.claim.notation.definitions
     for values in claim.instances:
+        place_ = ", ".join(f"{n} = {v}" for n, v in values.items())
+        if values and f"for {place_}" not in (verdict.reason or ""):
+            continue
         try:
             statement = instantiate(form.formula.statement, values)
             supposed = [instantiate(s, values) for s in claim.supposed]
         except IllFormed as error:
             raise NotCertified(str(error)) from None
-        place = ", ".join(f"{n} = {v}" for n, v in values.items())
-        if values and f"for {place}" not in (verdict.reason or ""):
-            continue
-        made = theorem(form.identifier, statement, supposed, definitions)
-        emitter = made.emitter
-        if emitter.facts or emitter.steps or len(made.goals) != 1 or len(made.goals[0]) != 1:
-            raise NotCertified("a counterexample under suppositions, or of a statement of several parts")
-        motions = {name: _motion(emitter, name, example.values) for name, _ in emitter.binders}
-        if [text for _, _, text in emitter.slots if text in motions] != list(motions):
-            raise NotCertified("a family in a counterexample")
-        denied = Refutation(made.name, emitter, made.conclusions, made.goals, made.relations, motions)
-        return Certificate(form, (denied,), place or None, _HEADER)
+        made = theorem(form.identifier, statement, supposed, definitions, slots=BASE)
+        if any(len(goals) != 1 for goals in made.goals):
+            raise NotCertified("a counterexample to an equation of matrices")
+        return Certificate(form, (_fails(made, example.values),), place_ or None, HEADER)
     raise NotCertified("no instance of the counterexample")
 
 
-def _motion(emitter: Emitter, name: str, values: Mapping[str, tuple[str, ...]]) -> str:
+def _fails(made: Theorem, given: Mapping[str, tuple[str, ...]]) -> Denied:
+    """By the judge's counterexample; under suppositions, by a motion on which they hold."""
+    emitter = made.emitter
+    if emitter.holes:
+        tried = instances(emitter)
+    else:
+        tried = iter([on_polynomials(emitter, {n: _motion(emitter, n, given) for n in emitter.places})])
+    for instance in tried:
+        for part, ((left, right),) in enumerate(made.goals):
+            if not instance.agree_at_zero(left, right):
+                denied = Denied(made.name, emitter, made.conclusions, made, instance, "")
+                denied.last = _contradicted(denied, part, left, right)
+                return denied
+    raise NotCertified("a counterexample under suppositions")
+
+
+def not_empty(of: Certificate) -> Certificate | None:
+    """That the premises of its theorems can be met; None if they have none.
+
+    Raises NotCertified where no motion was found."""
+    shown = {}
+    for each in of.theorems:
+        if each.emitter.holes:
+            met = (
+                _met(each) if any(line.endswith("->") for line in each.emitter.statement) else _declared(each)
+            )
+            shown[met.text] = met
+    return Certificate(None, tuple(shown.values()), of.scope, HEADER) if shown else None
+
+
+def _declared(of: Theorem) -> Denied:
+    """Where only symbols are supposed to be rotations, units or constants: of these alone, so that many
+    theorems share it. The others may be anything."""
+    emitter = Emitter(of.emitter.definitions, BASE)
+    for name, type_ in of.emitter.binders:
+        if name in of.emitter.holes:
+            emitter.symbol(of.emitter.read_back[type_.split()[-1]])
+    return _instance("premises", emitter, Theorem("premises", emitter), {})
+
+
+def _met(of: Theorem) -> Denied:
+    statement, assume, integers = of.source
+    for number in _NUMBERS if integers else (0,):
+        values = dict.fromkeys(integers, number)
+        said = [instantiate(s, values) if values else s for s in (statement, *assume)]
+        made = theorem(of.name, said[0], said[1:], of.emitter.definitions, slots=BASE)
+        shifted = "_less_1" if 1 in of.emitter.firsts.values() else ""
+        numbers = {f"{of.emitter.integers[v]}{shifted}": n for v, n in values.items()}
+        if _types(of) != _types(made):
+            raise NotCertified("no motion for premises about every n")
+        with suppress(NotCertified):
+            return _instance(f"{of.name}_not_empty", of.emitter, made, numbers)
+    raise NotCertified("no motion was found that meets the premises")
+
+
+def _types(of: Theorem) -> list[str]:
+    return [t.removeprefix("nat -> ") for _, t in of.emitter.binders if t.endswith(" K")]
+
+
+def _instance(name: str, emitter: Emitter, made: Theorem, numbers: Mapping[str, int]) -> Denied:
+    for instance in instances(made.emitter):
+        denied = Denied(name, emitter, [], made, instance, "", numbers)
+        denied.last = f"exact ({denied.use})."
+        return denied
+    raise NotCertified("no motion was found that meets the premises")
+
+
+def _contradicted(denied: Denied, part: int, left: str, right: str) -> str:
+    """That the conclusion, or a part of it, is not so at t = 0."""
+    orders: dict[tuple[str, str, str], int] = {}
+    for node, deep in [*denied._known(), *((o.node, deep) for o, deep in denied._late())]:
+        orders[place(node)] = order(parsed(deep), orders)
+    known = max(order(parsed(side), orders) for side in (left, right)) + 1
+    opened = "".join(f"(Let {place(o.node)[2]} {deep} " for o, deep in denied._late())
+    closed = ")" * len(denied._late())
+    said = " /\\ ".join(denied.conclusions)
+    taken = ["apply proj2 in found."] * part
+    if part < len(denied.conclusions) - 1:
+        taken.append("apply proj1 in found.")
+    return "\n  ".join(
+        [
+            f"assert (found : {said}) by exact ({denied.use}).",
+            *taken,
+            f"revert found. refine (@refuted {known} here _ _ _",
+            f"    {opened}{left}{closed}",
+            f"    {opened}{right}{closed} eq_refl eq_refl eq_refl facts _).",
+            "vm_cast_no_check (@eq_refl bool true).",
+        ]
+    )
+
+
+def _motion(emitter: Emitter, name: str, values: Mapping[str, tuple[str, ...]]) -> list[list[Fraction]]:
     """The derivatives of each component at t = 0."""
     symbol = emitter.read_back.get(name)
     if symbol is None:
-        components = [list(c) for c in _PROBE]
-    else:
-        given = []
-        order = 0
-        while (found := values.get(to_latex(derivative(symbol, order) if order else symbol))) is not None:
-            given.append(found)
-            order += 1
-        components = [list(c) for c in zip(*given, strict=True)]
-    return (
-        "[" + "; ".join("[" + "; ".join(rational(Fraction(c)) for c in row) + "]" for row in components) + "]"
-    )
+        return [[Fraction(x) for x in component] for component in _PROBE]
+    given = []
+    while (found := values.get(to_latex(derivative(symbol, len(given)) if given else symbol))) is not None:
+        given.append(found)
+    return [[Fraction(x) for x in component] for component in zip(*given, strict=True)]

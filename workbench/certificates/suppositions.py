@@ -11,20 +11,22 @@ from workbench.language.terms import Symbol
 def variable(emitter: Collector, symbol: Symbol, kind: str, name: str) -> Node:
     """A free symbol as a variable of the theorem, with what its declaration says of it."""
     declaration, dual = symbol.declaration, symbol.type.dual
-    node = emitter.variable(dual, kind, name)
+    said = [word for word in ("rotation", "unit", "constant") if getattr(declaration, word)]
+    node = emitter.variable(dual, kind, name, " ".join(said) or "free")
     if declaration.rotation:
         _rotation(emitter, node)
     if declaration.unit:
         _unit(emitter, node, declaration.constant)
     elif declaration.constant:
-        _constant(emitter, node)
+        emitter.facts.append(_rate(node, _still(emitter, node)))
     return node
 
 
-def supposed(emitter: Collector, node: Node, what: str) -> str:
-    """A hypothesis beside the variable; its name."""
+def supposed(emitter: Collector, node: Node, what: str, says: list[tuple[str, str]]) -> str:
+    """A hypothesis beside the variable; its name. says: its equations, as deep copies."""
     name = emitter.fresh(f"{node.text}_{what.split()[0]}")
     emitter.binders.append((name, f"{what} {node.text}"))
+    emitter.holes[name] = says
     return name
 
 
@@ -33,13 +35,17 @@ def index(node: Node) -> str:
 
 
 def _rotation(emitter: Collector, node: Node) -> None:
+    says = [
+        (f"(Prod {node.deep} (Transpose {node.deep}))", nodes.identity(node.dual).deep),
+        (f"(Det {node.deep})", nodes.number(1, node.dual).deep),
+    ]
     if not node.dual:
-        known = supposed(emitter, node, "rotation")
+        known = supposed(emitter, node, "rotation", says)
         spin = emitter.slot(False, "Vector", f"(spin {node.text})")
         places = f"{index(node)} {index(spin)}"
         emitter.facts.append(f"(@rotation_at_ok K here {places} {known} eq_refl)")
         return
-    known = supposed(emitter, node, "dual_rotation")
+    known = supposed(emitter, node, "dual_rotation", says)
     real = emitter.slot(False, "Tensor", f"(real_part {node.text} : tensor K)")
     spin = emitter.slot(False, "Vector", f"(spin (real_part {node.text} : tensor K))")
     moved = emitter.slot(False, "Vector", f"(shift {node.text})")
@@ -48,12 +54,9 @@ def _rotation(emitter: Collector, node: Node) -> None:
 
 
 def _unit(emitter: Collector, node: Node, constant: bool) -> None:
-    known = supposed(emitter, node, f"unit_vector (K := K) (d := {flag(node.dual)})")
-    still = (
-        supposed(emitter, node, f"constant (K := K) (d := {flag(node.dual)}) (k := Vector)")
-        if constant
-        else None
-    )
+    says = [(f"(Dot {node.deep} {node.deep})", nodes.number(1, node.dual).deep)]
+    known = supposed(emitter, node, f"unit_vector (K := K) (d := {flag(node.dual)})", says)
+    still = _still(emitter, node) if constant else None
     if not node.dual:
         spin = emitter.slot(False, "Vector", f"({node.text} × D {node.text})")
         places = f"{index(node)} {index(spin)}"
@@ -73,10 +76,10 @@ def _unit(emitter: Collector, node: Node, constant: bool) -> None:
         emitter.facts.append(_rate(moment, f"(still_moment {still})"))
 
 
-def _constant(emitter: Collector, node: Node) -> None:
-    emitter.facts.append(
-        _rate(node, supposed(emitter, node, f"constant (K := K) (d := {flag(node.dual)}) (k := {node.kind})"))
-    )
+def _still(emitter: Collector, node: Node) -> str:
+    says = [(f"(DD {node.deep})", nodes.zero(node.dual, node.kind).deep)]
+    what = f"constant (K := K) (d := {flag(node.dual)}) (k := {node.kind})"
+    return supposed(emitter, node, what, says)
 
 
 def _rate(node: Node, known: str) -> str:

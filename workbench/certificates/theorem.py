@@ -38,6 +38,9 @@ class Theorem:
     conclusions: list[str] = field(default_factory=list)
     goals: list[list[tuple[str, str]]] = field(default_factory=list)
     relations: list[Relation] = field(default_factory=list)  # what the conclusions say
+    source: tuple[Statement, Sequence[Statement], Sequence[str]] | None = (
+        None  # statement, premises, integers
+    )
 
     def read_back_faults(self) -> list[str]:
         """Where the text, read again, does not say what the terms say, or is not the text again."""
@@ -122,12 +125,13 @@ def theorem(
     assume: Sequence[Statement],
     definitions: Definitions,
     integers: Sequence[str] = (),
+    slots: Sequence[tuple[bool, str, str]] = (),
 ) -> Theorem:
-    """Raises NotCertified with the first obstacle."""
-    emitter = Emitter(definitions)
+    """Raises NotCertified with the first obstacle. slots: symbols before those of the statement."""
+    emitter = Emitter(definitions, slots)
     for variable in integers:
         emitter.integers[variable] = emitter.fresh(variable)
-    made = Theorem(name, emitter)
+    made = Theorem(name, emitter, source=(statement, assume, integers))
     premises = [r for s in assume for r in _relations(s)]
     for premise in premises:
         if premise.operator == "=" and _at_an_instant(premise, statement, definitions):
@@ -211,7 +215,7 @@ def _suppose(emitter: Emitter, premise: Relation) -> None:
     if pivot is not None:
         emitter.pivots[pivot[0]] = True
     left, right = nodes.together((emitter.term(premise.left), emitter.term(premise.right)))
-    known = emitter.suppose(equation(left, right), "premise")
+    known = emitter.suppose(equation(left, right), "premise", [(left.deep, right.deep)])
     if pivot is None:
         place = f"{left.deep} {right.deep}"
         emitter.values.append(single(f"Rule {place}", known))
@@ -220,7 +224,8 @@ def _suppose(emitter: Emitter, premise: Relation) -> None:
     value = emitter.term(rest[0])
     for other in rest[1:]:
         value = nodes.minus(value, emitter.term(other))
-    emitter.stands_for(emitter.symbol(symbol), value, f"({proof} {known})")
+    free = emitter.definitions.lookup(symbol) is None
+    emitter.stands_for(emitter.symbol(symbol), value, f"({proof} {known})", by_definition=free)
 
 
 def _pivot(emitter: Emitter, premise: Relation) -> tuple[Symbol, list[Term], str] | None:

@@ -12,6 +12,7 @@ import click
 from workbench.cli.options import Defect, Unusable, paper_option, reports_faults
 
 if TYPE_CHECKING:
+    from workbench.certificates.certify import Certified
     from workbench.papers import Paper
 
 
@@ -28,19 +29,16 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     status 3 if Coq refuses one of them."""
     from workbench.certificates import coqc
     from workbench.certificates.certify import checked_all, exact_forms, written
+    from workbench.cli.judging import judged
     from workbench.cli.terminal import certificates_table, console, progress_bar
     from workbench.papers import find_paper
-    from workbench.papers.selection import select_claims
-    from workbench.verify.claims import judge_paper
 
     if asked and coqc.version() is None:
         raise Unusable(f"no coqc is found, so no certificate can be checked; get it by {coqc.INSTALL}")
     if out is not None and out.exists() and not out.is_dir():
         raise Unusable(f"{out}: expected a directory for the certificates, got a file")
     paper = find_paper(paper_name)
-    with progress_bar(len(select_claims(paper.claims, select)), "judging") as advance:
-        results = judge_paper(paper, select, progress=advance)
-    made = [written(form, verdict) for form, _, verdict in exact_forms(results)]
+    made = [written(form, verdict) for form, _, verdict in exact_forms(judged(paper, select))]
     if out is not None:
         _write(out, made)
     if asked:
@@ -54,15 +52,22 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     terminal = console(sys.stdout)
     terminal.print(certificates_table(made))
     certified = [c for c in made if c.certificate is not None]
-    done = sum(c.checked is not None and c.checked.expected for c in made)
-    terminal.print(
-        f"{len(made)} exact forms, {len(certified)} written" + (f", {done} certified" if asked else "")
-    )
+    done = [c for c in made if c.certified]
+    asked_for = f", {len(done)} certified{_times(done)}" if asked else ""
+    terminal.print(f"{len(made)} exact forms, {len(certified)} written{asked_for}", markup=False)
     for path in by_hand:
         said = ": refused" if path.name in refused else ": certified" if asked else ""
         terminal.print(f"{path.name}, written by hand{said}", markup=False)
     if broken := [*(c.form.identifier for c in made if c.broken), *refused]:
         raise Defect(f"Coq refuses {len(broken)} of them: {', '.join(broken)}")
+
+
+def _times(done: Sequence[Certified]) -> str:
+    if not done:
+        return ""
+    total, slowest = sum(c.seconds for c in done), max(done, key=lambda c: c.seconds)
+    longest = f"{slowest.form.identifier} the slowest in {slowest.seconds:.0f} s"
+    return f" in {total / 60:.1f} min of processor time, {longest}"
 
 
 def _by_hand(paper: Paper) -> list[Path]:
@@ -81,5 +86,7 @@ def _write(out: Path, made: Sequence) -> None:
         for each in made:
             if each.certificate is not None:
                 (out / f"{each.form.identifier}.v").write_text(each.certificate.text, encoding="utf-8")
+                if (motions := each.certificate.motions) is not None:
+                    (out / f"{each.form.identifier}_premises.v").write_text(motions.text, encoding="utf-8")
     except OSError as error:
         raise Unusable(f"{out}: the certificates cannot be written: {error.strerror or error}") from None

@@ -47,7 +47,7 @@ Section Modulo.
 Variable shapes : list shape.
 Definition start : state := {| width := Pos.of_nat (total shapes); rates := M.empty _; known := M.empty _ |}.
 Definition env0 : env (rem_ops start) :=
-  @recast (pol_ops (table [] shapes) []) (rem_ops start) (fun p => p) (envP [] [] shapes 0 1 shapes).
+  @recast (pol_ops (table shapes)) (rem_ops start) (fun p => p) (envP shapes 0 1 shapes).
 Definition step (p : premise) {s : state} (E : env (rem_ops s)) : {s : state & env (rem_ops s)} :=
   match p with
   | Rule a b =>
@@ -85,7 +85,7 @@ Definition suits {s : state} (E : env (rem_ops s)) : Prop := @env_related (rem_o
 Lemma derivative_ok s i : sound s -> value (derivative s i) == dt (l i).
 Proof.
   intros (W & R & _). unfold derivative. destruct (M.find i (rates s)) eqn:F; [now apply R|].
-  rewrite W. exact (@table_ok [] shapes K slots (Forall_nil _) some i).
+  rewrite W. exact (@table_ok shapes K slots some i).
 Qed.
 Lemma rem_hom s : sound s -> hom (rem_ops s) K (stands K l).
 Proof.
@@ -114,9 +114,9 @@ Lemma start_ok : sound start.
 Proof. split; [reflexivity|]. split; [|apply no_rules_ok]. intros i p. cbn. rewrite M.gempty. discriminate. Qed.
 Lemma env0_ok : suits env0.
 Proof.
-  refine (@recast_ok (pol_ops (table [] shapes) []) (rem_ops start) (fun p => p) _ _ _ (fun a x H => H) _).
+  refine (@recast_ok (pol_ops (table shapes)) (rem_ops start) (fun p => p) _ _ _ (fun a x H => H) _).
   rewrite <- shapes_ok at 4. apply env_ok with (before := []);
-    [constructor | exact I | exact some | reflexivity | reflexivity | cbn; now rewrite shapes_ok].
+    [exact some | reflexivity | reflexivity | cbn; now rewrite shapes_ok].
 Qed.
 
 Definition both_stand (c : pol * pol) (x : K * K) := stands K l (fst c) (fst x) /\ stands K l (snd c) (snd x).

@@ -34,7 +34,7 @@ def test_outcomes(latex, outcome):
 
 
 @pytest.mark.parametrize(
-    ("last", "outcome"), [("-(b \\times a)", Outcome.PROVED), ("b \\times a", Outcome.REFUTED)]
+    ("last", "outcome"), [("b \\times (-a)", Outcome.PROVED), ("b \\times a", Outcome.REFUTED)]
 )
 def test_an_aligned_chain_is_one_formula(last, outcome):
     latex = rf"\begin{{aligned}} a \times b &= -b \times a, \\ &= {last} \end{{aligned}}"

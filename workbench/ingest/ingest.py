@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from workbench.ingest.features import feature_of
-from workbench.ingest.kinds import Guess, Guesser, Outcome
+from workbench.ingest.kinds import Guess, Guesser, Outcome, Prose
+from workbench.ingest.proposals import Proposal, ground_of, loads, proposals_for, words_of
 from workbench.ingest.questions import questions_of
 from workbench.language.definitions import Definitions
 from workbench.language.terms import Relation, Statement, Symbol
@@ -56,6 +58,8 @@ class Ingested:
     formulas: list[Formula]
     definitions: list[Proposed]
     questions: list[str]
+    proposals: list[Proposal] = field(default_factory=list)
+    fences: dict[str, str] = field(default_factory=dict)
 
     def feature_of(self, display: Display) -> str | None:
         """What the display needs; None for one that is read as a whole."""
@@ -91,21 +95,91 @@ class Ingested:
 def ingest(path: Path, macros: Path | None = None) -> Ingested:
     """Raises PaperError for a text that cannot be used, or that has no display."""
     text = read_text(path, macros)
+    fences = {f"\\{name}": body for name, body in text.fences.items()}
+    if fences:
+        text = read_text(path, macros, bodies=fences)
     if not text.displays:
         raise PaperError(path, None, None, "no displayed equation in it")
-    steps = [(display, step) for display in text.displays for line in steps_of(display) for step in line]
-    formulas = [step.spelled()[0] for _, step in steps]
-    guesser = Guesser("\n".join(source.text for source in text.sources[:1]))
-    blocked = {place for place, (display, _) in enumerate(steps) if _opaque(display, formulas[place])}
-    readable = [latex for place, latex in enumerate(formulas) if place not in blocked]
-    guesser.improve(readable, guesser.read_all(readable))
-    outcomes = iter(guesser.read_all(readable))
-    made = [
-        Formula(display, step, latex, _blocked(display, latex) if place in blocked else next(outcomes))
-        for place, ((display, step), latex) in enumerate(zip(steps, formulas, strict=True))
+    prose = Prose("\n".join(source.text for source in text.sources[:1]))
+    accepted: list[Proposal] = []
+    best = _Reading.of(text, prose, accepted)
+    for proposal in proposals_for(best.formulas, prose.text):
+        if best.gains(text, prose, accepted, proposal):
+            accepted.append(proposal)
+            best = _Reading.of(text, prose, accepted)
+    best.guesser.improve(best.readable)
+    best = _Reading.of(text, prose, accepted, best.guesser)
+    made = best.made(text)
+    questions = [
+        *(f"Does {name} print its argument in brackets, {body}?" for name, body in fences.items()),
+        *(proposal.question for proposal in accepted),
+        *questions_of(text, best.formulas, best.guesser.guesses),
     ]
-    questions = questions_of(text, formulas, guesser.guesses)
-    return Ingested(text, macros, guesser.guesses, made, _definitions(made), questions)
+    return Ingested(
+        text,
+        macros,
+        best.guesser.guesses,
+        made,
+        _definitions(made),
+        list(dict.fromkeys(questions)),
+        accepted,
+        fences,
+    )
+
+
+@dataclass
+class _Reading:
+    """What is read with some proposals. `blocked`: formulas with a macro that could not be expanded."""
+
+    steps: list[tuple[Display, Step]]
+    formulas: list[str]
+    blocked: set[int]
+    guesser: Guesser
+    outcomes: list[Outcome]
+
+    @staticmethod
+    def of(
+        text: Text,
+        prose: Prose,
+        proposals: Sequence[Proposal],
+        guesser: Guesser | None = None,
+        only: set[int] | None = None,
+    ) -> _Reading:
+        words = words_of(proposals)
+        steps = [(d, step) for d in text.displays for line in steps_of(d, words) for step in line]
+        if only is not None:
+            steps = [step for place, step in enumerate(steps) if place in only]
+        formulas = [step.spelled()[0] for _, step in steps]
+        blocked = {place for place, (display, _) in enumerate(steps) if _opaque(display, formulas[place])}
+        guesser = guesser or Guesser(prose, ground_of(proposals))
+        made = _Reading(steps, formulas, blocked, guesser, [])
+        made.outcomes = guesser.read_all(made.readable)
+        return made
+
+    @property
+    def readable(self) -> list[str]:
+        return [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
+
+    def gains(self, text: Text, prose: Prose, accepted: Sequence[Proposal], proposal: Proposal) -> bool:
+        """Whether formulas come further with the proposal, and none is lost; one that others stand on may do
+        nothing yet."""
+        concerned = [place for place, latex in enumerate(self.formulas) if proposal.trigger.search(latex)]
+        if not concerned or not loads([*accepted, proposal]):
+            return False
+        now = _Reading.of(text, prose, [*accepted, proposal], only=set(concerned)).outcomes
+        before = _Reading.of(text, prose, accepted, only=set(concerned)).outcomes
+        steps = [(one.progress, other.progress) for one, other in zip(before, now, strict=False)]
+        lost = any(one[0] > other[0] for one, other in steps)
+        return not lost and (proposal.stands or any(one != other for one, other in steps))
+
+    def made(self, text: Text) -> list[Formula]:
+        outcomes = iter(self.outcomes)
+        return [
+            Formula(
+                display, step, latex, _blocked(display, latex) if place in self.blocked else next(outcomes)
+            )
+            for place, ((display, step), latex) in enumerate(zip(self.steps, self.formulas, strict=True))
+        ]
 
 
 def _opaque(display: Display, latex: str) -> list[str]:

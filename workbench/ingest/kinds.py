@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+import unicodedata
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 
+from workbench.ingest.proposals import speaks_of_quaternions
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.symbols import SymbolTable, read_key
 from workbench.language.terms import Statement
 
 _UNKNOWN = re.compile(r"unknown symbol (.+?)(?:; known and close: .*)?$", re.DOTALL)
-_OPERATION = re.compile(r"(?:\^\{(?:T|-?\d+|\(\d+\)|\*|-T|\\top|-1)\}|'+)$")
-_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|mathsf|underline|vec|overline|bar)\{?(\\?[A-Za-z]+)")
+_OPERATION = re.compile(r"(?:\^\{(?:T|-?\d+|\(\d+\)|\*|-T|\\top|-1|[^A-Za-z0-9{}\\]+)\}|'+)$")
+_MARKED = re.compile(r"(?:\\(?:mathbf|boldsymbol|mathsf|underline|vec|overline|bar|hat)\{?)+(\\?[A-Za-z]+)")
+_LEFT = re.compile(r"^(?:\{\}[_^]\{(?:[^{}]|\{[^{}]*\})*\})+")
+_SCRIPTS = re.compile(r"([_^])\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}")
 _GREEK_CAPITALS = re.compile("Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Upsilon|Phi|Psi|Omega")
+_GREEK = {
+    chr(code): "\\" + unicodedata.name(chr(code)).split()[-1].lower().replace("lamda", "lambda")
+    for code in range(0x3B1, 0x3CA)
+}
+_USUAL = "what mechanics calls so"
 _VECTORS = frozenset({"\\omega", "\\alpha"})
 _WORDS = (
     (
@@ -26,10 +37,20 @@ _WORDS = (
     (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),
     (re.compile(r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"), "scalar"),
 )
+_LABELLED = re.compile(
+    r"(?:\\(?:mathbf|boldsymbol|bar|vec)\s*\{?\s*)?\\?[A-Za-z]+\}?(?:_\w|_\{\w+\})?"
+    r"\s*\^\s*\{\s*\\math(?:scr|cal|frak|rm|sf)\s*\{?\s*[A-Za-z]+\s*\}?\s*\}"
+)
+_INLINE = re.compile(r"\$([^$\n]{1,40})\$|:math:`([^`\n]{1,40})`")
+_OF_KINDS = re.compile(
+    r"(?:expected|transpose of|juxtaposition of) an? (?:scalar|vector|tensor|quaternion)|differ in type"
+)
 _NEAR = 40
 #: More symbols than these in a text are tried in turn no further.
 MOST_TRIED = 150
-_ROUNDS = 2
+_ROUNDS = 4
+_MOST_GROUPS = 200
+_MOST_TOGETHER = 4
 KINDS = ("scalar", "vector", "tensor")
 
 
@@ -56,74 +77,135 @@ class Outcome:
     ill_formed: bool = False
     symbols: set[str] = field(default_factory=set)
 
+    @property
+    def progress(self) -> tuple[bool, str]:
+        """Whether the formula is read, and what keeps it from it."""
+        return self.statements is not None, self.message
+
+
+class Prose:
+    """What a text says of its symbols in words."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.has_quaternions = speaks_of_quaternions(text)
+        self._alone: dict[str, list[str]] | None = None
+
+    def guess(self, name: str) -> Guess | None:
+        beside = self._near(re.sub(r"[\s{}]", "", name))
+        for pattern, kind in _WORDS:
+            for near in beside:
+                if found := pattern.search(near):
+                    plain = kind.removeprefix("unit ")
+                    why = f'the text says "{" ".join(found[0].split())}" near it'
+                    return Guess(name, plain, why, unit=plain != kind)
+        return None
+
+    def _near(self, name: str) -> list[str]:
+        """The words beside each formula in the text that is the symbol alone."""
+        if self._alone is None:
+            self._alone = {}
+            for match in _INLINE.finditer(self.text):
+                before = self.text[max(0, match.start() - _NEAR) : match.start()]
+                after = self.text[match.end() : match.end() + _NEAR]
+                before, after = re.split(r"[.;$]", before)[-1], re.split(r"[.;,$]", after)[0]
+                key = re.sub(r"[\s{}]", "", match[1] or match[2])
+                self._alone.setdefault(key, []).append(f"{before} {after}".lower())
+        return self._alone.get(name, [])
+
 
 class Guesser:
     """Reads formulas with guessed symbols, declaring each when it is met."""
 
-    def __init__(self, prose: str) -> None:
+    def __init__(self, prose: Prose, ground: SymbolTable | None = None) -> None:
         self.prose = prose
+        self.ground = SymbolTable() if ground is None else ground
+        self.kinds = (*KINDS, "hamilton quaternion") if prose.has_quaternions else KINDS
         self.guesses: dict[str, Guess] = {}
         self.refused: dict[str, str] = {}
 
-    def table(self) -> SymbolTable:
-        return SymbolTable.build({guess.name: guess.spec for guess in self.guesses.values()})
-
     def read_all(self, formulas: Sequence[str]) -> list[Outcome]:
         """Declares what the formulas need; each is read with all the symbols of those before it."""
-        table = SymbolTable()
+        table = self.ground
         outcomes = []
         for latex in formulas:
             outcome, table = self._read(latex, table)
             outcomes.append(outcome)
         return outcomes
 
-    def improve(self, formulas: Sequence[str], outcomes: Sequence[Outcome]) -> None:
-        """Another kind where more formulas then fit: type errors tell what typeface did not."""
-        users: dict[str, list[str]] = {}
-        for latex, outcome in zip(formulas, outcomes, strict=True):
-            for name in outcome.symbols if outcome.statements is not None or outcome.ill_formed else ():
-                users.setdefault(name, []).append(latex)
-        for _ in range(_ROUNDS):
+    def improve(self, formulas: Sequence[str]) -> None:
+        """Other kinds where more formulas then fit: type errors tell what typeface did not. Symbols that are
+        written alike change their kinds together first."""
+        for turn in range(_ROUNDS):
+            known = len(self.guesses)
+            outcomes = self.read_all(formulas)
+            users: dict[str, set[int]] = {}
+            for place, outcome in enumerate(outcomes):
+                for name in outcome.symbols:
+                    users.setdefault(name, set()).add(place)
+            fits = [outcome.statements is not None for outcome in outcomes]
             changed = False
-            for name in list(self.guesses)[:MOST_TRIED]:
-                changed |= self._improve(name, users.get(name, ()))
-            if not changed:
+            groups = families(list(self.guesses)[:MOST_TRIED])
+            if turn:
+                groups += _together(outcomes, self.guesses)
+            for group in groups[:_MOST_GROUPS]:
+                places = sorted(set().union(*(users.get(name, set()) for name in group)))
+                if not all(fits[place] for place in places):
+                    changed |= self._improve(group, [formulas[place] for place in places], places, fits)
+            if turn and not changed and known == len(self.guesses):
                 return
 
-    def _improve(self, name: str, users: Sequence[str]) -> bool:
-        guess = self.guesses[name]
-        best, kind = _fitting(self.table(), users), guess.kind
-        if best == len(users):
-            return False
-        for other in KINDS:
-            if other == guess.kind:
+    def _improve(
+        self, group: Sequence[str], users: Sequence[str], places: Sequence[int], fits: list[bool]
+    ) -> bool:
+        now = [fits[place] for place in places]
+        best, kind = now, None
+        for other in _by_face(group[0]):
+            if other not in self.kinds or all(self.guesses[name].kind == other for name in group):
                 continue
-            specs = {each.name: each.spec for each in self.guesses.values()} | {name: {"kind": other}}
+            changed = {name: {"kind": other} for name in group}
+            specs = {each.name: each.spec for each in self.guesses.values()} | changed
             try:
-                fitting = _fitting(SymbolTable.build(specs), users)
+                fitting = self._fitting(self.ground.with_specs(specs), users)
             except SpecError:
                 continue
-            if fitting > best:
+            if sum(fitting) > sum(best):
                 best, kind = fitting, other
-        if kind == guess.kind:
+        if kind is None:
             return False
-        why = f"{best} of {len(users)} formulas with it fit then"
-        self.guesses[name] = replace(guess, kind=kind, why=why, unit=False)
+        why = f"{sum(best)} of {len(users)} formulas with it fit then"
+        for name in group:
+            self.guesses[name] = replace(self.guesses[name], kind=kind, why=why, unit=False)
+        for place, fit in zip(places, best, strict=True):
+            fits[place] = fit
         return True
+
+    def _fitting(self, table: SymbolTable, formulas: Iterable[str]) -> list[bool]:
+        """Of each formula, whether it is read."""
+        fits = []
+        for latex in formulas:
+            outcome, table = self._read(latex, table)
+            fits.append(outcome.statements is not None)
+        return fits
 
     def _read(self, latex: str, table: SymbolTable) -> tuple[Outcome, SymbolTable]:
         symbols: set[str] = set()
         for _ in range(60):
             try:
-                return Outcome(read(latex, table), symbols=symbols | _known(latex, table)), table
+                return Outcome(read(latex, table), symbols=symbols | _known(latex, self.guesses)), table
             except IllFormedAt as error:
                 outcome = Outcome(message=error.message, ill_formed=True)
-                outcome.symbols = symbols | _known(latex, table)
+                outcome.symbols = symbols | _known(latex, self.guesses)
                 return outcome, table
             except ReadError as error:
                 unknown = _UNKNOWN.search(error.message)
+                if unknown is None and (labelled := self._labelled(latex, table)) is not None:
+                    table = labelled
+                    continue
                 if unknown is None:
-                    return Outcome(message=error.message), table
+                    outcome = Outcome(message=error.message, ill_formed=bool(_OF_KINDS.search(error.message)))
+                    outcome.symbols = symbols | _known(latex, self.guesses)
+                    return outcome, table
                 name = bare_name(unknown[1])
                 if name in self.refused:
                     return Outcome(message=self.refused[name]), table
@@ -141,25 +223,22 @@ class Guesser:
                     return Outcome(message=error.message), table
         return Outcome(message="more symbols than a formula can have"), table
 
-    def _guess(self, name: str) -> Guess:
-        for pattern, kind in _WORDS:
-            if (where := self._near(name, pattern)) is not None:
-                plain = kind.removeprefix("unit ")
-                return Guess(name, plain, f'the text says "{where}" near it', unit=plain != kind)
-        return _by_typeface(name)
-
-    def _near(self, name: str, pattern: re.Pattern[str]) -> str | None:
-        """The words beside the first formula in the text that is the symbol alone."""
-        spelled = re.escape(re.sub(r"[\s{}]", "", name))
-        for match in re.finditer(r"\$([^$\n]{1,40})\$|:math:`([^`\n]{1,40})`", self.prose):
-            if not re.fullmatch(spelled, re.sub(r"[\s{}]", "", match[1] or match[2])):
-                continue
-            before = self.prose[max(0, match.start() - _NEAR) : match.start()]
-            after = self.prose[match.end() : match.end() + _NEAR]
-            before, after = re.split(r"[.;$]", before)[-1], re.split(r"[.;,$]", after)[0]
-            if found := pattern.search(f"{before} {after}".lower()):
-                return " ".join(found[0].split())
+    def _labelled(self, latex: str, table: SymbolTable) -> SymbolTable | None:
+        """The table and the symbols with a script letter as a superscript, which is no power."""
+        for match in _LABELLED.finditer(latex):
+            with suppress(SpecError):
+                name = read_key(match[0])[0]
+                if name not in table.symbols:
+                    guess = self.guesses.setdefault(name, self._guess(name))
+                    return table.with_specs({name: guess.spec})
         return None
+
+    def _guess(self, name: str) -> Guess:
+        if (guess := self.prose.guess(name)) is not None:
+            return guess
+        if self.prose.has_quaternions and re.fullmatch(r"q(?:_\{\w+\})?", name):
+            return Guess(name, "hamilton quaternion", "the text speaks of quaternions")
+        return _by_typeface(name)
 
 
 def bare_name(name: str) -> str:
@@ -169,42 +248,68 @@ def bare_name(name: str) -> str:
     return name
 
 
+def families(names: Sequence[str]) -> list[list[str]]:
+    """Groups of names that are written alike: marks and scripts without letters; then one letter with any
+    scripts; then each alone."""
+    found: dict[str, list[str]] = {}
+    for name in names:
+        letter = _SCRIPTS.sub(r"\1·", name)
+        face = re.sub(r"\{\\?([a-z])[A-Za-z]*\}", "{x}", re.sub(r"\{\\?([A-Z])[A-Za-z]*\}", "{X}", letter))
+        keys = [letter, *([face] if face != letter else [])]
+        for key in reversed(keys):
+            found.setdefault(key, []).append(name)
+    groups = sorted((group for group in found.values() if len(group) > 1), key=len, reverse=True)
+    return [*groups, *([name] for name in names)]
+
+
+def _together(outcomes: Sequence[Outcome], guesses: Mapping[str, Guess]) -> Iterator[list[str]]:
+    """The few symbols of one kind in a formula that does not fit, and pairs of them: as in a × b = c, none
+    may help without the others."""
+    seen = set()
+    for outcome in outcomes:
+        for kind in KINDS if outcome.ill_formed else ():
+            names = sorted(name for name in outcome.symbols & guesses.keys() if guesses[name].kind == kind)
+            if not 1 < len(names) <= _MOST_TOGETHER:
+                continue
+            for group in [tuple(names), *combinations(names, 2)]:
+                if group not in seen:
+                    seen.add(group)
+                    yield list(group)
+
+
+def _by_face(name: str) -> tuple[str, ...]:
+    """The kinds in the order in which a letter of this typeface is likely to have them."""
+    guess = _by_typeface(name)
+    first = "scalar" if guess.why == _USUAL else guess.kind.replace("rotation", "tensor")
+    order = {"vector": ("vector", "tensor", "scalar"), "tensor": ("tensor", "vector", "scalar")}
+    is_plain = re.fullmatch(r"[a-z](?:_.*)?", name) is not None
+    return (*order.get(first, KINDS), *(["hamilton quaternion"] if is_plain else []))
+
+
 def _by_typeface(name: str) -> Guess:
-    bold = _BOLD.match(name.removeprefix("{}").lstrip("_^"))
-    letter = (bold[1] if bold else re.sub(r"^(?:\{\}[_^]\{[^}]*\})+", "", name)).lstrip("\\")
+    core = _LEFT.sub("", name)
+    marked = _MARKED.match(core)
+    letter = (marked[1] if marked else core).lstrip("\\")
     letter = re.match(r"[A-Za-z]+", letter)[0] if re.match(r"[A-Za-z]", letter) else ""
     is_capital = bool(_GREEK_CAPITALS.fullmatch(letter)) or (len(letter) == 1 and letter.isupper())
-    if bold is not None:
+    if marked is not None:
         if is_capital:
             return Guess(name, "rotation" if letter == "R" else "tensor", "a bold capital letter")
         return Guess(name, "vector", "a bold or marked letter")
     if f"\\{letter}" in _VECTORS:
-        return Guess(name, "vector", "what mechanics calls so")
+        return Guess(name, "vector", _USUAL)
+    if core != name:
+        return Guess(name, "vector", "a letter with labels on its left")
     if is_capital:
         return Guess(name, "tensor", "a capital letter")
     return Guess(name, "scalar", "a letter in italics")
 
 
-def _known(latex: str, table: SymbolTable) -> set[str]:
-    """The declared names that the formula may use: by their letters."""
-    flat = re.sub(r"[\s{}]", "", latex)
-    return {name for name in table.symbols if _core(name) in flat}
+def _known(latex: str, names: Iterable[str]) -> set[str]:
+    """The names that the formula may use: by their letters."""
+    flat = re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
+    return {name for name in names if _core(name) in flat}
 
 
 def _core(name: str) -> str:
     return re.sub(r"[\s{}@]", "", name)
-
-
-def _fitting(table: SymbolTable, formulas: Iterable[str]) -> int:
-    count = 0
-    for latex in formulas:
-        try:
-            read(latex, table)
-            count += 1
-        except (IllFormedAt, ReadError):
-            continue
-    return count
-
-
-def specs_of(guesses: Mapping[str, Guess]) -> dict[str, dict[str, object]]:
-    return {guess.name: guess.spec for guess in guesses.values()}

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from workbench.ingest.ingest import Ingested, Proposed
+from workbench.ingest.proposals import tables_of
 from workbench.papers.model import PaperError
 from workbench.papers.text_load import paper_of_model
 from workbench.papers.toml_file import TomlFile
@@ -39,14 +40,28 @@ def _lines(ingested: Ingested, path: Path, chosen: list[Proposed], refused: dict
         yield from (f"#   - {_comment(question)}" for question in ingested.questions)
     yield ""
     yield f"source = {_string(os.path.relpath(text.path, path.parent or '.'))}"
-    if ingested.macros is not None:
-        yield f"macros = {_string(os.path.relpath(ingested.macros, path.parent or '.'))}"
+    macros = ingested.macros and _string(os.path.relpath(ingested.macros, path.parent or "."))
+    if macros and not ingested.fences:
+        yield f"macros = {macros}"
     yield f"title = {_string(text.path.stem)}"
-    yield "# Take a name out once its kind is right: until then, no fault is found in what uses it."
+    tables = tables_of(ingested.proposals)
+    yield "# Take out what is right: until then, no fault is found in what rests on it."
     yield "guessed = ["
-    yield from (f"    {_string(guess.name)}," for guess in ingested.guesses.values())
+    yield from (f"    {_string(f'[{table}]')}," for table in tables)
+    yield from (f"    {_string(name)}," for name in (*ingested.fences, *ingested.guesses))
     yield "]"
     yield ""
+    if ingested.fences:
+        yield "[macros]"
+        if macros:
+            yield f"from = {macros}"
+        for name, body in ingested.fences.items():
+            yield f"{_string(name)} = {_string(body)}  # guessed: it seems to print brackets"
+        yield ""
+    for table, entries in tables.items():
+        yield f"[{table}]"
+        yield from (f"{key} = {value}  # guessed: {_comment(why)}" for key, (value, why) in entries.items())
+        yield ""
     yield "[symbols]"
     defined = {proposed.name for proposed in chosen}
     for guess in ingested.guesses.values():

@@ -127,13 +127,15 @@ class Mend:
 @dataclass(frozen=True)
 class Notation:
     """What the formulas of one file are written in. `motion`: symbol → its name on Drake's motions.
-    `on_motions`: claim → what is looked at there, where that is not the claim's own formula."""
+    `on_motions`: claim → what is looked at there, where that is not the claim's own formula. `words`:
+    functions that a text writes without their backslash."""
 
     symbols: SymbolTable
     definitions: Definitions
     motion: Mapping[Symbol, str]
     robot: Robot | None = None
     on_motions: Mapping[str, OnMotions] = field(default_factory=dict)
+    words: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,8 @@ NOTATION_KEYS = (
 )
 HAMILTON = "hamilton, scalar first"
 GRADIENTS = ("row", "column")
+#: What a text may write without the backslash, if its model says so.
+FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
 
 
 def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> Notation:
@@ -50,6 +52,7 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     tied = ties(bound, Definitions(definitions))
     known = Definitions([*definitions, *tied])
     notation = Notation(table, known, bound, robots[-1] if robots else None)
+    notation = replace(notation, words=_words(files))
     return replace(notation, on_motions=dict(f for file in files for f in formulas(file, notation)))
 
 
@@ -123,12 +126,14 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable
 
 def _says_hamilton(file: TomlFile) -> bool:
     for key in file.value(("conventions",), dict, {}):
-        if key == "arguments" or (key == "gradient" and file.text(("conventions", key)) in GRADIENTS):
+        if key in ("arguments", "functions"):
+            continue
+        if key == "gradient" and file.text(("conventions", key)) in GRADIENTS:
             continue
         if key != "quaternion" or file.text(("conventions", key)) != HAMILTON:
             message = (
                 f'conventions: expected quaternion = "{HAMILTON}", gradient = "row" or "column", '
-                "or arguments = […]"
+                "arguments = […] or functions = […]"
             )
             raise file.error_at_key(("conventions", key), message)
     return "quaternion" in file.value(("conventions",), dict, {})
@@ -136,7 +141,27 @@ def _says_hamilton(file: TomlFile) -> bool:
 
 def _arguments(files: Sequence[TomlFile]) -> frozenset[str]:
     """What in brackets only says what a symbol depends on."""
-    return frozenset(read_key(text)[0] for file in files for text in file.texts(("conventions", "arguments")))
+    found = set()
+    for file in files:
+        for place, text in enumerate(file.texts(("conventions", "arguments"))):
+            try:
+                found.add(read_key(text)[0])
+            except SpecError as error:
+                at = ("conventions", "arguments", place)
+                raise file.error_at_value(at, f"arguments: {error}") from None
+    return frozenset(found)
+
+
+def _words(files: Sequence[TomlFile]) -> frozenset[str]:
+    """The functions that a text writes as letters: cos for \\cos."""
+    found = set()
+    for file in files:
+        for place, word in enumerate(file.texts(("conventions", "functions"))):
+            if word not in FUNCTIONS:
+                message = f"functions: expected some of {', '.join(FUNCTIONS)}, got {word!r}"
+                raise file.error_at_value(("conventions", "functions", place), message)
+            found.add(word)
+    return frozenset(found)
 
 
 def _gradient(files: Sequence[TomlFile]) -> str | None:

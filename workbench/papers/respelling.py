@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from itertools import pairwise
 
 from workbench.papers.texts import Token
 
@@ -72,6 +73,7 @@ _UNWRAPPED = frozenset(
 )
 _UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})
 _LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace"})
+_OPERATORS = frozenset({"operatorname", "mathop", "symup"})
 _TEXTS = frozenset({"mbox", "text", "hbox", "textrm"})
 _BOLD = frozenset({"\\boldmath", "\\bf", "\\bfseries"})
 _TYPED = {(":", "="): ":=", ("=", ">"): "\\Rightarrow"}
@@ -105,9 +107,80 @@ _RENAMED = {
 }
 
 
-def respelled(tokens: Sequence[Token]) -> list[Token]:
-    """Without what moves, colours or numbers; bold italics and brackets by names that the reader knows."""
-    return list(_respelled(list(tokens)))
+def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Token]:
+    """Without what moves, colours or numbers; bold italics and brackets by names that the reader knows; and
+    letters that stand together and are one of the words by the command of this name."""
+    made = list(_respelled(list(tokens)))
+    if any(token.word in _OPERATORS for token in tokens):
+        made = _tidied(made)
+    return list(_with_words(made, words))
+
+
+def _tidied(tokens: list[Token]) -> list[Token]:
+    """\\frac{d^{} {f}}{{d{t}}^{}}, as macros make it, without the braces and scripts that print nothing."""
+    made: list[Token] = []
+    place = 0
+    while place < len(tokens):
+        token = tokens[place]
+        place += 1
+        if token.text in ("^", "_"):
+            inside, end = argument(tokens, place)
+            if not any(each.text != " " for each in inside):
+                place = end
+                continue
+        if token.text == "{":
+            inside, end = argument(tokens, place - 1)
+            inside = _tidied(inside)
+            first = next((each.text for each in inside if each.text != " "), None)
+            before = next((each.text for each in reversed(made) if each.text != " "), None)
+            is_single = sum(each.text != " " for each in inside) < 2
+            is_differential = first == "d" or (before == "d" and is_single)
+            if is_differential and not _opens_argument(made):
+                made += inside
+            elif first != "{" or _group_end(inside) < len(inside):
+                made += [token, *inside, tokens[end - 1]]
+            else:
+                made += inside
+            place = end
+            continue
+        made.append(token)
+    return made
+
+
+def _opens_argument(before: list[Token]) -> bool:
+    """Whether the braces that follow hold what \\frac takes."""
+    texts = [token.text for token in before if token.text != " "]
+    depth = 0
+    for back, text in enumerate(reversed(texts)):
+        depth += (text == "}") - (text == "{")
+        if depth == 0 and text not in ("}",):
+            follows = text == "\\frac" or (text == "{" and texts[-back - 2 : -back - 1] == ["\\frac"])
+            return follows
+    return False
+
+
+def _group_end(tokens: list[Token]) -> int:
+    return argument(tokens, 0)[1]
+
+
+def _with_words(tokens: list[Token], words: Collection[str]) -> Iterator[Token]:
+    place = 0
+    while place < len(tokens):
+        word = next((word for word in words if _spells(tokens[place : place + len(word)], word)), None)
+        if word is None or _spells(tokens[max(0, place - 3) : place], "arc"):
+            yield tokens[place]
+            place += 1
+            continue
+        first, last = tokens[place], tokens[place + len(word) - 1]
+        yield Token(f"\\{word}", first.source, first.start, last.end, first.call)
+        place += len(word)
+
+
+def _spells(tokens: Sequence[Token], word: str) -> bool:
+    """Whether the author wrote the word, with nothing between its letters."""
+    if "".join(token.text for token in tokens) != word or len(tokens) != len(word):
+        return False
+    return all(one.end == other.start for one, other in pairwise(tokens))
 
 
 def _respelled(tokens: list[Token]) -> Iterator[Token]:
@@ -139,6 +212,9 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             yield from _respelled(inner)
             if word in _LIMITS_ARE_NOTES:
                 place = _past_script(tokens, place)
+        elif word in _OPERATORS and (differential := _differential(tokens, place)) is not None:
+            yield token.standing_for("d")
+            place = differential
         elif word in _UNWRAPPED_SECOND:
             _, place = argument(tokens, place)
             inner, place = argument(tokens, place)
@@ -154,6 +230,12 @@ def _formula_in(tokens: Sequence[Token], place: int) -> tuple[bool, list[Token],
     if len(plain) < 3 or plain[0].text != "$" or plain[-1].text != "$" or len(plain) != _dollars(plain):
         return None
     return any(token.text in _BOLD for token in inner), plain[1:-1], end
+
+
+def _differential(tokens: Sequence[Token], place: int) -> int | None:
+    """The place behind the d of \\operatorname{d}; None for another operator."""
+    inner, end = argument(tokens, place)
+    return end if [token.text for token in inner if token.text != " "] == ["d"] else None
 
 
 def _dollars(tokens: Sequence[Token]) -> int:

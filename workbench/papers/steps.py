@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from workbench.papers.respelling import argument, respelled
@@ -121,17 +121,18 @@ class _Line:
     opens: bool = False
 
 
-def steps_of(display: Display) -> list[list[Step]]:
-    """The lines of the display that say something, each as its steps."""
-    return [steps for line in _lines(display) if (steps := list(_steps(line)))]
+def steps_of(display: Display, words: Collection[str] = ()) -> list[list[Step]]:
+    """The lines of the display that say something, each as its steps. words: functions that it writes without
+    their backslash."""
+    return [steps for line in _lines(display, words) if (steps := list(_steps(line)))]
 
 
-def _lines(display: Display) -> list[_Line]:
+def _lines(display: Display, words: Collection[str]) -> list[_Line]:
     made: list[_Line] = []
     in_column: dict[int, _Line] = {}
     several = len(display.rows) > 1
     for row in display.rows:
-        tokens = respelled(row.tokens)
+        tokens = respelled(row.tokens, words)
         inner = None if several else _inside(tokens)
         for piece in [tokens] if inner is None else _split(inner, "\\\\"):
             for column, (cell, opens) in enumerate(_columns(piece)):

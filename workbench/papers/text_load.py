@@ -29,8 +29,12 @@ def load_model(toml: TomlFile) -> TextPaper:
     """A model and the text that it names. Raises PaperError."""
     toml.allow_keys((), MODEL_KEYS)
     path = _beside(toml, "source")
-    macros = _beside(toml, "macros")
-    text = read_text(path, macros)
+    if isinstance(toml.data.get("macros"), dict):
+        bodies = {name: toml.text(("macros", name)) for name in toml.value(("macros",), dict)}
+        bodies.pop("from", None)
+        text = read_text(path, _beside(toml, "macros", "from"), bodies=bodies)
+    else:
+        text = read_text(path, _beside(toml, "macros"))
     return paper_of_model(toml, text)
 
 
@@ -58,11 +62,11 @@ def model_beside(text: Path) -> Path | None:
     return path if source == text.name else None
 
 
-def _beside(toml: TomlFile, key: str) -> Path | None:
-    name = toml.text((key,))
+def _beside(toml: TomlFile, *key: str) -> Path | None:
+    name = toml.text(key)
     if name is None:
         return None
     path = toml.path.parent / name
     if not path.is_file():
-        raise toml.error_at_value((key,), f"{key}: no file {name!r} beside this one")
+        raise toml.error_at_value(key, f"{key[-1]}: no file {name!r} beside this one")
     return path

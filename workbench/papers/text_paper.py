@@ -80,7 +80,7 @@ def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Not
     taken: set[str] = set()
     for place, display in enumerate(displays):
         notation = [known for start, known in notations if start <= place][-1]
-        lines = steps_of(display)
+        lines = steps_of(display, notation.words)
         bases = [_base(display, step) for line in lines for step in line]
         numbering: dict[str, int] = {}
         for line in lines:
@@ -218,7 +218,7 @@ def _claim(placed: Placed, entries: Sequence[Entry] | None, guessed: Sequence[st
         line=span.line,
         span=span,
         chain=placed.chain,
-        guessed=_used(printed, guessed),
+        guessed=_used(printed, step.tokens, guessed),
         states=printed.statement and stated(printed.statement, placed.notation.definitions),
     )
     for table in tables:
@@ -261,12 +261,14 @@ def _unknown_ids(entries: Mapping[str, Sequence[Entry]], ids: Collection[str]) -
                 yield table.error_at_value(path, f"{path[0]}: no claim has the id {name!r}")
 
 
-def _used(printed: Formula, guessed: Sequence[str]) -> tuple[str, ...]:
-    """Of the guessed symbols those that the formula uses; all, where it does not fit together."""
+def _used(printed: Formula, tokens: Sequence[Token], guessed: Sequence[str]) -> tuple[str, ...]:
+    """Of what is guessed, the symbols and macros that the formula uses, and the tables, such as [notation],
+    which any formula may rest on; all, where it does not fit together."""
     if printed.statement is None or not guessed:
         return tuple(guessed)
     used = {term.declaration.name for term in terms_of(printed.statement) if isinstance(term, Symbol)}
-    return tuple(name for name in guessed if name in used)
+    used |= {f"\\{call.name}" for token in tokens if token.call for call in token.call.chain()}
+    return tuple(name for name in guessed if name in used or name.startswith("["))
 
 
 def terms_of(statement: Statement) -> Iterator[Term]:

@@ -226,7 +226,7 @@ def _undisturbed(judge: Callable[[], Verdict]) -> Verdict:
 def _as_guessed(verdict: Verdict, names: Sequence[str]) -> str:
     shown = ", ".join(names[:5]) + (", …" if len(names) > 5 else "")
     why = f" ({verdict.reason})" if verdict.reason else ""
-    return f"{verdict.outcome} if the kinds of {shown} are as guessed{why}; confirm them, and it is judged"
+    return f"{verdict.outcome} if {shown} are as guessed{why}; confirm them, and it is judged"
 
 
 def _states(symbol: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from workbench.papers.texts.prose import sentence_before
 from workbench.papers.texts.restructured import restructured
 from workbench.papers.texts.tex.displays import with_sentence
 from workbench.papers.texts.tex.document import TexReader, Text
+from workbench.papers.texts.tex.macros import named
 from workbench.papers.texts.tex.state import Names
 from workbench.papers.texts.tex.tokens import Lexer, Token
 from workbench.papers.texts.view import Source, View
@@ -37,16 +38,24 @@ def is_text(path: Path) -> bool:
     return path.suffix.lower() in SUFFIXES
 
 
-def read_text(path: Path | str, macros: Path | str | None = None, inline: bool = False) -> Text:
+def read_text(
+    path: Path | str,
+    macros: Path | str | None = None,
+    inline: bool = False,
+    bodies: Mapping[str, str] | None = None,
+) -> Text:
     """The displays of a text, macros expanded, each token with the author's own characters.
 
     macros: a TeX file of macros that a site or a class keeps elsewhere; they win over those of the text.
-    inline: formulas inside of sentences too. Raises PaperError for a file that cannot be used.
+    inline: formulas inside of sentences too.   bodies: more such macros, each by its body.
+
+    Raises PaperError for a file that cannot be used.
     """
     path = Path(path)
     if not is_text(path):
         raise PaperError(path, None, None, f"expected one of {', '.join(sorted(SUFFIXES))}")
-    overrides = None if macros is None else _macros(Path(macros))
+    overrides = Names() if macros is None else _macros(Path(macros))
+    overrides.macros |= named(bodies or {}, path)
     reader = TexReader(path.parent, overrides, inline)
     find = _MARKUP.get(path.suffix.lower())
     if find is None:
@@ -103,5 +112,12 @@ def _text(path: Path, reader: TexReader) -> Text:
         for token, message in reader.warnings
     ]
     return Text(
-        path, reader.sources, reader.displays, reader.labels, reader.directives, warnings, reader.names
+        path,
+        reader.sources,
+        reader.displays,
+        reader.labels,
+        reader.directives,
+        warnings,
+        reader.names,
+        reader.fences,
     )

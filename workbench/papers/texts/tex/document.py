@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -48,7 +48,8 @@ class Directive:
 
 @dataclass
 class Text:
-    """What was read. `labels`: label → number. `warnings`: with the file, line and column of each."""
+    """What was read. `labels`: label → number. `warnings`: with the file, line and column of each. `fences`:
+    macros that could not be expanded and seem to be brackets, each with its body."""
 
     path: Path
     sources: list[Source] = field(default_factory=list)
@@ -57,6 +58,7 @@ class Text:
     directives: list[Directive] = field(default_factory=list)
     warnings: list[PaperError] = field(default_factory=list)
     macros: Names = field(default_factory=Names)
+    fences: dict[str, str] = field(default_factory=dict)
 
 
 class TexReader(DisplayReader):
@@ -71,6 +73,9 @@ class TexReader(DisplayReader):
         self.open_paths: list[Path] = []
         self.theorems: dict[str, str | None] = {}
         self.missing: list[str] = []
+        self.options: dict[str, Sequence[Token]] = {}  # of the style or class that is being read
+        self.given: list[str] = []
+        self.global_options: list[str] = []
 
     def read_file(self, path: Path) -> None:
         """Raises PaperError for the file itself; what it includes and cannot be read is a warning."""
@@ -204,15 +209,35 @@ class TexReader(DisplayReader):
 
     def use(self, token: Token) -> None:
         """\\usepackage and \\documentclass: a style or class file that lies beside the text is read."""
-        self.optional()
+        given = [part.strip() for part in joined(self.optional() or ()).split(",")]
+        if token.word == "documentclass":
+            self.global_options += given
         for name in (part.strip() for part in self.word().split(",")):
             if token.word in ("documentclass", "LoadClass"):
                 self.counters.use_class(name)
             if (path := self._find(name, (".sty", ".cls"))) is not None:
                 outer, self.waiting = self.waiting, []  # what it leaves open ends with it
+                known, self.options, self.given = (self.options, self.given), {}, given
                 self._open(token, path)
                 self.run()
-                self.waiting = outer
+                self.waiting, (self.options, self.given) = outer, known
+
+    def option(self, token: Token) -> None:
+        """\\DeclareOption: its code is obeyed where the option is given."""
+        other = self.star()
+        name = "*" if other else self.word()
+        self.options[name] = self.argument()
+
+    def process_options(self, token: Token) -> None:
+        self.star()
+        asked = {*self.given, *self.global_options}
+        for name, code in reversed(self.options.items()):
+            if name in asked:
+                self.push(code)
+
+    def execute_options(self, token: Token) -> None:
+        for name in reversed(self.word().split(",")):
+            self.push(self.options.get(name.strip(), ()))
 
     def number_within(self, token: Token) -> None:
         star = self.star()
@@ -315,6 +340,9 @@ _COMMANDS = {
     **dict.fromkeys(("setcounter", "addtocounter", "stepcounter", "refstepcounter"), TexReader.count),
     **dict.fromkeys(("verb", "lstinline"), TexReader.verb),
     **dict.fromkeys(("makeatletter", "makeatother"), TexReader.letters),
+    "DeclareOption": TexReader.option,
+    "ProcessOptions": TexReader.process_options,
+    "ExecuteOptions": TexReader.execute_options,
     "newtheorem": TexReader.new_theorem,
     "newcounter": TexReader.new_counter,
     "label": TexReader.label,

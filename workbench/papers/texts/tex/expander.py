@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from workbench.papers.texts.tex.conditionals import CHOICES, decide, is_conditional, skip_branch, undecidable
+from workbench.papers.texts.tex.fences import fence_of
 from workbench.papers.texts.tex.macros import DECLARATIONS
 from workbench.papers.texts.tex.state import FALSE, TRUE, Macro, Parameter, State
 from workbench.papers.texts.tex.stream import MOST_PUSHED
@@ -72,6 +73,8 @@ class Expander(State):
         if (cause := undecidable(self, macro)) is not None:
             if not self.in_formula:  # what it sets is of no matter; what it declares is
                 return any(part.word in DECLARATIONS for part in macro.body)
+            if (fence := fence_of(macro)) is not None:
+                self.fences[token.word] = fence
             self.warn(
                 token, f"{token.text} needs {cause}, which only TeX can follow; it is left as it stands"
             )

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 
 from workbench.papers.texts.tex.state import NO_VALUE, Environment, Macro, Parameter, State
 from workbench.papers.texts.tex.tokens import Token, joined, lex
@@ -207,6 +209,18 @@ def _place(token: Token) -> tuple[Source, int]:
 def _made(latex: str, token: Token) -> list[Token]:
     """Tokens that stand where `token` does."""
     return lex(View(latex, token.source, [token.start] * (len(latex) + 1)))
+
+
+def named(bodies: Mapping[str, str], path: Path) -> dict[str, Macro]:
+    """Macros by their bodies, which say how many arguments they take; a star is of no matter."""
+    made = {}
+    for name, body in bodies.items():
+        source = Source(path, body)
+        tokens = tuple(lex(source.view()))
+        count = max((int(t.text[1:]) for t in tokens if re.fullmatch(r"#\d", t.text)), default=0)
+        star = Parameter("star", counted=False)
+        made[name.removeprefix("\\")] = Macro((star, *_braces(count)) if count else (), tokens, None)
+    return made
 
 
 Declaration = Callable[[State, Token], None]

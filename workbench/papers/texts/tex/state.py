@@ -62,6 +62,7 @@ class State(TokenStream):
         self.overrides = frozenset(self.names.macros)
         self.opaque: set[str] = set()
         self.left_opaque: set[str] = set()  # of these, what the formula being read uses
+        self.fences: dict[str, str] = {}  # of these, what seems to be a pair of brackets
         self.in_formula = False
         self.warnings: list[tuple[Token, str]] = []
 

@@ -1,0 +1,145 @@
+"""What `ingest` guesses without its author, and that nothing is called a fault on the ground of a guess."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from workbench.ingest import ingest, model_text
+from workbench.judge.verdict import Outcome
+from workbench.papers import load_paper
+from workbench.verify import judge_paper
+
+TEXTS = Path(__file__).parents[2] / "proofs" / "texts"
+
+#: What a text writes, and the kinds that its symbols have: by typeface, by words, by what makes formulas fit.
+KINDS = [
+    (r"$$ \hat{n}_x \times \hat{n}_y = \hat{n}_z $$", {r"\hat{n}_{x}": "vector", r"\hat{n}_{z}": "vector"}),
+    (r"$$ a \times b = c $$", dict.fromkeys("abc", "vector")),
+    (r"$$ R a \times b = c $$", {"R": "tensor", "a": "vector", "b": "vector"}),
+    (r"$$ \dot{\boldsymbol{R}} = \boldsymbol{ω} \boldsymbol{R} $$", {r"\boldsymbol{\omega}": "tensor"}),
+    (r"The angle $v$ and the vector $m$: $$ v m = m v $$", {"v": "scalar", "m": "vector"}),
+    (r"$$ \ddot{r} - r ω = m $$ $$ m + r = 1 $$", {r"\omega": "scalar", "r": "scalar"}),
+    (r"$$ V^{\mathscr R} = V + V^{\mathscr R} $$", {r"V^{\mathscr{R}}": "tensor", "V": "tensor"}),
+    (r"$$ {}^A\bar{v} = {}^B\bar{v} + \bar{u} \times \bar{p} $$", {r"{}^{A}\bar{v}": "vector"}),
+]
+
+#: What a text writes, and the tables that a model needs to read it.
+TABLES = [
+    (r"$$ \frac{{}^A d\hat{b}}{dt} = {}^A\bar{\omega}^B \times \hat{b} $$", {"frames"}),
+    (r"$$ \frac{{}^A d\bar{r}^{P/O}}{dt} = {}^A\bar{v}^T $$ $$ {}^A\bar{v}^P = {}^A\bar{v}^T $$", {"frames", "points"}),
+    (r"$$ \mathbf{a} \wedge \mathbf{b} = \mathbf{c} $$", {"notation"}),
+    (r"$$ \mathbf{a}^\wedge \mathbf{b} = \mathbf{c} $$", {"notation"}),
+    (r"$$ [\mathbf{a}]_\times \mathbf{b} = \mathbf{c} $$", {"notation"}),
+    (r"$$ x' = \mathbb{1} x $$", {"notation"}),
+    (r"$$ a * b = b * a $$", {"notation"}),
+    (r"$$ \mathbf{E}(\boldsymbol{\chi}) \mathbf{a} = \mathbf{b}(\boldsymbol{\chi}) $$", {"conventions"}),
+    (r"$$ x = arccos(s) $$ $$ s = cos \frac{x}{2} $$", {"conventions"}),
+    ("A quaternion, two quaternions, more quaternions. $$ q = [s, v] $$ $$ q^* q = [s^2 + v^T v, 0] $$", {"conventions", "notation"}),
+]  # fmt: skip
+
+
+def ingested(tmp_path: Path, text: str):
+    path = tmp_path / "p.md"
+    path.write_text(text)
+    return ingest(path)
+
+
+@pytest.mark.parametrize(("text", "kinds"), KINDS)
+def test_kinds_are_those_with_which_the_formulas_fit(
+    tmp_path: Path, text: str, kinds: dict[str, str]
+) -> None:
+    found = ingested(tmp_path, text)
+    assert not found.missing()
+    got = {name: guess.kind.replace("rotation", "tensor") for name, guess in found.guesses.items()}
+    assert got.items() >= kinds.items()
+
+
+@pytest.mark.parametrize(("text", "tables"), TABLES)
+def test_notation_that_a_text_shows_signs_of_is_tried(tmp_path: Path, text: str, tables: set[str]) -> None:
+    found = ingested(tmp_path, text)
+    unread = [formula.latex for formula in found.formulas if formula.outcome.statements is None]
+    assert all("arccos" in latex for latex in unread)
+    assert {proposal.table for proposal in found.proposals} == tables
+    assert all(proposal.question in found.questions for proposal in found.proposals)
+
+
+def test_the_model_reads_what_ingest_read_and_finds_no_fault_by_a_guess(tmp_path: Path) -> None:
+    for place, (text, _) in enumerate([*KINDS, *TABLES]):
+        folder = tmp_path / str(place)
+        folder.mkdir()
+        found = ingested(folder, text)
+        (folder / "p.toml").write_text(model_text(found, folder / "p.toml"))
+        paper = load_paper(folder / "p.toml")
+        unread = [claim for claim in paper.claims if claim.printed.statement is None]
+        assert len(unread) == sum(formula.outcome.statements is None for formula in found.formulas)
+        results = judge_paper(paper, motions=False)
+        faults = {Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL}
+        assert not faults & {result.verdict.outcome for result in results}, text
+
+
+STYLE = r"""\newif\if@size
+\newif\ifPedantic
+\DeclareOption{Pedantic}{\Pedantictrue}
+\ProcessOptions\relax
+\DeclareDocumentCommand\around{sm}{\begingroup\@sizetrue\@wrapper{\left\lparen}{\vphantom{#2}}{\right.}{#2}\left.\right\rparen\endgroup}
+\newcommand\pa[1]{\around{#1}}
+\ifPedantic\renewcommand\pa[1]{\around{#1}_\mathrm{p}}\fi
+"""
+
+
+def test_a_macro_that_only_tex_can_follow_is_guessed_to_be_brackets_and_asked_for(tmp_path: Path) -> None:
+    (tmp_path / "own.sty").write_text(STYLE)
+    path = tmp_path / "p.tex"
+    path.write_text(r"\usepackage{own}\begin{document}\[ a \pa{b + c} = a b - a c \]\end{document}")
+    found = ingest(path)
+    assert found.fences == {r"\around": r"\left\lparen #1\right\rparen"}
+    assert any(r"Does \around print its argument in brackets" in question for question in found.questions)
+    (tmp_path / "p.toml").write_text(model_text(found, tmp_path / "p.toml"))
+    (claim,) = load_paper(tmp_path / "p.toml").claims
+    assert claim.printed.latex == r"a \left(b + c\right) = a b - a c"
+    assert r"\around" in claim.guessed
+    (without,) = load_paper(path.rename(tmp_path / "q.tex")).claims
+    assert "could not be expanded" in without.printed.unread
+
+
+@pytest.mark.parametrize(("options", "latex"), [("", "x"), ("[Pedantic]", "y"), ("[Other]", "x")])
+def test_an_option_of_a_style_is_obeyed_where_it_is_given(tmp_path: Path, options: str, latex: str) -> None:
+    style = r"\newif\ifPedantic\DeclareOption{Pedantic}{\Pedantictrue}\ProcessOptions\relax"
+    (tmp_path / "own.sty").write_text(style + r"\newcommand\m{x}\ifPedantic\renewcommand\m{y}\fi")
+    path = tmp_path / "p.tex"
+    path.write_text(rf"\usepackage{options}{{own}}\begin{{document}}\[ \m = 0 \]\end{{document}}")
+    (claim,) = load_paper(path).claims
+    assert claim.printed.latex == f"{latex}= 0"
+
+
+def test_words_are_functions_only_where_the_model_says_so(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text(
+        "$$ c o s = o c s $$ (one) $$ x = c o s + arccos $$ (two) $$ cos x = cos(x) $$ (three)\n"
+    )
+    model = 'source = "p.md"\n[symbols]\n' + "".join(f"{c} = {{ kind = 'scalar' }}\n" for c in "acorsx")
+    path = tmp_path / "p.toml"
+    path.write_text(model)
+    assert "write \\operatorname{cos}" in load_paper(path).claims[2].printed.unread
+    path.write_text(model + "[conventions]\nfunctions = ['cos']\n")
+    claims = load_paper(path).claims
+    assert [claim.printed.latex for claim in claims] == [
+        "c o s = o c s",
+        "x = c o s + arccos",
+        r"\cos x = \cos(x)",
+    ]
+    path.write_text(model + "[conventions]\nfunctions = ['cosine']\n")
+    with pytest.raises(ValueError, match=r"p\.toml:\d+:\d+: functions: expected some of cos"):
+        load_paper(path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "path",
+    sorted(p for p in TEXTS.glob("*/*.*") if p.suffix in (".rst", ".md", ".tex") and p.stem != "macros"),
+    ids=lambda p: p.stem,
+)
+def test_at_least_half_of_each_text_is_read(path: Path) -> None:
+    found = ingest(path)
+    assert 2 * sum(found.missing().values()) <= len(found.text.displays)

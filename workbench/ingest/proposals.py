@@ -1,0 +1,239 @@
+"""Notation, conventions and frames that a text seems to use: each is tried, and kept where it helps."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from workbench.language.symbols import SymbolTable
+from workbench.papers.model import PaperError
+from workbench.papers.notation import FUNCTIONS, HAMILTON, notation_of
+from workbench.papers.toml_file import TomlFile
+
+_SCRIPT = r"(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\\[A-Za-z]+|[A-Za-z0-9])"
+_STYLE = r"(?:\\(?:bar|vec|mathbf|boldsymbol|mathsf|underline|mathrm|hat)\s*)"
+_CORE = rf"(?:{_STYLE}\{{\s*\\?[A-Za-z]+\s*\}}|{_STYLE}?\\?[A-Za-z])"
+_SEEN_FROM = re.compile(rf"\{{\}}\s*\^\s*(?P<F>{_SCRIPT})\s*(?P<core>{_CORE})(?:\s*\^\s*(?P<G>{_SCRIPT}))?")
+_RATE_IN = re.compile(rf"\{{\}}\s*\^\s*(?P<F>{_SCRIPT})\s*(?:d(?![A-Za-z])|\\frac\s*\{{?\s*d)")
+_BETWEEN = re.compile(rf"(?P<core>{_CORE})\s*\^\s*\{{\s*(?P<P>[^{{}}/]+?)\s*/\s*(?P<O>[^{{}}/]+?)\s*\}}")
+_LABELS = re.compile(r"\{\}\s*[_^]|/")
+_UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
+_BRACKET = re.compile(
+    r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
+    r"((?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z]))\s*(?:\\right)?\)"
+)
+_TYPED = {name: re.compile(rf"(?<!\\)(?<!\\arc)(?<!arc){name}(?![A-Za-z])") for name in FUNCTIONS}
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """Entries of one table of a model, as TOML, and what they rest on. `stands`: kept unless it loses a
+    formula; others, where formulas come further by it."""
+
+    table: str
+    entries: Mapping[str, str]
+    why: str
+    question: str
+    trigger: re.Pattern[str]
+    stands: bool = False
+
+
+def tables_of(proposals: Sequence[Proposal]) -> dict[str, dict[str, tuple[str, str]]]:
+    """Table → key → value as TOML, and why. Lists of one convention grow together."""
+    tables: dict[str, dict[str, tuple[str, str]]] = {}
+    for proposal in proposals:
+        table = tables.setdefault(proposal.table, {})
+        for key, value in proposal.entries.items():
+            if key in table and value.startswith("["):
+                value = f"{table[key][0][:-1]}, {value[1:]}"
+            table[key] = (value, proposal.why)
+    return tables
+
+
+def ground_of(proposals: Sequence[Proposal]) -> SymbolTable:
+    """The table that the reader has with these proposals alone. Raises PaperError."""
+    lines = []
+    for name, entries in tables_of(proposals).items():
+        lines += [f"[{name}]", *(f"{key} = {value}" for key, (value, _) in entries.items())]
+    return notation_of([TomlFile(Path("guessed"), "\n".join(lines) + "\n")]).symbols
+
+
+def words_of(proposals: Sequence[Proposal]) -> frozenset[str]:
+    """The functions that the text writes without a backslash."""
+    texts = (p.entries["functions"] for p in proposals if "functions" in p.entries)
+    return frozenset(re.findall(r"[a-z]+", " ".join(texts)))
+
+
+def loads(proposals: Sequence[Proposal]) -> bool:
+    try:
+        ground_of(proposals)
+    except PaperError:
+        return False
+    return True
+
+
+def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
+    """What the formulas show signs of, what others need first."""
+    together = "\n".join(formulas)
+    if speaks_of_quaternions(prose):
+        hamilton = {"quaternion": f'"{HAMILTON}"'}
+        why = 'the text says "quaternion"'
+        yield Proposal("conventions", hamilton, why, _QUATERNIONS, re.compile(""), stands=True)
+        for trigger, key, where, means in _OF_QUATERNIONS:
+            why = "a sign between or on quaternions"
+            yield replace(_notation(trigger, key, where, means, why, _QUATERNIONS), stands=True)
+    for name, pattern in _TYPED.items():
+        why = f"{name} stands without a backslash"
+        question = f"Is {name} the function {name}?"
+        yield replace(_conventions("functions", f"['{name}']", why, question, pattern), stands=True)
+    for entry in _NOTATION:
+        yield _notation(*entry)
+    for unit in dict.fromkeys(match[0] for match in _UNITS.finditer(together)):
+        trigger = re.escape(unit)
+        question = f"Is {unit} the unit tensor?"
+        entry = _notation(trigger, unit, {}, r"\mathbf{I}", "a blackboard 1 or I", question)
+        yield replace(entry, stands=True)
+    yield _prime(("scalar", "vector", *(["quaternion"] if speaks_of_quaternions(prose) else [])))
+    for inside in dict.fromkeys(match[1] for match in _BRACKET.finditer(together)):
+        question = f"Does ({inside}) only say what a symbol depends on?"
+        trigger = re.compile(re.escape(inside))
+        yield _conventions("arguments", f"['{inside}']", "a bracket with one symbol", question, trigger)
+    yield from _frames(together)
+
+
+def speaks_of_quaternions(prose: str) -> bool:
+    return len(re.findall(r"quaternion", prose, re.IGNORECASE)) > 2
+
+
+_QUATERNIONS = "Are quaternions Hamilton's (i j = k), scalar part first?"
+_SKEW = r"\operatorname{skew}(x)"
+_LEFT = (
+    r"\begin{bmatrix} \operatorname{Sc}(q) & -(\operatorname{Vec}(q))^T \\ \operatorname{Vec}(q)"
+    r" & \operatorname{Sc}(q) \mathbf{I} %s \operatorname{skew}(\operatorname{Vec}(q)) \end{bmatrix}"
+)
+_Q = {"q": "quaternion"}
+_OF_QUATERNIONS: tuple[tuple[str, str, dict[str, str], str], ...] = (
+    (r"\*|\\ast", "q^*", _Q, r"\operatorname{conj}(q)"),
+    (r"(?<![\^{])\*", "p * q", {"p": "quaternion", "q": "quaternion"}, "p q"),
+    (r"\[[^\],]*,[^\],]*\]", "[s, v]", {"s": "scalar", "v": "vector"}, r"\operatorname{quat}(s, v)"),
+    (
+        r"\[[^\],]*(?:,[^\],]*){3}\]",
+        "[s, x, y, z]",
+        dict.fromkeys("sxyz", "scalar"),
+        r"\operatorname{quat}(s, \begin{bmatrix} x \\ y \\ z \end{bmatrix})",
+    ),
+    (r"\^\{?\s*\+", "q^+", _Q, _LEFT % "+"),
+    (r"\^\{?\s*\\oplus", r"q^\oplus", _Q, _LEFT % "-"),
+    (r"-1\s*\\oplus", r"q^{-1 \oplus}", _Q, r"(q^{-1})^\oplus"),
+)
+_NOTATION: tuple[tuple[str, str, dict[str, str], str, str, str], ...] = (
+    (
+        r"(?<!\^)(?<!\^\{)\s*\\(?:wedge|land)(?![A-Za-z])",
+        r"x \wedge y",
+        {"x": "vector", "y": "vector"},
+        r"x \times y",
+        "a wedge between vectors",
+        r"Is \wedge between two vectors the vector product?",
+    ),
+    (
+        r"\^\s*\{?\s*\\(?:wedge|land)(?![A-Za-z])",
+        r"x^\wedge",
+        {"x": "vector"},
+        _SKEW,
+        "a wedge as a superscript",
+        r"Is x^\wedge the skew tensor of x?",
+    ),
+    (
+        r"\]\s*_\s*\{?\s*\\times",
+        r"[x]_\times",
+        {"x": "vector"},
+        _SKEW,
+        "a bracket with a cross",
+        r"Is [x]_\times the skew tensor of x?",
+    ),
+    (
+        r"(?<![\^{*])\*(?![*}])",
+        "x * y",
+        {"x": "scalar", "y": "scalar"},
+        "x y",
+        "a star between factors",
+        "Is * the product?",
+    ),
+)
+
+
+def _notation(
+    trigger: str, key: str, where: Mapping[str, str], means: str, why: str, question: str
+) -> Proposal:
+    formal = ", ".join(f'{name} = "{kind}"' for name, kind in where.items())
+    given = f"where = {{ {formal} }}, " if where else ""
+    entry = {f"'{key}'": f"{{ {given}means = '{means}' }}"}
+    return Proposal("notation", entry, why, question, re.compile(trigger))
+
+
+def _prime(kinds: Sequence[str]) -> Proposal:
+    entries = {
+        f'"{letter}\'"': f"{{ where = {{ {letter} = \"{kind}\" }}, means = '\\dot{{{letter}}}' }}"
+        for letter, kind in zip("axq", kinds, strict=False)
+    }
+    return Proposal("notation", entries, "a prime", "Is a prime d/dt?", re.compile(r"(?<!\\)'"))
+
+
+def _conventions(key: str, value: str, why: str, question: str, trigger: re.Pattern[str]) -> Proposal:
+    return Proposal("conventions", {key: value}, why, question, trigger)
+
+
+def _frames(formulas: str) -> Iterator[Proposal]:
+    """Labels on the left, as in {}^A ω^B and {}^A d/dt; points, as in r^{P/O}."""
+    seen = list(_SEEN_FROM.finditer(formulas))
+    rates = [_label(match["F"]) for match in _RATE_IN.finditer(formulas)]
+    frames = Counter(rates + [_label(match["F"]) for match in seen])
+    points: Counter[str] = Counter()
+    spelled: dict[str, dict[str, str]] = {"frames": {}, "points": {}}
+    for match in seen:
+        core, right = match["core"].strip(), match["G"]
+        meaning = None if right is None else _meaning(core)
+        if meaning is None:
+            continue
+        where, phrase = meaning
+        (frames if where == "frames" else points)[_label(right)] += 1
+        spelled[where][f"'{{}}^F{core}^{'G' if where == 'frames' else 'P'}'"] = f'"{phrase}"'
+    for match in _BETWEEN.finditer(formulas):
+        points.update((_label(match["P"]), _label(match["O"])))
+        spelled["points"][f"'{match['core'].strip()}^{{P/O}}'"] = '"to P from O"'
+    if not seen and not rates:
+        return
+    base = Counter(rates or [_label(match["F"]) for match in seen]).most_common(1)[0][0]
+    names = [name for name in frames if name != base]
+    entries = {"base": f"'{base}'", "names": _list(names), "dot": f"'{base}'", **spelled["frames"]}
+    question = "Do scripts on the left name frames, and is {}^F ω^G that of G in F?"
+    yield Proposal("frames", entries, "labels on the left", question, _LABELS, stands=True)
+    if points:
+        entries = {"names": _list(list(points)), **spelled["points"]}
+        question = "Do the labels of positions, velocities and accelerations name points?"
+        yield Proposal("points", entries, "labels of points", question, _LABELS, stands=True)
+
+
+def _meaning(core: str) -> tuple[str, str] | None:
+    """By the letter, as mechanics has it: in which table, and what it is."""
+    letter = re.findall(r"\\?[A-Za-z]+", core)[-1]
+    if "\\hat" in core:
+        return None
+    if letter == "\\omega":
+        return "frames", "angular velocity of G in F"
+    if letter == "\\alpha":
+        return "frames", "angular acceleration of G in F"
+    if re.fullmatch("[A-Z]", letter):
+        return "frames", "rotation to F from G"
+    return {"v": ("points", "velocity of P in F"), "a": ("points", "acceleration of P in F")}.get(letter)
+
+
+def _label(script: str) -> str:
+    return script.strip().removeprefix("{").removesuffix("}").strip() if script[:1] == "{" else script.strip()
+
+
+def _list(names: Sequence[str]) -> str:
+    return "[" + ", ".join(f"'{name}'" for name in names) + "]"

@@ -7,7 +7,7 @@ Drake's plant on Expressions in t, and every time derivative is Drake's Expressi
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -25,11 +25,9 @@ from workbench.drake.quantities import (
     relative_quantities,
 )
 from workbench.drake.symbolic_motions import (
+    Entries,
     SymbolicMotion,
-    evaluated,
-    expanded,
     expressions_are_not_nan,
-    rate,
 )
 
 SAMPLES = (-1.0, -0.75, -0.5, 0.5, 0.75, 1.0)
@@ -54,24 +52,24 @@ class ReferenceMotion:
     ):
         self.name = name
         self.samples = tuple(samples)
-        self._time = moving.time
         self._reach = reach(moving.numeric_plant, "B", P_BO_P_B)
         self.plant, self.path, self.body = moving.numeric_plant, moving.path, "B"
-        self._derivatives = {key: [expanded(value)] for key, value in quantities.items()}
-        self._values: dict[tuple[str, int, float], np.ndarray] = {}
+        entries = Entries(moving.time)
+        self._quantities = {name: entries.of(quantity) for name, quantity in quantities.items()}
+        self._rounding = lru_cache(maxsize=None)(partial(self._reach.rounding_error, self.path))
 
     def __repr__(self) -> str:
         return f"<ReferenceMotion {self.name}>"
 
     def available_bindings(self) -> tuple[str, ...]:
-        return tuple(self._derivatives)
+        return tuple(self._quantities)
 
     def binding(self, name: str) -> Binding:
         """Shape, weight and meaning of a binding; ValueError lists those that exist."""
         name = ALIASES.get(name, name)
-        if name not in self._derivatives:
+        if name not in self._quantities:
             raise ValueError(
-                f"no binding {name!r} on the motion {self.name!r}; it has {', '.join(self._derivatives)}"
+                f"no binding {name!r} on the motion {self.name!r}; it has {', '.join(self._quantities)}"
             )
         return BINDINGS[name]
 
@@ -84,25 +82,14 @@ class ReferenceMotion:
         name = self.binding(binding).name
         if order < 0:
             raise ValueError(f"the order of a jet is 0, 1, 2 ..., got {order}")
-        return np.array([self._value(name, k, float(sample)) for k in range(order + 1)])
+        entries, time = self._quantities[name], float(sample)
+        values = [[entry.value(k, time) for entry in entries.flat] for k in range(order + 1)]
+        return np.array(values).reshape(order + 1, *entries.shape)
 
     def errors(self, binding: str, order: int, sample: float) -> np.ndarray:
         """The bound estimated on the entries of each of `jet`'s derivatives, shape (order + 1,): rounding."""
         weight = self.binding(binding).weight
-        bounds = [self._reach.rounding_error(self.path, sample, weight + k) for k in range(order + 1)]
-        return np.array(bounds)
-
-    def _value(self, name: str, order: int, sample: float) -> np.ndarray:
-        key = (name, order, sample)
-        if key not in self._values:
-            self._values[key] = evaluated(self._derivative(name, order), self._time, sample)
-        return self._values[key]
-
-    def _derivative(self, name: str, order: int) -> np.ndarray:
-        known = self._derivatives[name]
-        while len(known) <= order:
-            known.append(rate(known[-1], self._time))
-        return known[order]
+        return np.array([self._rounding(sample, weight + k) for k in range(order + 1)])
 
 
 @expressions_are_not_nan

@@ -101,11 +101,14 @@ class SampledMotion:
             raise PlantError(f"{name}: a path of {path.joints} joints does not fit the plant")
         self.name, self.samples = name, tuple(samples)
         self.plant, self.path, self.body = plant, path, body
-        self._turns = turns
         self._reach = reach(plant, body, P_BO_P_B)
         self._posture = Posture(plant, path)
+        self._widths = lru_cache(maxsize=None)(
+            lambda time: self._reach.half_widths(path.shifted(time), turns)
+        )
         self._quantities = quantities
         self._at = lru_cache(maxsize=None)(self._evaluated)
+        self._rounding = lru_cache(maxsize=None)(partial(self._reach.rounding_error, path))
         self._jets: dict[tuple[str, float], tuple[np.ndarray, np.ndarray]] = {}
 
     def __repr__(self) -> str:
@@ -140,14 +143,12 @@ class SampledMotion:
         return known[0][: order + 1], known[1][: order + 1]
 
     def _differentiated(self, binding: Binding, order: int, sample: float) -> tuple[np.ndarray, np.ndarray]:
-        widths = self._reach.half_widths(self.path.shifted(sample), self._turns)
+        widths = self._widths(sample)
         found = chebyshev.derivatives(
             lambda s: np.ravel(self._at(sample + s)[binding.name]), widths, highest=order
         )
         values = [self._at(sample)[binding.name], *(d.value.reshape(binding.shape) for d in found)]
-        rounding = [
-            self._reach.rounding_error(self.path, sample, binding.weight + k) for k in range(order + 1)
-        ]
+        rounding = [self._rounding(sample, binding.weight + k) for k in range(order + 1)]
         errors = np.array([0.0, *(d.error for d in found)]) + rounding
         return np.array(values), errors
 

@@ -50,6 +50,48 @@ def evaluated(quantity: np.ndarray, t: Variable, time: float) -> np.ndarray:
     return _entrywise(lambda entry: entry.Evaluate({t: time}), quantity, float)
 
 
+class Entry:
+    """A component along the motion; Drake expands, differentiates and evaluates it at first use."""
+
+    def __init__(self, component: Expression, t: Variable) -> None:
+        self.component, self._t = component, t
+        self._rates: list[Expression] = []
+        self._values: dict[tuple[int, float], float] = {}
+
+    def value(self, order: int, time: float) -> float:
+        key = (order, time)
+        if key not in self._values:
+            self._values[key] = self._rate(order).Evaluate({self._t: time})
+        return self._values[key]
+
+    def _rate(self, order: int) -> Expression:
+        if not self._rates:
+            self._rates.append(self.component.Expand())
+        while len(self._rates) <= order:
+            self._rates.append(self._rates[-1].Differentiate(self._t).Expand())
+        return self._rates[order]
+
+
+class Entries:
+    """The components of quantities: equal ones are one and the same, and derived once."""
+
+    def __init__(self, t: Variable) -> None:
+        self._t = t
+        self._all: list[Entry] = []
+
+    def of(self, quantity: np.ndarray) -> np.ndarray:
+        """An array of the quantity's shape, with an Entry for each component."""
+        return _entrywise(self._shared, np.asarray(quantity, object))
+
+    def _shared(self, component: Expression | float) -> Entry:
+        component = ZERO + component
+        known = next((e for e in self._all if e.component.EqualTo(component)), None)
+        if known is None:
+            known = Entry(component, self._t)
+            self._all.append(known)
+        return known
+
+
 class SymbolicMotion:
     """A plant on Expressions, put on a joint path q(t) with the velocities that belong to it."""
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from workbench.report.errata import Correction, Errata, Heirs, errata_of, with_headings
 from workbench.report.kinds import ERRATUM_TYPES, STATES, VERDICTS, Kind
+from workbench.report.motions import Motions, motions_of
 from workbench.report.prose import Run, difference_runs, plain_value, runs_of
 from workbench.typeset.differences import difference
 
@@ -101,6 +102,7 @@ class Document:
     tiles: tuple[Tile, ...]
     errata: Errata
     summary: Mapping[str, int] = field(default_factory=dict)
+    motions: Motions | None = None
 
     @property
     def equations(self) -> list[Equation]:
@@ -152,6 +154,7 @@ def document_of(report: Mapping[str, Any]) -> Document:
         tiles=tuple(_tile(kind, everything) for kind in STATES.values()),
         errata=errata,
         summary=report["summary"],
+        motions=motions_of(claims, places),
     )
 
 

@@ -55,6 +55,7 @@ class Correction:
     why: tuple[Run, ...]
     counterexample: Counterexample | None
     picture: str | None
+    cost: str | None
     proved: str | None
     proved_as: str | None
 
@@ -221,9 +222,16 @@ def _correction(claim: Claim, places: Mapping[str, tuple[str, str]]) -> Correcti
         why=tuple(runs_of(with_headings(claim.get("note") or claim.get("reason") or "", places))),
         counterexample=_counterexample(claim),
         picture=residuals_svg(claim) if claim["fault"] == "error" else None,
+        cost=_cost(claim),
         proved=right["latex"] if right else None,
         proved_as=right["verdict"] if right else None,
     )
+
+
+def _cost(claim: Claim) -> str | None:
+    """What the error costs on a motion, as a sentence."""
+    motion = claim.get("motion") or {}
+    return motion["line"][0].upper() + motion["line"][1:] if motion.get("error") else None
 
 
 def _sentence(quoted: str) -> str:

@@ -21,14 +21,13 @@ _FORMS = (("as printed", "#b3261e", ""), ("as corrected", "#1b6e3a", "4 2"))
 def residuals_svg(claim: Mapping[str, Any]) -> str | None:
     """Inline SVG of both residuals over the size of the sides, on a logarithmic scale, over the time of the
     motion; None for a claim that has not both (see `cost_of_error`). It has a title and a description for
-    those who do not see it, no script and no link; ids are made of the claim's, so that many fit on one page.
+    those who do not see it, no script, no link and no id, so that it can stand in several places of a page.
     """
     courses, cost = courses_of(claim), cost_of_error(claim)
     if courses is None or cost is None:
         return None
     values = [max(r, LEAST) for course in courses for r in course["residuals"] if r is not None]
     plot = _Plot(courses[0]["times"], floor(log10(min(values))), ceil(log10(max(values))))
-    name = "residuals-" + "".join(c if c.isalnum() else "-" for c in claim["id"])
     title = f"Equation {claim['equation'] or claim['id']} on {cost['motion']}"
     description = (
         f"Difference of the two sides over their size, against time. As printed it is largest at "
@@ -37,8 +36,8 @@ def residuals_svg(claim: Mapping[str, Any]) -> str | None:
     body = "".join((*plot.axes(), *_curves(plot, courses), *_legend()))
     return (
         f'<svg class="residuals" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '
-        f'aria-labelledby="{name}-t {name}-d" xmlns="http://www.w3.org/2000/svg">'
-        f'<title id="{name}-t">{escape(title)}</title><desc id="{name}-d">{escape(description)}</desc>'
+        f'aria-label="{escape(f"{title}. {description}")}" xmlns="http://www.w3.org/2000/svg">'
+        f"<title>{escape(title)}</title><desc>{escape(description)}</desc>"
         f'<g font-family="sans-serif" font-size="9" fill="currentColor">{body}</g></svg>'
     )
 

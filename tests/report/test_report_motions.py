@@ -1,0 +1,74 @@
+"""What a report says of motions: what errors cost there, in words and in a picture, and what has no motion."""
+
+import re
+import shutil
+import subprocess
+
+import pytest
+from judge.motion_papers import paper
+
+from workbench.report import render
+from workbench.report.motions import Unseen, motions_of
+from workbench.verify.claims import judge_paper
+from workbench.verify.results import report_dict
+
+
+def claim(name: str, witness: str, because: str | None = None) -> dict:
+    return {"id": name, "motion": {"witness": witness, "because": because}}
+
+
+def test_claims_without_a_motion_are_listed_by_their_reasons():
+    places = {"a": ("Eq. (1)", "a"), "b": ("Eq. (1)", "b"), "c": ("Eq. (2)", "c"), "d": ("Eq. (3)", "d")}
+    algebra = "no motion: algebra"
+    claims = [
+        claim("a", algebra, algebra),
+        claim("b", algebra, algebra),
+        claim("c", "Drake"),
+        claim("d", "none", "a word"),
+    ]
+    found = motions_of(claims, places)
+    assert (found.seen, found.claims) == (1, 4)
+    assert found.unseen == (
+        Unseen("a word", 1, (("Eq. (3)", "d"),)),
+        Unseen(algebra, 2, (("Eq. (1)", "a"),)),
+    )
+    assert motions_of([claim("a", algebra, algebra), {"id": "b"}], places) is None
+
+
+@pytest.fixture(scope="module")
+def texts(tmp_path_factory):
+    loaded = paper(
+        tmp_path_factory.mktemp("paper"),
+        r"""
+        equation = "7"
+        printed = '\dot{R} = -\tilde{\omega} R'
+        corrected = '\dot{R} = \tilde{\omega} R'
+        fault = "error"
+        """,
+        r"printed = 'a \times x = -x \times a'",
+    )
+    return render.render(report_dict(loaded, judge_paper(loaded)))
+
+
+def test_an_error_has_its_cost_and_its_picture_with_words(texts):
+    page, note = texts["report.html"], texts["erratum.tex"]
+    cost = "as printed off by 200"
+    assert cost in page and cost in note
+    svg, *again = re.findall(r'<svg class="residuals".*?</svg>', page, re.DOTALL)
+    assert 'role="img"' in svg and 'aria-label="Equation 7 on two cyl' in svg and "<title" in svg
+    assert "<desc" in svg and "script" not in svg and " id=" not in svg and set(again) <= {svg}
+    assert svg.count("<polyline") == 2
+
+
+def test_each_report_says_what_is_no_motion(texts):
+    assert "1 of 2 claims. Not: 1 (no motion: algebra), [1](#" in texts["report.md"]
+    assert re.search(r'Not: 1 \(no motion: algebra\), <a href="#[^"]+">1</a>\.', texts["report.html"])
+    assert "Of 2 claims 1 were evaluated on motions" in texts["erratum.tex"]
+    assert "1, no motion: algebra (1)." in texts["erratum.tex"]
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="needs pdflatex")
+def test_the_note_is_set(texts, tmp_path):
+    (tmp_path / "erratum.tex").write_text(texts["erratum.tex"], "utf-8")
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "erratum.tex"]
+    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)

@@ -197,7 +197,7 @@ x = { kind = "vector" }
 'K_{m,n}' = { kind = "vector" }
 [definitions]
 'K_{0,n}' = '2 x'
-'K_{m,n}' = 'x^{(m)} + x^{(n)}'
+'K_{m+1,n}' = 'x^{(m+1)} + x^{(n)}'
 """
     (verdict,) = verdicts(
         tmp_path / "paper.toml", text + claim(r"\dot{K}_{m,n} = K_{m+1,n+1}", "m = 1..2, n = 1..2")

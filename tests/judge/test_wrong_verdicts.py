@@ -1,5 +1,6 @@
 """Wrong verdicts that were once given, and the classes that they are members of."""
 
+from itertools import permutations
 from pathlib import Path
 
 import pytest
@@ -65,10 +66,32 @@ class TestDefinitions:
         found = verdict(r"\dot{s}_{n+1} = f \dot{s}_n + \dot{f} s_n", ["s_{n+1} = f s_n"], "n = 0..3")
         assert (found.outcome, found.scope) == (Outcome.PROVED, "all n")
 
-    def test_the_more_special_definition_goes_first(self):
-        definitions = ["k_{m,n} = f", "k_{0,n} = g"]
-        assert verdict("k_{0,2} + f = f + g", definitions).outcome == Outcome.PROVED
-        assert verdict("k_{1,2} + g = f + g", definitions).outcome == Outcome.PROVED
+    PATTERNS = tuple(permutations(("a_n", "a_{n+1}", "a_{n+2}", "a_{n+4}"), 2))
+    ROWS = ("m,n", "m+1,n", "m,n+2", "m+1,n+1", "0,n", "2,n", "m,0", "m,3", "m+3,3")
+
+    @pytest.mark.parametrize(("one", "other"), PATTERNS)
+    def test_a_member_that_two_patterns_define_is_refused(self, one, other):
+        with pytest.raises(ValueError, match=r"defines a_\{?\d\}?, and so does"):
+            verdict("f g = g f", [f"{one} = x", f"{other} = b"])
+
+    @pytest.mark.parametrize(("one", "other"), list(permutations(ROWS, 2)))
+    def test_rows_are_refused_where_they_meet_and_only_there(self, one, other):
+        definitions = [f"k_{{{one}}} = f", f"k_{{{other}}} = g"]
+        apart = any(
+            (_least(p) > _least(q) and q.isdigit()) or (_least(q) > _least(p) and p.isdigit())
+            for p, q in zip(one.split(","), other.split(","), strict=True)
+        )
+        if apart:
+            assert verdict("f g + f = f + g f", definitions).outcome == Outcome.PROVED
+            return
+        with pytest.raises(ValueError, match="so does"):
+            verdict("f g = g f", definitions)
+
+    def test_a_single_member_may_be_defined_apart(self):
+        for definitions in (["a_0 = b", "a_n = x"], ["a_n = x", "a_0 = b"], ["a_1 = b", "a_{n+1} = x"]):
+            first = "a_1" if "a_1 = b" in definitions else "a_0"
+            assert verdict(f"{first} + x = x + b", definitions).outcome == Outcome.PROVED
+            assert verdict("a_3 + b = x + b", definitions).outcome == Outcome.PROVED
 
     def test_a_recurrence_that_never_ends_is_refused(self):
         with pytest.raises(ValueError, match="uses the symbol itself"):
@@ -86,6 +109,10 @@ class TestDefinitions:
         first, second = judge_paper(load_paper(PAPERS / "crash.toml"))
         assert first.passed and not second.passed
         assert second.verdict.outcome == Outcome.UNCHECKED and "on purpose" in second.verdict.reason
+
+
+def _least(place):
+    return int(place) if place.isdigit() else int(place.partition("+")[2] or 0)
 
 
 class TestWorstMember:
@@ -143,6 +170,36 @@ class TestConditions:
     def test_premises(self, latex):
         found = check(latex, SYMBOLS)
         assert all(one.outcome == Outcome.PROVED for one in (found if isinstance(found, tuple) else [found]))
+
+    PREMISES = (
+        (r"f = 0", r"f g = 0", r"f g = g"),
+        (r"f \neq 0", r"\frac{f}{f} = 1", r"f g = 1"),
+        (r"a = \mathbf{0}", r"a \times b = \mathbf{0}", r"a \times b = x"),
+        (r"f = 0 \text{ and } g = 0", r"f + g = 0", r"f + g = 1"),
+        (r"f = g", r"f^2 = g^2", r"f^2 = g"),
+    )
+
+    @pytest.mark.parametrize("word", ["if", "If", "when", "When", "given", "Given that", "provided", "Where"])
+    @pytest.mark.parametrize(("premise", "follows", "not_so"), PREMISES)
+    def test_a_condition_in_front_is_a_premise(self, word, premise, follows, not_so):
+        for then in (r"\text{ then }", r", \text{ then } ", r", \text{then }\,"):
+            front = rf"\text{{{word} }} {premise} {then}"
+            assert verdict(front + follows).outcome == Outcome.PROVED
+            assert verdict(front + not_so).outcome == Outcome.REFUTED
+            assert verdict(verdict(front + follows).read_back).outcome == Outcome.PROVED
+        both = rf"\text{{{word} }} {premise} \text{{ then }} {follows} \text{{ and }} {not_so}"
+        assert verdict(both).outcome == Outcome.REFUTED
+
+    @pytest.mark.parametrize(("premise", "follows", "not_so"), PREMISES)
+    def test_a_condition_of_nothing_is_refused(self, premise, follows, not_so):
+        for latex in (rf"\text{{if }} {premise}, {follows}", rf"{follows} \\ \text{{where }} {premise}"):
+            with pytest.raises(ReadError, match="conditions of nothing"):
+                check(latex, SYMBOLS)
+        with pytest.raises(ReadError, match="how far does the condition in front reach"):
+            check(rf"\text{{if }} {premise} \text{{ then }} {follows}, {not_so}", SYMBOLS)
+        for latex in (rf"\text{{then }} {follows}", rf"{premise} \text{{ then }} {follows}"):
+            with pytest.raises(ReadError, match="unexpected then"):
+                check(latex, SYMBOLS)
 
     @pytest.mark.parametrize(
         ("latex", "message"),
@@ -217,6 +274,33 @@ class TestMotion:
     def test_a_bound_rotation_has_the_bound_angular_velocity(self):
         assert self.outcomes("motion2")["2"] == Outcome.PROVED
         assert self.outcomes("motion")["2"] == Outcome.REFUTED  # there R is any rotation
+
+    @pytest.mark.parametrize(
+        "printed",
+        [
+            r"{0} \Rightarrow {1}",
+            r"{0} \text{{ and }} v = \mathbf{{0}} \Rightarrow {1}",
+            r"{1} \text{{ for }} {0}",
+            r"\text{{if }} {0} \text{{ then }} {1}",
+            r"{0} \Leftrightarrow 2 {0}",
+        ],
+    )
+    def test_a_premise_that_the_motions_never_meet_is_no_test(self, tmp_path, printed):
+        """ω is never 0 on the motions: they neither veto nor support what is said of that."""
+        text = """title = "x"
+[symbols]
+'\\omega' = { kind = "vector", weight = 1 }
+'v' = { kind = "vector", weight = 1 }
+[motion]
+'\\omega' = "w_WB"
+'v' = "v_WB0"
+"""
+        formula = printed.format(r"\omega = \mathbf{0}", r"\omega \times v = \mathbf{0}")
+        (tmp_path / "p.toml").write_text(f"{text}[[claim]]\nid = '1'\nprinted = '{formula}'\n")
+        (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+        assert result.verdict.outcome == Outcome.PROVED
+        assert not any(e.method == "Drake reference motions" for e in result.verdict.evidence)
+        assert "met what it supposes" in result.verdict.no_motion
 
     def test_what_holds_on_the_motions_is_not_refuted(self, tmp_path):
         text = """title = "x"

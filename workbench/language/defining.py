@@ -8,10 +8,10 @@ from dataclasses import dataclass, field, replace
 from workbench.language import construct
 from workbench.language.definitions import Definitions, solve
 from workbench.language.errors import Fault, IllFormedAt, SpecError
-from workbench.language.integers import Linear
+from workbench.language.integers import Linear, as_linear
 from workbench.language.names import candidates, names_of_key
 from workbench.language.reader import read_term
-from workbench.language.symbols import SymbolTable, index_in, key_pieces, refuse_builtin
+from workbench.language.symbols import SymbolTable, index_in, key_pieces, refuse_builtin, spelled
 from workbench.language.syntax import Bracket, Node, Product, Scripted, parse
 from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
 from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
@@ -48,6 +48,7 @@ def read_definition(key: str, body: str, table: SymbolTable) -> tuple[Definition
     else:
         definition = _defined(head, declaration, _inside(head, table, declaration), body)
     _refuse_circle(head, definition, table)
+    _refuse_overlap(head, definition, table)
     name = definition.declaration.name
     known = {**table.defined, name: (*table.defined.get(name, ()), definition.index)}
     primitive = table.primitive.union(_primitives(definition, known))
@@ -268,7 +269,32 @@ class _Step:
         return None if weight is None else weight.substitute(shift)
 
 
-# circles
+# members defined twice, and circles
+
+
+def _refuse_overlap(head: _Head, definition: Definition, table: SymbolTable) -> None:
+    """Of a_{n+1} and a_{n+2}, or K_{m,0} and K_{0,n}, either could define a₂, or K_{0,0}. A single member may
+    be defined apart."""
+    name = definition.declaration.name
+    if all(place.is_number for place in definition.index):
+        return
+    for other in table.defined.get(name, ()):
+        if all(place.is_number for place in other):
+            continue
+        common = [_common(one, two) for one, two in zip(definition.index, other, strict=True)]
+        if None not in common:
+            both, known = (spelled(name, index) for index in (tuple(map(as_linear, common)), other))
+            raise SpecError(
+                f"defines {both}, and so does {known}; each member needs one definition",
+                head.key,
+            )
+
+
+def _common(one: Linear, other: Linear) -> int | None:
+    """The least number that both index places can be, letters being 0 or more; None if there is none."""
+    least = max(one.constant, other.constant)
+    is_open = [not place.is_number or place.constant == least for place in (one, other)]
+    return least if all(is_open) else None
 
 
 def _refuse_circle(head: _Head, definition: Definition, table: SymbolTable) -> None:

@@ -16,9 +16,9 @@ class Definitions:
     """The definitions of a paper, asked for one symbol at a time.
 
     A definition says what it says for the members that its index reaches with n ≥ 0, and nothing of others:
-    a_{n+1} := … defines a₁, a₂, … and leaves a declared a₀ free. The more of its index places are numbers,
-    the earlier it is asked: Φ₁ before Φ_{n+1}, K_{0,n} before K_{m,n}. A recurrence descends from a number to
-    its base; a symbolic Φ_n stays a free member of the family, and Φ_{n+1} is rewritten in Φ_n.
+    a_{n+1} := … defines a₁, a₂, … and leaves a declared a₀ free. A single member is asked for first, Φ₁
+    before Φ_{n+1}; of the others none is defined twice. A recurrence descends from a number to its base; a
+    symbolic Φ_n stays a free member of the family, and Φ_{n+1} is rewritten in Φ_n.
     """
 
     def __init__(self, definitions: Iterable[Definition] = ()) -> None:

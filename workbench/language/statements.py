@@ -117,6 +117,9 @@ class _Row:
         clauses: Sequence[Node], table: SymbolTable, integers: frozenset[str], as_condition: bool
     ) -> _Row:
         row = _Row()
+        if isinstance(clauses[0], Given) and sum(not isinstance(clause, Given) for clause in clauses) > 1:
+            message = "how far does the condition in front reach? join what follows from it by \\text{and}"
+            raise Fault(message, clauses[0].at)
         row._take(row.claims, clauses, table, integers)
         if not as_condition:
             row._bind()
@@ -169,6 +172,12 @@ class _Row:
         claimed = [said for claim in self.claims for said in _statements(reader, claim)]
         if not self.conditions:
             return claimed
+        if not claimed:
+            message = (
+                "conditions of nothing: write them behind what they qualify,"
+                " or \\text{if} … \\text{then} … with what follows from them"
+            )
+            raise Fault(message, self.conditions[0].at)
         premise = _together([_condition(reader, condition) for condition in self.conditions])
         return [Implication(premise, statement) for statement in claimed]
 

@@ -25,7 +25,7 @@ from workbench.language.vocabulary import (
     WORDS,
 )
 
-_OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
+_OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
 
 #: No formula is longer, or nests brackets deeper.
 LONGEST = 50_000
@@ -131,8 +131,8 @@ class _Tokenizer:
             self.label(plain, at, braced=is_script)
         elif plain in FUNCTIONS:
             self.emit("FUNCTION", f"\\{plain}", at)
-        elif plain in WORDS:
-            self.joining(WORDS[plain], plain, at)
+        elif (word := plain[:1].lower() + plain[1:]) in WORDS:
+            self.joining(WORDS[word], word, at)
         elif plain.isalpha() and text.startswith("\\mathrm"):
             self.label(plain, at)
         elif plain:

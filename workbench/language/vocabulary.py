@@ -153,10 +153,11 @@ SIGN_COMMANDS = {
     value: f"\\{name}" for name, (kind, value) in reversed(COMMANDS.items()) if kind == "INFIX"
 } | {"*": "*"}
 
-#: Words that join statements; behind a GIVEN stand the conditions of what is before it.
+#: Words that join statements; behind a GIVEN stand the conditions of what is before it, or behind its THEN.
 WORDS = {
     **dict.fromkeys(("where", "with", "for", "if", "when", "whenever", "given", "given that"), "GIVEN"),
     **dict.fromkeys(("provided", "provided that", "assuming", "assuming that", "such that"), "GIVEN"),
+    "then": "THEN",
     "and": "AND",
     "for all": "FORALL",
     "for every": "FORALL",

@@ -168,7 +168,7 @@ def _instance(subject: Subject, values: dict[str, int]) -> _Seen | str:
         truth, seen = case.on(stage)
         if seen.any():
             return _Seen(values, stage, truth, seen, case)
-        reason = "nowhere on the motions can it be told, under what it supposes"
+        reason = "nowhere on the motions is met what it supposes, so they test nothing of it"
     return reason
 
 

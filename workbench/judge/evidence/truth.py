@@ -105,7 +105,8 @@ class Evaluation:
                 )
             case Equivalence(left=left, right=right):
                 one, other = self._truth(left), self._truth(right)
-                return replace(one, holds=one.holds == other.holds, told=one.told & other.told)
+                met = one.holds | other.holds
+                return replace(one, holds=one.holds == other.holds, told=one.told & other.told & met)
         raise TypeError(f"no truth of a {type(statement).__name__}")
 
     def _relation(self, relation: Relation) -> Truth:

@@ -35,9 +35,9 @@ from workbench.judge.theorems.proofs import (
     TwoWitnesses,
 )
 from workbench.judge.theorems.rules import obligations
-from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent
+from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent, relations_of
 from workbench.judge.theorems.substitution import Substitution, at_integer
-from workbench.judge.theorems.sums import without_sums
+from workbench.judge.theorems.sums import free_integers, without_sums
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.construct import number, relation
 from workbench.language.definitions import expand
@@ -282,11 +282,9 @@ def _only_for_all(goal: Goal) -> bool:
 
 def _integers(obligation: Obligation) -> dict[str, int]:
     """The integer variables that the obligation speaks of, each with its least value."""
-    text = " ".join(to_latex(s) for s in (obligation.statement, *obligation.assume))
-    from workbench.judge.kernel.families import _variables
-
-    names = set().union(*(_variables(s) for s in (obligation.statement, *obligation.assume)))
-    return {name: least for name, least in obligation.scope.integers.items() if name in names or name in text}
+    said = [r for s in (obligation.statement, *obligation.assume) for r in relations_of(s)]
+    names = set().union(*(free_integers(side) for r in said for side in (r.left, r.right)))
+    return {name: least for name, least in obligation.scope.integers.items() if name in names}
 
 
 def _scope_of(goal: Goal) -> str | None:

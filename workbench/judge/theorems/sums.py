@@ -223,18 +223,27 @@ def _base(term: Term, k: str, orders: set[Linear]) -> tuple[Term, Linear] | None
 
 
 def _depends(term: Term, k: str) -> bool:
-    for part in term.walk():
-        if isinstance(part, Symbol) and any(k in i.variables for i in part.index):
-            return True
-        if isinstance(part, Derivative) and k in part.order.variables:
-            return True
-        if isinstance(part, Counting) and any(k in a.variables for a in part.arguments):
-            return True
-        if isinstance(part, Integer) and k in part.value.variables:
-            return True
-        if isinstance(part, Power) and k in part.exponent.variables:
-            return True
-    return False
+    return k in free_integers(term)
+
+
+def free_integers(term: Term) -> frozenset[str]:
+    """The integer variables of the term, but for those that its sums bind."""
+    names = frozenset().union(*(free_integers(child) for child in term.children))
+    match term:
+        case Symbol(index=index):
+            return names.union(*(place.variables for place in index))
+        case Derivative(order=order):
+            return names | order.variables
+        case Power(exponent=exponent):
+            return names | exponent.variables
+        case Counting(arguments=arguments):
+            return names.union(*(argument.variables for argument in arguments))
+        case Integer(value=value):
+            return names | value.variables
+        case BigSum(variables=bound, lower=lower, upper=upper):
+            inner = names - frozenset(bound)
+            return inner | upper.variables | (frozenset() if lower is None else lower.variables)
+    return names
 
 
 # addends

@@ -3,10 +3,23 @@ term is a free function, the same one of the same term."""
 
 from __future__ import annotations
 
-from workbench.language.construct import apply, derivative, rebuild, symbol, zero
+from collections.abc import Sequence
+
+from workbench.judge.theorems.sums import free_integers
+from workbench.language.construct import apply, big_sum, derivative, power, rebuild, symbol, zero
 from workbench.language.definitions import Definitions
 from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Identity, Power, Relation, Symbol, Term, TimeOperator, Zero
+from workbench.language.terms import (
+    Apply,
+    BigSum,
+    Identity,
+    Power,
+    Relation,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
 from workbench.language.types import Declaration
 
 
@@ -42,6 +55,10 @@ def _value(operator: Term, to: Term, definitions: Definitions) -> Term:
             return derivative(to, 1)
         case Power(base=TimeOperator(), exponent=order):
             return derivative(to, order)
+        case Power(exponent=order) if order.is_number and order.constant == 0:
+            return to
+        case Power(base=base, exponent=order) if order.constant >= 1:
+            return _value(base, _value(power(base, order - 1), to, definitions), definitions)
         case Identity():
             return to
         case Zero():
@@ -52,6 +69,12 @@ def _value(operator: Term, to: Term, definitions: Definitions) -> Term:
             return apply("neg", _value(inner, to, definitions))
         case Apply(head="mul" | "compose", arguments=(left, right)):
             return _value(left, _value(right, to, definitions), definitions)
+        case BigSum(variables=bound, lower=lower, upper=upper, body=body) if not _captures(bound, to):
+            return big_sum(bound, lower, upper, _value(body, to, definitions))
         case Symbol() if (body := definitions.lookup(operator)) is not None:
             return _value(_applied(body, definitions), to, definitions)
     return symbol(Declaration(rf"\left({to_latex(operator)} {to_latex(to)}\right)", to.type))
+
+
+def _captures(bound: Sequence[str], term: Term) -> bool:
+    return not free_integers(term).isdisjoint(bound)

@@ -68,12 +68,13 @@ class Induction:
 @dataclass(frozen=True)
 class Use:
     """One premise, for these values of its ∀ (LaTeX; an integer such as n+1): which of its equations, read
-    from right to left if `back`."""
+    from right to left if `back`. members: the proof that values of rotations and unit vectors are such."""
 
     premise: int
     at: Mapping[str, str] = field(default_factory=dict)
     part: int = 0
     back: bool = False
+    members: Proof = field(default_factory=Kernel)
 
 
 @dataclass(frozen=True)
@@ -119,6 +120,26 @@ class Pointwise:
     products with every vector are equal."""
 
     letter: str
+    then: Proof = field(default_factory=Kernel)
+
+
+@dataclass(frozen=True)
+class Pascal:
+    """∀ n ≥ 0 : Gₙ = Σ_{k=0}^{n} C(n, k) F(n−k, k). term: F, in the integers j and k.   step: L, in Y, with
+    Gₙ₊₁ = L Gₙ (by `follow`) and L F(j, k) = F(j+1, k) + F(j, k+1) (by `grow`); G₀ = F(0, 0), by `begin`."""
+
+    term: str
+    step: str = r"\dot{Y}"
+    begin: Proof = field(default_factory=Kernel)
+    follow: Proof = field(default_factory=Kernel)
+    grow: Proof = field(default_factory=Kernel)
+
+
+@dataclass(frozen=True)
+class Termwise:
+    """Two sums over one range are equal if their addends are; `letter` stands for the integer."""
+
+    letter: str = "k"
     then: Proof = field(default_factory=Kernel)
 
 
@@ -207,6 +228,8 @@ Proof = (
     | Given
     | Cases
     | Pointwise
+    | Pascal
+    | Termwise
     | ByLength
     | Contradicts
     | Squares
@@ -224,6 +247,6 @@ class Proven:
 
 __all__ = [
     "Against", "At", "Broken", "ByLength", "Cases", "Contradicts", "Each", "False_", "Follows", "Given",
-    "Have", "Impossible", "Induction", "Kernel", "Part", "Pointwise", "Proof", "Proven", "Squares",
-    "TwoWitnesses", "Unique", "Use", "Ways", "Witness",
+    "Have", "Impossible", "Induction", "Kernel", "Part", "Pascal", "Pointwise", "Proof", "Proven", "Squares",
+    "Termwise", "TwoWitnesses", "Unique", "Use", "Ways", "Witness",
 ]  # fmt: skip

@@ -38,6 +38,7 @@ from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent, relations_of
 from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.judge.theorems.sums import free_integers, without_sums
+from workbench.judge.theorems.tidy import is_same_sum, tidy
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.construct import number, relation
 from workbench.language.definitions import expand
@@ -153,16 +154,20 @@ class _Prover:
         if not isinstance(statement, Relation):
             return None
         whole = relation("=", expand(statement.left, definitions), expand(statement.right, definitions))
-        for form in (statement, whole):
-            rest = without_sums(with_operators_applied(form, definitions), used)
+        applied = (with_operators_applied(form, definitions) for form in (statement, whole))
+        for form in (statement, *applied):
+            rest = tidy(without_sums(tidy(form), used))
             if rest == statement:
                 continue
-            if rest.left == rest.right:
-                found = Evidence("operators applied, sums shifted and split", "both sides are the same term")
+            if is_same_sum(rest):
+                found = Evidence(
+                    "operators applied, sums shifted and split", "both sides have the same addends"
+                )
                 return Verdict(Outcome.PROVED, scope="all" if used else None, evidence=(found,))
-            verdict = self._judged(rest, obligation, used)
-            if _is_for_all(verdict, used):
-                return verdict
+            left = _integers(replace(obligation, statement=rest))
+            verdict = self._judged(rest, obligation, left)
+            if _is_for_all(verdict, left):
+                return replace(verdict, scope="all") if used else verdict
         return None
 
     def refute(self, sequent: Sequent, against: Against) -> Verdict:

@@ -37,9 +37,11 @@ from workbench.judge.theorems.proofs import (
     Have,
     Induction,
     Kernel,
+    Pascal,
     Pointwise,
     Proof,
     Squares,
+    Termwise,
     Unique,
     Use,
     Ways,
@@ -57,6 +59,7 @@ from workbench.judge.theorems.sequents import (
     supposed,
 )
 from workbench.judge.theorems.substitution import Substitution, at_integer
+from workbench.judge.theorems.sum_rules import pascal, termwise
 from workbench.language.construct import apply, power, relation, symbol, zero
 from workbench.language.integers import Linear
 from workbench.language.names import linear
@@ -80,6 +83,9 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             yield from _cases(sequent, text, equal, unequal)
         case AllFrom(integer, least, body), Induction():
             yield from _induction(sequent, integer, least, body, proof)
+        case AllFrom(), Pascal():
+            for inner, own in pascal(sequent, goal, proof):
+                yield from obligations(inner, own)
         case AllFrom(integer, least, body), _:
             inner = replace(sequent, goal=body, scope=scope.with_integer(integer, least))
             yield from obligations(inner, proof)
@@ -108,6 +114,9 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             yield from _unique(sequent, variables, body, proof)
         case Atom(statement), Follows():
             yield from _follows(sequent, statement, proof)
+        case Atom(Relation("=") as said), Termwise():
+            for inner, own in termwise(sequent, said, proof):
+                yield from obligations(inner, own)
         case Atom(statement), Pointwise(letter, then):
             yield from _pointwise(sequent, statement, letter, then)
         case Atom(Relation("=", left, Zero())), ByLength(then) if left.type in (SCALAR, VECTOR):
@@ -276,7 +285,9 @@ def _instance(sequent: Sequent, use: Use):
                     k: given.pop(k) for k in list(given) if any(same_letter(k, v.name) for v in variables)
                 }
                 for variable, term in read_members(scope, variables, taken).items():
-                    yield from belongs("instance", sequent, variable, term)
+                    own = [Atom(o.statement) for o in belongs("instance", sequent, variable, term)]
+                    if own:
+                        yield from obligations(sequent.of(Both(tuple(own))), use.members)
                 goal = put_in(sequent, variables, taken, body)
             case AllFrom(integer, least, body):
                 value = _integer(given.pop(integer, None), integer, least, scope)

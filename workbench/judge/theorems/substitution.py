@@ -24,6 +24,7 @@ from workbench.language.integers import Linear
 from workbench.language.terms import (
     Apply,
     Conjunction,
+    Definition,
     Derivative,
     Equivalence,
     Implication,
@@ -99,7 +100,7 @@ class Substitution:
                 return type(statement)(self.statement(left), self.statement(right))
 
     def term(self, term: Term) -> Term:
-        if not any(self._reaches(definition.body, set()) for definition in self.definitions):
+        if not any(self._is_reached_by(definition, set()) for definition in self.definitions):
             return self._term(term, False)
         whole = expand(term, self.definitions)
         for part in whole.walk():
@@ -110,17 +111,19 @@ class Substitution:
     def _left_over(self, part: Symbol) -> bool:
         """Whether a member of a family, which stays as it is, depends on one of the letters."""
         own = (d for d in self.definitions if d.declaration == part.declaration)
-        return any(self._reaches(definition.body, set()) for definition in own)
+        return any(self._is_reached_by(definition, set()) for definition in own)
 
-    def _reaches(self, body: Term, seen: set[str]) -> bool:
-        for part in body.walk():
-            if not isinstance(part, Symbol) or part.declaration.name in seen:
+    def _is_reached_by(self, definition: Definition, seen: set[str]) -> bool:
+        """Whether the definition uses one of the letters, and not as a formal argument of its own."""
+        formals = {parameter.name for parameter in definition.parameters}
+        for part in definition.body.walk():
+            if not isinstance(part, Symbol) or part.declaration.name in seen | formals:
                 continue
             seen.add(part.declaration.name)
             if part.declaration.name in self.terms:
                 return True
-            for definition in self.definitions:
-                if definition.declaration == part.declaration and self._reaches(definition.body, seen):
+            for other in self.definitions:
+                if other.declaration == part.declaration and self._is_reached_by(other, seen):
                     return True
         return False
 

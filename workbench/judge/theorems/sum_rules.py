@@ -1,0 +1,111 @@
+"""What rules about sums to a symbolic n ask for: goals, each with its proof."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from workbench.judge.theorems.goals import All, AllFrom, Atom, Goal, Scope, Variable
+from workbench.judge.theorems.proofs import Kernel, Pascal, Proof, Termwise
+from workbench.judge.theorems.sequents import NotShown, Sequent
+from workbench.judge.theorems.substitution import Substitution
+from workbench.judge.theorems.sums import free_integers
+from workbench.language.construct import apply, counting, relation, symbol
+from workbench.language.instances import instantiate
+from workbench.language.integers import Linear
+from workbench.language.reader import read_term
+from workbench.language.terms import BigSum, Relation, Term
+from workbench.language.types import Declaration
+
+Asked = Iterator[tuple[Sequent, Proof]]
+
+
+def pascal(sequent: Sequent, goal: AllFrom, proof: Pascal) -> Asked:
+    """∀ n ≥ 0 : Gₙ = Σ_{k=0}^{n} C(n, k) F(n−k, k), by induction on n with Pascal's rule: if G₀ = F(0, 0),
+    Gₙ₊₁ = L Gₙ, L F(j, k) = F(j+1, k) + F(j, k+1) and L is additive."""
+    n, scope = goal.integer, sequent.scope
+    total = _sum_on_the_right(goal)
+    if goal.least != 0 or total.lower != Linear(0) or total.upper != Linear.variable(n):
+        raise NotShown(f"expected a sum from 0 to {n}, for all {n} from 0 on")
+    if not all(premise.lasting for premise in sequent.premises):
+        raise NotShown("a premise at one instant may not be differentiated")
+    j, k = (_fresh(letter, {n}, scope) for letter in ("j", "k"))
+    two = scope.with_integer(j, 0).with_integer(k, 0)
+    term, left = two.term(proof.term), goal.body.statement.left
+    if n in free_integers(term):
+        raise NotShown(f"{proof.term} speaks of {n}")
+    J, K = Linear.variable(j), Linear.variable(k)
+
+    def at(first: Linear | int, second: Linear | int) -> Term:
+        return instantiate(term, {j: first, k: second})
+
+    def asked(said: Relation, *integers: str, by: Proof) -> tuple[Sequent, Proof]:
+        inner: Goal = Atom(said)
+        for integer in integers:
+            inner = AllFrom(integer, 0, inner)
+        return sequent.of(inner), by
+
+    addend = instantiate(total.body, {n: J + K, total.variables[0]: K})
+    yield asked(relation("=", addend, apply("mul", counting("binomial", J + K, K), term)), j, k, by=Kernel())
+    yield asked(relation("=", instantiate(left, {n: 0}), at(0, 0)), by=proof.begin)
+    step = _Step(proof.step, left, scope)
+    following = instantiate(left, {n: Linear.variable(n) + 1})
+    yield asked(relation("=", following, step.of(left)), n, by=proof.follow)
+    grown = apply("add", at(J + 1, K), at(J, K + 1))
+    yield asked(relation("=", step.of(term), grown), j, k, by=proof.grow)
+    yield sequent.of(step.is_additive()), Kernel()
+
+
+class _Step:
+    """L, an expression in Y."""
+
+    def __init__(self, latex: str, like: Term, scope: Scope) -> None:
+        if any(letter in scope.table.symbols for letter in ("Y", "Z")):
+            raise NotShown("Y or Z is a symbol already")
+        self.variables = tuple(Variable(Declaration(letter, like.type)) for letter in ("Y", "Z"))
+        self.scope = scope
+        self.image = read_term(latex, scope.with_variables(self.variables[:1]).table, scope.integers)
+
+    def of(self, term: Term) -> Term:
+        return Substitution({self.variables[0]: term}, self.scope.definitions)._term(self.image, False)
+
+    def is_additive(self) -> Goal:
+        one, other = (symbol(variable.declaration) for variable in self.variables)
+        both = apply("add", self.of(one), self.of(other))
+        return All(self.variables, Atom(relation("=", self.of(apply("add", one, other)), both)))
+
+
+def termwise(sequent: Sequent, said: Relation, proof: Termwise) -> Asked:
+    """Σ_{k=a}^{n+c} f(n, k) = Σ_{k=a}^{n+c} g(n, k), if f(k+j−c, k) = g(k+j−c, k) for all k ≥ a and j ≥ 0."""
+    one, other = said.left, said.right
+    if not (isinstance(one, BigSum) and isinstance(other, BigSum)):
+        raise NotShown("expected one sum on either side")
+    if (one.lower, one.upper) != (other.lower, other.upper) or len(one.variables) != 1 != len(
+        other.variables
+    ):
+        raise NotShown("expected two sums over the same range")
+    if one.lower is None or not one.lower.is_number or int(one.lower) < 0:
+        raise NotShown("expected sums that begin with a number")
+    if [coefficient for _, coefficient in one.upper.coefficients] != [1]:
+        raise NotShown("expected sums to n, or to n plus a number")
+    ((n, _),) = one.upper.coefficients
+    scope = sequent.scope
+    k, j = (_fresh(letter, {n}, scope) for letter in (proof.letter, "j" if proof.letter != "j" else "l"))
+    K = Linear.variable(k)
+    values = {n: K + Linear.variable(j) - one.upper.constant}
+    bodies = [instantiate(s.body, {**values, s.variables[0]: K}) for s in (one, other)]
+    goal = AllFrom(k, int(one.lower), AllFrom(j, 0, Atom(relation("=", *bodies))))
+    yield replace(sequent, goal=goal), proof.then
+
+
+def _sum_on_the_right(goal: AllFrom) -> BigSum:
+    match goal.body:
+        case Atom(Relation("=", _, BigSum() as total)) if len(total.variables) == 1:
+            return total
+    raise NotShown("expected one equation with a sum on its right side")
+
+
+def _fresh(letter: str, taken: set[str], scope: Scope) -> str:
+    if letter in taken or letter in scope.integers:
+        raise NotShown(f"{letter} is an integer already; take another letter")
+    return letter

@@ -1,0 +1,73 @@
+"""One form for products: brackets to the right, scalars in front, no factor I. So sums to a symbolic n, of
+which only the text is compared, are seen to be equal."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+from workbench.language.construct import apply, rebuild, relation
+from workbench.language.terms import Apply, Derivative, Identity, Relation, Term, Zero
+
+
+def tidy(equation: Relation) -> Relation:
+    return relation(equation.operator, _tidy(equation.left), _tidy(equation.right))
+
+
+def is_same_sum(equation: Relation) -> bool:
+    """Whether both sides have the same addends, in any order."""
+    return Counter(_addends(equation.left, 1)) == Counter(_addends(equation.right, 1))
+
+
+def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
+    match term:
+        case Apply(head="add", arguments=arguments):
+            for argument in arguments:
+                yield from _addends(argument, sign)
+        case Apply(head="neg", arguments=(inner,)):
+            yield from _addends(inner, -sign)
+        case Zero():
+            return
+        case _:
+            yield sign, term
+
+
+def _tidy(term: Term) -> Term:
+    children = tuple(_tidy(child) for child in term.children)
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    term = term if unchanged else rebuild(term, children)
+    match term:
+        case Apply(head="mul", arguments=(left, right)):
+            return _product(left, right)
+        case Apply(head="neg", arguments=(Apply(head="neg", arguments=(inner,)),)):
+            return inner
+        case Derivative(body=body, order=order) if order.is_number and order.constant == 0:
+            return body
+    return term
+
+
+def _product(left: Term, right: Term) -> Term:
+    kinds = left.type.kind, right.type.kind
+    match left, right:
+        case Identity(), _ if kinds in (("tensor", "tensor"), ("tensor", "vector")):
+            return right
+        case _, Identity() if kinds == ("tensor", "tensor"):
+            return left
+        case Apply(head="neg", arguments=(inner,)), _:
+            return apply("neg", _product(inner, right))
+        case _, Apply(head="neg", arguments=(inner,)):
+            return apply("neg", _product(left, inner))
+        case Apply(head="mul", arguments=(one, other)), _ if _associates(one, other, right):
+            return _product(one, _product(other, right))
+        case _, Apply(head="mul", arguments=(scalar, rest)) if kinds[0] == "tensor":
+            if scalar.type.kind == "scalar":
+                return _product(scalar, _product(left, rest))
+    return apply("mul", left, right)
+
+
+def _associates(*factors: Term) -> bool:
+    """Tensors, with scalars before them and perhaps a vector behind."""
+    kinds = [factor.type.kind for factor in factors]
+    tensors = [kind for kind in kinds if kind != "scalar"]
+    in_front = kinds == ["scalar"] * (len(kinds) - len(tensors)) + tensors
+    return in_front and bool(tensors) and tensors[:-1] == ["tensor"] * (len(tensors) - 1)

@@ -137,10 +137,16 @@ class _Prover:
     def _judge(self, obligation: Obligation) -> Verdict:
         used = _integers(obligation)
         try:
+            forms = list(_simpler(obligation, used))
+            if (used or obligation.rule != FORMULA) and any(is_same_sum(form) for form in forms):
+                found = Evidence(
+                    "operators applied, sums shifted and split", "both sides have the same addends"
+                )
+                return Verdict(Outcome.PROVED, scope="all" if used else None, evidence=(found,))
             verdict = self._judged(obligation.statement, obligation, used)
             if verdict.outcome in (Outcome.REFUTED, Outcome.DEFINITION) or _is_for_all(verdict, used):
                 return verdict
-            return self._simpler(obligation, used) or _for_some_only(verdict)
+            return self._one_of(forms, obligation, used) or _for_some_only(verdict)
         except Unsatisfiable:
             reason = "its premises contradict each other, or no example of them was found"
             return Verdict(Outcome.UNCHECKED, reason=reason)
@@ -148,24 +154,11 @@ class _Prover:
     def _judged(self, statement: Statement, obligation: Obligation, used: Mapping[str, int]) -> Verdict:
         return self.judge.judge(statement, obligation.assume, orders=Members(used) if used else None)
 
-    def _simpler(self, obligation: Obligation, used: Mapping[str, int]) -> Verdict | None:
-        """The proof, if there is one, of what is left when operators are applied and sums taken away."""
-        statement, definitions = obligation.statement, obligation.scope.definitions
-        if not isinstance(statement, Relation):
-            return None
-        whole = relation("=", expand(statement.left, definitions), expand(statement.right, definitions))
-        applied = (with_operators_applied(form, definitions) for form in (statement, whole))
-        for form in (statement, *applied):
-            rest = tidy(without_sums(tidy(form), used))
-            if rest == statement:
-                continue
-            if is_same_sum(rest):
-                found = Evidence(
-                    "operators applied, sums shifted and split", "both sides have the same addends"
-                )
-                return Verdict(Outcome.PROVED, scope="all" if used else None, evidence=(found,))
-            left = _integers(replace(obligation, statement=rest))
-            verdict = self._judged(rest, obligation, left)
+    def _one_of(self, forms: Sequence[Relation], obligation: Obligation, used: Mapping) -> Verdict | None:
+        """The proof, if there is one, of a form that is left when operators and sums are taken away."""
+        for form in forms:
+            left = _integers(replace(obligation, statement=form))
+            verdict = self._judged(form, obligation, left)
             if _is_for_all(verdict, left):
                 return replace(verdict, scope="all") if used else verdict
         return None
@@ -231,6 +224,19 @@ class _Prover:
                 return _with(verdict, *shown)
             reasons.append(f"{variable.name}: {verdict.outcome}")
         raise NotShown(f"the two are not seen to differ ({'; '.join(reasons)})")
+
+
+def _simpler(obligation: Obligation, used: Mapping[str, int]) -> Iterator[Relation]:
+    """The equation with sums taken away; then with operators applied too, and definitions written out."""
+    statement, definitions = obligation.statement, obligation.scope.definitions
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return
+    whole = relation("=", expand(statement.left, definitions), expand(statement.right, definitions))
+    applied = (with_operators_applied(form, definitions) for form in (statement, whole))
+    for form in (statement, *applied):
+        rest = tidy(without_sums(tidy(form), used))
+        if rest != statement:
+            yield rest
 
 
 def _is_for_all(verdict: Verdict, used: Mapping[str, int]) -> bool:

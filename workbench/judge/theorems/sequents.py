@@ -128,10 +128,12 @@ def relations_of(statement: Statement) -> Iterator[Relation]:
 def names_of(term: Term, scope: Scope) -> set[str]:
     """What the term depends on; a member of a family depends on what its definitions use."""
     names: set[str] = set()
-    waiting = [term]
+    waiting: list[tuple[Term, frozenset[str]]] = [(term, frozenset())]
     while waiting:
-        for part in waiting.pop().walk():
-            if isinstance(part, Symbol) and part.declaration.name not in names:
+        body, formals = waiting.pop()
+        for part in body.walk():
+            if isinstance(part, Symbol) and part.declaration.name not in names | formals:
                 names.add(part.declaration.name)
-                waiting += [d.body for d in scope.definitions if d.declaration == part.declaration]
+                own = (d for d in scope.definitions if d.declaration == part.declaration)
+                waiting += [(d.body, frozenset(p.name for p in d.parameters)) for d in own]
     return names

@@ -45,6 +45,12 @@ def is_constant(term: Term, definitions: Definitions) -> bool:
     )
 
 
+def is_function(term: Term, definitions: Definitions) -> bool:
+    """Whether it is a function that the paper defines: its definition may differentiate its argument."""
+    name = term.declaration.name if isinstance(term, Symbol) and term.arguments else None
+    return any(definition.declaration.name == name for definition in definitions)
+
+
 class Substitution:
     """Terms for the bound letters of one quantifier.
 
@@ -142,8 +148,8 @@ class Substitution:
             inner = Substitution({Variable(variable.argument): argument}, self.definitions)
             inner.moving = set()
             return inner._term(new, differentiated)
-        if isinstance(term, Derivative):
-            return rebuild(term, [self._term(term.body, True)])
+        if isinstance(term, Derivative) or is_function(term, self.definitions):
+            return rebuild(term, [self._term(child, True) for child in term.children])
         if isinstance(term, Apply) and term.head == "mul" and term.arguments[0].type.kind == "operator":
             left, right = term.arguments
             return _without_zeros(rebuild(term, [self._term(left, differentiated), self._term(right, True)]))

@@ -79,9 +79,9 @@ class _Sums:
         return term if unchanged else rebuild(term, children)
 
     def _without(self, total: BigSum) -> Term:
-        if len(total.variables) != 1 or total.lower is None or has_sums(total.body):
+        if len(total.variables) != 1 or total.lower is None:
             return self._free(total)
-        leibniz = self._leibniz(total)
+        leibniz = None if has_sums(total.body) else self._leibniz(total)
         if leibniz is not None:
             return leibniz
         for known in self.kept:
@@ -111,6 +111,7 @@ class _Sums:
             ends += _ends(known, j, upper, int(more_above), below=False)
             result: Term = self._free(known)
             for negative, term in ends:
+                term = self._inside(term)
                 result = apply("add", result, apply("neg", term) if negative else term)
             return result
         return None

@@ -1,12 +1,12 @@
-"""One form for products: brackets to the right, scalars in front, no factor I. So sums to a symbolic n, of
-which only the text is compared, are seen to be equal."""
+"""One form for products: brackets to the right, scalars in front, no factor I, (A B)ᵀ = Bᵀ Aᵀ, det A B =
+det A det B. So sums to a symbolic n, of which only the text is compared, are seen to be equal."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
 
-from workbench.language.construct import apply, rebuild, relation
+from workbench.language.construct import apply, derivative, rebuild, relation
 from workbench.language.terms import Apply, Derivative, Identity, Relation, Term, Zero
 
 
@@ -15,8 +15,11 @@ def tidy(equation: Relation) -> Relation:
 
 
 def is_same_sum(equation: Relation) -> bool:
-    """Whether both sides have the same addends, in any order."""
-    return Counter(_addends(equation.left, 1)) == Counter(_addends(equation.right, 1))
+    """Whether both sides have the same addends, in any order; of two opposite ones neither is left."""
+    left: Counter[Term] = Counter()
+    for sign, addend in (*_addends(equation.left, 1), *_addends(equation.right, -1)):
+        left[addend] += sign
+    return not any(left.values())
 
 
 def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
@@ -41,8 +44,20 @@ def _tidy(term: Term) -> Term:
             return _product(left, right)
         case Apply(head="neg", arguments=(Apply(head="neg", arguments=(inner,)),)):
             return inner
+        case Apply(head="transpose", arguments=(Identity() as same,)):
+            return same
+        case Apply(head="transpose", arguments=(Apply(head="transpose", arguments=(inner,)),)):
+            return inner
+        case Apply(head="transpose", arguments=(Apply(head="mul", arguments=(left, right)),)):
+            if left.type.kind == right.type.kind == "tensor":
+                return _product(*(_tidy(apply("transpose", factor)) for factor in (right, left)))
+        case Apply(head="det", arguments=(Apply(head="mul", arguments=(left, right)),)):
+            if left.type.kind == right.type.kind == "tensor":
+                return _product(*(_tidy(apply("det", factor)) for factor in (left, right)))
         case Derivative(body=body, order=order) if order.is_number and order.constant == 0:
             return body
+        case Derivative(body=Apply(head="add" | "neg" as head, arguments=arguments), order=order):
+            return _tidy(apply(head, *(derivative(argument, order) for argument in arguments)))
     return term
 
 

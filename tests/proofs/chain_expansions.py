@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 from functools import partial
 from typing import Any
 
-from proofs.theorems.chain_poses import drake_residuals, rational_residuals
-from proofs.theorems.chain_words import (
+from tests.proofs.chain_poses import drake_residuals, rational_residuals
+from tests.proofs.chain_words import (
     Coefficient,
     closed_form,
     derivatives_of_twist,

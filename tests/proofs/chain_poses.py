@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from proofs.theorems.chain_words import Coefficient
+from tests.proofs.chain_words import Coefficient
 
 Array = np.ndarray
 

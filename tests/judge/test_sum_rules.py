@@ -1,0 +1,232 @@
+"""Sums to a symbolic n and chains of any number of bodies: what the rules show, and what they must not."""
+
+import pytest
+
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.theorems.goals import Scope, read_goal
+from workbench.judge.theorems.proofs import (
+    Each,
+    Follows,
+    Given,
+    Have,
+    Induction,
+    Kernel,
+    Pascal,
+    Proven,
+    Termwise,
+    Use,
+)
+from workbench.judge.theorems.prove import prove
+from workbench.judge.theorems.tidy import is_same_sum, tidy
+from workbench.judge.verdict import Outcome
+from workbench.language.defining import read_definitions
+from workbench.language.reader import read_formula
+from workbench.language.symbols import SymbolTable
+
+SYMBOLS = {
+    "a": "vector", "b": "vector", "x": "vector", "f": "scalar", "c_k": "vector", "T": "tensor", "U": "tensor",
+    "R_k": "rotation", "P": "operator", "y": "vector", "Q_m": "tensor",
+}  # fmt: skip
+DEFINITIONS = {
+    "F_0(x)": r"\mathbf{I}",
+    "F_{n+1}(x)": r"\dot{F}_n(x) + F_n(x) \tilde{x}",
+    "G_0(x, y)": r"\mathbf{I}",
+    "G_{n+1}(x, y)": r"\dot{G}_n(x, y) - \tilde{x} G_n(x, y) + G_n(x, y) \tilde{x} + G_n(x, y) \tilde{y}",
+    "q(x)": r"\dot{x}",
+    "s_0": "c_0",
+    "s_{m+1}": "s_m + c_{m+1}",
+    "Q_0": r"\mathbf{I}",
+    "Q_{m+1}": "Q_m R_{m+1}",
+}
+
+
+def scope() -> Scope:
+    table = SymbolTable.build({name: {"kind": kind} for name, kind in SYMBOLS.items()})
+    definitions, table = read_definitions(DEFINITIONS, table)
+    return Scope(table, definitions, {})
+
+
+def outcome(goal, proof):
+    where = scope()
+    return prove(read_goal(goal, where), where, Judge(where.definitions), Proven(proof))
+
+
+LEIBNIZ = r"\forall n \geq 0 : (T a)^{(n)} = \sum_{k=0}^n C_n^k T^{(n-k)} a^{(k)}"
+OPERATORS = r"\forall n \geq 0 : a^{(n)} = \sum_{k=0}^n C_n^k F_{n-k}(x) ((\mathbf{D} - \tilde{x})^k a)"
+TENSORS = r"\forall n \geq 0 : F_n(a + b) = \sum_{k=0}^n C_n^k F_{n-k}(a) G_k(a, b)"
+PROOFS = {
+    LEIBNIZ: Pascal(r"T^{(j)} a^{(k)}"),
+    OPERATORS: Pascal(r"F_j(x) ((\mathbf{D} - \tilde{x})^k a)"),
+    TENSORS: Pascal(r"F_j(a) G_k(a, b)", step=r"\dot{Y} + Y \widetilde{a + b}"),
+}
+
+
+class TestPascal:
+    @pytest.mark.parametrize("goal", PROOFS)
+    def test_sums_with_binomials(self, goal):
+        found = outcome(goal, PROOFS[goal])
+        assert (found.outcome, found.scope) == (Outcome.PROVED, "all n ≥ 0"), found.reason
+
+    @pytest.mark.parametrize("goal", PROOFS)
+    @pytest.mark.parametrize(
+        ("old", "new"),
+        [
+            ("C_n^k", "C_{n+1}^k"),
+            ("C_n^k", "2 C_n^k"),
+            ("k=0", "k=1"),
+            ("^n C", "^{n+1} C"),
+            (r"n \geq 0", r"n \geq 1"),
+            ("= ", "= 2 "),
+        ],
+    )
+    def test_a_false_one_is_not_shown(self, goal, old, new):
+        assert old in goal
+        assert outcome(goal.replace(old, new, 1), PROOFS[goal]).outcome != Outcome.PROVED
+
+    @pytest.mark.parametrize(
+        ("goal", "proof"),
+        [
+            (LEIBNIZ, Pascal(r"T^{(k)} a^{(j)}")),  # the wrong way round
+            (LEIBNIZ, Pascal(r"T^{(j)} a^{(k)}", step=r"2 \dot{Y}")),
+            (LEIBNIZ, Pascal(r"T^{(j+1)} a^{(k)}")),  # begins with another
+            (TENSORS, Pascal(r"F_j(a) G_k(a, b)")),  # the step of another family
+            (TENSORS, Pascal(r"F_j(a) G_k(b, a)", step=r"\dot{Y} + Y \widetilde{a + b}")),
+            (r"\forall n \geq 0 : F_n(a + b) = \sum_{k=0}^n C_n^k F_{n-k}(a) F_k(b)",
+             Pascal(r"F_j(a) F_k(b)", step=r"\dot{Y} + Y \widetilde{a + b}")),
+            (r"\forall n \geq 0 : f = \sum_{k=0}^n C_n^k f", Pascal("f", step="Y Y")),  # not additive
+            (r"\forall n \geq 0 : f = \sum_{k=0}^n C_n^k f", Pascal("f", step="2 Y")),
+            (r"\forall n \geq 0 : (T a)^{(n)} = T^{(n)} a", Pascal(r"T^{(j)} a^{(k)}")),  # no sum
+        ],
+    )  # fmt: skip
+    def test_a_wrong_term_or_step_shows_nothing(self, goal, proof):
+        assert outcome(goal, proof).outcome == Outcome.UNCHECKED
+
+    def test_premises_at_an_instant_do_not_last(self):
+        once = rf"T a = b \Rightarrow {LEIBNIZ.replace('(T a)', 'b')}"
+        begin = Follows("Y", Y=Use(0, back=True))
+        follow = Kernel()
+        proof = Pascal(r"T^{(j)} a^{(k)}", begin=begin, follow=follow)
+        found = outcome(once, proof)
+        assert found.outcome == Outcome.UNCHECKED and "may not be differentiated" in found.reason
+        assert outcome(once.replace("Rightarrow", "Longrightarrow"), proof).outcome == Outcome.PROVED
+
+
+class TestTermwise:
+    PREMISE = r"\Big( \forall n \geq 0 : F_n(a) = F_n(b) \Big) \Longrightarrow \forall n \geq 0 : "
+
+    @pytest.mark.parametrize(
+        ("goal", "value"),
+        [
+            (r"\sum_{k=0}^n C_n^k F_{n-k}(a) c_k = \sum_{k=0}^n C_n^k F_{n-k}(b) c_k", "j"),
+            (r"\sum_{k=0}^{n+1} C_n^k F_{k}(a) c_k = \sum_{k=0}^{n+1} C_n^k F_{k}(b) c_k", "k"),
+        ],
+    )
+    def test_a_premise_for_each_addend(self, goal, value):
+        n = "{j+k}" if value == "j" else "{k+j-1}"
+        proof = Given(Termwise("k", Follows(f"C_{n}^k Y c_k", Y=Use(0, {"n": value}))))
+        assert outcome(self.PREMISE + goal, proof).outcome == Outcome.PROVED
+        other = {"j": "k", "k": "j"}[value]
+        wrong = Given(Termwise("k", Follows(f"C_{n}^k Y c_k", Y=Use(0, {"n": other}))))
+        assert outcome(self.PREMISE + goal, wrong).outcome == Outcome.UNCHECKED
+
+    @pytest.mark.parametrize(
+        "goal",
+        [
+            r"\sum_{k=0}^n F_k(a) c_k = \sum_{k=1}^n F_k(b) c_k",
+            r"\sum_{k=0}^n F_k(a) c_k = \sum_{k=0}^{n+1} F_k(b) c_k",
+            r"\sum_{k=0}^n F_k(a) c_k = 2 \sum_{k=0}^n F_k(b) c_k",
+            r"\sum_{k=0}^n F_k(a) c_k = \sum_{k=0}^n F_k(b) c_{k+1}",
+        ],
+    )
+    def test_other_sums_are_not_equal_by_it(self, goal):
+        proof = Given(Termwise("k", Follows("Y c_k", Y=Use(0, {"n": "k"}))))
+        assert outcome(self.PREMISE + goal, proof).outcome == Outcome.UNCHECKED
+
+
+class TestChains:
+    """Sums and products over m bodies by recursion."""
+
+    SUM = r"\forall m \geq 0 : s_m = \sum_{k=0}^m c_k"
+    BY_SUM = Induction(step=Follows("Y + c_{m+1}", Y=Use(-1)))
+    ORTHOGONAL = r"\forall m \geq 0 : Q_m Q_m^T = \mathbf{I} \wedge \det Q_m = 1"
+    BY_FACTORS = Induction(step=Each(Follows("Y", Y=Use(-1)), Follows("Y", Y=Use(-1, part=1))))
+
+    def test_by_induction(self):
+        assert outcome(self.SUM, self.BY_SUM).scope == "all m ≥ 0"
+        assert outcome(self.ORTHOGONAL, self.BY_FACTORS).scope == "all m ≥ 0"
+
+    @pytest.mark.parametrize(
+        "goal",
+        [
+            SUM.replace("k=0", "k=1"),  # the base is missing
+            SUM.replace("^m", "^{m+1}"),
+            SUM.replace("s_m", "s_{m+1}"),
+            SUM.replace("c_k", "c_{k+1}"),
+            SUM.replace("= ", "= b + "),
+            ORTHOGONAL.replace("Q_m^T", "Q_{m+1}^T"),
+            ORTHOGONAL.replace("= 1", "= 2"),
+            ORTHOGONAL.replace("Q_m Q_m^T", "Q_m Q_m"),
+        ],
+    )
+    def test_a_false_one_is_not_shown(self, goal):
+        proof = self.BY_FACTORS if "Q" in goal else self.BY_SUM
+        assert outcome(goal, proof).outcome != Outcome.PROVED
+
+    def test_a_product_is_a_rotation_by_its_proof_alone(self):
+        turned = r"\forall S \in SO_3 : (S a) \times (S b) = S (a \times b)"
+        goal = r"\forall m \geq 0 : (Q_m a) \times (Q_m b) = Q_m (a \times b)"
+        members = Each(Follows("Y", Y=Use(0, {"m": "m"})), Follows("Y", Y=Use(0, {"m": "m"}, part=1)))
+
+        def proof(**options):
+            instance = Follows("Y", Y=Use(1, {"S": "Q_m"}, **options))
+            return Have(self.ORTHOGONAL, self.BY_FACTORS, Have(turned, Kernel(), Given(instance)))
+
+        assert outcome(goal, proof(members=members)).outcome == Outcome.PROVED
+        assert outcome(goal, proof()).outcome == Outcome.UNCHECKED
+        other = Each(members.proofs[0], members.proofs[0])
+        assert outcome(goal, proof(members=other)).outcome == Outcome.UNCHECKED
+
+
+class TestFunctions:
+    """A function of the paper may differentiate its argument."""
+
+    @pytest.mark.parametrize("function", ["q({})", "F_2({})"])
+    def test_no_equation_at_an_instant_goes_into_it(self, function):
+        goal = rf"a = b \Rightarrow {function.format('a')} = {function.format('b')}"
+        proof = Follows(function.format("Y"), Y=Use(0))
+        assert outcome(goal, proof).outcome == Outcome.UNCHECKED
+        assert outcome(goal.replace("Rightarrow", "Longrightarrow"), proof).outcome == Outcome.PROVED
+
+    def test_what_moves_is_no_constant_in_it(self):
+        goal = r"\Big( \forall d \in V_3 : q(d) = \mathbf{0} \Big) \Rightarrow q(a) = \mathbf{0}"
+        assert outcome(goal, Follows("Y", Y=Use(0, {"d": "a"}))).outcome == Outcome.UNCHECKED
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "same"),
+    [
+        (r"(T U)^T a", r"U^T (T^T a)", True),
+        (r"\det(T U)", r"\det T \det U", True),
+        (r"T (f a) + b", r"b + f T a", True),
+        (r"\mathbf{I} T a - (b - b)", r"T a", True),
+        (r"\frac{d^3}{dt^3} (a + b)", r"a^{(3)} + b^{(3)}", True),
+        (r"(T U)^T a", r"T^T (U^T a)", False),
+        (r"T (U a)", r"U (T a)", False),
+        (r"(f T)^T a", r"T a", False),
+        (r"a + b", r"a - b", False),
+        (r"2 a", r"a", False),
+        (r"\frac{d}{dt} (f a)", r"f \dot{a}", False),
+    ],
+)
+def test_the_form_of_products(left, right, same):
+    (said,) = read_formula(f"{left} = {right}", scope().table, {}).statements
+    assert is_same_sum(tidy(said)) == same
+    assert Judge(scope().definitions).judge(said).outcome == (Outcome.PROVED if same else Outcome.REFUTED)
+
+
+def test_powers_of_operators():
+    power = r"\forall n \geq 0 : (\mathbf{D} + T)^{n+1} a"
+    goal = power + r" = \frac{d}{dt} ((\mathbf{D} + T)^n a) + T ((\mathbf{D} + T)^n a)"
+    assert outcome(goal, Kernel()).outcome == Outcome.PROVED
+    for wrong in (goal.replace("{n+1} a", "{n+2} a"), goal.replace("+ T ((", "+ 2 T ((")):
+        assert outcome(wrong, Kernel()).outcome != Outcome.PROVED

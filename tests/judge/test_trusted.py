@@ -17,8 +17,13 @@ ROOT = Path(workbench.__file__).parent
 README = ROOT.parent / "README.md"
 HEADING = "What a `proved` rests on"
 
-#: Where a `proved` begins: the judge, and what reads formulas and definitions.
-ENTRANCES = ("workbench.judge.kernel.judge", "workbench.language.reader", "workbench.language.defining")
+#: Where a `proved` begins: the judge, the rules for goals, and what reads formulas and definitions.
+ENTRANCES = (
+    "workbench.judge.kernel.judge",
+    "workbench.judge.theorems.prove",
+    "workbench.language.reader",
+    "workbench.language.defining",
+)
 
 #: By folder: what its files do for a `proved`, and what checks that.
 CHECKS = {
@@ -34,6 +39,11 @@ CHECKS = {
     "judge/kernel": (
         "when residuals make a verdict",
         "no second implementation: laws, false and mutated identities, red-team cases, mutants (tests/judge)",
+    ),
+    "judge/theorems": (
+        "which equations make a goal",
+        "false goals and wrong proofs for every rule (test_goals, test_sum_rules); every goal and proof of the"
+        " chapter tampered with (tests/proofs/test_tampering)",
     ),
     "algebra": ("the first engine's ring", "the second engine, on every proof; mutants"),
     "judge/first": ("the residual is 0", "the second engine, on every proof; mutants"),

@@ -39,6 +39,13 @@ def test_outcomes(latex, outcome):
 def test_an_aligned_chain_is_one_formula(last, outcome):
     latex = rf"\begin{{aligned}} a \times b &= -b \times a, \\ &= {last} \end{{aligned}}"
     assert check(latex, AB).outcome == outcome
+def test_a_counterexample_says_what_definitions_make_of_it():
+    example = check(r"n \cdot n = 1", AB, definitions=[r"n = a \times b"]).verdict.counterexample
+    a, b, n = ([int(x) for x in given] for given in (*example.values.values(), example.defined["n"]))
+    assert n == [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    assert example.behind == ("a", "b")
+    spoken_of = check(r"n \cdot n = a \cdot a", AB, definitions=[r"n = a \times b"]).verdict.counterexample
+    assert spoken_of.behind == ("b",)
 
 
 def test_a_refutation_shows_its_counterexample():

@@ -90,7 +90,7 @@ def test_show_as_json_is_the_claim_of_the_report():
     claim = json.loads(run("show", "false", "--paper", EVERY_VERDICT, "--json").stdout)
     assert claim["verdict"] == "refuted" and claim["corrected"]["verdict"] == "proved"
     assert claim["inherits"] == ["garbled-and-false"]
-    assert set(claim["counterexample"]) == {"values", "lhs", "rhs"}
+    assert set(claim["counterexample"]) == {"values", "lhs", "rhs", "defined", "behind"}
 
 
 @pytest.mark.parametrize(

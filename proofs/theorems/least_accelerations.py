@@ -9,8 +9,10 @@ from workbench.judge.theorems.arguments import Step, argue
 from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.theorems.proofs import (
     At,
+    Cases,
     Each,
     Follows,
+    Given,
     Impossible,
     Kernel,
     Part,
@@ -104,7 +106,17 @@ THEOREMS = {
         )
     ),
     "plane_motion": Proven(
-        Each(Witness({"x": r"-\frac{1}{k} b"}), Kernel()),
-        against=Part(0, At({"k": "0"}, Impossible(Follows("Y", Y=Use(-1)), so=r"n \times b = \mathbf{0}"))),
+        Each(
+            Given(
+                Cases(
+                    "s = 0",
+                    equal=Witness({"x": "0 b"}, Follows("Y", Y=Use(0))),
+                    unequal=Witness({"x": r"-\frac{1}{s} b"}),
+                )
+            ),
+            Kernel(),
+            Follows(r"Y - Z n \times x", Y=Use(0), Z=Use(1)),
+        ),
+        against=Part(0, At({"s": "0"}, Impossible(Follows("Y", Y=Use(-1)), so=r"n \times b = \mathbf{0}"))),
     ),
 }

@@ -15,6 +15,7 @@ import pytest
 from sample_report import CLAIMS, claim, report_of, sample
 
 from workbench.report import render, tex, write_report
+from workbench.report.errata import as_printed
 from workbench.report.kinds import VERDICTS
 from workbench.report.prose import values_of
 from workbench.report.structure import ReportError
@@ -305,16 +306,82 @@ def test_counterexample_is_exact_and_laid_out(texts):
     shown = re.findall(r'alttext="(.*?)"', entry.split("Counterexample")[1].split("</p>")[0])
     column = r"\begin{{bmatrix}} {} \\ {} \\ {} \end{{bmatrix}}".format
     assert shown == [
-        r"\omega", column(1, 0, 0), r"\dot{\omega}", column(0, 1, 0),
-        r"\ddot{\omega}", column(0, 0, 1), r"-\frac{13}{4}", r"\frac{1}{4}",
+        r"\boldsymbol{\omega}", column(1, 0, 0), r"\dot{\boldsymbol{\omega}}", column(0, 1, 0),
+        r"\ddot{\boldsymbol{\omega}}", column(0, 0, 1), r"-\frac{13}{4}", r"\frac{1}{4}",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "shown"),
+    [
+        (r"\dot{\omega}", r"\boldsymbol{\omega} \times \mathbf{w}", r"\dot{\boldsymbol{\omega}}"),
+        (r"\dot{\omega}", r"\boldsymbol{\omega} \times \omega", r"\dot{\omega}"),
+        (r"\omega", r"\tilde{\omega} + \omega^2", r"\omega"),
+        (r"\dot{\boldsymbol{\omega}}", r"\boldsymbol{\omega}", r"\dot{\boldsymbol{\omega}}"),
+    ],
+)
+def test_a_value_is_told_of_the_letter_in_the_type_of_the_formula(name, said, shown):
+    assert as_printed(name, said) == shown
+
+
+REASONED = {
+    "edits": [], "place": None, "beside": None, "cause": None, "mended_by": None, "is_proved": False,
+    "add": r"where $a \neq 0$", "example": "For $a = 2$ it is false.",
+}  # fmt: skip
+
+
+def test_what_people_wrote_stands_for_what_the_machine_says():
+    example = {"values": {"a": ["7"]}, "lhs": ["1"], "rhs": ["0"]}
+    lines = [
+        claim("1", "1", "1", "refuted", printed="a", mend=REASONED, counterexample=example),
+        claim("2", "2", "1", "conditional", printed="b", mend=REASONED, hypothesis=r"\cos s \neq 1"),
+    ]
+    texts = render.render(report_of(lines))
+    for name in ("report.html", "report.md", "erratum.tex"):
+        assert "it is false" in texts[name] and "add:" in texts[name].lower()
+    assert "7" not in texts["erratum.tex"].split(r"\section*{Errors")[1].split(r"\section*{App")[0]
+    assert "cos" not in texts["erratum.tex"].split(r"\section*{Missing")[1].split(r"\section*{App")[0]
+
+
+def test_a_counterexample_tells_what_definitions_make_of_it_and_leaves_out_what_stands_behind():
+    example = {
+        "values": {"R": 9 * ["1"], "b": ["3"]}, "lhs": ["1"], "rhs": ["0"],
+        "defined": {"w": ["5", "6", "7"], "T": 9 * ["8"]}, "behind": ["R"],
+    }  # fmt: skip
+    lines = [claim("1", "1", "1", "refuted", printed="w b", counterexample=example)]
+    note = render.render(report_of(lines))["erratum.tex"].split(r"\section*{Errors")[1]
+    assert "so that" in note and r"5 \\ 6 \\ 7" in note and r"\(b = 3\)" in note
+    assert "8 & 8" not in note and "1 & 1" not in note
+
+
+@pytest.mark.parametrize("verdict", ["unchecked", "ill-formed"])
+def test_no_place_in_the_source_is_told_as_a_reason(verdict):
+    reason = "cannot be read: line 1, column 25: unknown symbol x; known and close: y"
+    texts = render.render(report_of([claim("1", "1", "1", verdict, printed="a", reason=reason)]))
+    for name in ("report.html", "report.md", "erratum.tex"):
+        assert "column 25" not in texts[name].split("<body>")[-1]
+    assert "unknown symbol x" in texts["report.md"]
+
+
+def test_the_note_begins_with_a_page_for_the_editor():
+    report = sample()
+    report["paper"] |= {
+        "authors": "A. N. Author",
+        "source": "A Book",
+        "recheck": "workbench report --paper a_b",
+    }
+    note = render.render(report)["erratum.tex"]
+    first = note.split(r"\clearpage")[0]
+    for expected in ("A. N. Author", "A Book", r"report {-}{-}paper a\_b}", r"\today"):
+        assert expected in first
+    assert r"\section*{Errors" not in first
 
 
 @pytest.mark.parametrize(
     ("entries", "latex"),
     [
         (["1"] + 8 * ["0"], r"\begin{bmatrix} 1 & 0 & 0 \\ 0 & 0 & 0 \\ 0 & 0 & 0 \end{bmatrix}"),
-        (["2", "-1/2"], r"2 + \varepsilon -\frac{1}{2}"),
+        (["2", "-1/2"], r"2 - \varepsilon \frac{1}{2}"),
         (5 * ["0"] + ["1"], r"\varepsilon \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}"),
         (3 * ["0"], r"\mathbf{0}"),
         (["about 1"], None),

@@ -152,6 +152,7 @@ def report(
     paper = find_paper(paper_name)
     results = judged(paper, select, **engines)
     data = report_dict(paper, results)
+    data["paper"].setdefault("recheck", "workbench report" + f" --paper {paper_name}" * bool(paper_name))
     if proposals:
         data["claims"] = claims_with_proposals(data["claims"], results, True)
     data["claims"] = with_certificates(data["claims"], results)

@@ -104,6 +104,8 @@ def claim_lines(claim: Mapping[str, Any], with_expectation: bool = True) -> Iter
         yield Text(f"{'counterexample':>15}")
         for symbol, entries in counterexample["values"].items():
             yield Text(f"{'':17}{symbol} = {_tuple(entries)}")
+        for symbol, entries in counterexample.get("defined", {}).items():
+            yield Text(f"{'':17}so that {symbol} = {_tuple(entries)}")
         yield Text(f"{'':17}left  = {_tuple(counterexample['lhs'])}")
         yield Text(f"{'':17}right = {_tuple(counterexample['rhs'])}")
     yield from _field("read as", claim["read_back"])
@@ -134,8 +136,10 @@ def _fault(claim: Mapping[str, Any]) -> Iterator[Text]:
     for edit in mend.get("edits", ()):
         yield from _field("for", edit["for"])
         yield from _field("read", edit["read"] or "nothing")
+    yield from _field("add", mend.get("add"))
     yield from _field("mended by", mend.get("mended_by"))
     yield from _field("why", claim["note"])
+    yield from _field("for example", mend.get("example"))
 
 
 @contextmanager

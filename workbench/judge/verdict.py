@@ -46,20 +46,31 @@ class Evidence:
 @dataclass(frozen=True)
 class Counterexample:
     """Values of the symbols (LaTeX → rationals as strings, components in reading order; a derivative is a
-    symbol of its own, `\\dot{\\omega}`), and what the two sides then are."""
+    symbol of its own, `\\dot{\\omega}`), and what the two sides then are.
+
+    defined: the values that definitions give to what else stands in the formula.
+    behind: those of `values` of which the formula does not speak."""
 
     values: Mapping[str, tuple[str, ...]]
     left: tuple[str, ...]
     right: tuple[str, ...]
+    defined: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    behind: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
-        values = {name: list(entries) for name, entries in self.values.items()}
-        return {"values": values, "lhs": list(self.left), "rhs": list(self.right)}
+        values, defined = (
+            {name: list(entries) for name, entries in given.items()} for given in (self.values, self.defined)
+        )
+        sides = {"lhs": list(self.left), "rhs": list(self.right)}
+        return {"values": values, **sides, "defined": defined, "behind": list(self.behind)}
 
     @staticmethod
     def from_dict(data: Mapping[str, Any]) -> Counterexample:
-        values = {name: tuple(entries) for name, entries in data["values"].items()}
-        return Counterexample(values, tuple(data["lhs"]), tuple(data["rhs"]))
+        values, defined = (
+            {name: tuple(entries) for name, entries in data[key].items()} for key in ("values", "defined")
+        )
+        sides = tuple(data["lhs"]), tuple(data["rhs"])
+        return Counterexample(values, *sides, defined, tuple(data["behind"]))
 
 
 @dataclass(frozen=True)

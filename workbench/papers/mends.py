@@ -8,7 +8,7 @@ from workbench.papers.model import FAULTS, Edit, Mend
 from workbench.papers.toml_file import TomlFile
 from workbench.papers.toml_places import KeyPath
 
-MEND_KEYS = ("fault", "mend", "mended_by", "beside", "place", "cause")
+MEND_KEYS = ("fault", "mend", "mended_by", "beside", "place", "cause", "add", "example")
 
 
 def fault_of(toml: TomlFile, path: KeyPath) -> str | None:
@@ -23,7 +23,7 @@ def mend_of(toml: TomlFile, path: KeyPath, printed: str) -> Mend:
     """What the keys of one claim say; printed: a formula, or a sentence in quotation marks.
 
     Raises PaperError for a key without `fault`, and for an edit whose `for` is not printed once there."""
-    said = {key: toml.text((*path, key)) for key in ("beside", "place", "cause")}
+    said = {key: toml.text((*path, key)) for key in ("beside", "place", "cause", "add", "example")}
     given = [key for key in MEND_KEYS[1:] if key in toml.value(path, dict)]
     if given and fault_of(toml, path) is None:
         raise toml.error_at_key((*path, given[0]), f"{given[0]}: only a claim with a fault has it")

@@ -115,12 +115,15 @@ class Edit:
 class Mend:
     """How a fault is mended. edits: in what is printed, or in `beside`, a sentence or formula next to it.
     place: where in the equation, in words.   cause: what several faults have in common, in words.
-    by: the claim whose edits mend this one too."""
+    by: the claim whose edits mend this one too.   add: a missing hypothesis in the author's own words.
+    example: a counterexample in words, where values of symbols would not tell what is wrong."""
 
     edits: tuple[Edit, ...] = ()
     beside: str | None = None
     place: str | None = None
     cause: str | None = None
+    add: str | None = None
+    example: str | None = None
     by: str | None = None
 
 

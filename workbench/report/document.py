@@ -7,7 +7,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from workbench.report.errata import Correction, Errata, Heirs, errata_of, with_headings
+from workbench.report.errata import (
+    Correction,
+    Errata,
+    Heirs,
+    errata_of,
+    reason_for_readers,
+    with_headings,
+    without_place,
+)
 from workbench.report.kinds import ERRATUM_TYPES, STATES, VERDICTS, Kind
 from workbench.report.motions import Motions, motions_of
 from workbench.report.prose import Run, difference_runs, plain_value, runs_of
@@ -34,6 +42,11 @@ class Evidence:
     method: str
     outcome: str
     figures: tuple[tuple[str, str], ...]
+
+    @property
+    def sign(self) -> str | None:
+        """Its letter where evidence is told in one line; None for what stands beside it in words."""
+        return next((sign for beginning, sign in _SIGNS if self.method.startswith(beginning)), None)
 
 
 @dataclass(frozen=True)
@@ -63,6 +76,7 @@ class Entry:
     evidence: tuple[Evidence, ...]
     certificates: tuple[Mapping[str, Any], ...]
     motion: str | None
+    signs: tuple[str, ...]
     heirs: tuple[tuple[str, str], ...]
     rests_on: tuple[tuple[str, str], ...]
 
@@ -121,6 +135,18 @@ class Document:
         return len(self.equations) - self.numbered
 
 
+_SIGNS = (
+    ("exact ring", "F"),
+    ("SymPy", "S"),
+    ("Drake symbolic", "S"),
+    ("each instance", "N"),
+    ("all ", "N"),
+    ("goal", "G"),
+    ("definitions", "D"),
+    ("random point", "P"),
+    ("rational point", "C"),
+    ("Drake reference motions", "M"),
+)
 _CITED = ("authors", "source", "year", "pages", "doi", "commit", "licence", "read", "recheck")
 _OPEN = ("argued", "probable", "unchecked")
 
@@ -191,7 +217,9 @@ def _is_number(equation: str | None) -> bool:
 
 
 def _heading(claim: Mapping[str, Any]) -> str:
-    equation = claim["equation"]
+    equation, place = claim["equation"], claim.get("place")
+    if not equation and place:
+        return f"Line {place['line']}"
     return f"Eq. ({equation})" if _is_number(equation) else equation or claim["id"]
 
 
@@ -257,7 +285,7 @@ def _entry(claim: Mapping[str, Any], context: _Context) -> Entry:
         erratum_type=ERRATUM_TYPES.get(claim.get("fault") or ""),
         scope=claim["scope"],
         statement=tuple(runs_of(_in_words(claim))),
-        reason=tuple(runs_of(_reason(claim))),
+        reason=tuple(runs_of(reason_for_readers(claim))),
         note=tuple(runs_of(with_headings(claim["note"] or "", context.places))),
         forms=forms,
         read_back=claim["read_back"],
@@ -269,6 +297,7 @@ def _entry(claim: Mapping[str, Any], context: _Context) -> Entry:
         correction=context.corrections.get(claim["id"]),
         mended_by=context.places.get(by) if by else None,
         evidence=_evidence(claim),
+        signs=_signs(claim),
         certificates=tuple(claim.get("certificates") or ()),
         motion=(claim.get("motion") or {}).get("line"),
         heirs=context.heirs.of([claim["id"]], [heading]) if claim.get("fault") else (),
@@ -282,14 +311,6 @@ def _state(claim: Mapping[str, Any], rests_on: Sequence[str]) -> Kind:
     if claim["verdict"] not in ("proved", "definition"):
         return STATES["open" if claim["verdict"] in _OPEN else "error"]
     return STATES["inherits" if rests_on else "holds"]
-
-
-def _reason(claim: Mapping[str, Any]) -> str:
-    """Why there is no better verdict. Where the reading is known, what the machine would have guessed of an
-    ill-formed formula is not told."""
-    if claim["verdict"] == "ill-formed" and (claim["reading"] or claim["corrected"]):
-        return ""
-    return claim.get("reason") or ""
 
 
 def _is_sentence(printed: str) -> bool:
@@ -314,7 +335,7 @@ def _forms(claim: Mapping[str, Any]) -> tuple[tuple[Form, ...], tuple[tuple[Run,
         ("corrected", "Corrected", "right"),
     ):
         if claim[key]:
-            found, reason = claim[key], tuple(runs_of(claim[key].get("reason") or ""))
+            found, reason = claim[key], tuple(runs_of(without_place(claim[key].get("reason") or "")))
             form = Form(caption, found["latex"], kind=VERDICTS[found["verdict"]], reason=reason)
             steps.append((replace(form, scope=found.get("scope")), is_what))
     forms = [form for form, _ in steps]
@@ -355,6 +376,14 @@ def _evidence(claim: Mapping[str, Any]) -> tuple[Evidence, ...]:
     return tuple(
         Evidence(of, item["method"], item["outcome"], _figures(item)) for of, items in about for item in items
     )
+
+
+def _signs(claim: Mapping[str, Any]) -> tuple[str, ...]:
+    """The letters of the evidence on the form that is right, or else on what is printed."""
+    evidence = _evidence(claim)
+    right = next((of for of in ("corrected", "reading") if claim[of]), "printed")
+    about = [item for item in evidence if item.of == right] or list(evidence)
+    return tuple(sorted({item.sign for item in about} - {None}))
 
 
 def _figures(item: Mapping[str, Any]) -> tuple[tuple[str, str], ...]:

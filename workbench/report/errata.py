@@ -14,7 +14,13 @@ from workbench.typeset.differences import difference
 
 Claim = Mapping[str, Any]
 _CLAIM_ID = re.compile(r"\b[\w+*'-]+(?:\.[\w+*'-]+)+|\b\w+_\w+(?:\.\w+)+")
-_OTHERS = "By no common cause."
+_PLACE_IN_SOURCE = re.compile(r"(?:cannot be read: )?line \d+, column \d+: ")
+_LETTER = re.compile(
+    r"\\(?!dot|ddot|dddot|ddddot|tilde|underline|mathbf|boldsymbol|mathrm|left|right|cos|sin)[A-Za-z]+"
+)
+_OTHERS = "Others."
+#: Components of the largest value that is told of a defined symbol: a dual vector.
+_SMALL = 6
 
 
 @dataclass(frozen=True)
@@ -29,11 +35,14 @@ class Change:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """values: symbol and value, those that are not 0.   rest: whether others are 0.   of: what is false."""
+    """values: symbol and value, those that are not 0.   rest: whether others are 0.   of: what is false.
+    formula: ours, where what is printed is no formula.   defined: what definitions make of the values."""
 
     of: str
+    formula: Run | None
     values: tuple[tuple[Run, Run], ...]
     rest: bool
+    defined: tuple[tuple[Run, Run], ...]
     left: Run
     right: Run
     gap: Run | None
@@ -41,7 +50,8 @@ class Counterexample:
 
 @dataclass(frozen=True)
 class Correction:
-    """One claim with a fault. heirs: equations that rest on it; condition: a missing hypothesis."""
+    """One claim with a fault. condition: a missing hypothesis; add: the same in the author's words.
+    example: a counterexample in words."""
 
     id: str
     anchor: str
@@ -52,7 +62,9 @@ class Correction:
     changes: tuple[Change, ...]
     said: tuple[Run, ...]
     condition: str | None
+    add: tuple[Run, ...]
     why: tuple[Run, ...]
+    example: tuple[Run, ...]
     counterexample: Counterexample | None
     picture: str | None
     cost: str | None
@@ -217,9 +229,11 @@ def _correction(claim: Claim, places: Mapping[str, tuple[str, str]]) -> Correcti
         fault=claim["fault"],
         cause=mend.get("cause"),
         changes=tuple(_changes(claim, mend)),
-        said=tuple(runs_of(shown or sentence)),
+        said=tuple(runs_of(shown or sentence)) or _without_correction(claim, mend),
         condition=claim["hypothesis"],
-        why=tuple(runs_of(with_headings(claim.get("note") or claim.get("reason") or "", places))),
+        add=tuple(runs_of(mend.get("add") or "")),
+        why=tuple(runs_of(with_headings(claim.get("note") or reason_for_readers(claim), places))),
+        example=tuple(runs_of(mend.get("example") or "")),
         counterexample=_counterexample(claim),
         picture=residuals_svg(claim) if claim["fault"] == "error" else None,
         cost=_cost(claim),
@@ -232,6 +246,28 @@ def _cost(claim: Claim) -> str | None:
     """What the error costs on a motion, as a sentence."""
     motion = claim.get("motion") or {}
     return motion["line"][0].upper() + motion["line"][1:] if motion.get("error") else None
+
+
+def _without_correction(claim: Claim, mend: Mapping[str, Any]) -> tuple[Run, ...]:
+    """What is false and nobody has mended yet: the printed formula itself."""
+    if mend.get("edits") or claim["corrected"] or claim["reading"] or claim["hypothesis"]:
+        return ()
+    if not claim["printed"] or claim.get("proposed"):
+        return ()
+    return (formula(claim["printed"]), text(" is not right, and no correction is known."))
+
+
+def reason_for_readers(claim: Claim) -> str:
+    """Why there is no better verdict, without the place in the source. Where the reading of an ill-formed
+    formula is known, what the machine would have guessed of it is not told."""
+    if claim["verdict"] == "ill-formed" and (claim["reading"] or claim["corrected"]):
+        return ""
+    return without_place(claim.get("reason") or "")
+
+
+def without_place(reason: str) -> str:
+    """A reason without the line and column at which the reader of formulas stood."""
+    return _PLACE_IN_SOURCE.sub("", reason)
 
 
 def _sentence(quoted: str) -> str:
@@ -266,17 +302,44 @@ def _counterexample(claim: Claim) -> Counterexample | None:
     example = claim["counterexample"]
     if example is None or claim["verdict"] == "conditional":
         return None
-    values = {symbol: values_of(entries) for symbol, entries in example["values"].items()}
+    sides = (example["lhs"], example["rhs"])
+    defined = {
+        symbol: values_of(entries)
+        for symbol, entries in example.get("defined", {}).items()
+        if len(entries) <= _SMALL and entries not in sides
+    }
+    behind = example.get("behind", ()) if defined else ()
+    values = {name: values_of(entries) for name, entries in example["values"].items() if name not in behind}
     shown = {symbol: value for symbol, value in values.items() if not value.is_zero}
     gap = subtract(example["lhs"], example["rhs"])
+    ours = claim.get("formula") or claim.get("goal")
+    said = ours or claim["printed"] or ""
     return Counterexample(
         of="as it was meant" if claim["verdict"] == "ill-formed" else "as printed",
-        values=tuple((formula(symbol), _run(value)) for symbol, value in shown.items()),
+        formula=formula(ours) if ours else None,
+        values=tuple((formula(as_printed(name, said)), _run(value)) for name, value in shown.items()),
         rest=len(shown) < len(values),
+        defined=tuple(
+            (formula(as_printed(name, said)), _run(value))
+            for name, value in defined.items()
+            if not value.is_zero or not shown
+        ),
         left=_run(values_of(example["lhs"])),
         right=_run(values_of(example["rhs"])),
         gap=_run(values_of(gap)) if gap is not None else None,
     )
+
+
+def as_printed(name: str, said: str) -> str:
+    """The name of a symbol in the type in which a formula sets its letter: bold, where it stands there in
+    bold only."""
+    for letter in _LETTER.findall(name):
+        for style in (r"\boldsymbol", r"\mathbf"):
+            bold = f"{style}{{{letter}}}"
+            is_bare = re.search(re.escape(letter) + r"(?![A-Za-z])", said.replace(bold, ""))
+            if bold in said and not is_bare and bold not in name:
+                return re.sub(re.escape(letter) + r"(?![A-Za-z])", lambda _, b=bold: b, name, count=1)
+    return name
 
 
 def _run(value: Values) -> Run:

@@ -89,10 +89,19 @@ def values_of(entries: Sequence[str] | str) -> Values:
     real, dual = entries[:half], entries[half:]
     if all(Fraction(entry) == 0 for entry in dual):
         return Values(plain, _laid_out(real), is_zero)
-    dual_part = rf"\varepsilon {_laid_out(dual)}"
+    sign, size = _signed(dual)
     if all(Fraction(entry) == 0 for entry in real):
-        return Values(plain, dual_part, is_zero)
-    return Values(plain, f"{_laid_out(real)} + {dual_part}", is_zero)
+        return Values(plain, f"{sign.strip('+ ')}{size}", is_zero)
+    return Values(plain, f"{_laid_out(real)} {sign} {size}", is_zero)
+
+
+def _signed(dual: Sequence[str]) -> tuple[str, str]:
+    """The sign of the dual part behind the real one, and ε times the rest."""
+    if len(dual) == 1 and dual[0] in ("1", "-1"):
+        return ("-" if dual[0] == "-1" else "+"), r"\varepsilon"
+    if len(dual) == 1 and dual[0].startswith("-"):
+        return "-", rf"\varepsilon {_laid_out([dual[0][1:]])}"
+    return "+", rf"\varepsilon {_laid_out(dual)}"
 
 
 def value_latex(entries: Sequence[str] | str) -> str | None:
@@ -106,7 +115,7 @@ def _laid_out(entries: Sequence[str]) -> str:
         return numbers[0]
     if all(Fraction(entry) == 0 for entry in entries):
         return r"\mathbf{0}"
-    columns = size if size > 1 and size * size == len(numbers) else 1
+    columns = size if size > 2 and size * size == len(numbers) else 1  # four: a quaternion
     rows = [" & ".join(numbers[at : at + columns]) for at in range(0, len(numbers), columns)]
     return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
 

@@ -22,6 +22,10 @@ from workbench.report.mathml import mathml
 from workbench.report.prose import Run
 from workbench.report.structure import ReportError, canonical, canonical_json
 
+_CITED_AS = {
+    **{"authors": "Author", "source": "In", "year": "Year", "pages": "Pages", "doi": "DOI"},
+    **{"commit": "Commit", "licence": "Licence", "read": "Read was", "recheck": "Recheck by"},
+}
 _MATH_FAILED = "This formula could not be typeset for certain; this is its LaTeX source."
 
 
@@ -66,6 +70,7 @@ def _shared() -> dict[str, Any]:
     script = files("workbench.report").joinpath("templates/report.js").read_text("utf-8")
     digest = b64encode(sha256(script.encode()).digest()).decode()
     return {
+        "cited_as": _CITED_AS,
         "states": STATES,
         "verdicts": VERDICTS,
         "colours": list((VERDICTS | STATES).values()),

@@ -19,7 +19,7 @@ _CLAIM_KEYS = (
 )  # fmt: skip
 _PROPOSAL_KEYS = ("latex", "edit", "difference", "verdict")
 _FORM_KEYS = ("latex", "verdict", "read_back", "scope", "reason", "evidence", "no_motion")
-_MEND_KEYS = ("edits", "place", "beside", "cause", "mended_by", "is_proved")
+_MEND_KEYS = ("edits", "place", "beside", "cause", "add", "example", "mended_by", "is_proved")
 _EDIT_KEYS = ("for", "read", "is_math")
 _MAY_BE_ABSENT = frozenset({
     "formula", "goal", "fault", "mend", "statement", "reason", "assume", "orders", "expected", "passed",
@@ -95,9 +95,9 @@ def _claim(claim: Any, place: str) -> dict[str, Any]:
 
 
 def _mend(mend: Any, place: str) -> None:
-    _keys(mend, _MEND_KEYS, place)
-    for key in ("place", "beside", "cause", "mended_by"):
-        _text(mend[key], f"{place}.{key}", nullable=True)
+    _keys(mend, _MEND_KEYS, place, frozenset({"add", "example"}))
+    for key in ("place", "beside", "cause", "add", "example", "mended_by"):
+        _text(mend.get(key), f"{place}.{key}", nullable=True)
     for index, edit in enumerate(_list(mend["edits"], f"{place}.edits")):
         _keys(edit, _EDIT_KEYS, f"{place}.edits[{index}]")
         for key in ("for", "read"):
@@ -137,7 +137,7 @@ def _evidence(items: Any, place: str) -> None:
 
 
 def _counterexample(example: Any, place: str) -> None:
-    _keys(example, ("values", "lhs", "rhs"), place)
+    _keys(example, ("values", "lhs", "rhs", "defined", "behind"), place, frozenset({"defined", "behind"}))
     for symbol, entries in _mapping(example["values"], f"{place}.values").items():
         _texts(entries, f"{place}.values[{symbol!r}]")
     for side in ("lhs", "rhs"):

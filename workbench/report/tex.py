@@ -51,16 +51,20 @@ _LAST_ACCENTED = "\u0180"
 _INDEX = re.compile(r"(?<=\w)_([^\W\d_])(?!\w)")
 _INDEX_SIGN = "\ue000"
 _LONG = 40
+#: Glyphs that fit a third of a page.
+_COLUMN = 38
 _COMMANDS_OF_FAMILY = {"ord": r"\Changed", "bin": r"\ChangedBin", "rel": r"\ChangedRel"}
 
 
-def escaped(plain: str) -> str:
+def escaped(plain: str, indices: bool = True) -> str:
     """Text for pdfLaTeX: specials escaped, Greek and signs as mathematics. Raises ReportError for a character
-    that it cannot set."""
+    that it cannot set.   indices: whether A_ρ is an A with an index."""
     pieces: list[str] = []
     letter = ""
     normal = " ".join(unicodedata.normalize("NFC", plain).split())
-    for character in _INDEX.sub(lambda index: _INDEX_SIGN + index[1], normal):
+    if indices:
+        normal = _INDEX.sub(lambda index: _INDEX_SIGN + index[1], normal)
+    for character in normal:
         if character in _COMBINING:
             base = _unaccented(letter) if letter.strip() else r"\ "
             letter = rf"{_COMBINING[character]}{{{base}}}"
@@ -106,7 +110,7 @@ def _character(character: str) -> str:
 
 
 def source(latex: str) -> str:
-    return rf"\texttt{{{escaped(latex)}}}"
+    return rf"\texttt{{{escaped(latex, indices=False)}}}"
 
 
 def inline_math(latex: str) -> str:
@@ -115,9 +119,9 @@ def inline_math(latex: str) -> str:
         atoms = atoms_of(latex)
     except LatexNotTypesettable:
         return source(latex)
-    if sum(len(atom.glyphs) for atom in atoms) > _LONG:
+    if sum(len(atom.glyphs) for atom in atoms) > _LONG and "bmatrix" not in latex:
         return display_math(latex)
-    return rf"\({latex_of(atoms)}\)"
+    return rf"\({latex_of(atoms).replace('bmatrix', 'bsmallmatrix')}\)"
 
 
 def display_math(latex: str, marked: frozenset[int] = frozenset()) -> str:
@@ -162,6 +166,45 @@ def new(change: Change) -> str:
     return _changed(change.new or (), change.marked_new)
 
 
+def stop(change: Change) -> str:
+    """The full stop behind a change, which a displayed formula does without."""
+    return "" if _changed(change.new or (), frozenset()).startswith(r"\DisplayedFormula") else "."
+
+
+def is_wide(change: Change) -> bool:
+    """Whether it needs the whole width of a table: a long formula, or one of several lines."""
+    return any(_width(side) > _COLUMN for side in (change.old, change.new or ()))
+
+
+def _width(sentence: tuple[Run, ...]) -> int:
+    width = 0
+    for run in sentence:
+        try:
+            width += sum(len(a.glyphs) for a in atoms_of(run.content)) if run.is_math else len(run.content)
+        except LatexNotTypesettable:
+            return 2 * _COLUMN
+        width += 2 * _COLUMN * (run.is_math and r"\begin" in run.content)
+    return width
+
+
+def old_in_cell(change: Change) -> str:
+    return _in_cell(change.old, change.marked_old)
+
+
+def new_in_cell(change: Change) -> str:
+    return _in_cell(change.new, change.marked_new) if change.new else "nothing"
+
+
+def _in_cell(sentence: tuple[Run, ...], marked: frozenset[int]) -> str:
+    if len(sentence) == 1 and sentence[0].is_math:
+        try:
+            formula = latex_of(atoms_of(sentence[0].content), marked, _in_colour)
+        except LatexNotTypesettable:
+            return source(sentence[0].content)
+        return rf"\Fitted{{\linewidth}}{{{formula}}}"
+    return f"`{runs(sentence)}'"
+
+
 def _changed(sentence: tuple[Run, ...], marked: frozenset[int]) -> str:
     if len(sentence) != 1 or not sentence[0].is_math:
         return f"`{runs(sentence)}'"
@@ -190,4 +233,8 @@ FILTERS = {
     "side": side,
     "old": old,
     "new": new,
+    "stop": stop,
+    "is_wide": is_wide,
+    "old_in_cell": old_in_cell,
+    "new_in_cell": new_in_cell,
 }

@@ -65,7 +65,7 @@ SIZES = frozenset(
 
 STYLES = {
     r"\mathbf", r"\boldsymbol", r"\bm", r"\mathrm", r"\mathit", r"\mathcal", r"\mathbb", r"\mathfrak",
-    r"\mathsf",
+    r"\mathsf", r"\mathscr",
 }  # fmt: skip
 WEIGHT_STYLES = frozenset((r"\mathbf", r"\boldsymbol", r"\bm"))
 TEXT_COMMANDS = frozenset((r"\text", r"\operatorname", r"\textbf", r"\textit", r"\textrm"))

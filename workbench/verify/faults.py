@@ -37,6 +37,8 @@ def mend_dict(result: ClaimResult) -> dict | None:
         "place": mend.place,
         "beside": mend.beside,
         "cause": mend.cause,
+        "add": mend.add,
+        "example": mend.example,
         "mended_by": mend.by,
         "is_proved": bool(
             mend.edits and printed and right and same_formula(mended(printed, mend.edits), right.latex)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
@@ -16,7 +17,7 @@ from workbench.judge.subject.slopes import indices
 from workbench.judge.verdict import Counterexample
 from workbench.language.construct import apply, derivative
 from workbench.language.printer import to_latex
-from workbench.language.terms import Relation, Symbol, Term
+from workbench.language.terms import Derivative, Relation, Symbol, Term
 
 #: Entries to draw from, and how many points to try with them.
 STAGES = (((-1, 0, 1), 240), ((-2, -1, 0, 1, 2), 160), ((-3, -2, -1, 1, 2, 3), 120))
@@ -110,6 +111,8 @@ def counterexample(
     """The point as values of the symbols and their derivatives, with what the two sides are there. An angle
     in `turned` is told by its cosine and sine, another one by its value; that is 0 if both occur."""
     values: dict[str, tuple[str, ...]] = {}
+    behind: list[str] = []
+    spoken_of = list(_symbols(relation.left, relation.right))
     for symbol, order in inventory.orders.items():
         if symbol.declaration.of or symbol.declaration.clock:
             values |= _of_function(trial, symbol, order)
@@ -124,13 +127,40 @@ def counterexample(
                 continue
             name = to_latex(derivative(symbol, k) if k else symbol)
             values[name] = _strings(trial.components(derivative(symbol, k) if k else symbol))
+            behind += [] if symbol in spoken_of else [name]
     for angle in turned:
         cosine, sine = trial.engine.circle(angle)
         name = to_latex(angle)
         values[rf"\cos {name}"], values[rf"\sin {name}"] = (str(cosine),), (str(sine),)
-    return Counterexample(
-        values, _strings(trial.components(relation.left)), _strings(trial.components(relation.right))
-    )
+    sides = (_strings(trial.components(side)) for side in (relation.left, relation.right))
+    return Counterexample(values, *sides, _defined(trial, relation, inventory), tuple(behind))
+
+
+def _defined(trial: Trial, relation: Relation, inventory: Inventory) -> dict[str, tuple[str, ...]]:
+    """What the defined symbols of the formula are there."""
+    found: dict[str, tuple[str, ...]] = {}
+    for term in _named(relation.left, relation.right):
+        symbol = term.body if isinstance(term, Derivative) else term
+        if symbol not in inventory.orders and term.type.kind in ("scalar", "vector", "tensor"):
+            with suppress(NotExact, KeyError):  # where the point does not say what the symbol is made of
+                found[to_latex(term)] = _strings(trial.components(term))
+    return found
+
+
+def _named(*terms: Term) -> Iterator[Symbol | Derivative]:
+    """The symbols, and the derivatives of symbols, as they stand in the terms."""
+    for term in terms:
+        if isinstance(term, Symbol) or (isinstance(term, Derivative) and isinstance(term.body, Symbol)):
+            yield term
+        else:
+            yield from _named(*term.children)
+
+
+def _symbols(*terms: Term) -> Iterator[Symbol]:
+    for term in terms:
+        if isinstance(term, Symbol):
+            yield term
+        yield from _symbols(*term.children)
 
 
 def _of_function(trial: Trial, symbol: Symbol, order: int) -> dict[str, tuple[str, ...]]:

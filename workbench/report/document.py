@@ -213,7 +213,7 @@ def _equation_key(claim: Mapping[str, Any]) -> str:
 
 
 def _is_number(equation: str | None) -> bool:
-    return bool(equation and re.fullmatch(r"\d+[a-z]?", equation))
+    return bool(equation and re.fullmatch(r"(?:[A-Z]\.?)?\d+(?:\.\d+)*[a-z]?", equation))
 
 
 def _heading(claim: Mapping[str, Any]) -> str:

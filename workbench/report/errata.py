@@ -318,11 +318,11 @@ def _counterexample(claim: Claim) -> Counterexample | None:
         of="as it was meant" if claim["verdict"] == "ill-formed" else "as printed",
         formula=formula(ours) if ours else None,
         values=tuple((formula(as_printed(name, said)), _run(value)) for name, value in shown.items()),
-        rest=len(shown) < len(values),
+        rest=len(shown) < len(values) or (not shown and any(value.is_zero for value in defined.values())),
         defined=tuple(
             (formula(as_printed(name, said)), _run(value))
             for name, value in defined.items()
-            if not value.is_zero or not shown
+            if not value.is_zero
         ),
         left=_run(values_of(example["lhs"])),
         right=_run(values_of(example["rhs"])),

@@ -16,6 +16,9 @@ GREEK = {
     r"\Psi": "Ψ", r"\Omega": "Ω",
 }  # fmt: skip
 
+#: Greek letters that stand there without a command.
+LETTERS = {glyph: command for command, glyph in GREEK.items()}
+
 BINARY_OPERATORS = {
     "+": "+", "-": "−", r"\cdot": "·", r"\times": "×", r"\otimes": "⊗", r"\circ": "∘",
     r"\oplus": "⊕", r"\pm": "±", r"\mp": "∓", "*": "*", r"\ast": "*", r"\wedge": "∧",

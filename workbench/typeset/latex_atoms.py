@@ -122,7 +122,7 @@ def _enclosed(opening: Atom, *parts: Sequence[Atom]) -> list[Atom]:
 
 class _Parser:
     def __init__(self, latex: str):
-        self.tokens = [token for token in _TOKEN.findall(latex)]
+        self.tokens = [table.LETTERS.get(token, token) for token in _TOKEN.findall(latex)]
         self.position = 0
         self.depth = 0
         self.aligned = False

@@ -1,0 +1,68 @@
+"""The note on ten formulas of a textbook, five of them with a slip: judged, written, and set by pdflatex."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from workbench.papers import load_paper
+from workbench.report import render
+from workbench.verify.claims import judge_paper
+from workbench.verify.results import report_dict
+
+TEXTBOOK = Path(__file__).parent.parent / "papers" / "textbook.toml"
+
+
+@pytest.fixture(scope="module")
+def report():
+    paper = load_paper(TEXTBOOK)
+    results = judge_paper(paper, motions=False)
+    assert [result.claim.id for result in results if not result.passed] == []
+    return report_dict(paper, results)
+
+
+@pytest.fixture(scope="module")
+def note(report):
+    return render.render(report)["erratum.tex"]
+
+
+def test_each_slip_is_in_the_note_once_and_what_is_right_is_not(note):
+    body = note.split(r"\section*{Appendix")[0].split(r"\section*", 1)[1]
+    for name, equation in {
+        "Errors": "3.2",
+        "Misprints": "3.4",
+        "Wording": "3.6",
+        "Probable": "3.8",
+        "Missing": "3.9",
+    }.items():
+        section = re.split(r"\\section\*", body.split(f"{{{name}", 1)[-1])[0]
+        assert re.findall(r"Eq\. \((3\.\d+)\)", section.replace("bears on Eq. (3.3)", "")) == [equation], name
+    assert "bears on Eq. (3.3)" in body and "41--47" in note
+
+
+def test_edits_make_the_proved_forms(report):
+    edited = [
+        claim for claim in report["claims"] if (claim["mend"] or {}).get("edits") and not claim["formula"]
+    ]
+    assert len(edited) == 3 and all(claim["mend"]["is_proved"] for claim in edited)
+
+
+def test_two_runs_give_the_same_bytes(report):
+    assert render.render(report) == render.render(
+        report_dict(load_paper(TEXTBOOK), judge_paper(load_paper(TEXTBOOK), motions=False))
+    )
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+def test_the_note_has_two_pages(note, tmp_path):
+    (tmp_path / "erratum.tex").write_text(note, "utf-8")
+    for _ in range(2):
+        run = subprocess.run(
+            ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "erratum.tex"],
+            cwd=tmp_path, capture_output=True, timeout=60,
+        )  # fmt: skip
+    log = run.stdout.decode("utf-8", "replace")
+    assert run.returncode == 0, log[-2000:]
+    assert "Overfull" not in log and "(2 pages" in log

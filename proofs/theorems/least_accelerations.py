@@ -110,7 +110,7 @@ THEOREMS = {
             Given(
                 Cases(
                     "s = 0",
-                    equal=Witness({"x": "0 b"}, Follows("Y", Y=Use(0))),
+                    equal=Witness({"x": r"\mathbf{0}"}, Follows("Y", Y=Use(0))),
                     unequal=Witness({"x": r"-\frac{1}{s} b"}),
                 )
             ),

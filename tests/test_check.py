@@ -39,6 +39,8 @@ def test_outcomes(latex, outcome):
 def test_an_aligned_chain_is_one_formula(last, outcome):
     latex = rf"\begin{{aligned}} a \times b &= -b \times a, \\ &= {last} \end{{aligned}}"
     assert check(latex, AB).outcome == outcome
+
+
 def test_a_counterexample_says_what_definitions_make_of_it():
     example = check(r"n \cdot n = 1", AB, definitions=[r"n = a \times b"]).verdict.counterexample
     a, b, n = ([int(x) for x in given] for given in (*example.values.values(), example.defined["n"]))

@@ -371,10 +371,12 @@ def test_the_note_begins_with_a_page_for_the_editor():
         "recheck": "workbench report --paper a_b",
     }
     note = render.render(report)["erratum.tex"]
-    first = note.split(r"\clearpage")[0]
+    first = note.split(r"\section*{Errors")[0]
     for expected in ("A. N. Author", "A Book", r"report {-}{-}paper a\_b}", r"\today"):
         assert expected in first
-    assert r"\section*{Errors" not in first
+    many = [claim(str(n), str(n), "1", "refuted", printed="a") for n in range(6)]
+    page = render.render(report_of(many))["erratum.tex"].split(r"\clearpage")[0]
+    assert r"\today" in page and r"\section*{Errors" not in page
 
 
 @pytest.mark.parametrize(

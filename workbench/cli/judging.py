@@ -70,6 +70,32 @@ def judged(
         return judge_paper(paper, select, progress=advance, budget=budget, memory=memory, **engines)
 
 
+def judged_papers(
+    papers: Sequence[tuple[str, Paper]],
+    jobs: int | None,
+    scheduler: str | None,
+    seconds: float | None = None,
+    megabytes: float | None = None,
+    cache: bool = True,
+    **engines: bool,
+) -> list[list[ClaimResult]]:
+    """The results of each paper, judged by so many processes or on a cluster."""
+    from workbench.budget import Budget
+    from workbench.cli.terminal import progress_bar
+    from workbench.papers import PaperError
+    from workbench.verify.many import judge_papers
+
+    count = sum(len(paper.claims) for _, paper in papers)
+    try:
+        budget = Budget.of(seconds=seconds, megabytes=megabytes)
+        with memory_of_verdicts(cache) as memory, progress_bar(count, "judging") as advance:
+            return list(judge_papers(papers, jobs, scheduler, advance, budget, memory, **engines))
+    except PaperError:
+        raise
+    except ValueError as error:
+        raise Unusable(str(error)) from None
+
+
 def as_expected(paper: Paper, results: Sequence[ClaimResult]) -> bool:
     """Whether each verdict is the expected one; tells what of a model does not fit its text."""
     for fault in paper.faults:

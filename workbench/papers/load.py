@@ -50,14 +50,14 @@ _CONTRADICTIONS = (
 )
 
 
-def load_paper(path: Path | str) -> Paper:
+def load_paper(path: Path | str, faults: list[PaperError] | None = None) -> Paper:
     """The paper of one file: a paper file, a text, or the model beside one. Raises PaperError, with line and
-    column, if the file cannot be used."""
+    column, if the file cannot be used. faults: where those of single claims are put, if not raised."""
     path = Path(path)
     if is_text(path):
         return load_text(path)
     toml = TomlFile(path)
-    return load_model(toml) if "source" in toml.data else merge([path])
+    return load_model(toml) if "source" in toml.data else merge([path], faults=faults)
 
 
 def load_notation(path: Path | str) -> Notation:
@@ -103,10 +103,15 @@ def find_paper(name: Path | str | None = None) -> Paper:
     return load_installed(str(name))
 
 
-def merge(paths: Sequence[Path], theorems: Mapping[str, Theorem] | None = None) -> Paper:
+def merge(
+    paths: Sequence[Path],
+    theorems: Mapping[str, Theorem] | None = None,
+    faults: list[PaperError] | None = None,
+) -> Paper:
     """One paper of several files, in their order; ids are unique over all. Each file keeps its own notation.
 
     theorems: name → proof; if None, those of the installed paper that the first file is part of.
+    faults: where those of single claims are put, which are left out then; if None, the first is raised.
     """
     shared_notations: dict[tuple[Path, ...], Notation] = {}
     files = [_PaperFile.open(Path(path), shared_notations) for path in paths]
@@ -115,11 +120,21 @@ def merge(paths: Sequence[Path], theorems: Mapping[str, Theorem] | None = None) 
         theorems = paper_of(files[0].toml.path).theorems if needed else {}
     claims: list[Claim] = []
     owners: dict[str, str] = {}
+    skipped: list[str] = []
     for file in files:
         for index in range(len(file.claims)):
-            claims += _ClaimReader(file, ("claim", index), owners, theorems).claims()
+            try:
+                claims += _ClaimReader(file, ("claim", index), owners, theorems).claims()
+            except PaperError as error:
+                if faults is None:
+                    raise
+                faults.append(error)
+                if isinstance(name := file.claims[index].get("id"), str):
+                    skipped.append(name)
         require_claims(file.toml, owners)
-    parts: dict[str, list[str]] = {}
+    if faults and not claims:
+        raise faults[0]
+    parts: dict[str, list[str]] = {name: [] for name in skipped}
     for claim in claims:
         parts.setdefault(owners[claim.id], []).append(claim.id)
         parts.setdefault(claim.id, [claim.id])
@@ -141,7 +156,15 @@ def merge(paths: Sequence[Path], theorems: Mapping[str, Theorem] | None = None) 
         key: text for file in files for key in CITATION_KEYS if (text := file.toml.text(("citation", key)))
     }
     return Paper(
-        first.title, first.doi, tuple(paths), notation, tuple(claims), dict(theorems), budget, citation
+        first.title,
+        first.doi,
+        tuple(paths),
+        notation,
+        tuple(claims),
+        dict(theorems),
+        budget,
+        citation,
+        faults=tuple(faults or ()),
     )
 
 

@@ -63,7 +63,7 @@ class Formula:
     statement: Statement | None = None
     ill_formed: str | None = None
     unread: str | None = None
-    at: Span | None = None
+    at: Span | None = field(default=None, repr=False)
 
     def __str__(self) -> str:
         return self.latex

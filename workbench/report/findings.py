@@ -31,7 +31,7 @@ _RULES = {
     "unchecked": "The formula could not be judged.",
     "known": "A fault that the model names, with its proved correction.",
     "unexpected": "The verdict is not the one that the model announces.",
-    "model": "What the model says does not fit the text.",
+    "model": "What a model or a paper file says cannot be used, or does not fit the text.",
     "text": "The text could not be read as TeX would read it.",
 }
 
@@ -51,8 +51,8 @@ class Finding:
 def findings(paper: Paper, results: Sequence[ClaimResult]) -> list[Finding]:
     """All of them, in the order of the text; nothing for a claim that is proved or a definition."""
     found = [finding for finding in _of_results(results)]
+    found += [_of_error("error", "model", error, paper) for error in paper.faults]
     if isinstance(paper, TextPaper):
-        found += [_of_error("error", "model", error, paper) for error in paper.faults]
         found += [_of_error("warning", "text", error, paper) for error in paper.warnings]
     return sorted(found, key=lambda each: (str(each.span.file), each.span.line, each.span.column))
 

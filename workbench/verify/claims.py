@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from typing import Protocol
 
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
 from workbench.judge.kernel.judge import Judge
@@ -48,6 +49,16 @@ class ClaimResult:
     why_not: str = ""
 
 
+class Pool(Protocol):
+    """Where forms are judged: processes here, or elsewhere."""
+
+    def map(self, items: Sequence[tuple[str, str]]) -> Iterator[Verdict | OutOfBudget]:
+        """The verdict on each form of a claim, in their order."""
+
+    def close(self) -> None:
+        """Ends it."""
+
+
 class PaperJudge:
     """The judges of a paper: one for each notation, made on first use. Each judgement has the budget: that
     given here, or the paper's, or the standard one. memory: where verdicts of earlier runs are kept."""
@@ -69,11 +80,7 @@ class PaperJudge:
         self._claims = {claim.id: claim for claim in paper.claims}
         self._workers = self._new_workers(1)
         self._memory = memory
-        self._keys = (
-            Keys(paper.theorems, {**self.options, "motions": motions, "budget": self.budget})
-            if memory
-            else None
-        )
+        self._keys = Keys(paper.theorems, {**self.options, "motions": motions, "budget": self.budget})
         self._witnesses = Witnesses(memory, self._keys) if motions else None
 
     def result(self, claim: Claim) -> ClaimResult:
@@ -81,19 +88,31 @@ class PaperJudge:
         (result,) = self.results([claim])
         return result
 
-    def results(self, claims: Sequence[Claim]) -> Iterator[ClaimResult]:
+    def results(
+        self, claims: Sequence[Claim], jobs: int | None = None, pool: Pool | None = None
+    ) -> Iterator[ClaimResult]:
         """The results for claims of the paper, in their order, each as soon as it is there.
 
-        Many claims are judged on all cores: a claim does not depend on another."""
-        asked = [(claim, form) for claim in claims for form in _forms(claim)]
+        Many claims are judged on all cores, or by so many jobs, or by the pool: a claim does not depend on
+        another. A pool has its work before the first result is asked for."""
+        asked = [(claim, form) for claim in claims for form in forms(claim)]
         known = {(claim.id, form): self._recall(claim, form) for claim, form in asked}
         new = [name_and_form for name_and_form, verdict in known.items() if verdict is None]
         self._waiting = [self._claims[name] for name, _ in new]
-        workers = self._workers if len(new) < MANY else self._new_workers(os.cpu_count() or 1)
-        verdicts = workers.map(new)
+        count = jobs or (os.cpu_count() or 1 if len(new) >= MANY else 1)
+        workers = pool or (self._workers if count == 1 else self._new_workers(count))
+        return self._collected(claims, known, workers, workers.map(new))
+
+    def _collected(
+        self,
+        claims: Sequence[Claim],
+        known: dict[tuple[str, str], Verdict | None],
+        workers: Pool,
+        verdicts: Iterator[Verdict | OutOfBudget],
+    ) -> Iterator[ClaimResult]:
         try:
             for claim in claims:
-                found = {form: known[claim.id, form] for form in _forms(claim)}
+                found = {form: known[claim.id, form] for form in forms(claim)}
                 for form in found:
                     if found[form] is None:
                         found[form] = self._remember(claim, form, next(verdicts))
@@ -102,6 +121,16 @@ class PaperJudge:
             verdicts.close()
             if workers is not self._workers:
                 workers.close()
+
+    def key(self, claim: Claim, form: str) -> str:
+        """Under which the verdict on a form is remembered: all that it depends on."""
+        return self._keys.of(claim, form)
+
+    def judged_now(self, claim: Claim, form: str) -> Verdict | OutOfBudget:
+        """The verdict on one form, whatever is remembered."""
+        self._waiting = [claim]
+        (answer,) = self._workers.map([(claim.id, form)])
+        return answer
 
     def _recall(self, claim: Claim, form: str) -> Verdict | None:
         return self._memory.recall(self._keys.of(claim, form)) if self._memory else None
@@ -252,7 +281,7 @@ def judge_paper(
     return results
 
 
-def _forms(claim: Claim) -> list[str]:
+def forms(claim: Claim) -> list[str]:
     return [form for form in FORMS if form == "printed" or getattr(claim, form) is not None]
 
 

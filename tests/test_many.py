@@ -1,0 +1,171 @@
+"""Many papers at once, on processes and on a cluster that loses a worker; files that are watched; one bad formula."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from workbench.cli.commands import main
+from workbench.papers import load_paper
+from workbench.verify import remote
+from workbench.verify.claims import PaperJudge, forms
+from workbench.verify.many import judge_papers
+from workbench.verify.memory import Memory
+
+HEAD = 'title = "p"\n[symbols]\na = { kind = "vector" }\nb = { kind = "vector" }\n'
+TRUE = "[[claim]]\nid = 'true'\nprinted = 'a \\times b = -b \\times a'\n"
+FALSE = "[[claim]]\nid = 'false'\nprinted = 'a \\times b = b \\times a'\ncorrected = 'a \\times b = -b \\times a'\n"
+UNREAD = "[[claim]]\nid = 'unread'\nprinted = 'a \\foo b = 0'\n"
+TEXT = """%! workbench: symbols.'a' = { kind = "vector" }
+\\[ a \\cdot a = a^2 \\]
+\\[ a \\times a = 1 a \\]
+\\input{part}
+"""
+
+
+def run(*arguments: str) -> Result:
+    return CliRunner().invoke(main, [*arguments], catch_exceptions=False)
+
+
+def papers(folder: Path) -> list[tuple[str, object]]:
+    (folder / "one.toml").write_text(HEAD + TRUE + FALSE)
+    (folder / "two.tex").write_text(TEXT)
+    (folder / "part.tex").write_text("\\[ 2 a = a + a \\]")
+    return [(str(folder / name), load_paper(folder / name)) for name in ("one.toml", "two.tex")]
+
+
+VERDICTS = [["proved", "refuted"], ["proved", "refuted", "proved"]]
+
+
+def outcomes(found) -> list[list[str]]:
+    return [[str(result.verdict.outcome) for result in results] for results in found]
+
+
+def test_an_unreadable_formula_hides_no_other(tmp_path: Path) -> None:
+    path = tmp_path / "p.toml"
+    path.write_text(
+        HEAD + TRUE + UNREAD + FALSE + "inherits = ['unread']\n" + UNREAD.replace("unread", "again")
+    )
+    result = run("check", str(path), "--no-proposals")
+    assert result.exit_code == 1
+    assert "2 claims: 1 proved, 1 refuted; all as expected" in result.output
+    assert result.output.count("unknown command \\foo") == 2 and f"{path}:10:14: printed:" in result.output
+    data = json.loads(run("check", str(path), "--format", "json", "--no-proposals").stdout)
+    assert [fault["line"] for fault in data["faults"]] == [10, 18]
+    path.write_text(HEAD + UNREAD)
+    assert run("check", str(path)).exit_code == 2
+
+
+def test_several_papers_on_several_processes(tmp_path: Path) -> None:
+    names = [name for name, _ in papers(tmp_path)]
+    (tmp_path / "bad.toml").write_text("[")
+    result = run("check", *names, "--jobs", "2", "--no-proposals", "--no-motions")
+    assert result.exit_code == 1 and all(f"{name}:\n" in result.output for name in names)
+    result = run("check", *names, str(tmp_path / "bad.toml"), "--format", "github", "--no-motions")
+    assert result.exit_code == 2 and "not TOML" in result.output and "::error" in result.output
+
+
+def test_a_text_without_a_model_says_what_it_needs(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text("$$ x + y = z $$\n")
+    result = run("check", str(path))
+    assert result.exit_code == 2
+    assert "1 of 1 steps use symbols that nothing declares" in result.output
+    assert f"workbench ingest {path}" in " ".join(result.output.split())
+
+
+def test_a_worker_judges_what_has_the_very_same_key_alone(tmp_path: Path) -> None:
+    (name, paper), *_ = papers(tmp_path)
+    judge, bundle = PaperJudge(paper, motions=False), remote.Bundle.of(paper, name)
+    claim = paper.claims[1]
+    options = {"motions": False}
+    told = [
+        remote._judged({}, bundle, claim.id, form, key, options, judge.budget)
+        for form in forms(claim)
+        for key in (judge.key(claim, form), "another")
+    ]
+    refused = "the worker's workbench is another one, or its files; its verdict does not count"
+    answers = [each if isinstance(each, str) else each["outcome"] for each in told]
+    assert answers == ["refuted", refused, "proved", refused]
+
+
+def test_a_scheduler_that_is_none_is_said(tmp_path: Path) -> None:
+    (name, _), *_ = papers(tmp_path)
+    result = run("check", name, "--scheduler", "tcp://127.0.0.1:1")
+    assert (result.exit_code, "no scheduler of Dask answers there" in result.output) == (2, True)
+
+
+def test_a_cluster_that_loses_a_worker_loses_no_verdict(tmp_path: Path) -> None:
+    """The second run has its verdicts from the first one's memory, and asks no worker."""
+    from distributed import LocalCluster
+
+    chosen = papers(tmp_path)
+    memory = Memory(tmp_path / "verdicts.sqlite")
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        processes = [worker.pid for worker in cluster.workers.values()]
+
+        def kill() -> None:
+            time.sleep(0.3)
+            os.kill(processes[0], signal.SIGKILL)
+
+        thread = threading.Thread(target=kill)
+        thread.start()
+        found = outcomes(
+            judge_papers(chosen, scheduler=cluster.scheduler_address, memory=memory, motions=False)
+        )
+        thread.join()
+    assert found == VERDICTS
+    assert outcomes(judge_papers(chosen, memory=memory, motions=False)) == VERDICTS
+    memory.close()
+
+
+def test_what_was_judged_before_an_interruption_is_not_judged_again(tmp_path: Path) -> None:
+    chosen = papers(tmp_path)
+    memory = Memory(tmp_path / "verdicts.sqlite")
+
+    def interrupt(result) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        list(judge_papers(chosen, memory=memory, motions=False, progress=interrupt))
+    judge = PaperJudge(chosen[0][1], memory=memory, motions=False)
+    claims = chosen[0][1].claims
+    assert memory.recall(judge.key(claims[0], "printed")) is not None
+    assert memory.recall(judge.key(claims[1], "printed")) is None
+    memory.close()
+
+
+def test_a_watched_paper_is_judged_again_when_it_changes(tmp_path: Path) -> None:
+    papers(tmp_path)
+    code = "from workbench.cli.commands import main; main()"
+    call = [sys.executable, "-uc", code, "check", "--watch", "two.tex", "--no-motions"]
+    environment = {**os.environ, "WORKBENCH_CACHE": str(tmp_path / "cache")}
+    with subprocess.Popen(call, cwd=tmp_path, stdout=subprocess.PIPE, text=True, env=environment) as process:
+        try:
+            assert "1 refuted" in _until(process, "waiting for changes")
+            time.sleep(0.5)
+            (tmp_path / "part.tex").write_text("\\[ 3 a = a + a \\]")
+            start = time.monotonic()
+            assert "2 refuted" in _until(process, "waiting for changes")
+            assert time.monotonic() - start < 15  # a second on a quiet machine
+        finally:
+            process.send_signal(signal.SIGINT)
+            process.wait(10)
+
+
+def _until(process: subprocess.Popen, words: str) -> str:
+    told = ""
+    while words not in told:
+        line = process.stdout.readline()
+        assert line, told
+        told += line
+    return told

@@ -1,0 +1,76 @@
+"""workbench check --watch: what changes in a paper is judged again, in a process that has all else ready."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from workbench.cli.options import memory_of_verdicts
+
+if TYPE_CHECKING:
+    from workbench.papers import Paper
+
+#: Milliseconds for which an editor may go on writing before its file is read.
+_PAUSE = 100
+
+
+def watch_files(
+    files: Sequence[Path],
+    form: str,
+    seconds: float | None = None,
+    megabytes: float | None = None,
+    cache: bool = True,
+    **engines: bool,
+) -> None:
+    """Judges the files, and again what changes in them or in what they include, until it is interrupted."""
+    from watchfiles import watch
+
+    from workbench.budget import Budget
+
+    budget = Budget.of(seconds=seconds, megabytes=megabytes)
+    with memory_of_verdicts(cache) as memory:
+        known: dict[Path, list[Path]] = {}
+        waiting = list(dict.fromkeys(files))
+        while True:
+            for file in waiting:
+                known[file] = _judged(file, form, known.get(file), budget, memory, engines)
+            parts = {path.resolve(): file for file, paths in known.items() for path in paths}
+            folders = {path.parent for path in parts}
+            changes = next(watch(*folders, step=_PAUSE, recursive=False, raise_interrupt=True), None)
+            if changes is None:
+                return
+            touched = {Path(name).resolve() for _, name in changes}
+            waiting = list(dict.fromkeys(parts[path] for path in touched if path in parts))
+
+
+def _judged(
+    file: Path, form: str, before: list[Path] | None, budget: Any, memory: Any, engines: dict[str, bool]
+) -> list[Path]:
+    """Judges a file; the paths that it stands on."""
+    from workbench.cli.check import print_judged
+    from workbench.papers import PaperError, load_paper
+    from workbench.verify import judge_paper
+
+    start = monotonic()
+    try:
+        paper = load_paper(file, faults=[])
+        results = judge_paper(paper, budget=budget, memory=memory, **engines)
+    except PaperError as error:
+        click.echo(f"Error: {error}", err=True)
+        return before or [file, file.with_suffix(".toml")]
+    print_judged([(paper, results)], None, form, proposals=False)
+    if form == "text":
+        click.echo(f"{file}: judged in {monotonic() - start:.1f} s; waiting for changes")
+    return [file, *paths_of(paper)]
+
+
+def paths_of(paper: Paper) -> list[Path]:
+    """The files that a paper is read from, and the model that may come to lie beside it."""
+    from workbench.papers.text_paper import TextPaper
+
+    sources = [source.path for source in paper.text.sources] if isinstance(paper, TextPaper) else []
+    return [*paper.paths, *sources, *(path.with_suffix(".toml") for path in paper.paths)]

@@ -51,7 +51,7 @@ def _judged(
     file: Path, form: str, before: list[Path] | None, budget: Any, memory: Any, engines: dict[str, bool]
 ) -> list[Path]:
     """Judges a file; the paths that it stands on."""
-    from workbench.cli.check import print_judged
+    from workbench.cli.printed import print_judged
     from workbench.papers import PaperError, load_paper
     from workbench.verify import judge_paper
 

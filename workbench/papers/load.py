@@ -19,7 +19,17 @@ from workbench.papers.formulas import FormulaReader
 from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
 from workbench.papers.lines import Line, split_lines
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
-from workbench.papers.model import CITATION_KEYS, Claim, Formula, Notation, Paper, PaperError, Stated, Theorem
+from workbench.papers.model import (
+    CITATION_KEYS,
+    Claim,
+    Formula,
+    Notation,
+    Paper,
+    PaperError,
+    Stated,
+    Theorem,
+    UnreadFormula,
+)
 from workbench.papers.motion import require_claims
 from workbench.papers.notation import NOTATION_KEYS, notation_chain, notation_of
 from workbench.papers.orders import Orders
@@ -125,7 +135,7 @@ def merge(
         for index in range(len(file.claims)):
             try:
                 claims += _ClaimReader(file, ("claim", index), owners, theorems).claims()
-            except PaperError as error:
+            except UnreadFormula as error:
                 if faults is None:
                     raise
                 faults.append(error)

@@ -43,6 +43,13 @@ class PaperError(ValueError):
         return PaperError, (self.file, self.line, self.column, self.message)
 
 
+class UnreadFormula(PaperError):
+    """A formula of one claim that cannot be read: no fault of the file around it."""
+
+    def __reduce__(self) -> tuple:
+        return UnreadFormula, (self.file, self.line, self.column, self.message)
+
+
 @dataclass(frozen=True)
 class Span:
     """The author's own characters: lines and columns from 1, the end is behind the last character."""

@@ -1,0 +1,119 @@
+"""What `workbench check` prints: for people, as JSON, or for what runs it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from workbench.cli.judging import print_results, write_atomically
+from workbench.cli.options import json_text, print_json
+from workbench.cli.repair import claims_with_proposals
+
+if TYPE_CHECKING:
+    from workbench.papers import Paper
+    from workbench.report.findings import Finding
+    from workbench.verify.claims import ClaimResult
+
+
+def print_judged(
+    judged: Sequence[tuple[Paper, Sequence[ClaimResult]]], json_out: str | None, form: str, proposals: bool
+) -> None:
+    from workbench.verify.results import report_dict
+
+    if form in ("github", "sarif", "rdjsonl"):
+        _print_findings(judged, form)
+        return
+    reports = []
+    for paper, results in judged:
+        data = report_dict(paper, results)
+        data["claims"] = claims_with_proposals(data["claims"], results, proposals)
+        reports.append(data)
+    told = [data | _faults_dict(paper) for (paper, _), data in zip(judged, reports, strict=True)]
+    shown = told[0] if len(told) == 1 else told
+    if form == "json" or json_out == "-":
+        print_json(shown)
+        return
+    if json_out is not None:
+        write_atomically(Path(json_out), json_text(shown))
+    for (paper, results), data in zip(judged, reports, strict=True):
+        if len(judged) > 1:
+            click.echo(f"{paper.paths[0]}:")
+        _print_text(paper, results, data)
+
+
+def _print_findings(judged: Sequence[tuple[Paper, Sequence[ClaimResult]]], form: str) -> None:
+    from workbench.cli.carets import lines_of
+    from workbench.report.findings import findings, github, rdjsonl, sarif
+    from workbench.verify.results import report_dict
+
+    found = [finding for paper, results in judged for finding in findings(paper, results)]
+    if form == "github":
+        click.echo(github(found), nl=False)
+    elif form == "sarif":
+        print_json(sarif(found, report_dict(judged[0][0], ())["versions"]["workbench"]))
+    else:
+        files = {each.span.file for each in found}
+        click.echo(rdjsonl(found, {path: lines_of(path) for path in files}), nl=False)
+
+
+def _print_text(paper: Paper, results: Sequence[ClaimResult], data: dict[str, Any]) -> None:
+    from workbench.cli.proposals import repair_lines
+    from workbench.cli.terminal import console, summary_line
+    from workbench.papers.text_paper import TextPaper
+
+    terminal = console(sys.stdout)
+    if isinstance(paper, TextPaper):
+        _print_places(paper, results)
+        terminal.print(summary_line(results))
+        if (hint := _hint(paper, results)) is not None:
+            terminal.print(hint, markup=False)
+    else:
+        for fault in paper.faults:
+            click.echo(f"Error: {fault}", err=True)
+        print_results(paper, results, False)
+    for claim in data["claims"]:
+        for line in repair_lines(claim, terminal.is_terminal) if claim["proposed"] else ():
+            terminal.print(line)
+
+
+def _hint(paper: Paper, results: Sequence[ClaimResult]) -> str | None:
+    """What a text without a model needs, where symbols are unknown."""
+    unknown = sum("unknown symbol" in (result.claim.printed.unread or "") for result in results)
+    if len(paper.paths) > 1 or not unknown:
+        return None
+    name = paper.paths[0]
+    return (
+        f"{unknown} of {len(results)} steps use symbols that nothing declares: `workbench ingest {name}`"
+        " writes a model with guessed kinds beside it; until then, none is guessed"
+    )
+
+
+def _print_places(paper: Paper, results: Sequence[ClaimResult]) -> None:
+    from workbench.cli.carets import finding_lines, lines_of
+    from workbench.cli.terminal import console
+    from workbench.report.findings import findings
+
+    terminal = console(sys.stdout)
+    found: Sequence[Finding] = findings(paper, results)
+    lines = {path: lines_of(path) for path in {each.span.file for each in found}}
+    for each in found:
+        for line in finding_lines(each, lines[each.span.file]):
+            terminal.print(line)
+
+
+def _faults_dict(paper: Paper) -> dict[str, Any]:
+    from workbench.papers.text_paper import TextPaper
+
+    kinds = [("faults", paper.faults)]
+    if isinstance(paper, TextPaper):
+        kinds.append(("warnings", paper.warnings))
+    elif not paper.faults:
+        return {}
+    return {
+        key: [{"file": str(e.file), "line": e.line, "column": e.column, "message": e.message} for e in errors]
+        for key, errors in kinds
+    }

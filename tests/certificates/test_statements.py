@@ -5,9 +5,11 @@ import pytest
 from tests.certificates.emitted import all_certificates, one
 from workbench import check
 from workbench.certificates import read_back
+from workbench.certificates.forms import certificate, forms_of
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import theorem
 from workbench.language.definitions import Definitions
+from workbench.papers import find_paper
 
 
 def test_every_statement_says_what_its_terms_say_and_is_written_again_as_it_was():
@@ -85,3 +87,31 @@ def test_what_is_not_in_the_subset_is_refused(text):
 def test_a_name_of_coq_is_spelt_otherwise():
     statement = check(r"I \times I = 0", symbols={"I": "vector"}).result.claim.printed.statement
     assert "(I_ : vector K)" in theorem("t", statement, (), Definitions()).statement
+
+
+@pytest.mark.parametrize(
+    ("formula", "symbols", "obstacle"),
+    [
+        (r"A B = B A", {"A": "matrix 2×2", "B": "matrix 2×2"}, "a block matrix that nothing defines"),
+        (r"T T = T", {"T": {"kind": "transform"}}, "a block matrix that nothing defines"),
+        (r"T a = a", {"T": {"kind": "tensor", "symmetric": True}, "a": "vector"}, "a symmetric tensor"),
+        (r"\dot{x} = t x", {"x": "scalar"}, "the time t"),
+        (r"\|a\| = \|b\|", {"a": "vector", "b": "vector"}, "a norm"),
+        (r"a \cdot b \neq 0", {"a": "vector", "b": "vector"}, "an inequation to be proved"),
+    ],
+)
+def test_what_the_library_does_not_have_is_named(formula, symbols, obstacle):
+    claim = check(formula, symbols=symbols).result.claim
+    with pytest.raises(NotCertified, match=obstacle):
+        theorem("t", claim.printed.statement, (), claim.notation.definitions)
+
+
+def test_quaternions_are_named_as_the_obstacle():
+    obstacles = set()
+    for claim in find_paper("quaternions").claims:
+        for form in forms_of(claim):
+            try:
+                certificate(form, every=False)
+            except NotCertified as obstacle:
+                obstacles.add(str(obstacle))
+    assert "quaternions" in obstacles

@@ -57,6 +57,8 @@ def matrix(emitter: Collector, term: Term) -> Matrix:
         case Block():
             return _assembled(emitter, term)
         case Derivative():
+            if not term.order.is_number:
+                raise NotCertified("a derivative of symbolic order of a matrix")
             value = matrix(emitter, term.body)
             for _ in range(int(term.order)):
                 entries = tuple(tuple(f"(DD {e})" for e in row) for row in value.entries)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
@@ -11,6 +11,7 @@ from workbench.certificates import coqc
 from workbench.certificates.forms import Certificate, Form, certificate, forms_of
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty, refutation
+from workbench.certificates.steps import Steps, all_steps
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.verify.claims import ClaimResult
 
@@ -127,6 +128,17 @@ def checked_all(
         return list(pool.map(one, certificates))
 
 
+def check_steps(all_: Sequence[Steps], progress: Callable[[object], None] = lambda done: None) -> None:
+    """The steps of all theorem claims put before Coq, on all cores; what it says is remembered."""
+    coqc.library()
+
+    def one(text: str) -> None:
+        progress(coqc.check(text))
+
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        list(pool.map(one, [text for steps in all_ for text in steps.texts]))
+
+
 def _with(each: Certified, ask: Callable[[str], coqc.Checked | None]) -> Certified:
     if each.certificate is None:
         return each
@@ -134,10 +146,15 @@ def _with(each: Certified, ask: Callable[[str], coqc.Checked | None]) -> Certifi
     return replace(each, checked=ask(each.certificate.text), met=ask(motions.text) if motions else None)
 
 
-def with_certificates(claims: Sequence[dict], results: Sequence[ClaimResult]) -> list[dict]:
-    """The claims of a report, each with what is remembered of the certificates of its exact forms."""
+def with_certificates(
+    claims: Sequence[dict], results: Sequence[ClaimResult], theorems: Mapping[str, object]
+) -> list[dict]:
+    """The claims of a report, each with what is remembered of the certificates of its exact forms and of the
+    steps of its theorem."""
     found: dict[str, list[dict]] = {}
     for form, result, verdict in exact_forms(results):
         each = _with(written(form, verdict), coqc.recall)
         found.setdefault(result.claim.id, []).append(each.to_dict())
+    for steps in all_steps(results, theorems):
+        found.setdefault(steps.claim.id, []).append(steps.to_dict())
     return [{**claim, "certificates": found.get(claim["id"], [])} for claim in claims]

@@ -38,6 +38,15 @@ _BINARY = {
     "outer": ("⊗", "Outer", "Tensor"),
 }
 
+#: What a declaration can say that no supposition of the library states.
+_BEYOND = {
+    "symmetric": "a symmetric tensor",
+    "diagonal": "a diagonal tensor",
+    "clock": "the time t",
+    "of": "a function of other symbols",
+    "independent": "a symbol that others are functions of",
+}
+
 
 class Emitter(Collector):
     """Makes nodes of terms."""
@@ -52,7 +61,7 @@ class Emitter(Collector):
 
     def _term(self, term: Term) -> Node:
         if term.type.kind not in KINDS:
-            raise NotCertified(f"a {term.type.kind} among scalars, vectors and tensors")
+            raise NotCertified(nodes.named(term.type.kind))
         match term:
             case Number():
                 return nodes.number(term.value)
@@ -145,9 +154,10 @@ class Emitter(Collector):
     def _new(self, symbol: Symbol) -> Node:
         kind = KINDS.get(symbol.type.kind)
         if kind is None:
-            raise NotCertified(f"a {symbol.type.kind} among scalars, vectors and tensors")
-        if symbol.declaration.symmetric or symbol.declaration.diagonal:
-            raise NotCertified("a symmetric tensor")
+            raise NotCertified(nodes.named(symbol.type.kind))
+        for said, obstacle in _BEYOND.items():
+            if getattr(symbol.declaration, said):
+                raise NotCertified(obstacle)
         body = self.definitions.lookup(symbol)
         if any(not index.is_number for index in symbol.index):
             return families.member(self, symbol, kind, body)

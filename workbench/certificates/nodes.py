@@ -7,12 +7,24 @@ from fractions import Fraction
 
 KINDS = {"scalar": "Scalar", "vector": "Vector", "tensor": "Tensor"}
 
+#: How an obstacle calls the kinds that the library does not have.
+_BEYOND = {
+    "quaternion": "quaternions",
+    "covector": "covectors",
+    "matrix": "a matrix that is not 3×3",
+    "operator": "an operator among values",
+}
+
 #: Levels of Coq's grammar: what binds closer has the smaller number.
 ATOM, APPLICATION, NEGATION, PRODUCT, SUM = 0, 10, 35, 40, 50
 
 
 class NotCertified(Exception):
     """No theorem can be written for a claim; the message is the first obstacle."""
+
+
+def named(kind: str) -> str:
+    return _BEYOND.get(kind, kind)
 
 
 @dataclass(frozen=True)

@@ -198,7 +198,7 @@ def _conclude(made: Theorem, relation: Relation) -> None:
         second = operators.operator(emitter, right, dual, "Vector")(value)
     else:
         if not kinds <= set(KINDS):
-            raise NotCertified(f"an equation between {' and '.join(sorted(kinds))}")
+            raise NotCertified(nodes.named(min(kinds - set(KINDS))))
         first, second = nodes.together((emitter.term(left), emitter.term(right)))
     made.conclusions.append(equation(first, second))
     made.goals.append([(first.deep, second.deep)])

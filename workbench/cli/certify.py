@@ -28,7 +28,8 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     """Write the proved and refuted forms of the claims that SELECT means as Coq theorems. With --check, exit
     status 3 if Coq refuses one of them."""
     from workbench.certificates import coqc
-    from workbench.certificates.certify import checked_all, exact_forms, written
+    from workbench.certificates.certify import check_steps, checked_all, exact_forms, written
+    from workbench.certificates.steps import all_steps
     from workbench.cli.judging import judged
     from workbench.cli.terminal import certificates_table, console, progress_bar
     from workbench.papers import find_paper
@@ -38,19 +39,24 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     if out is not None and out.exists() and not out.is_dir():
         raise Unusable(f"{out}: expected a directory for the certificates, got a file")
     paper = find_paper(paper_name)
-    made = [written(form, verdict) for form, _, verdict in exact_forms(judged(paper, select))]
+    results = judged(paper, select)
+    made = [written(form, verdict) for form, _, verdict in exact_forms(results)]
+    steps = all_steps(results, paper.theorems)
     if out is not None:
         _write(out, made)
     if asked:
-        with progress_bar(len(made), "checking") as advance:
+        with progress_bar(len(made) + sum(len(s.texts) for s in steps), "checking") as advance:
             try:
                 made = checked_all(made, advance)
+                check_steps(steps, advance)
             except coqc.CoqFault as fault:
                 raise Defect(str(fault)) from None
     by_hand = [] if select else _by_hand(paper)
     refused = [path.name for path in by_hand if asked and not coqc.check(path.read_text("utf-8")).expected]
     terminal = console(sys.stdout)
     terminal.print(certificates_table(made))
+    for each in steps:
+        terminal.print(f"{each.claim.id}, theorem: {each.word}", markup=False)
     certified = [c for c in made if c.certificate is not None]
     done = [c for c in made if c.certified]
     asked_for = f", {len(done)} certified{_times(done)}" if asked else ""
@@ -58,7 +64,8 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     for path in by_hand:
         said = ": refused" if path.name in refused else ": certified" if asked else ""
         terminal.print(f"{path.name}, written by hand{said}", markup=False)
-    if broken := [*(c.form.identifier for c in made if c.broken), *refused]:
+    wrong = [s.claim.id for s in steps if s.broken] if asked else []
+    if broken := [*(c.form.identifier for c in made if c.broken), *wrong, *refused]:
         raise Defect(f"Coq refuses {len(broken)} of them: {', '.join(broken)}")
 
 

@@ -106,9 +106,10 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     from workbench.papers import find_paper
     from workbench.verify.results import claim_dict
 
-    results = judged(find_paper(paper_name), [claim_id])
+    paper = find_paper(paper_name)
+    results = judged(paper, [claim_id])
     claims = claims_with_proposals([claim_dict(result) for result in results], results, proposals)
-    claims = with_certificates(claims, results)
+    claims = with_certificates(claims, results, paper.theorems)
     if as_json:
         print_json(claims[0] if len(claims) == 1 else claims)
     else:
@@ -155,7 +156,7 @@ def report(
     data["paper"].setdefault("recheck", "workbench report" + f" --paper {paper_name}" * bool(paper_name))
     if proposals:
         data["claims"] = claims_with_proposals(data["claims"], results, True)
-    data["claims"] = with_certificates(data["claims"], results)
+    data["claims"] = with_certificates(data["claims"], results, paper.theorems)
     written = _write_report_atomically(data, out)
     if as_json:
         print_json(data)

@@ -1,0 +1,108 @@
+"""Tampering: false statements, with the proof of the true one and with a proof of their own, are refused."""
+
+import re
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+from tests.certificates.emitted import all_certificates, one
+from workbench.certificates import coqc
+from workbench.certificates.nodes import NotCertified
+from workbench.certificates.theorem import HEADER, theorem
+from workbench.language.instances import instantiate
+from workbench.language.terms import IllFormed, Relation
+from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.edits import edits
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(coqc.version() is None, reason=f"no coqc: {coqc.INSTALL}"),
+]
+
+#: Of one certificate at most so many mutants, of all together so many, in one run of Coq so many certificates.
+EACH, WANTED, TOGETHER = 10, 520, 4
+
+
+def originals():
+    """(form, its statement at small orders, its theorem), where one equation is proved by computation alone."""
+    for form, made in all_certificates():
+        if isinstance(made, str) or not isinstance(form.formula.statement, Relation) or form.claim.assume:
+            continue
+        values = form.claim.instances[min(1, len(form.claim.instances) - 1)]
+        definitions = form.claim.notation.definitions
+        try:
+            statement = instantiate(form.formula.statement, values)
+            base = theorem("base", statement, (), definitions)
+        except (NotCertified, IllFormed):
+            continue
+        if not base.emitter.steps and len(base.goals[0]) == 1 and base.proof.count("DD") < 40:
+            yield form, statement, base
+
+
+def mutants(form, statement, base):
+    """(kind of edit, theorem) of distinct statements that are false at random points modulo a prime."""
+    definitions = form.claim.notation.definitions
+    try:
+        screen = Screen(definitions, (), [{}])
+        screen.keep(statement)
+    except Exception:  # what the screen does not take is no part of the campaign
+        return
+    seen = {base.statement}
+    for edit in edits(statement):
+        if len(seen) > EACH:
+            return
+        if edit.statement is None:
+            continue
+        try:
+            residual = screen.residual(edit.statement)
+            changed = theorem("base", edit.statement, (), definitions)
+        except (NotCertified, IllFormed, ArithmeticError, ValueError):
+            continue
+        if residual is None or not any(residual) or changed.emitter.steps or changed.statement in seen:
+            continue
+        seen.add(changed.statement)
+        yield edit.kind, changed
+
+
+def attempt(made, deep, fails=True):
+    """The theorem's statement, with a proof by the given deep copies."""
+    left, right = deep
+    setup = made.proof.split("  certify ")[0].removeprefix("Proof.").replace("intros ", "idtac; try intros ")
+    goal = re.sub(r"^Theorem \w+", "Goal forall", made.statement).replace(" :\n", ",\n", 1)
+    proof = f"(refine (@by_computing _ known0 _ _ {left} {right} _); vm_compute; reflexivity)"
+    end = f"Fail {proof}.\nAbort." if fails else f"{proof}.\nQed."
+    return f"{goal}\nProof. intros.{setup}  {end}\n"
+
+
+def test_the_campaign_would_see_a_theorem_that_is_accepted():
+    (base,) = one("58.det").theorems
+    said = coqc.check(f"{HEADER}\n{attempt(base, base.goals[0][0])}", remember=False)
+    assert not said.accepted
+    assert "has not failed" in said.fault
+
+
+def test_every_false_statement_is_refused_with_the_old_copy_and_with_its_own():
+    kinds, texts, forms, attempts = Counter(), [], Counter(), 0
+    for form, statement, base in originals():
+        if kinds.total() >= WANTED:
+            break
+        # the same proof is accepted where the statement is true
+        text = [attempt(base, base.goals[0][0], fails=False)]
+        for kind, changed in mutants(form, statement, base):
+            text.append(attempt(changed, changed.goals[0][0]))
+            if len(base.emitter.slots) == len(changed.emitter.slots):
+                text.append(attempt(changed, base.goals[0][0]))
+            kinds[kind] += 1
+            forms[form.identifier] += 1
+        if len(text) > 1:
+            texts.append("\n".join(text))
+            attempts += len(text) - 1
+    together = ["\n".join([HEADER, *texts[i : i + TOGETHER]]) for i in range(0, len(texts), TOGETHER)]
+    with ThreadPoolExecutor(2) as pool:
+        said = list(pool.map(coqc.check, together))
+    assert [s.fault for s in said if not s.accepted] == []
+    print(f"\n{kinds.total()} false statements of {len(forms)} certificates, {attempts} proofs, all refused")
+    print("\n".join(f"{number:5} {kind}" for kind, number in kinds.most_common()))
+    assert kinds.total() >= 500
+    assert attempts >= kinds.total() * 1.5

@@ -39,6 +39,7 @@ LIBRARY = (
     "Time",
     "Refute",
     "Witness",
+    "Instant",
 )
 
 #: Of Coq's real numbers: what statements about real motions may rest on, and nothing else.

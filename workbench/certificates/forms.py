@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from workbench.certificates.families import general
+from workbench.certificates.inequations import HEADER as OF_INEQUATIONS
+from workbench.certificates.inequations import denies, unequal
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import HEADER, Theorem, theorem
 from workbench.language.instances import instantiate
@@ -40,10 +42,11 @@ class Certificate:
     scope: str | None = None
     header: str = HEADER
     motions: Certificate | None = None
+    title: str = ""
 
     @property
     def text(self) -> str:
-        about = f"(* {_said(self.form)} *)" if self.form else "(* motions that meet premises *)"
+        about = f"(* {_said(self.form)} *)" if self.form else f"(* {self.title} *)"
         names = [t.name for t in self.theorems]
         last = names[0]
         together = ""
@@ -84,6 +87,9 @@ def certificate(form: Form, every: bool) -> Certificate:
             return Certificate(form, (made,), f"all {', '.join(integers)}" if integers else None)
         except NotCertified:
             pass
+    if denies(form.formula.statement):
+        made = unequal(form.identifier, form.formula.statement, claim.supposed, definitions)
+        return Certificate(form, (made,), header=OF_INEQUATIONS)
     theorems = []
     for values in claim.instances:
         suffix = "".join(f"_{name}{value}" for name, value in values.items())

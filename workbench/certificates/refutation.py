@@ -216,7 +216,11 @@ def not_empty(of: Certificate) -> Certificate | None:
                 _met(each) if any(line.endswith("->") for line in each.emitter.statement) else _declared(each)
             )
             shown[met.text] = met
-    return Certificate(None, tuple(shown.values()), of.scope, HEADER) if shown else None
+    return (
+        Certificate(None, tuple(shown.values()), of.scope, HEADER, title="premises are met")
+        if shown
+        else None
+    )
 
 
 def _declared(of: Theorem) -> Denied:

@@ -109,4 +109,4 @@ def _step(claim: Claim, obligation: Obligation, number: int) -> Step:
         made = theorem(name, statement, supposed, definitions, integers)
     except (NotCertified, IllFormed) as obstacle:
         return Step(None, str(obstacle))
-    return Step(Certificate(None, (made,)))
+    return Step(Certificate(None, (made,), title=f"{claim.id}, {obligation.rule}"))

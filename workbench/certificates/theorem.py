@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from workbench.certificates import blocks, nodes, operators, read_back
 from workbench.certificates.emitter import Emitter
@@ -200,6 +200,8 @@ def _conclude(made: Theorem, relation: Relation) -> None:
         if not kinds <= set(KINDS):
             raise NotCertified(nodes.named(min(kinds - set(KINDS))))
         first, second = nodes.together((emitter.term(left), emitter.term(right)))
+        if not emitter.binders:  # nothing else says which ring the numbers are of
+            first = replace(first, text=f"({first.text} : {first.type})", level=ATOM)
     made.conclusions.append(equation(first, second))
     made.goals.append([(first.deep, second.deep)])
 

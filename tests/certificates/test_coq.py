@@ -5,6 +5,7 @@ from click.testing import CliRunner
 
 from tests.certificates.emitted import one
 from workbench.certificates import coqc
+from workbench.certificates.refutation import not_empty
 from workbench.cli.commands import main
 from workbench.papers import find_paper
 
@@ -62,3 +63,32 @@ def test_a_refutation_is_accepted_on_the_axioms_of_the_reals(name):
     assert said.accepted, said.fault
     assert said.axioms
     assert said.expected
+
+
+@pytest.mark.parametrize(
+    ("name", "form"),
+    [("58.nonsingular", "printed"), ("61.nonsingular", "reading"), ("10.invertible", "printed")],
+)
+def test_what_differs_just_where_something_else_does_is_accepted(name, form):
+    said = coqc.check(one(name, form).text, remember=False)
+    assert said.accepted, said.fault
+    assert said.expected
+
+
+def test_an_inequation_with_a_wrong_partner_is_refused():
+    text = one("58.nonsingular").text.replace(
+        "equal_at now (omega × D omega)", "equal_at now (omega + D omega)"
+    )
+    assert not coqc.check(text, remember=False).accepted
+
+
+@pytest.mark.parametrize(("name", "form"), [("3.skew", "printed"), ("59", "reading"), ("49", "printed")])
+def test_a_motion_that_meets_the_premises_is_accepted(name, form):
+    said = coqc.check(not_empty(one(name, form)).text, remember=False)
+    assert said.accepted, said.fault
+    assert said.expected
+
+
+def test_a_motion_that_does_not_meet_them_is_refused():
+    text = not_empty(one("59", "reading")).text.replace("number (-1 # 1)", "number (-1 # 2)")
+    assert not coqc.check(text, remember=False).accepted

@@ -7,9 +7,12 @@ from workbench import check
 from workbench.certificates import read_back
 from workbench.certificates.forms import certificate, forms_of
 from workbench.certificates.nodes import NotCertified
+from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import theorem
+from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.papers import find_paper
+from workbench.verify.claims import ClaimResult
 
 
 def test_every_statement_says_what_its_terms_say_and_is_written_again_as_it_was():
@@ -115,3 +118,26 @@ def test_quaternions_are_named_as_the_obstacle():
             except NotCertified as obstacle:
                 obstacles.add(str(obstacle))
     assert "quaternions" in obstacles
+
+
+@pytest.mark.parametrize("claim_id", ["Theorem5", "78", "74"])
+def test_each_step_of_a_theorem_has_a_certificate_or_an_obstacle(claim_id):
+    paper = find_paper("chapter")
+    (claim,) = [c for c in paper.claims if c.id == claim_id]
+    result = ClaimResult(claim, Verdict(Outcome.PROVED), None, None, Outcome.PROVED, True)
+    made = steps_of(result, paper.theorems)
+    assert all((step.certificate is None) == bool(step.obstacle) for step in made.steps)
+    assert [
+        f for s in made.steps if s.certificate for f in s.certificate.theorems[0].read_back_faults()
+    ] == []
+    assert f"of {len(made.steps)}" in made.word
+    refused = ClaimResult(claim, Verdict(Outcome.REFUTED), None, None, Outcome.PROVED, False)
+    assert steps_of(refused, paper.theorems) is None
+
+
+def test_an_inequation_is_about_an_instant_of_a_real_motion():
+    (t,) = one("58.nonsingular").theorems
+    assert t.statement.endswith(
+        "~ equal_at now (det Phi_2) (zero : scalar K) <-> ~ equal_at now (omega × D omega) (zero : vector K)."
+    )
+    assert t.read_back_faults() == []

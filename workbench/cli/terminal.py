@@ -104,7 +104,8 @@ def claim_lines(claim: Mapping[str, Any], with_expectation: bool = True) -> Iter
         yield Text(f"{'counterexample':>15}")
         for symbol, entries in counterexample["values"].items():
             yield Text(f"{'':17}{symbol} = {_tuple(entries)}")
-        for symbol, entries in counterexample.get("defined", {}).items():
+        defined = counterexample.get("defined", {}).items()
+        for symbol, entries in (each for each in defined if len(each[1]) <= 6):
             yield Text(f"{'':17}so that {symbol} = {_tuple(entries)}")
         yield Text(f"{'':17}left  = {_tuple(counterexample['lhs'])}")
         yield Text(f"{'':17}right = {_tuple(counterexample['rhs'])}")

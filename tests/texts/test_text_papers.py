@@ -258,7 +258,9 @@ def test_faults_of_a_text_are_mended_as_those_of_a_paper_file(tmp_path: Path) ->
     assert run("report", "--paper", str(path), "--out", str(out)).exit_code == 0
     note = (out / "erratum.tex").read_text()
     assert "0123456" in note and "A. Author" in note
-    assert note.count(r"\Fitted{\linewidth}{b \times a}") == 1, "the second is mended by the edit of the first"
+    assert note.count(r"\Fitted{\linewidth}{b \times a}") == 1, (
+        "the second is mended by the edit of the first"
+    )
 
 
 def test_a_verdict_where_none_was_expected_passes_unless_it_is_a_fault(tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from workbench.cli.check import check
 from workbench.cli.ingest import ingest_text
 from workbench.cli.init import init
 from workbench.cli.judging import as_expected, engine_options, judged, print_results, proposals_flag
+from workbench.cli.lsp import lsp
 from workbench.cli.motion import motion
 from workbench.cli.options import (
     Unusable,
@@ -43,6 +44,7 @@ main.add_command(check)
 main.add_command(ingest_text)
 main.add_command(init)
 main.add_command(motion)
+main.add_command(lsp)
 
 
 @main.command("list")

@@ -1,0 +1,117 @@
+"""`workbench lsp` as an editor meets it: over standard input and output."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+types = pytest.importorskip("lsprotocol.types")
+client_module = pytest.importorskip("pygls.lsp.client")
+
+MODEL = r"""source = "é p.md"
+[symbols]
+'a' = { kind = "vector" }
+'b' = { kind = "vector" }
+'m' = { kind = "scalar" }
+'c' = { kind = "vector" }
+[[claim]]
+at = "one"
+corrected = 'a \times b = -b \times a'
+"""
+TEXT = "𝒳é: $$ a \\times b = b \\times a $$ (one)\n\n$$ c = a \\times b $$ (two)\n\n$$ a + m = 0 $$\n\n$$ a + b = b + a $$\n"
+
+
+async def session(folder: Path) -> dict[str, object]:
+    client = client_module.BaseLanguageClient("test", "1")
+    published: dict[str, list] = {}
+    came = asyncio.Event()
+
+    @client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+    def on_diagnostics(params: types.PublishDiagnosticsParams) -> None:
+        published[params.uri] = params.diagnostics
+        came.set()
+
+    code = "from workbench.cli.commands import main; main(['lsp'])"
+    await client.start_io(sys.executable, "-c", code)
+    await client.initialize_async(
+        types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri())
+    )
+    client.initialized(types.InitializedParams())
+    path = folder / "é p.md"
+    uri = path.as_uri()
+
+    async def saved(text: str) -> list:
+        came.clear()
+        path.write_text(text)
+        client.text_document_did_save(types.DidSaveTextDocumentParams(types.TextDocumentIdentifier(uri)))
+        await asyncio.wait_for(came.wait(), 60)
+        return published[uri]
+
+    item = types.TextDocumentItem(uri, "markdown", 1, TEXT)
+    client.text_document_did_open(types.DidOpenTextDocumentParams(item))
+    await asyncio.wait_for(came.wait(), 60)
+    found: dict[str, object] = {"opened": published[uri]}
+    place = types.TextDocumentIdentifier(uri)
+    found["hover"] = await client.text_document_hover_async(types.HoverParams(place, types.Position(6, 6)))
+    found["nothing"] = await client.text_document_hover_async(types.HoverParams(place, types.Position(1, 0)))
+    (known,) = [each for each in published[uri] if each.code == "known"]
+    found["actions"] = await client.text_document_code_action_async(
+        types.CodeActionParams(place, known.range, types.CodeActionContext([known]))
+    )
+    found["mended"] = await saved(TEXT.replace("= b \\times a", "= - b \\times a").replace("a + m", "a + a"))
+    (folder / "é p.toml").write_text("source = 3")
+    found["broken"] = await saved(TEXT)
+    await client.shutdown_async(None)
+    client.exit(None)
+    await client.stop()
+    return found
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory) -> dict:
+    folder = tmp_path_factory.mktemp("editor")
+    (folder / "é p.toml").write_text(MODEL)
+    (folder / "é p.md").write_text(TEXT)
+    before = os.environ.get("WORKBENCH_CACHE")
+    os.environ["WORKBENCH_CACHE"] = str(folder / "cache")
+    try:
+        return asyncio.run(session(folder))
+    finally:
+        os.environ["WORKBENCH_CACHE"] = before or ""
+
+
+def test_faults_stand_under_the_authors_characters_in_the_clients_units(found: dict) -> None:
+    by_code = {each.code: each for each in found["opened"]}
+    known, ill_formed = by_code["known"], by_code["ill-formed"]
+    assert known.range.start == types.Position(0, TEXT.index("a") + 1), "𝒳 is two units of UTF-16"
+    assert ill_formed.range.start.line == 4 and ill_formed.severity == types.DiagnosticSeverity.Error
+    assert known.severity == types.DiagnosticSeverity.Information
+
+
+def test_what_needs_a_definition_is_a_hint(found: dict) -> None:
+    (hint,) = [each for each in found["opened"] if each.severity == types.DiagnosticSeverity.Hint]
+    assert "nothing defines" in hint.message and hint.range.start.line == 2
+
+
+def test_hover_shows_verdict_reading_and_evidence(found: dict) -> None:
+    told = found["hover"].contents.value
+    assert "**proved**" in told and "read as `" in told and "FLINT" in told
+    assert found["nothing"] is None
+
+
+def test_the_proved_correction_is_a_quick_fix(found: dict) -> None:
+    (action,) = found["actions"]
+    ((edit,),) = action.edit.changes.values()
+    start, end = edit.range.start, edit.range.end
+    line = TEXT.split("\n")[0].encode("utf-16-le")
+    assert line[2 * start.character : 2 * end.character].decode("utf-16-le") == "a \\times b = b \\times a"
+    assert edit.new_text == "a \\times b = -b \\times a"
+
+
+def test_a_save_judges_again_and_a_broken_model_is_one_fault(found: dict) -> None:
+    assert {each.code for each in found["mended"]} == {"unexpected", "unchecked"}
+    assert all("é p" in each.message or each.code for each in found["broken"])

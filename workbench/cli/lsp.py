@@ -124,9 +124,8 @@ def _judge(server: LanguageServer, known: dict[Path, Judged], path: Path, motion
         line, column = error.line or 1, error.column or 1
         place = _span(Path(error.file or path), line, column)
         found, judged = [Finding("error", "model", error.message, place)], None
-    by_file: dict[Path, list[Finding]] = {
-        each: [] for each in (path, *(known[path].told if path in known else ()))
-    }
+    told = known[path].told if path in known else ()
+    by_file: dict[Path, list[Finding]] = {each: [] for each in (path, *told)}
     for each in found:
         by_file.setdefault(each.span.file, []).append(each)
     by_id = {result.claim.id: result for result in judged.results} if judged else {}
@@ -190,9 +189,8 @@ def _told(result: ClaimResult) -> str:
     lines += [verdict.reason] if verdict.reason else []
     lines += [f"read as `{verdict.read_back}`"] if verdict.read_back else []
     if example := verdict.counterexample:
-        lines += [
-            "counterexample: " + ", ".join(f"`{k}` = {', '.join(v)}" for k, v in example.values.items())
-        ]
+        values = ", ".join(f"`{name}` = ({', '.join(each)})" for name, each in example.values.items())
+        lines += [f"counterexample: {values}"]
     for name in ("reading", "corrected"):
         form, its = getattr(result.claim, name), getattr(result, name)
         lines += [f"{name}: `{form.latex}`: {its.outcome}"] if form is not None and its is not None else []

@@ -222,8 +222,8 @@ def acted(parts: list[Matrix], like: Matrix) -> Matrix:
     return total
 
 
-def exponential(x: Matrix) -> Matrix:
-    """By halving the argument until its own series is short, and squaring."""
+def exponential(x: Matrix, on: Matrix | None = None) -> Matrix:
+    """By halving the argument until its own series is short, and squaring; `on`: what it is applied to."""
     halvings = 12
     small = scaled(x, mpf(1) / 2**halvings)
     total = term = unit(len(x))
@@ -232,4 +232,4 @@ def exponential(x: Matrix) -> Matrix:
         total = added(total, term)
     for _ in range(halvings):
         total = product(total, total)
-    return total
+    return total if on is None else product(total, on)

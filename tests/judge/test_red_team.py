@@ -63,8 +63,8 @@ class TestAngles:
     def test_what_is_true_is_not_refuted(self, latex, assume):
         assert outcome(latex, *assume) not in (Outcome.REFUTED, Outcome.CONDITIONAL)
 
-    def test_no_counterexample_with_an_angle_beside_its_sine(self):
-        assert outcome(r"\sin \alpha = \alpha") == Outcome.UNCHECKED
+    def test_a_counterexample_with_an_angle_beside_its_sine_is_real(self):
+        assert outcome(r"\sin \alpha = \alpha") == Outcome.REFUTED  # in balls, at 1
         assert outcome(r"\cos \alpha = \alpha") == Outcome.REFUTED  # at 0
         assert outcome(r"\frac{\sin \alpha}{\alpha} \alpha = \sin \alpha", r"\alpha \neq 0") == Outcome.PROVED
 

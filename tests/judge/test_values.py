@@ -51,6 +51,7 @@ TABLE = replace(
             **{name: {"kind": "matrix 6×1"} for name in ("V", "W")},
             **{name: {"kind": "scalar"} for name in ("y", "z", r"\theta")},
             "w": {"kind": "vector"},
+            r"\omega": {"kind": "scalar", "constant": True},
             "A": {"kind": "scalar", "of": ["y", "z"]},
             "B": {"kind": "vector", "of": ["y", r"\theta"]},
             "C": {"kind": "scalar", "of": ["w", "t"]},
@@ -153,6 +154,23 @@ V^2 W = (V \cdot V) W
 \frac{\partial (w \times D)}{\partial w} = \tilde{w} \frac{\partial D}{\partial w} - \tilde{D}
 \frac{\partial \|w\|}{\partial w} \|w\| = w^T
 \frac{d}{dt} (t a) = a + t \dot{a}
+\frac{d}{dt} \sin(\omega t + \alpha) = (\omega + \dot{\alpha}) \cos(\omega t + \alpha)
+\cos(f g + \alpha) = \cos(f g) \cos \alpha - \sin(f g) \sin \alpha
+\sin(f g) = 2 \sin \frac{f g}{2} \cos \frac{f g}{2}
+\frac{\partial}{\partial y} \cos(\omega y) = -\omega \sin(\omega y)
+\frac{\partial}{\partial y} \sin A = \frac{\partial A}{\partial y} \cos A
+\exp(\tilde{a}) a = a
+\exp(\tilde{a}) (\exp(\tilde{a}))^T = \mathbf{I}
+\exp(\alpha \tilde{u}) = \mathbf{I} + \sin \alpha \tilde{u} + (1 - \cos \alpha) \tilde{u}^2
+\exp(\tilde{a}) \exp(2 \tilde{a}) = \exp(3 \tilde{a})
+\det \exp(\tilde{a}) = 1
+\exp(\tilde{a}) \tilde{b} (\exp(\tilde{a}))^T = \widetilde{\exp(\tilde{a}) b}
+\|a\|^2 \exp(\tilde{a}) = a^2 \mathbf{I} + \|a\| \sin(\|a\|) \tilde{a} + (1 - \cos(\|a\|)) \tilde{a}^2
+\exp(\alpha \operatorname{quat}(0, u)) = \cos \alpha + u \sin \alpha
+\|\exp(\operatorname{quat}(0, a))\| = 1
+\exp(\operatorname{quat}(0, \frac{a}{2})) b (\exp(\operatorname{quat}(0, \frac{a}{2})))^* = \operatorname{quat}(0, \exp(\tilde{a}) b)
+(\exp(\operatorname{quat}(0, a)))^* = \exp(-\operatorname{quat}(0, a))
+\frac{d}{dt} \exp(\alpha \tilde{u}) = \dot{\alpha} \tilde{u} \exp(\alpha \tilde{u}) + \sin \alpha \tilde{\dot{u}} + (1 - \cos \alpha) (\tilde{\dot{u}} \tilde{u} + \tilde{u} \tilde{\dot{u}})
 \begin{bmatrix} J & \tilde{a} \\ -\tilde{a} & L \end{bmatrix}^T = \begin{bmatrix} J & \tilde{a} \\ -\tilde{a} & L \end{bmatrix}
 """.strip().splitlines()  # fmt: skip
 

@@ -460,6 +460,8 @@ class World:
                 return [[x.circle()[0]]]
             case "sin", [[[x]]]:
                 return [[x.circle()[1]]]
+            case "exp", [q] if term.type.kind == "quaternion":
+                return exponential(_from_the_left(q), [[constant(int(i == 0))] for i in range(4)])
             case "exp", [x]:
                 return exponential(x)
         raise NotRead(f"the operation {head}")
@@ -507,6 +509,12 @@ class World:
 
 def scaled_by(matrix: Matrix, factor: Series) -> Matrix:
     return each(matrix, lambda x: x * factor)
+
+
+def _from_the_left(q: Matrix) -> Matrix:
+    """The matrix of p ↦ q p, column by column."""
+    columns = [hamilton(q, [[constant(int(i == j))] for i in range(4)]) for j in range(4)]
+    return [[column[i][0] for column in columns] for i in range(4)]
 
 
 def _integer(value: Linear, at: Integers) -> int:

@@ -13,7 +13,8 @@ A reciprocal 1/d is an indeterminate z with z·d = 1, cleared at the end.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from fractions import Fraction
 from functools import cache, partial
 
@@ -38,6 +39,8 @@ class DifferentialRing:
         self._places = {name: place for place, name in enumerate(names)}
         self._squares: dict[str, Polynomial] = {}
         self._reciprocals: list[tuple[str, Polynomial]] = []
+        self._removable = False
+        self._divided: set[str] = set()
         self._partials = {name: partial(self.partial, name=name) for name in names}
 
     def constant(self, value: Fraction | int) -> Polynomial:
@@ -108,12 +111,24 @@ class DifferentialRing:
         factor = Fraction(int(leading.q), int(leading.p))
         for name, known in self._reciprocals:
             if known == monic:
+                if not self._removable:
+                    self._divided.add(name)
                 return self.generators[name], factor
         name = spare[len(self._reciprocals)]
         self._reciprocals.append((name, monic))
+        if not self._removable:
+            self._divided.add(name)
         z = self.generators[name]
         self.derive_by(name, lambda derivation: -(z**2) * derivation(monic))
         return z, factor
+
+    @contextmanager
+    def removable(self) -> Iterator[None]:
+        """What is divided by in here may vanish: the quotients are analytic there, as sin x / x is at 0, so
+        that an identity that holds beside that place holds on it."""
+        self._removable = True
+        yield
+        self._removable = False
 
     @property
     def squared(self) -> frozenset[str]:
@@ -132,8 +147,8 @@ class DifferentialRing:
 
     @property
     def denominators(self) -> tuple[Polynomial, ...]:
-        """What was divided by, up to numbers, in normal form."""
-        return tuple(d for _, d in self._reciprocals)
+        """What was divided by, up to numbers, in normal form, where quotients are not analytic."""
+        return tuple(d for name, d in self._reciprocals if name in self._divided)
 
     @property
     def relations(self) -> tuple[Polynomial, ...]:

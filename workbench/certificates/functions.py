@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from workbench.certificates import nodes
 from workbench.certificates.collector import Collector
 from workbench.certificates.nodes import APPLICATION, ATOM, Node, NotCertified, flag
+from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
 from workbench.language.terms import Apply, DualUnit, Number, Symbol, Term
 
@@ -129,7 +130,9 @@ def _dual(text: str, sign: str, angle: Node, main: Node, other: Node) -> Node:
 def exponential(emitter: Collector, term: Apply) -> Node:
     """Of ε X: I + ε X, since the series ends. Of α ũ with a unit vector u: Rodrigues' formula."""
     argument = term.arguments[0]
-    turn = angle_and_axis(argument)
+    turn = angle_and_axis(argument, NoDefinitions())
+    if turn is not None and (not isinstance(turn[1], Symbol) or term.type.kind == "quaternion"):
+        raise NotCertified("the exponential of a quaternion, or of an angle about an axis in numbers")
     if turn is not None:
         angle, axis = turn
         c, s, u = nodes.together((*circle(emitter, angle), emitter.term(axis)))

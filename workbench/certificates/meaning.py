@@ -13,6 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from workbench.certificates.read_back import Expression, Unread, number
+from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
 from workbench.language.definitions import Definitions
 from workbench.language.instances import count
@@ -221,7 +222,7 @@ class OfTerm:
         if head == "reciprocal":
             return ("over", self(arguments[0]))
         if head == "exp":
-            turn = angle_and_axis(arguments[0])
+            turn = angle_and_axis(arguments[0], NoDefinitions())
             if turn is not None:
                 return ("exp", self(turn[0]), self(turn[1]))
             return ("exp", self._epsilon_first(arguments[0]))

@@ -306,8 +306,6 @@ class _Row:
         if head == "root":
             return self.root(leaf, place)
         argument, end = self.argument(head, leaf, place + 1)
-        if head == "exp" and argument.type.kind == "quaternion":
-            raise Fault("the exponential of a quaternion", leaf.at)
         if head == "skew" and argument.type.kind == "tensor":
             head = "antisymmetric"
         term = self.scope.build(leaf.at, _value_of, head, argument)

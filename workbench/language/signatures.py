@@ -204,7 +204,7 @@ def _part(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def _exp(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    _expect(arguments, {"scalar", "tensor"})
+    _expect(arguments, {"scalar", "tensor", "quaternion"})
     return arguments[0].type, _weightless(arguments)
 
 

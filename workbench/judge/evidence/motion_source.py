@@ -154,6 +154,9 @@ class MotionSource:
         value = self.jet(angle, 0).re[0][()].values
         return Lanes(np.cos(value)), Lanes(np.sin(value))
 
+    def circles(self) -> list[Term]:
+        return []
+
     def moved(self, seed: object) -> MotionSource:
         raise NotExact("a partial derivative, on a motion")
 

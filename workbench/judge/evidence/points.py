@@ -29,10 +29,11 @@ Completion = Callable[[dict[Parameter, Fraction]], dict[Parameter, Fraction]]
 
 @dataclass(frozen=True)
 class Trial:
-    """What two terms are at one rational point; None where a side is undefined there."""
+    """What two terms are at one point; None where a side is undefined there."""
 
     point: dict[Parameter, Fraction]
     engine: JetEngine
+    real: bool = False  # whether the numbers are balls
 
     def components(self, term: Term) -> list[Fraction] | None:
         try:
@@ -186,4 +187,9 @@ def _of_function(trial: Trial, symbol: Symbol, order: int) -> dict[str, tuple[st
 
 
 def _strings(components: list[Any] | None) -> tuple[str, ...]:
-    return ("undefined",) if components is None else tuple(str(c) for c in components)
+    return ("undefined",) if components is None else tuple(map(_text, components))
+
+
+def _text(number: Any) -> str:
+    """A fraction as it is, a ball by the first digits of its midpoint."""
+    return str(number) if isinstance(number, Fraction | int) else format(float(number), ".6g")

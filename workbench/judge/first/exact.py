@@ -6,7 +6,7 @@ product throughout. Dual entries are `Dual` numbers over the ring. An operator �
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import partial
 from functools import reduce as fold
@@ -36,10 +36,12 @@ from workbench.algebra.matrices import (
 from workbench.judge.first.exact_algebra import ExactAlgebra
 from workbench.judge.first.exact_symbols import FreeSymbols, rank
 from workbench.judge.first.quaternions import conjugate, hamilton
+from workbench.judge.subject.angles import NO_ANGLE
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parameters
-from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector
 from workbench.judge.subject.slopes import seeds
+from workbench.language.construct import apply
 from workbench.language.terms import (
     Apply,
     Block,
@@ -75,6 +77,9 @@ class ExactEngine:
             self._free.furnish_angle(angle)
         for symbol in inventory.orders:
             self._values[symbol] = self._furnished(symbol)
+        self._circles = list(inventory.circles.values())
+        for angle in self._circles:
+            self._free.furnish_circle(angle, partial(self._part_of, angle))
 
     def _furnished(self, symbol: Symbol) -> Matrix:
         if symbol.declaration.of:
@@ -271,13 +276,29 @@ class ExactEngine:
         value = self.value(angle)[0][0]
         real = value.re if isinstance(value, Dual) else value
         cosine, sine = self.ring.one, self.ring.zero
-        for exponents, coefficient in real.terms():
-            name = self._linear_angle(exponents, coefficient)
-            c, s = self._free.circle(name.symbol, int(coefficient))
+        for circle, count in self._multiples(self.ring.reduce(self._algebra.polynomial(real))):
+            c, s = self._free.circle(circle, count)
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
         if isinstance(value, Dual):
             return Dual(cosine, -value.du * sine), Dual(sine, value.du * cosine)
         return cosine, sine
+
+    def _part_of(self, circle: Term) -> Polynomial:
+        """The value of ω t, ‖x‖, … or the part of it that has a sine and cosine of its own."""
+        ((value,),) = self.value(circle)
+        return self.ring.reduce(self._algebra.polynomial(real_part(value)))
+
+    def _multiples(self, angle: Polynomial) -> Iterator[tuple[Term, int]]:
+        """The angles of which it is made up, each with how often."""
+        for circle in self._circles:
+            part, coefficients = self._part_of(circle), dict(angle.terms())
+            place, size = next(iter(part.terms()), ((), 1))
+            count = coefficients.get(place, 0) / size
+            if count != 0 and count.q == 1:
+                yield circle, int(count)
+                angle = angle - part * self.ring.constant(int(count))
+        for exponents, coefficient in angle.terms():
+            yield self._linear_angle(exponents, coefficient).symbol, int(coefficient)
 
     def _linear_angle(self, exponents: tuple[int, ...], coefficient: Fraction) -> Parameter:
         places = [i for i, e in enumerate(exponents) if e]
@@ -287,10 +308,11 @@ class ExactEngine:
                 is_angle = Parameter(parameter.symbol, "circle", 0, 0) in self._named
                 if known == name and is_angle and parameter.part == "value" and parameter.order == 0:
                     return parameter
-        raise NotExact("the sine or cosine of anything but a rational combination of angles")
+        raise NotExact(NO_ANGLE)
 
     def _exp(self, term: Apply) -> Matrix:
-        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: Rodrigues' formula."""
+        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: Rodrigues' formula; of any x̃ the same with
+        sin ‖x‖/‖x‖, and of quaternions without a scalar part the like."""
         argument = term.arguments[0]
         value = self.value(argument)
         if all(
@@ -299,16 +321,26 @@ class ExactEngine:
             for e in row
         ):
             return add(self._algebra.diagonal(1, len(value)), value)
-        turn = angle_and_axis(argument)
+        turn = angle_and_axis(argument, self._definitions)
         if turn is not None:
             angle, axis = turn
             cosine, sine = self._circle(angle)
-            crossing = skew(flat(self.value(axis)))
-            turned = add(_scale(sine, crossing), _scale(1 - cosine, product(crossing, crossing)))
-            return add(self._algebra.diagonal(1), turned)
-        raise NotExact(
-            "exp of anything but a purely dual argument or an angle times a unit vector's skew tensor"
-        )
+            return self._turned(term, cosine, _scale(sine, self.value(axis)), self.value(axis))
+        vector = turned_vector(argument, self._definitions)
+        if vector is None:
+            raise NotExact(NO_EXPONENT)
+        length = apply("norm", vector)
+        cosine, sine = self._circle(length)
+        with self.ring.removable():
+            shrunk = _scale(self._algebra.reciprocal(self.value(length)[0][0]), self.value(vector))
+        return self._turned(term, cosine, _scale(sine, shrunk), shrunk)
+
+    def _turned(self, term: Apply, cosine: Entry, turning: Matrix, axis: Matrix) -> Matrix:
+        if term.type.kind == "quaternion":
+            return ((cosine,), *turning)
+        twice = product(skew(flat(axis)), skew(flat(axis)))
+        turned = add(skew(flat(turning)), _scale(1 - cosine, twice))
+        return add(self._algebra.diagonal(1), turned)
 
     def _divergence(self, term: Apply) -> Matrix:
         gradient = self._gradient(term.arguments[0])
@@ -322,7 +354,7 @@ class ExactEngine:
         """∂f/∂x, entry by entry: by a column the derivatives of each entry beside each other."""
         body, by = term.arguments
         value, slopes = self.value(body), []
-        for seed in seeds(by, self._definitions.lookup):
+        for seed in seeds(by, self._definitions):
             name = self._free.place(seed.symbol, seed.order, seed.component)
             once = partial(self.ring.partial, name=name)
             slopes.append(_scale(self.ring.constant(1 / seed.factor), self._map(once, value)))

@@ -13,7 +13,7 @@ from workbench.algebra.matrices import Matrix, cross, flat, matrix, product, ske
 from workbench.judge.first.quaternions import hamilton
 from workbench.judge.subject.parameters import Parameter, components
 from workbench.judge.subject.slopes import coordinate_count, indices
-from workbench.language.terms import Symbol
+from workbench.language.terms import Symbol, Term
 
 
 class FreeSymbols:
@@ -23,11 +23,11 @@ class FreeSymbols:
         self.ring = ring
         self._named = named
 
-    def _generator(self, symbol: Symbol, part: str, order: int, component: int) -> Polynomial | None:
+    def _generator(self, symbol: Symbol | Term, part: str, order: int, component: int) -> Polynomial | None:
         name = self._named.get(Parameter(symbol, part, order, component))
         return None if name is None else self.ring.generators[name]
 
-    def column(self, symbol: Symbol, part: str, order: int, count: int) -> list[Polynomial]:
+    def column(self, symbol: Symbol | Term, part: str, order: int, count: int) -> list[Polynomial]:
         """The parameters of one part and order, or [] where the inventory does not hold them."""
         found = [self._generator(symbol, part, order, i) for i in range(count)]
         return [] if None in found else found
@@ -137,12 +137,15 @@ class FreeSymbols:
         return rotation
 
     def furnish_angle(self, angle: Symbol) -> None:
+        value = self._generator(angle, "value", 0, 0)
+        self.furnish_circle(angle, lambda: self.ring.zero if value is None else value)
+
+    def furnish_circle(self, angle: Term, value: Callable[[], Polynomial]) -> None:
+        """The cosine and sine of what has that value."""
         cosine, sine = self.column(angle, "circle", 0, 2)
         self.ring.square_as(str(sine), self.ring.one - cosine**2)
-        value = self._generator(angle, "value", 0, 0)
-        if value is not None:
-            self.ring.derive_by(str(sine), lambda derivation: cosine * derivation(value))
-            self.ring.derive_by(str(cosine), lambda derivation: -sine * derivation(value))
+        self.ring.derive_by(str(sine), lambda derivation: cosine * derivation(value()))
+        self.ring.derive_by(str(cosine), lambda derivation: -sine * derivation(value()))
 
     def furnish_function(self, symbol: Symbol, coordinates: Callable[[], list[Polynomial]]) -> Matrix:
         """f(q) and its partial derivatives, d f_α = Σᵢ f_{α+eᵢ} d qᵢ; the q are asked for when d is taken."""
@@ -165,7 +168,7 @@ class FreeSymbols:
         part = f"slope{degree}" if degree else "value"
         return dict(zip(keys, self.column(symbol, part, 0, len(keys)), strict=False))
 
-    def circle(self, angle: Symbol, count: int) -> tuple[Polynomial, Polynomial]:
+    def circle(self, angle: Term, count: int) -> tuple[Polynomial, Polynomial]:
         """(cos, sin) of `count` times the angle, by the addition theorems."""
         c, s = self.column(angle, "circle", 0, 2)
         s = s if count >= 0 else -s

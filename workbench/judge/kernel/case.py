@@ -10,6 +10,7 @@ from itertools import chain, islice
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.evidence.points import Trial, accepted, counterexample, first_trial, trial_at, trials
+from workbench.judge.evidence.reals import real_trials, surely_differ
 from workbench.judge.evidence.solutions import solved_points
 from workbench.judge.first.exact import ExactEngine
 from workbench.judge.kernel.impossible import impossible
@@ -78,6 +79,8 @@ class Case:
             return
         if impossible(self.exact, self.assumptions):
             raise Unsatisfiable("no values of the symbols satisfy the assumptions")
+        if self.find_real(lambda trial: True):
+            return
         if not self.measured_angles:
             raise NotExact("no point was found where the assumptions hold, and it is not proved that none is")
         if self.assumptions.equations:
@@ -88,6 +91,19 @@ class Case:
         admitted = self._admitted(accept)
         found = first_trial(self.inventory, self.definitions, admitted, self._completed)
         return found or next((trial for trial in self._solved() if accepted(trial, admitted)), None)
+
+    def find_real(self, accept: Callable[[Trial], bool]) -> Trial | None:
+        """The same among points at which angles are real numbers beside their sines, in balls."""
+        if self.assumptions.equations or not (self.inventory.circles or self.measured_angles):
+            return None
+        supposed = self.assumptions.nonzero
+        for trial in real_trials(self.inventory, self.definitions):
+            try:
+                if all(surely_differ(trial, r) for r in supposed) and accept(trial):
+                    return trial
+            except NotExact:
+                continue
+        return None
 
     def _solved(self) -> Iterator[Trial]:
         """Points at which the equations are solved for coordinates, rational or algebraic ones."""
@@ -133,9 +149,11 @@ class Case:
             return True
 
     def _is_real(self, trial: Trial) -> bool:
+        circles = self.inventory.circles.values()
+        angles = self.inventory.angles if circles else self.measured_angles
         return all(
-            not trial.point[_angle(angle)] and trial.engine.circle(angle)[0] == 1
-            for angle in self.measured_angles
+            not trial.engine.value(angle, 0).re[0][()] and trial.engine.circle(angle)[0] == 1
+            for angle in (*angles, *circles)
         )
 
     @cached_property
@@ -145,15 +163,12 @@ class Case:
     def counterexample(self, trial: Trial, relation: Relation) -> Counterexample:
         """The trial's point, an angle told by what of it occurs: its value, or its cosine and sine."""
         angles = self.inventory.angles
-        turned = [a for a in angles if not self._uses(a, "value", 1)]
+        turned = [a for a in angles if not trial.real and not self._uses(a, "value", 1)]
         return counterexample(trial, relation, self.inventory, turned)
 
     def refuted(self, trial: Trial, relation: Relation) -> Verdict:
         """The verdict that the relation, or the statement it is part of, fails at the trial's point."""
         example = self.counterexample(trial, relation)
-        evidence = Evidence("rational point, exact arithmetic", "the two sides differ")
+        method = "real balls (Arb)" if trial.real else "rational point, exact arithmetic"
+        evidence = Evidence(method, "the two sides differ")
         return Verdict(Outcome.REFUTED, counterexample=example, evidence=(evidence,))
-
-
-def _angle(angle: Symbol) -> Parameter:
-    return Parameter(angle, "value", 0, 0)

@@ -10,6 +10,7 @@ from random import Random
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.evidence.points import Trial
+from workbench.judge.evidence.reals import surely_differ
 from workbench.judge.kernel.case import Case, NoDefinitions, Setting
 from workbench.judge.kernel.families import SAME_TERM
 from workbench.judge.kernel.laws import law_for
@@ -191,7 +192,7 @@ class Equation(Case):
             differences = trial.differences(relation)
             return differences is not None and any(differences)
 
-        trial = self.find(fails)
+        trial = self.find(fails) or self.find_real(lambda trial: surely_differ(trial, relation))
         if trial is None:
             return Verdict(
                 Outcome.UNCHECKED,
@@ -202,7 +203,7 @@ class Equation(Case):
 
     def _confirm(self, trial: Trial, residuals: list[Polynomial]) -> None:
         """The first engine must see the counterexample too; norms have no value there as polynomials."""
-        if self.inventory.norms or self.assumptions.equations:
+        if trial.real or self.inventory.norms or self.assumptions.equations:
             return
         if not any(self.exact.at(p, trial.point) for p in residuals):
             raise EngineDisagreement(f"a counterexample of one engine only: {to_latex(self.relation)}")

@@ -40,9 +40,10 @@ from workbench.judge.second.components import (
 )
 from workbench.judge.second.jet_algebra import JetAlgebra, Ring
 from workbench.judge.second.quaternions import conjugated, quaternion_product
-from workbench.judge.second.tangents import changes, commuted, composed
+from workbench.judge.second.tangents import changes, commuted, composed, pushed
+from workbench.judge.subject.angles import NO_ANGLE, angle_parts
 from workbench.judge.subject.inventory import Lookup, NotExact
-from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector
 from workbench.judge.subject.slopes import Seed, indices, seeds
 from workbench.language.construct import apply
 from workbench.language.terms import (
@@ -67,8 +68,11 @@ class Source(Protocol):
 
     def jet(self, symbol: Symbol, depth: int) -> Value: ...
 
-    def circle(self, angle: Symbol) -> tuple[Any, Any]:
+    def circle(self, angle: Term) -> tuple[Any, Any]:
         """(cos, sin) of the angle at the instant."""
+
+    def circles(self) -> list[Term]:
+        """The terms other than symbols that have a circle, such as ω t."""
 
     def moved(self, seed: Seed) -> Source:
         """The same source with one component of a derivative moved by ε, over dual numbers."""
@@ -106,7 +110,7 @@ class JetEngine:
             return flat_components(add_operators(a, minus))
         return flat_components((add(self.value(left, 0), self.value(right, 0).map(lambda x: -x)),))
 
-    def circle(self, angle: Symbol) -> tuple[Any, Any]:
+    def circle(self, angle: Term) -> tuple[Any, Any]:
         """(cos, sin) of a free angle at the instant."""
         return self._source.circle(angle)
 
@@ -366,7 +370,18 @@ class JetEngine:
             cosine = Value(self._algebra.constant(1, 1, depth).re, [0 * x for x in value.du])
             scale = self._algebra.constant(factor.numerator, factor.denominator, depth)
             return cosine, product_of(np.multiply, scale, value)
-        raise NotExact("the sine or cosine of anything but a rational combination of angles")
+        total = self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
+        for part, coefficient in angle_parts(angle, self._definitions).items():
+            total = turned(total, self._part_of_circle(part, factor * coefficient, depth))
+        return total
+
+    def _part_of_circle(self, angle: Term, factor: Fraction, depth: int) -> tuple[Value, Value]:
+        """cos and sin of factor · ω t and the like, from those of the part that has a circle of its own."""
+        for part in self._source.circles():
+            own = angle_parts(part, self._definitions)
+            if list(own) == [angle] and (factor / own[angle]).denominator == 1:
+                return self._repeated(self._free_circle(part, depth), int(factor / own[angle]), depth)
+        raise NotExact(NO_ANGLE)
 
     def _repeated(self, once: tuple[Value, Value], count: int, depth: int) -> tuple[Value, Value]:
         if count < 0:
@@ -376,10 +391,12 @@ class JetEngine:
             total = turned(total, once)
         return total
 
-    def _free_circle(self, angle: Symbol, depth: int) -> tuple[Value, Value]:
+    def _free_circle(self, angle: Term, depth: int) -> tuple[Value, Value]:
+        """By ċ = −s α̇, ṡ = c α̇ from what the source says of the angle where nothing is moved."""
         value = self.value(angle, depth)
-        c, s = (np.asarray(x, dtype=object) for x in self._source.circle(angle))
-        cosine, sine = [c], [s]
+        step = value.re[0][()] - self._origin.value(angle, 0).re[0][()]
+        c, s = pushed(self._source.circle(angle), step, self._algebra.ring)
+        cosine, sine = [np.asarray(c, dtype=object)], [np.asarray(s, dtype=object)]
         rate = value.re[1:]
         for k in range(depth):
             cosine.append(-leibniz(np.multiply, sine, rate[: k + 1])[k])
@@ -391,20 +408,30 @@ class JetEngine:
 
     def _exp(self, argument: Term, depth: int) -> Value:
         """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u."""
-        turn = angle_and_axis(argument)
+        turn = angle_and_axis(argument, self._definitions)
+        vector = None if turn is not None else turned_vector(argument, self._definitions)
         if turn is not None:
             cosine, sine = self._circle(turn[0], depth)
-            axis = self.value(turn[1], depth)
-            versine = add(self._algebra.constant(1, 1, depth), cosine.map(lambda x: -x))
-            turned = product_of(np.multiply, cosine, self._algebra.diagonal(3, 1, depth))
-            turned = add(turned, product_of(np.multiply, sine, axis.map(skew)))
-            return add(turned, product_of(np.multiply, versine, product_of(outer, axis, axis)))
+            return self._turned(argument, cosine, sine, self.value(turn[1], depth))
+        if vector is not None:
+            length = apply("norm", vector)
+            cosine, sine = self._circle(length, depth)
+            axis = self._algebra.divide(self.value(vector, depth), self.value(length, depth))
+            return self._turned(argument, cosine, sine, axis)
         value = self.value(argument, depth)
         if value.du is None or any(bool(x != 0) for jet in value.re for x in jet.ravel()):
-            raise NotExact(
-                "exp of anything but a purely dual argument or an angle times a unit vector's skew tensor"
-            )
+            raise NotExact(NO_EXPONENT)
         return Value(self._one(value.re[0].shape, depth).re, value.du)
+
+    def _turned(self, argument: Term, cosine: Value, sine: Value, axis: Value) -> Value:
+        """The rotation, or cos + u sin of a quaternion, about an axis of length 1."""
+        if argument.type.kind == "quaternion":
+            scaled = product_of(np.multiply, sine, axis)
+            return stack([cosine, *(entry(scaled, i) for i in range(3))])
+        versine = add(self._algebra.constant(1, 1, cosine.depth), cosine.map(lambda x: -x))
+        turned = product_of(np.multiply, cosine, self._algebra.diagonal(3, 1, cosine.depth))
+        turned = add(turned, product_of(np.multiply, sine, axis.map(skew)))
+        return add(turned, product_of(np.multiply, versine, product_of(outer, axis, axis)))
 
     def _function(self, function: Symbol, depth: int) -> Value:
         """f(q) by its Taylor series at q, which holds q's changes in time and along coordinates."""
@@ -422,7 +449,7 @@ class JetEngine:
         """∂f/∂x component by component. With ∂ₖ for the derivative by x⁽ᵏ⁾, ∂ₖ D = D ∂ₖ + ∂ₖ₋₁, so that
         Dʲ ∂ₖ f = Σᵢ (−1)ⁱ C(j, i) ∂ₖ₋ᵢ Dʲ⁻ⁱ f, where ∂ₖ Dʲ f is what Dʲ f changes by with x⁽ᵏ⁾ moved by ε."""
         found = []
-        for seed in seeds(by, self._definitions.lookup):
+        for seed in seeds(by, self._definitions):
             lower = [seed._replace(order=seed.order - i) for i in range(min(seed.order, depth) + 1)]
             moved = [changes(self._moved_by(each).value(body, depth)) for each in lower]
             du = None if moved[0].du is None else commuted([v.du for v in moved])

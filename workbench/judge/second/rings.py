@@ -16,7 +16,7 @@ from workbench.judge.second.tangents import MovedPoint, TangentRing
 from workbench.judge.subject.inventory import Inventory, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter, parameters
 from workbench.judge.subject.slopes import Seed
-from workbench.language.terms import Symbol
+from workbench.language.terms import Symbol, Term
 
 #: A Mersenne prime of 61 bits; it is 3 modulo 4, so a square root is one power.
 PRIME = 2**61 - 1
@@ -123,6 +123,7 @@ class PointSource:
         self.ring = ring
         self._point = point
         self._moved_along = moved_along
+        self._circles: list[Term] | None = None
 
     def moved(self, seed: Seed) -> PointSource:
         """The same source with one component of a derivative moved by ε, over dual numbers."""
@@ -139,7 +140,13 @@ class PointSource:
             raise NotExact("div or curl of a div or curl")
         return PointSource(self.ring, self._point, component)
 
-    def circle(self, angle: Symbol) -> tuple[Any, Any]:
+    def circles(self) -> list[Term]:
+        if self._circles is None:
+            firsts = (p.symbol for p in self._point if p.part == "circle" and p.component == 0)
+            self._circles = [term for term in firsts if not isinstance(term, Symbol)]
+        return self._circles
+
+    def circle(self, angle: Term) -> tuple[Any, Any]:
         return tuple(self._point[Parameter(angle, "circle", 0, i)] for i in range(2))
 
     def jet(self, symbol: Symbol, depth: int) -> Value:

@@ -90,7 +90,7 @@ class TangentRing:
 
 
 class MovedPoint(Mapping):
-    """The parameters of a point, one of them moved by ε; an angle's cosine and sine move with it."""
+    """The parameters of a point, one of them moved by ε."""
 
     def __init__(self, point: Mapping[Parameter, Any], ring: TangentRing, seed: Seed) -> None:
         self._point, self._ring, self._seed = point, ring, seed
@@ -101,9 +101,6 @@ class MovedPoint(Mapping):
         moved = self._ring.lift(value)
         if parameter == Parameter(seed.symbol, "value", seed.order, seed.component):
             moved.slope = step
-        if seed.order == 0 and (parameter.symbol, parameter.part) == (seed.symbol, "circle"):
-            other = self._point[Parameter(seed.symbol, "circle", 0, 1 - parameter.component)]
-            moved.slope = (other if parameter.component else -other) * step
         return moved
 
     def __iter__(self):
@@ -120,6 +117,18 @@ def changes(value: Value) -> Value:
         return [_changed(array) for array in arrays]
 
     return Value(jet(value.re), None if value.du is None else jet(value.du))
+
+
+def pushed(circle: tuple[Any, Any], step: Any, ring: Any) -> tuple[Any, Any]:
+    """cos and sin of an angle that is moved by a step whose powers beyond the number of ε are 0."""
+    c, s = circle
+    cosine, sine = ring.constant(1, 1), ring.constant(0, 1)
+    power = ring.constant(1, 1)
+    for degree in range(1, getattr(ring, "depth", 0) + 1):
+        power = power * step
+        addend = power * ring.constant((-1) ** (degree // 2), factorial(degree))
+        cosine, sine = (cosine, sine + addend) if degree % 2 else (cosine + addend, sine)
+    return c * cosine - s * sine, s * cosine + c * sine
 
 
 def commuted(lowered: list[Jet]) -> Jet:

@@ -1,15 +1,26 @@
-"""Fractions of angles: where θ/2 stands under a sine or cosine, θ is 2 h with a free angle h."""
+"""What sines and cosines are taken of: rational combinations of angles.
+
+An angle is a free scalar, or a product of such, a norm, a quotient … such as ω t or ‖x‖, known by its value.
+Where θ/2 stands under a sine, θ is 2 h with a free angle h; of ω t the half has the circle.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from math import lcm, prod
+from fractions import Fraction
+from math import lcm
 
-from workbench.judge.subject.inventory import Lookup
+from workbench.judge.subject import Lookup, NotExact
+from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector
 from workbench.language.construct import apply, number, symbol
 from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Number, Symbol, Term
+from workbench.language.terms import Apply, DualUnit, Number, Power, Symbol, Term, Zero
+
+#: A sum of products of scalars: the sorted factors of each → its coefficient.
+Sum = dict[tuple[Term, ...], Fraction]
+
+NO_ANGLE = "the sine or cosine of anything but a rational combination of angles"
 
 
 class _Parts:
@@ -24,22 +35,56 @@ class _Parts:
 
 
 def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
-    """The definitions under which every angle in the terms is a whole multiple of a free one."""
+    """The definitions under which every free angle in the terms is a whole multiple of a free one."""
     denominators: dict[Symbol, int] = {}
     for argument in _arguments(terms, definitions, set()):
-        size = _denominator(argument, definitions)
-        for angle in _free_angles(argument, definitions) if size > 1 else ():
-            denominators[angle] = lcm(denominators.get(angle, 1), size)
+        for angle, part in _parts(argument, definitions):
+            if isinstance(angle, Symbol) and part.denominator > 1:
+                denominators[angle] = lcm(denominators.get(angle, 1), part.denominator)
     multiples = {a: _multiple(a, size) for a, size in denominators.items()}
     return _Parts(definitions, multiples) if multiples else definitions
 
 
-def _arguments(terms: Iterable[Term], definitions: Lookup, seen: set[Symbol]) -> Iterator[Term]:
-    """What sines, cosines and exponentials are taken of, in definitions too."""
+def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
+    """The angle as a rational combination of free scalars and of other terms, each a product, a norm, ….
+    Raises NotExact where a number stands in it."""
+    parts: dict[Term, Fraction] = {}
+    for factors, coefficient in _sum(angle, definitions).items():
+        if not factors:
+            raise NotExact(NO_ANGLE)
+        if coefficient and not any(isinstance(factor, DualUnit) for factor in factors):
+            term = factors[0]
+            for factor in factors[1:]:
+                term = apply("mul", term, factor)
+            parts[term] = coefficient
+    return parts
+
+
+def angles_of(term: Apply, definitions: Lookup) -> dict[Term, Fraction]:
+    """The angles of a sine, a cosine or an exponential; none where it is that of a dual number alone."""
+    (argument,) = term.arguments
+    if term.head != "exp":
+        return angle_parts(argument, definitions)
+    turn = angle_and_axis(argument, definitions)
+    if turn is not None:
+        return angle_parts(turn[0], definitions)
+    vector = turned_vector(argument, definitions)
+    return {} if vector is None else angle_parts(apply("norm", vector), definitions)
+
+
+def _parts(argument: Apply, definitions: Lookup) -> Iterable[tuple[Term, Fraction]]:
+    try:
+        return angles_of(argument, definitions).items()
+    except NotExact:
+        return ()  # the inventory says so
+
+
+def _arguments(terms: Iterable[Term], definitions: Lookup, seen: set[Symbol]) -> Iterator[Apply]:
+    """The sines, cosines and exponentials, in definitions too."""
     for term in terms:
         for part in term.walk():
             if isinstance(part, Apply) and part.head in ("sin", "cos", "exp"):
-                yield part.arguments[0]
+                yield part
             elif isinstance(part, Symbol) and part not in seen:
                 seen.add(part)
                 body = definitions.lookup(part)
@@ -47,28 +92,71 @@ def _arguments(terms: Iterable[Term], definitions: Lookup, seen: set[Symbol]) ->
                     yield from _arguments([body], definitions, seen)
 
 
-def _denominator(term: Term, definitions: Lookup) -> int:
+def _sum(term: Term, definitions: Lookup) -> Sum:
     match term:
+        case Zero():
+            return {}
         case Number(value=value):
-            return value.denominator
-        case Symbol():
-            body = definitions.lookup(term)
-            return 1 if body is None else _denominator(body, definitions)
-        case Apply(head="div", arguments=(top, Number(value=value))):
-            return _denominator(top, definitions) * abs(value.numerator)
-        case Apply(head="mul"):
-            return prod(_denominator(a, definitions) for a in term.arguments)
-    return lcm(*(_denominator(child, definitions) for child in term.children))
+            return {(): value}
+        case Symbol() if (body := definitions.lookup(term)) is not None:
+            return _sum(body, definitions)
+        case Apply(head="re", arguments=(inner,)):
+            return _sum(inner, definitions)
+        case Apply(head="neg", arguments=(inner,)):
+            return {factors: -c for factors, c in _sum(inner, definitions).items()}
+        case Apply(head="add", arguments=addends):
+            total: Sum = {}
+            for addend in addends:
+                for factors, c in _sum(addend, definitions).items():
+                    total[factors] = total.get(factors, Fraction(0)) + c
+            return total
+        case Apply(head="mul", arguments=(left, right)):
+            return _product(_sum(left, definitions), _sum(right, definitions))
+        case Apply(head="div", arguments=(top, bottom)):
+            return _product(_sum(top, definitions), _reciprocal(bottom, definitions))
+        case Power(base=base, exponent=exponent) if base.type.kind == "scalar" and exponent.is_number:
+            total = {(): Fraction(1)}
+            for _ in range(int(exponent)):
+                total = _product(total, _sum(base, definitions))
+            return total
+        case Apply(head="norm", arguments=(inner,)):
+            size, rest = _scaled(inner, definitions)
+            return {(apply("norm", rest),): abs(size)}
+    return {(term,): Fraction(1)}
 
 
-def _free_angles(term: Term, definitions: Lookup) -> Iterator[Symbol]:
-    for part in term.walk():
-        if isinstance(part, Symbol) and part.type.kind == "scalar":
-            body = definitions.lookup(part)
-            if body is None:
-                yield part
-            else:
-                yield from _free_angles(body, definitions)
+def _product(left: Sum, right: Sum) -> Sum:
+    total: Sum = {}
+    for a, x in left.items():
+        for b, y in right.items():
+            factors = tuple(sorted((*a, *b), key=to_latex))
+            total[factors] = total.get(factors, Fraction(0)) + x * y
+    return total
+
+
+def _reciprocal(term: Term, definitions: Lookup) -> Sum:
+    below = _sum(term, definitions)
+    if len(below) == 1 and () in below and below[()]:
+        return {(): 1 / below[()]}
+    return {(apply("div", number(1), term),): Fraction(1)}
+
+
+def _scaled(term: Term, definitions: Lookup) -> tuple[Fraction, Term]:
+    """A number and the rest of a vector or scalar of which a norm is taken."""
+    match term:
+        case Symbol() if (body := definitions.lookup(term)) is not None:
+            size, rest = _scaled(body, definitions)
+            return (size, rest) if size != 1 else (size, term)
+        case Apply(head="neg", arguments=(inner,)):
+            size, rest = _scaled(inner, definitions)
+            return -size, rest
+        case Apply(head="mul", arguments=(Number(value=value), inner) | (inner, Number(value=value))):
+            size, rest = _scaled(inner, definitions)
+            return value * size, rest
+        case Apply(head="div", arguments=(inner, Number(value=value))):
+            size, rest = _scaled(inner, definitions)
+            return size / value, rest
+    return Fraction(1), term
 
 
 def _multiple(angle: Symbol, size: int) -> Term:

@@ -7,30 +7,28 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Protocol
+from fractions import Fraction
+from math import lcm
 
-from workbench.judge.subject import NotExact
+from workbench.judge.subject import Lookup, NotExact
+from workbench.judge.subject.angles import angles_of
 from workbench.judge.subject.slopes import PARTIALS, require_known_dependence, seeds
-from workbench.language.construct import derivative
+from workbench.language.construct import apply, derivative, number
 from workbench.language.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
 
 #: What differentiates by the coordinate.
 GRADIENTS = frozenset({"divergence", "curl"})
 
 
-class Lookup(Protocol):
-    """One step of definition: the body of a defined symbol, None for a free one."""
-
-    def lookup(self, symbol: Symbol) -> Term | None: ...
-
-
 @dataclass
 class Inventory:
-    """orders: free symbol → highest time derivative that occurs.   angles: scalars under sin, cos or exp.
+    """orders: free symbol → highest time derivative that occurs.   angles: free ones under sin, cos or exp.
+    circles: other terms there, such as ω t or ‖x‖ → the part of it that has a sine and cosine of its own.
     reciprocals, norms: how many divisions (or inverses) and norms there are, counted with the definitions."""
 
     orders: dict[Symbol, int] = field(default_factory=dict)
     angles: dict[Symbol, None] = field(default_factory=dict)
+    circles: dict[Term, Term] = field(default_factory=dict)
     reciprocals: int = 0
     norms: int = 0
 
@@ -57,6 +55,7 @@ class _Survey:
         self.definitions = definitions
         self.inventory = Inventory()
         self._known: dict[Term, dict[Symbol, int]] = {}
+        self._sizes: dict[Term, int] = {}
 
     def orders(self, term: Term) -> dict[Symbol, int]:
         if term not in self._known:
@@ -89,7 +88,7 @@ class _Survey:
             body, by = term.arguments
             if term.head == "total" and self._holds_rates(body):
                 raise NotExact("a time derivative under d/dx; it may change with x")
-            require_known_dependence(term.head, seeds(by, self.definitions.lookup), self.orders(body))
+            require_known_dependence(term.head, seeds(by, self.definitions), self.orders(body))
             for symbol in merged:
                 merged[symbol] += bool(symbol.declaration.of)
         return merged
@@ -140,18 +139,20 @@ class _Survey:
             self.inventory.norms += 1
             self.inventory.reciprocals += 1
         elif term.head in ("sin", "cos", "exp"):
-            for part in term.arguments[0].walk():
-                if isinstance(part, Symbol) and part.type.kind == "scalar":
-                    self._angle(part)
+            for angle, part in angles_of(term, self.definitions).items():
+                if isinstance(angle, Symbol):
+                    self.inventory.angles[angle] = None
+                else:
+                    self._circle(angle, part)
 
-    def _angle(self, symbol: Symbol) -> None:
-        body = self.definitions.lookup(symbol)
-        if body is None:
-            self.inventory.angles[symbol] = None
-            return
-        for part in body.walk():
-            if isinstance(part, Symbol) and part.type.kind == "scalar":
-                self._angle(part)
+    def _circle(self, angle: Term, part: Fraction) -> None:
+        self._sizes[angle] = lcm(self._sizes.get(angle, 1), part.denominator)
+        size = number(Fraction(1, self._sizes[angle]))
+        self.inventory.circles[angle] = angle if size.value == 1 else apply("mul", size, angle)
+        if angle not in self._known:
+            self.orders(angle)
+            if isinstance(angle, Apply) and angle.head == "norm":
+                self.inventory.reciprocals += 1  # sin ‖x‖/‖x‖
 
 
 def _require_known_places(gradient: Apply, symbols: Iterable[Symbol]) -> None:

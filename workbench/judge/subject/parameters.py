@@ -24,7 +24,7 @@ from dataclasses import dataclass
 
 from workbench.judge.subject.inventory import Inventory, NotExact
 from workbench.judge.subject.slopes import coordinate_count, indices
-from workbench.language.terms import Symbol
+from workbench.language.terms import Symbol, Term
 
 #: Parts whose components lie on a unit sphere, and how many components they have.
 SPHERES = {"circle": 2, "unit": 3, "quaternion": 4}
@@ -32,13 +32,13 @@ SPHERES = {"circle": 2, "unit": 3, "quaternion": 4}
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """Component `component` of the `order`-th derivative of one part of a symbol.
+    """Component `component` of the `order`-th derivative of one part of a symbol, or of the circle of a term.
 
     part: "value", "dual", "unit", "spin", "moment", "quaternion", "translation", "circle" (cos, sin), or
     "slope1", "slope2", … for the partial derivatives of that degree, those of one component side by side.
     """
 
-    symbol: Symbol
+    symbol: Symbol | Term
     part: str
     order: int
     component: int
@@ -51,7 +51,7 @@ def parameters(inventory: Inventory) -> Iterator[Parameter]:
             for k in range(orders):
                 for component in range(count):
                     yield Parameter(symbol, part, k, component)
-    for angle in inventory.angles:
+    for angle in (*inventory.angles, *inventory.circles.values()):
         for component in range(SPHERES["circle"]):
             yield Parameter(angle, "circle", 0, component)
 

@@ -1,23 +1,36 @@
-"""Which terms are an angle times a unit vector's skew tensor: what exp is taken of by Rodrigues' formula."""
+"""What the exponential is taken of: an angle times a unit vector, or any vector, as a skew tensor or as a
+quaternion without a scalar part."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
+from workbench.judge.subject import Lookup
 from workbench.language.construct import apply, number
-from workbench.language.terms import Apply, Number, Symbol, Term
+from workbench.language.shapes import filling
+from workbench.language.terms import Apply, Block, IllFormed, Number, Symbol, Term
+
+NO_EXPONENT = (
+    "exp of anything but a purely dual argument, a skew tensor or a quaternion without a scalar part"
+)
 
 
-def angle_and_axis(term: Term) -> tuple[Term, Symbol] | None:
-    """(α, u) for c α ũ, ũ c α, the skew tensor of c α u and the like, with a number c that goes to the angle;
-    None for anything else."""
+def angle_and_axis(term: Term, definitions: Lookup) -> tuple[Term, Term] | None:
+    """(α, u) for c α ũ, ũ c α, the skew tensor of c α u, the quaternion (0, c α u) and the like, with a
+    number c that goes to the angle; None for anything else."""
     coefficient, angles = Fraction(1), []
-    while not isinstance(term, Symbol):
+    while not _is_unit(term):
         match term:
+            case Symbol() if (body := definitions.lookup(term)) is not None:
+                term = body
             case Apply(head="skew", arguments=(inner,)):
+                term = inner
+            case Apply(head="quaternion", arguments=(scalar, inner)) if filling(scalar) == "zero":
                 term = inner
             case Apply(head="neg", arguments=(inner,)):
                 coefficient, term = -coefficient, inner
+            case Apply(head="div", arguments=(inner, Number(value=value))):
+                coefficient, term = coefficient / value, inner
             case Apply(head="mul", arguments=(left, right)) if "scalar" in (left.type.kind, right.type.kind):
                 factor, term = (left, right) if left.type.kind == "scalar" else (right, left)
                 if isinstance(factor, Number):
@@ -26,7 +39,47 @@ def angle_and_axis(term: Term) -> tuple[Term, Symbol] | None:
                     angles.append(factor)
             case _:
                 return None
-    if len(angles) != 1 or not term.declaration.unit:
+    if not angles:
         return None
     angle = angles[0]
+    for factor in angles[1:]:
+        angle = apply("mul", angle, factor)
     return (angle if coefficient == 1 else apply("mul", number(coefficient), angle)), term
+
+
+def _is_unit(term: Term) -> bool:
+    """Whether it is a vector that is declared to be of length 1, or is written so in numbers."""
+    if isinstance(term, Symbol):
+        return term.declaration.unit and term.type.kind == "vector"
+    if not isinstance(term, Block) or term.type.kind != "vector" or term.type.dual:
+        return False
+    entries = [entry for (entry,) in term.entries] if len(term.entries[0]) == 1 else []
+    if not all(isinstance(entry, Number) or filling(entry) == "zero" for entry in entries):
+        return False
+    return sum(entry.value**2 for entry in entries if isinstance(entry, Number)) == 1
+
+
+def turned_vector(term: Term, definitions: Lookup) -> Term | None:
+    """x where the term is the skew tensor of x or the quaternion (0, x), both real; else None."""
+    if term.type.dual:
+        return None
+    match term:
+        case Symbol() if (body := definitions.lookup(term)) is not None:
+            return turned_vector(body, definitions)
+        case Apply(head="skew", arguments=(inner,)):
+            return inner
+        case Apply(head="quaternion", arguments=(scalar, inner)) if filling(scalar) == "zero":
+            return inner
+        case Apply(head="neg" | "div" | "mul" | "add", arguments=arguments):
+            places = [i for i, a in enumerate(arguments) if a.type.kind in ("tensor", "quaternion")]
+            found = [turned_vector(arguments[i], definitions) for i in places]
+            if None in found or not (len(places) == 1 or term.head == "add"):
+                return None
+            parts = list(arguments)
+            for place, vector in zip(places, found, strict=True):
+                parts[place] = vector
+            try:
+                return apply(term.head, *parts)
+            except IllFormed:
+                return None
+    return None

@@ -16,7 +16,7 @@ from fractions import Fraction
 from itertools import combinations_with_replacement
 from typing import NamedTuple
 
-from workbench.judge.subject import NotExact
+from workbench.judge.subject import Lookup, NotExact
 from workbench.language.terms import Apply, Block, Derivative, Number, Symbol, Term
 
 #: What differentiates by something else than the time.
@@ -32,19 +32,19 @@ class Seed(NamedTuple):
     factor: Fraction
 
 
-def seeds(by: Term, lookup) -> list[Seed]:
+def seeds(by: Term, definitions: Lookup) -> list[Seed]:
     """The components of what is differentiated by. Raises NotExact where they are not free."""
     match by:
         case Derivative(order=order):
-            return [seed._replace(order=seed.order + int(order)) for seed in seeds(by.body, lookup)]
+            return [seed._replace(order=seed.order + int(order)) for seed in seeds(by.body, definitions)]
         case Block(entries=entries) if all(len(row) == 1 for row in entries):
-            found = [seed for (entry,) in entries for seed in seeds(entry, lookup)]
+            found = [seed for (entry,) in entries for seed in seeds(entry, definitions)]
             if len({seed[:3] for seed in found}) == len(found):
                 return found
         case Apply(head="mul", arguments=(Number(value=value), Symbol() as part)):
-            return [seed._replace(factor=seed.factor * value) for seed in seeds(part, lookup)]
-        case Symbol() if (body := lookup(by)) is not None:
-            return seeds(body, lookup)
+            return [seed._replace(factor=seed.factor * value) for seed in seeds(part, definitions)]
+        case Symbol() if (body := definitions.lookup(by)) is not None:
+            return seeds(body, definitions)
         case Symbol() if not (by.declaration.unit or by.declaration.of or by.type.dual):
             count = by.type.rows * by.type.columns
             return [Seed(by, 0, component, Fraction(1)) for component in range(count)]

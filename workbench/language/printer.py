@@ -46,6 +46,7 @@ _FUNCTIONS = {
     "du": "\\operatorname{Du}",
     "sin": "\\sin",
     "cos": "\\cos",
+    **{head: f"\\{head}" for head in ("arccos", "arcsin", "arctan")},
     "exp": "\\exp",
     "divergence": "\\operatorname{div}",
     "curl": "\\operatorname{curl}",
@@ -326,9 +327,10 @@ def _apply(term: Apply) -> _Text:
             return _Text(f"\\left\\langle {inner}\\right\\rangle", _ATOM)
         case "root":
             return _Text(f"\\sqrt{{{_print(arguments[0]).text}}}", _FACTOR)
-        case "quaternion":
+        case "quaternion" | "atan2":
             inner = ", ".join(_print(a).text for a in arguments)
-            return _Text(f"\\operatorname{{quat}}{_bracket(inner)}", _FACTOR)
+            name = "quat" if head == "quaternion" else head
+            return _Text(f"\\operatorname{{{name}}}{_bracket(inner)}", _FACTOR)
         case "skew":
             over = _under_accents(term)
             return over or _Text(f"\\widetilde{{{_print(arguments[0]).text}}}", _ATOM)

@@ -9,7 +9,7 @@ from workbench.language import construct
 from workbench.language.errors import Fault, Misfit, SpecError
 from workbench.language.integers import Linear
 from workbench.language.letters import letter, raised
-from workbench.language.names import Scripts, linear, literal
+from workbench.language.names import Scripts, linear, literal, names_of_key
 from workbench.language.quotients import Rate, quotient, rate
 from workbench.language.scope import Scope
 from workbench.language.summations import summation
@@ -37,11 +37,12 @@ from workbench.language.terms import (
     Term,
     TimeOperator,
     is_accented_symbol,
+    is_rate,
 )
 from workbench.language.vocabulary import OWN_SIGNS
 
 _OF_TENSORS = {"det", "trace", "symmetric", "skew", "vect", "adjugate"}
-_OF_ANGLES = {"sin", "cos", "tan", "cot", "sec", "csc"}
+_OF_ANGLES = {"sin", "cos", "tan", "cot", "sec", "csc", "arccos", "arcsin", "arctan"}
 _QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": (None, "cos"), "csc": (None, "sin")}
 _DIFFERENTIATE = {"d/dt", "the operator", "divergence", "curl"}
 _NAMES = {"symmetric": "sym", "re": "Re", "du": "Du", "adjugate": "adj", "divergence": "div"}
@@ -259,7 +260,10 @@ class _Row:
         while isinstance(function, Derivative):
             function = function.body
         if isinstance(function, Symbol) and function.declaration.of:
-            if all(self.scope.term(part) in function.declaration.of for part in bracket.parts):
+            if all(
+                self.is_argument(part) or self.scope.term(part) in function.declaration.of
+                for part in bracket.parts
+            ):
                 return True
             raise Fault(
                 "a function at another place than its argument; a product needs no bracket", bracket.at
@@ -287,22 +291,27 @@ class _Row:
         if not self.scope.table.arguments:
             return False
         try:
-            return literal(key_pieces(part, "")) in self.scope.table.arguments
+            pieces = key_pieces(part, "")
         except SpecError:
             return False
+        return not self.scope.table.arguments.isdisjoint({literal(pieces), names_of_key(pieces)[0]})
 
     def function(self, place: int) -> _Factor:
         """det, sym, vect … take the run of tensors that follows, the others take one factor."""
         item = self.items[place]
         leaf = item.nucleus if isinstance(item, Scripted) else item
         head = leaf.text
-        if leaf.bare and all(self.scope.knows(letter) for letter in leaf.name):
+        if (
+            leaf.bare
+            and leaf.name not in self.scope.table.bare_functions
+            and all(self.scope.knows(letter) for letter in leaf.name)
+        ):
             message = f"a function and a product of symbols; write \\operatorname{{{leaf.name}}}"
             raise Fault(f"{leaf.name} is {message}", leaf.at)
         if place + 1 == len(self.items):
             raise Fault(f"{_NAMES.get(head, head)} of nothing", leaf.at)
-        if head == "quaternion":
-            return self.quaternion(leaf, place)
+        if head in ("quaternion", "atan2"):
+            return self.of_two(leaf, place)
         if head == "root":
             return self.root(leaf, place)
         argument, end = self.argument(head, leaf, place + 1)
@@ -324,19 +333,24 @@ class _Row:
             raise Fault("expected a square root, \\sqrt{x}", leaf.at)
         return _Factor(self.scope.apply(leaf.at, "root", self.scope.term(item)), leaf.at, place + 2, leaf)
 
-    def quaternion(self, leaf: Leaf, place: int) -> _Factor:
-        """quat(s, x): a scalar part and a vector part."""
+    def of_two(self, leaf: Leaf, place: int) -> _Factor:
+        """quat(s, x): a scalar part and a vector part; atan2(y, x)."""
         item = self.items[place + 1]
         if not (isinstance(item, Bracket) and len(item.parts) == 2) or self.items[place] is not leaf:
-            raise Fault("expected a scalar and a vector, \\operatorname{quat}(s, x)", leaf.at)
+            what = {"atan2": "two scalars, \\operatorname{atan2}(y, x)"}.get(
+                leaf.text, "a scalar and a vector, \\operatorname{quat}(s, x)"
+            )
+            raise Fault(f"expected {what}", leaf.at)
         parts = [self.scope.term(part) for part in item.parts]
-        return _Factor(self.scope.apply(leaf.at, "quaternion", *parts), leaf.at, place + 2, leaf)
+        return _Factor(self.scope.apply(leaf.at, leaf.text, *parts), leaf.at, place + 2, leaf)
 
     def argument(self, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
         item = self.items[place]
         if isinstance(item, Bracket):
             return self.scope.term(item), place + 1
-        if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket):
+        if isinstance(item, Scripted) and (
+            isinstance(item.nucleus, Bracket | Fraction) or (head in _OF_ANGLES | {"exp"} and _is_power(item))
+        ):
             raise Fault("a power of the function or of its argument? bracket it", item.at)
         first = self.factor(place)
         run, end = [first], first.end
@@ -390,7 +404,9 @@ class _Row:
         """What stands behind the upper d, all of it, or else the factor behind the fraction."""
         item = self.items[place]
         if found.behind:
-            lone = len(found.behind) == (2 if _has_left_scripts(found.behind[0]) else 1)
+            lone = len(found.behind) == (2 if _has_left_scripts(found.behind[0]) else 1) or (
+                isinstance(found.behind[-1], Bracket) and is_rate(product(self.scope, found.behind))
+            )
             if not lone and (not found.upright or isinstance(found.behind[0], Bracket)):
                 raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
             return _Factor(rate(product(self.scope, found.behind)), item.at, place + 1, item)
@@ -418,6 +434,12 @@ class _Row:
             for _ in range(order):
                 body = scope.partial(at, found.head, body, by)
         return body
+
+
+def _is_power(item: Scripted) -> bool:
+    """Whether a number stands as its superscript, without a bracket."""
+    inner = item.sup.parts[0] if isinstance(item.sup, Group) and len(item.sup.parts) == 1 else item.sup
+    return isinstance(inner, Leaf) and inner.kind == "NUMBER"
 
 
 def _has_left_scripts(node: Node) -> bool:

@@ -239,6 +239,15 @@ def _quaternion(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return QUATERNION.with_dual(_dual(arguments)), next(iter(weights), None)
 
 
+def _arc_of_two(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    """atan2(y, x) of two scalars of one weight."""
+    _expect(arguments, {"scalar"}, {"scalar"})
+    weights = dict.fromkeys(a.weight for a in arguments if a.weight is not None)
+    if len(weights) > 1 or _dual(arguments):
+        raise IllFormed("atan2 takes two real scalars of one weight")
+    return SCALAR, Linear(0)
+
+
 def _partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     """∂f/∂x: by a scalar of the type of f; by a column of n the row of n, or the matrix whose row i is that
     of the component i."""
@@ -284,6 +293,8 @@ SIGNATURES: dict[str, Signature] = {
     "root": _root,
     "sin": _function(("scalar",), SCALAR, _weightless),
     "cos": _function(("scalar",), SCALAR, _weightless),
+    **{head: _function(("scalar",), SCALAR, _weightless) for head in ("arccos", "arcsin", "arctan")},
+    "atan2": _arc_of_two,
     "exp": _exp,
     "divergence": _function(("vector",), SCALAR, _times(1)),
     "partial": _partial,

@@ -29,7 +29,7 @@ from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripte
 from workbench.language.terms import IllFormed, Symbol, Term
 from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
-_FLAGS = ("constant", "unit", "coordinate", "uniform", "symmetric", "diagonal")
+_FLAGS = ("constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal")
 _FLAGGED = {
     "unit": ("vector", "hamilton quaternion"),
     "coordinate": ("vector",),
@@ -71,6 +71,8 @@ class SymbolTable:
     frames: Mapping[str, Term] = field(default_factory=dict)
     #: names in brackets that only say what a symbol depends on: f(q)
     arguments: frozenset[str] = frozenset()
+    #: functions that the paper writes without a backslash, though it has their letters as symbols
+    bare_functions: frozenset[str] = frozenset()
     #: whether ∂f/∂x of a scalar by a vector is a row or a column; None: it is not said
     gradient: str | None = None
     #: the frame in which \\dot differentiates vectors; None with frames: it is not said
@@ -321,6 +323,7 @@ def _declaration(key: str, name: str, index: Sequence[Linear], spec: Mapping[str
         diagonal=spec.get("diagonal", False),
         coordinate=spec.get("coordinate", False),
         uniform=spec.get("uniform", False),
+        independent=spec.get("independent", False),
         indices=len(index),
     )
 
@@ -346,14 +349,19 @@ def _with_arguments(
     }
     named = {declaration.name for found in arguments.values() for declaration, _ in found}
     for pattern, declaration in symbols.items():
-        if declaration.name in named:
+        if declaration.name in named and declaration.name not in functions:
             made[pattern] = replace(declaration, independent=True)
     known = {declaration.name: declaration for declaration in (*made.values(), CLOCK)}
-    for pattern, declaration in symbols.items():
-        if declaration.name in arguments:
-            found = tuple(symbol(known[d.name], index) for d, index in arguments[declaration.name])
-            made[pattern] = replace(declaration, of=found)
-    return made
+
+    def built(name: str, above: tuple[str, ...]) -> Declaration:
+        if name in above:
+            raise SpecError(f"of: {name} is a function of itself", name)
+        if name in arguments and not known[name].of:
+            found = tuple(symbol(built(d.name, (*above, name)), index) for d, index in arguments[name])
+            known[name] = replace(known[name], of=found)
+        return known[name]
+
+    return {pattern: built(declaration.name, ()) for pattern, declaration in made.items()}
 
 
 def _argument(
@@ -369,8 +377,6 @@ def _argument(
     is_column = declaration.type.kind == "scalar" or declaration.type.is_column
     if not is_column or declaration.type.dual or not all(place.is_number for place in index):
         raise SpecError(f"of: {text} is no scalar and no column of scalars", name)
-    if declaration.name in functions:
-        raise SpecError(f"of: {text} is a function too; name what it is of", name)
     if declaration.unit or declaration.constant:
         raise SpecError(f"of: {text} is {'a unit vector' if declaration.unit else 'constant'}", name)
     return found

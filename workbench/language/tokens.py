@@ -37,12 +37,12 @@ _TOKEN = re.compile(
       \s*(?P<defined>\{\s*=\s*\}|=)
     | (?P<ring>\\overset\s*\{\s*\\circ\s*\})
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
-      \{(?P<words>[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
+      \{(?P<words>atan2|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[a-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
     | \\(?P<command>[A-Za-z]+|[^A-Za-z])
     | (?P<number>[0-9]+(?:\.[0-9]+)?)
-    | (?P<letters>[A-Za-z]+)
+    | (?P<letters>atan2(?![A-Za-z0-9])|[A-Za-z]+)
     | (?P<assign>:=)
     | (?P<character>.)""",
     re.VERBOSE | re.DOTALL,

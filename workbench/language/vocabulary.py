@@ -21,6 +21,8 @@ FUNCTIONS = {
     "cot": "cot",
     "sec": "sec",
     "csc": "csc",
+    **{name: head for head in ("arccos", "arcsin", "arctan") for name in (head, head.replace("rc", ""))},
+    "atan2": "atan2",
     "sqrt": "root",
     "div": "divergence",
     "curl": "curl",
@@ -40,7 +42,7 @@ _STYLES = (
     "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak mathscr mathds mathbfit mathbfup symup"
     " underline overline bar vec hat check breve mathring"
 )
-_FUNCTION_COMMANDS = "det sin cos tan cot sec csc exp sqrt Re"
+_FUNCTION_COMMANDS = "det sin cos tan cot sec csc arccos arcsin arctan exp sqrt Re"
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
 _SPACING = "quad qquad displaystyle textstyle limits nolimits nonumber notag , ; : ! >"
 

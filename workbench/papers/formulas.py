@@ -16,6 +16,9 @@ from workbench.papers.orders import Orders, orders_within
 from workbench.papers.toml_file import TomlFile
 from workbench.papers.toml_places import KeyPath
 
+#: A hypothesis in words: of an argument, or which branch an inverse function is meant on.
+WORDS = re.compile(r"\\text\{[^{}\\]+\}")
+
 
 @dataclass(frozen=True)
 class FormulaReader:

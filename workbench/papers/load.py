@@ -15,7 +15,7 @@ from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.printer import to_latex
 from workbench.language.reader import read_formula
 from workbench.language.terms import Conjunction, Statement
-from workbench.papers.formulas import FormulaReader
+from workbench.papers.formulas import WORDS, FormulaReader
 from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
 from workbench.papers.lines import Line, split_lines
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
@@ -46,7 +46,6 @@ _CLAIM_KEYS = (
     *("statement", "theorem", "argued", *MEND_KEYS, "note"),
 )
 _ID = re.compile(r"[\w.+*'-]{1,80}")
-_WORDS = re.compile(r"\\text\{[^{}\\]+\}")
 _NO_FILES = "the installed paper has no claim files"
 _HYPOTHESIS = re.compile(r"\\hypothesis\s*\\Rightarrow")
 _QUOTE = re.compile(r"“[^“”]+”")
@@ -371,7 +370,7 @@ class _ClaimReader:
     def _condition(self, reader: FormulaReader, goal: Stated | None) -> Formula | None:
         """The hypothesis: read within its goal; of an argument, a formula or words, \\text{…}."""
         text = self._text("hypothesis")
-        if text is not None and (goal is not None or _WORDS.fullmatch(text)):
+        if text is not None and (goal is not None or WORDS.fullmatch(text)):
             return Formula(text)
         return reader.intended("hypothesis")
 

@@ -39,7 +39,12 @@ FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
 def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> Notation:
     """The notation that the files give together, the first one first. Each of the scopes declares anew what
     it names, and with it goes what defined it. Raises PaperError."""
-    table = replace(_table(files, scopes), arguments=_arguments(files), gradient=_gradient(files))
+    table = replace(
+        _table(files, scopes),
+        arguments=_arguments(files),
+        gradient=_gradient(files),
+        bare_functions=frozenset(n for file in files for n in file.texts(("conventions", "functions"))),
+    )
     table = _spellings(files, table)
     table, definitions = framed([*files, *scopes], table)
     for file, key, body in _in_scope(files, scopes):

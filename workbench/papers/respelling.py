@@ -189,7 +189,9 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
         token = tokens[place]
         word = token.word
         place += 1
-        if word is None:
+        if token.text in ("^", "_") and _is_empty(tokens, place) and not _is_empty(tokens, place - 3):
+            place += 2
+        elif word is None:
             following = tokens[place] if place < len(tokens) else token
             if (sign := _TYPED.get((token.text, following.text))) is not None:
                 yield Token(sign, token.source, token.start, max(token.end, following.end), token.call)
@@ -221,6 +223,11 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             yield from _respelled(inner)
         else:
             yield token.standing_for(_RENAMED.get(word, token.text))
+
+
+def _is_empty(tokens: Sequence[Token], place: int) -> bool:
+    """Whether {} stands there: as a script, as macros write a power of which nothing is said."""
+    return place >= 0 and [token.text for token in tokens[place : place + 2]] == ["{", "}"]
 
 
 def _formula_in(tokens: Sequence[Token], place: int) -> tuple[bool, list[Token], int] | None:

@@ -11,7 +11,7 @@ from pathlib import Path
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.terms import Conjunction, Derivative, Relation, Statement, Symbol, Term
-from workbench.papers.formulas import FormulaReader, read_statement, why_ill_formed
+from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.orders import Orders, orders_within
@@ -230,8 +230,9 @@ def _with_keys(claim: Claim, table) -> Claim:
     reader = FormulaReader(table, (), claim.notation, claim.orders)
     changes: dict[str, object] = {}
     for key in ("reading", "corrected", "hypothesis"):
-        if table.text((key,)) is not None:
-            changes[key] = reader.intended(key)
+        if (text := table.text((key,))) is not None:
+            is_branch = key == "hypothesis" and WORDS.fullmatch(text)
+            changes[key] = Formula(text) if is_branch else reader.intended(key)
     assume = reader.intended_list("assume")
     if assume:
         changes["assume"] = (*claim.assume, *assume)

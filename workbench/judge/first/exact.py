@@ -164,6 +164,8 @@ class ExactEngine:
             case Block():
                 return self._block(term)
             case Apply():
+                if term.head not in _HEADS:
+                    raise NotExact(f"no exact value for {term.head}")
                 return _HEADS[term.head](self, term)
             case Integer() | Counting():
                 raise NotExact(f"the integer expression {term} is not bound to a number")

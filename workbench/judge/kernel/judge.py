@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
+from workbench.judge.kernel.branches import holds_arc, judge_branch
 from workbench.judge.kernel.case import Setting
 from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.families import OrderRanges, judge_family
@@ -71,6 +72,8 @@ class Judge(Setting):
         match statement:
             case Conjunction(parts=parts):
                 return _together([self._judge(part, assume) for part in parts])
+            case Relation() if holds_arc(statement):
+                return judge_branch(statement, self.definitions, lambda said: self._judge(said, assume))
             case Relation(operator="="):
                 return Equation(self, statement, assume).verdict()
             case Relation():

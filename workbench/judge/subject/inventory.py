@@ -96,10 +96,14 @@ class _Survey:
     def add_coordinates(self) -> None:
         """What the functions are `of`, as often differentiated as these."""
         known = self.inventory.orders
-        for function, order in list(known.items()):
+        waiting = list(known)
+        while waiting:
+            function = waiting.pop()
             for argument in function.declaration.of:
                 for symbol, own in self.orders(argument).items():
-                    known[symbol] = max(known.get(symbol, 0), own + order)
+                    if known.get(symbol, -1) < own + known[function]:
+                        known[symbol] = own + known[function]
+                        waiting.append(symbol)
 
     def _holds_rates(self, term: Term) -> bool:
         bodies = (self.definitions.lookup(part) for part in term.walk() if isinstance(part, Symbol))

@@ -45,15 +45,17 @@ def seeds(by: Term, definitions: Lookup) -> list[Seed]:
             return [seed._replace(factor=seed.factor * value) for seed in seeds(part, definitions)]
         case Symbol() if (body := definitions.lookup(by)) is not None:
             return seeds(body, definitions)
-        case Symbol() if not (by.declaration.unit or by.declaration.of or by.type.dual):
+        case Symbol() if not (by.declaration.unit or by.type.dual):
             count = by.type.rows * by.type.columns
             return [Seed(by, 0, component, Fraction(1)) for component in range(count)]
     raise NotExact("a partial derivative by what is no free coordinate")
 
 
 def require_known_dependence(head: str, by: Iterable[Seed], symbols: Iterable[Symbol]) -> None:
-    """Nothing is independent of a coordinate unless it is said so. Raises NotExact."""
+    """Nothing is independent of a coordinate unless it is said so. By a function of something else only what
+    is a function of it alone is differentiated. Raises NotExact."""
     varied = {seed.symbol for seed in by}
+    by_function = any(symbol.declaration.of for symbol in varied)
     for symbol in symbols:
         declaration = symbol.declaration
         if symbol in varied or declaration.constant:
@@ -61,9 +63,19 @@ def require_known_dependence(head: str, by: Iterable[Seed], symbols: Iterable[Sy
         name = declaration.name.replace("@", "n")
         if not (declaration.independent or declaration.of):
             raise NotExact(f"{name} in the partial derivative may depend on it; `of` says what it depends on")
-        others = {each for each in declaration.of if not each.declaration.clock} - varied
+        others = {each for each in _moved_by(symbol, varied) if not each.declaration.clock} - varied
+        if by_function and (others or not declaration.of):
+            raise NotExact(f"{name} is no function of that alone by which it is differentiated")
         if head == "total" and (others or (not declaration.of and not declaration.clock)):
             raise NotExact(f"{name} in the derivative d/dx may change with x; write \\partial if it is kept")
+
+
+def _moved_by(symbol: Symbol, varied: set[Symbol]) -> set[Symbol]:
+    """What a function is of in the end, not beyond what is varied."""
+    found: set[Symbol] = set()
+    for each in symbol.declaration.of:
+        found |= _moved_by(each, varied) if each.declaration.of and each not in varied else {each}
+    return found
 
 
 def indices(count: int, degree: int) -> list[tuple[int, ...]]:

@@ -77,8 +77,11 @@ class TestAngles:
         values = check(r"\cos(\varepsilon f) = 1 - \varepsilon f", SYMBOLS).verdict.counterexample.values
         assert set(values) == {"f"}
 
-    def test_the_sine_of_a_component_is_outside(self):
-        assert outcome(r"\sin(\operatorname{trace} T) = 0") == Outcome.UNCHECKED
+    def test_the_sine_of_a_component(self):
+        assert outcome(r"\sin(\operatorname{trace} T) = 0") == Outcome.REFUTED
+        assert (
+            outcome(r"\sin^2(\operatorname{trace} T) + \cos^2(\operatorname{trace} T) = 1") == Outcome.PROVED
+        )
 
 
 class TestZeroSets:

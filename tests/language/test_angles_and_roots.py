@@ -33,7 +33,8 @@ HALF = r"\cos\frac{\theta}{2}, \sin\frac{\theta}{2} u"
         (r"\sqrt{f^2 + g^2} = f + g", Outcome.REFUTED),
         (r"|q| = \sqrt{(\operatorname{Sc} q)^2 + (\operatorname{Vec} q)^2}", Outcome.PROVED),
         (r"\sqrt{f} \sqrt{f} = f", Outcome.UNCHECKED),
-        (r"\theta = 2 \sin\frac{\theta}{2}", Outcome.UNCHECKED),
+        (r"\theta = 2 \sin\frac{\theta}{2}", Outcome.REFUTED),
+        (r"\cos\theta^2 + \sin\theta^2 = 1", Outcome.UNCHECKED),
     ],
 )  # fmt: skip
 def test_verdicts(formula: str, outcome: Outcome) -> None:

@@ -348,9 +348,7 @@ class _Row:
         item = self.items[place]
         if isinstance(item, Bracket):
             return self.scope.term(item), place + 1
-        if isinstance(item, Scripted) and (
-            isinstance(item.nucleus, Bracket | Fraction) or (head in _OF_ANGLES | {"exp"} and _is_power(item))
-        ):
+        if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket | Fraction):
             raise Fault("a power of the function or of its argument? bracket it", item.at)
         first = self.factor(place)
         run, end = [first], first.end
@@ -434,12 +432,6 @@ class _Row:
             for _ in range(order):
                 body = scope.partial(at, found.head, body, by)
         return body
-
-
-def _is_power(item: Scripted) -> bool:
-    """Whether a number stands as its superscript, without a bracket."""
-    inner = item.sup.parts[0] if isinstance(item.sup, Group) and len(item.sup.parts) == 1 else item.sup
-    return isinstance(inner, Leaf) and inner.kind == "NUMBER"
 
 
 def _has_left_scripts(node: Node) -> bool:

@@ -351,7 +351,7 @@ def _with_arguments(
     for pattern, declaration in symbols.items():
         if declaration.name in named and declaration.name not in functions:
             made[pattern] = replace(declaration, independent=True)
-    known = {declaration.name: declaration for declaration in (*made.values(), CLOCK)}
+    known = {declaration.name: declaration for declaration in (CLOCK, *made.values())}
 
     def built(name: str, above: tuple[str, ...]) -> Declaration:
         if name in above:

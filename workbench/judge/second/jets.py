@@ -370,8 +370,12 @@ class JetEngine:
             cosine = Value(self._algebra.constant(1, 1, depth).re, [0 * x for x in value.du])
             scale = self._algebra.constant(factor.numerator, factor.denominator, depth)
             return cosine, product_of(np.multiply, scale, value)
+        if value.du is not None:
+            raise NotExact(NO_ANGLE)
         total = self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
         for part, coefficient in angle_parts(angle, self._definitions).items():
+            if coefficient == 0:
+                continue
             total = turned(total, self._part_of_circle(part, factor * coefficient, depth))
         return total
 

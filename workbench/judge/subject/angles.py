@@ -52,7 +52,9 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
     for factors, coefficient in _sum(angle, definitions).items():
         if not factors:
             raise NotExact(NO_ANGLE)
-        if coefficient and not any(isinstance(factor, DualUnit) for factor in factors):
+        if len(factors) > 1 and len(set(factors)) == 1:
+            raise NotExact("a sine or cosine of the power of an angle, which may be meant for its power")
+        if not any(isinstance(factor, DualUnit) for factor in factors):
             term = factors[0]
             for factor in factors[1:]:
                 term = apply("mul", term, factor)

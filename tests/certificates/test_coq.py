@@ -92,3 +92,16 @@ def test_a_motion_that_meets_the_premises_is_accepted(name, form):
 def test_a_motion_that_does_not_meet_them_is_refused():
     text = not_empty(one("59", "reading")).text.replace("number (-1 # 1)", "number (-1 # 2)")
     assert not coqc.check(text, remember=False).accepted
+
+
+def test_what_is_written_by_hand_rests_on_no_axioms_and_an_omitted_proof_is_seen():
+    hand = find_paper("chapter").paths[0].parent.parent / "certificates" / "theorems.v"
+    text = hand.read_text("utf-8")
+    said = coqc.check(coqc.with_assumptions(text))
+    assert said.accepted, said.fault
+    assert said.axioms == ()
+    start, _, _ = text.partition("(* 20.Phi")
+    omitted = "Theorem omitted : False. Proof. Admitted.\n"
+    assert coqc.check(coqc.with_assumptions(start + omitted), remember=False).axioms == ("omitted",)
+    with pytest.raises(coqc.CoqFault):
+        coqc.with_assumptions("Definition x := 1.")

@@ -52,7 +52,7 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
             except coqc.CoqFault as fault:
                 raise Defect(str(fault)) from None
     by_hand = [] if select else _by_hand(paper)
-    refused = [path.name for path in by_hand if asked and not coqc.check(path.read_text("utf-8")).expected]
+    refused = [path.name for path in by_hand if asked and not _accepted(path)]
     terminal = console(sys.stdout)
     terminal.print(certificates_table(made))
     for each in steps:
@@ -81,6 +81,15 @@ def _by_hand(paper: Paper) -> list[Path]:
     """Theorems that no emitter writes: `certificates/*.v` beside the paper's files or beside their folder."""
     folders = {path.parent for path in paper.paths} | {path.parent.parent for path in paper.paths}
     return sorted(file for folder in folders for file in (folder / "certificates").glob("*.v"))
+
+
+def _accepted(path: Path) -> bool:
+    from workbench.certificates import coqc
+
+    try:
+        return coqc.check(coqc.with_assumptions(path.read_text("utf-8"))).expected
+    except coqc.CoqFault as fault:
+        raise Defect(f"{path}: {fault}") from None
 
 
 def _write(out: Path, made: Sequence) -> None:

@@ -65,8 +65,10 @@ class Checked:
 
     def repair(self, limits: Limits = STANDARD) -> Repair:
         """What the right form is, where this one is refuted or ill-formed: only proved forms."""
-        from workbench.repair.propose.repair import repair
+        from workbench.repair.propose.repair import Repair, repair
 
+        if self.outcome not in (Outcome.REFUTED, Outcome.ILL_FORMED):
+            return Repair(self.result.claim, complete=True)
         return repair(self.result.claim, limits)
 
     def __str__(self) -> str:

@@ -10,7 +10,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Conjunction, Equivalence, IllFormed, Implication, Statement, Term
+from workbench.language.terms import (
+    Apply,
+    Block,
+    Conjunction,
+    Equivalence,
+    IllFormed,
+    Implication,
+    Statement,
+    Term,
+)
 from workbench.repair.terms.places import Place, places, replaced, subterm
 from workbench.repair.terms.variants import Said, atoms_of, sum_of, variants
 
@@ -72,6 +81,8 @@ def edits(
         is_addend = len(place) == _depth_of_sides(statement, place) or id(term) in of_sums
         if isinstance(term, Apply) and term.head == "add":
             of_sums.update(map(id, term.arguments))
+        if isinstance(term, Block):
+            of_sums.update(map(id, term.children))  # an entry has a sign of its own
         if place[: len(within)] != within:
             continue
         missing = () if id(term) in of_sums else addends

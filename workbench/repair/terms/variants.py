@@ -237,6 +237,8 @@ def _dots(term: Term) -> Iterator[Variant]:
             for step in (1, -1):
                 said = ("{} is differentiated {} instead of {} times", body, order + step, order)
                 yield "dots", said, partial(differentiated, body, order + step)
+        case Symbol(declaration=declaration) if declaration.constant:
+            return
         case Symbol() | Apply(head="skew"):
             yield "dots", ("{} gets a dot", term), partial(derivative, term, 1)
 
@@ -263,7 +265,7 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
             yield "exponent", ("the inverse of {} is dropped", arguments[0]), lambda: arguments[0]
             said = ("the inverse of {} becomes its transpose", arguments[0])
             yield "transpose", said, partial(apply, "transpose", arguments[0])
-        case "adjugate":
+        case "adjugate" | "conjugate":
             yield "mark", ("the star of {} is dropped", arguments[0]), lambda: arguments[0]
         case "triple":
             a, b, c = arguments
@@ -327,6 +329,8 @@ def _tilde_moved(body: Term) -> Iterator[Variant]:
 def _marks_added(term: Term) -> Iterator[Variant]:
     if isinstance(term, Zero | Identity):
         return
+    if term.type.kind == "quaternion" and not (isinstance(term, Apply) and term.head == "conjugate"):
+        yield "mark", ("{} gets a star", term), partial(apply, "conjugate", term)
     if term.type.kind == "vector":
         yield "tilde", ("{} gets a tilde", term), partial(apply, "skew", term)
     if term.type.kind != "tensor":

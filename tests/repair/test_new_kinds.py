@@ -1,0 +1,42 @@
+"""What is damaged in quaternions, matrices and half angles is found; what is no misprint gets no other form."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench import check
+
+SYMBOLS = {
+    "e": {"kind": "hamilton quaternion", "unit": True},
+    "h": {"kind": "hamilton quaternion", "unit": True},
+    "p": "hamilton quaternion",
+    "q": "hamilton quaternion",
+    "m": {"kind": "scalar", "constant": True},
+    "g": {"kind": "vector", "constant": True},
+    "r": "vector",
+    r"\theta": "scalar",
+}
+TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}"
+
+
+@pytest.mark.parametrize(
+    ("damaged", "right"),
+    [
+        (r"(e h)^{-1} = e^{-1} h^{-1}", r"\left(e h\right)^{-1} = h^{-1} e^{-1}"),
+        (r"(p q)^* = q^* p", r"\left(p q\right)^{*} = q^{*} p^{*}"),
+        (r"\sin\theta = \sin\frac{\theta}{2} \cos\frac{\theta}{2}", "2"),
+        (r"\frac{d}{dt} \sin\theta = \dot{\theta} \sin\theta", r"\dot{\theta} \cos \theta"),
+        (
+            rf"{TURN} \begin{{bmatrix}} \cos\theta & \sin\theta \\ \sin\theta & \cos\theta \end{{bmatrix}} = \mathbf{{I}}",
+            r"\cos \theta & \sin \theta \\ -\sin \theta & \cos \theta",
+        ),
+    ],
+)  # fmt: skip
+def test_damage_is_found(damaged: str, right: str) -> None:
+    proposed = [proposal.latex for proposal in check(damaged, SYMBOLS).repair().proposals]
+    assert any(right in latex for latex in proposed), proposed
+
+
+@pytest.mark.parametrize("formula", ["1 = 2", r"m \ddot{r} = m g"])
+def test_what_is_no_misprint_gets_no_other_form(formula: str) -> None:
+    assert check(formula, SYMBOLS).repair().proposals == []

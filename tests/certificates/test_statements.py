@@ -141,3 +141,13 @@ def test_an_inequation_is_about_an_instant_of_a_real_motion():
         "~ equal_at now (det Phi_2) (zero : scalar K) <-> ~ equal_at now (omega × D omega) (zero : vector K)."
     )
     assert t.read_back_faults() == []
+
+
+@pytest.mark.parametrize("premise", [r"a = \mathbf{0}", r"\mathbf{0} = a", r"a + b = \mathbf{0}"])
+def test_a_premise_at_an_instant_says_nothing_of_derivatives(premise):
+    symbols = {"a": "vector", "b": "vector"}
+    supposed = check(premise, symbols=symbols).result.claim.printed.statement
+    claim = check(r"\dot{a} = \dot{b}", symbols=symbols).result.claim
+    with pytest.raises(NotCertified, match="one instant"):
+        theorem("t", claim.printed.statement, (supposed,), claim.notation.definitions)
+    theorem("t", supposed, (supposed,), claim.notation.definitions)

@@ -261,11 +261,14 @@ def _occurs(symbol: Symbol, term: Term) -> bool:
 
 def _at_an_instant(premise: Relation, statement: Statement, definitions: Definitions) -> bool:
     """Whether the statement is about derivatives of a symbol whose value the premise gives."""
-    if not isinstance(premise.left, Symbol):
-        return False
+    sides = [premise.left, premise.right]
+    sides += [
+        part for side in sides if isinstance(side, Apply) and side.head == "add" for part in side.arguments
+    ]
+    given = [side for side in sides if isinstance(side, Symbol)]
     full = [expand(side, definitions) for r in _relations(statement) for side in (r.left, r.right)]
     return any(
-        isinstance(part, Derivative) and _occurs(premise.left, part.body)
+        isinstance(part, Derivative) and any(_occurs(symbol, part.body) for symbol in given)
         for term in full
         for part in term.walk()
     )

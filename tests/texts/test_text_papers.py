@@ -201,6 +201,18 @@ def test_control_characters_are_shown_and_not_obeyed(tmp_path: Path) -> None:
     assert "\x1b" not in out and "\ufffd" in out
 
 
+def test_control_characters_in_titles_and_notes_are_one_message(tmp_path: Path) -> None:
+    path = tmp_path / "p.toml"
+    path.write_text(
+        'title = "a\\u001b[31m"\n[symbols]\na = { kind = "vector" }\n'
+        '[[claim]]\nid = "1"\nprinted = "a = 2 a"\nnote = "n\\u001b[2J"\n'
+    )
+    for command in ("check", str(path)), ("show", "1", "--paper", str(path), "--no-proposals"):
+        assert "\x1b" not in run(*command).output
+    result = run("report", "--paper", str(path), "--out", str(tmp_path / "out"), "--no-motions")
+    assert (result.exit_code, "got U+001B" in result.output) == (2, True)
+
+
 def test_init_writes_ten_true_claims(tmp_path: Path) -> None:
     path = tmp_path / "body.toml"
     assert run("init", str(path)).exit_code == 0

@@ -37,10 +37,11 @@ def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
         from workbench.judge.verdict import EngineDisagreement
         from workbench.papers import PaperError
         from workbench.papers.selection import SelectError
+        from workbench.report.structure import ReportError
 
         try:
             command(*arguments, **options)
-        except (PaperError, SelectError) as error:
+        except (PaperError, SelectError, ReportError) as error:
             raise Unusable(str(error)) from None
         except KeyboardInterrupt:
             click.echo("interrupted", err=True)

@@ -5,12 +5,15 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from proofs.theorems import aronhold_kennedy as theorems
-from proofs.theorems.three_bodies import JOINTS, JOINTS_FIRST_TRANSLATES
+from tests.kinematics.three_bodies import (
+    JOINTS,
+    JOINTS_FIRST_TRANSLATES,
+    drake_checks,
+    rational_checks,
+)
 from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import apply, cross, dot, is_orthogonal, vector
 from workbench.drake.plants import CylindricalAxis, cylindrical_chain, set_state
-from workbench.judge.verdict import Outcome
 from workbench.kinematics.aronhold_kennedy import (
     Configuration,
     relative_twists,
@@ -236,40 +239,18 @@ def test_bad_twists_are_named():
         three_axes(Dual(np.ones((2, 3)), np.ones((2, 3))), Dual(np.ones((3, 3)), np.ones((3, 3))))
 
 
-# -- theorems -------------------------------------------------------------------------------------
+# -- every configuration constructed --------------------------------------------------------------
 
 
-def test_remark_7_needs_oblique_axes():
-    verdict = theorems.remark_7()
-    assert verdict.outcome == Outcome.CONDITIONAL, verdict.reason
-    assert verdict.hypothesis and verdict.counterexample
-
-
-def test_the_counterexample_is_one():
-    values = theorems.remark_7().counterexample.values
-    first, second, product = (
-        vector([Fraction(x) for x in v[:3]], [Fraction(x) for x in v[3:]]) for v in values.values()
-    )
-    assert cross(first, second) == product
-    assert three_axes(first, second).configuration is Configuration.PARALLEL
-
-
+@pytest.mark.parametrize("checks", [rational_checks, drake_checks])
 @pytest.mark.parametrize(
-    "name",
-    ["parallel", "coincident", "relative_translation", "one_translation", "translations"],
+    ("configuration", "first_translates"),
+    [
+        *((configuration, False) for configuration in Configuration),
+        (Configuration.PARALLEL_TRANSLATION, True),
+        (Configuration.COINCIDENT_TRANSLATION, True),
+    ],
 )
-def test_what_replaces_remark_7_is_proved(name):
-    verdict = getattr(theorems, f"remark_7_{name}")()
-    assert verdict.outcome == Outcome.PROVED, verdict.reason
-
-
-def test_a_wrong_perpendicular_is_not_proved(monkeypatch):
-    from proofs.theorems import three_bodies
-
-    def wrong(*twists):
-        found = three_axes(*twists)
-        moved = Dual(found.perpendicular.re, found.perpendicular.du * 2)
-        return type(found)(found.configuration, found.axes, found.has_axis, found.pitches, moved)
-
-    monkeypatch.setattr(three_bodies, "three_axes", wrong)
-    assert theorems.remark_7().outcome == Outcome.UNCHECKED
+def test_three_axes_of_bodies_that_are_constructed(checks, configuration, first_translates):
+    assert all(checks(configuration, first_translates, spoilt=False))
+    assert not all(checks(configuration, first_translates, spoilt=True))

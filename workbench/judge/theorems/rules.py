@@ -294,7 +294,8 @@ def _instance(sequent: Sequent, use: Use):
                 value = _integer(given.pop(integer, None), integer, least, scope)
                 goal = at_integer(body, integer, value)
             case Implies(antecedent, conclusion):
-                yield from obligations(sequent.of(antecedent), Kernel())
+                if all(antecedent != supposed.goal for supposed in sequent.premises):
+                    yield from obligations(sequent.of(antecedent), Kernel())
                 goal = conclusion
             case Both(parts):
                 flat = [

@@ -52,7 +52,7 @@ class Letters:
         """
         said = [relation for formula in formulas for relation in self._relations(formula, orders)]
         denied = list(self._relations(but_not, orders))
-        if all(any(is_another_sign_of(wrong, right) for right in said) for wrong in denied):
+        if all(any(is_another_sign_of(wrong, right) for right in said if right != wrong) for wrong in denied):
             raise ValueError(
                 f"step {shown!r}: expected a control without a premise or a factor, one that differs by"
                 f" more than signs; got {but_not}"

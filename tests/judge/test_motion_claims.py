@@ -4,8 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 from judge.motion_papers import HEAD, MOTION, judged, motions, paper
 
+from workbench.cli.commands import main
 from workbench.drake.sampled_motions import six_revolute_motion
 from workbench.drake.special_motions import special_motion
 from workbench.judge.evidence.motion_check import Subject, witness
@@ -171,6 +173,17 @@ def test_a_formula_of_ours_that_says_nothing_of_a_motion_is_refused(tmp_path):
         judged(tmp_path, "printed = 'u = R x'", head=DEFINED, motion=with_ours("holds = 'a = a'"))
 
 
+def test_the_members_that_are_looked_at_grow_together(tmp_path):
+    (claim,) = judged(
+        tmp_path,
+        r"""
+        printed = '\frac{d^m}{dt^m} v^{(n)} = \frac{d^n}{dt^n} v^{(m)}'
+        orders = "m = 0..2, n = 1..2"
+        """,
+    )
+    assert motions(claim)[0]["instances"] == ["m = 0, n = 1", "m = 1, n = 2", "m = 2, n = 2"]
+
+
 # --- vetoes, errors
 
 
@@ -273,3 +286,14 @@ def test_a_tie_never_runs_in_a_circle(tmp_path):
     motion = MOTION + "    'r' = \"p_BoP_B\"\n    'y' = \"p_WP\"\n"
     (claim,) = judged(tmp_path, "printed = 'y = p + R r'", head=head, motion=motion)
     assert claim["verdict"] == "proved" and motions(claim)
+
+
+def test_verify_counts_what_was_seen_and_what_was_not(tmp_path):
+    paper(
+        tmp_path,
+        r"printed = '\dot{p} = v'",
+        r"printed = 'a \times x = -x \times a'",
+        r"printed = '\omega^{(6)} = \frac{d}{dt} \omega^{(5)} + 0 a'",
+    )
+    output = CliRunner().invoke(main, ["check", str(tmp_path / "paper.toml")]).output
+    assert "on Drake's motions: 1 claims; 1 no motion: algebra; 1 for other reasons not" in output

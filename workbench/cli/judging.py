@@ -104,14 +104,17 @@ def as_expected(paper: Paper, results: Sequence[ClaimResult]) -> bool:
 
 
 def print_results(paper: Paper, results: Sequence[ClaimResult], as_json: bool) -> None:
-    from workbench.cli.terminal import console, results_table, summary_line
+    from workbench.cli.terminal import console, motions_line, results_table, summary_line
     from workbench.verify.results import report_dict
 
+    report = report_dict(paper, results)
     if as_json:
-        print_json(report_dict(paper, results))
+        print_json(report)
     else:
         terminal = console(sys.stdout)
         terminal.print(results_table(results))
+        if report["witnesses"]["Drake"]:
+            terminal.print(motions_line(report["witnesses"]))
         terminal.print(summary_line(results))
 
 

@@ -75,6 +75,15 @@ def summary_line(results: Sequence[ClaimResult]) -> Text:
     return line
 
 
+def motions_line(witnesses: Mapping[str, int]) -> Text:
+    """How many claims were evaluated on Drake's motions; `show` says of each other one why not."""
+    names = {"none": "for other reasons not"}
+    others = [
+        f"{count} {names.get(name, name)}" for name, count in witnesses.items() if count and name != "Drake"
+    ]
+    return Text("; ".join([f"on Drake's motions: {witnesses['Drake']} claims", *others]))
+
+
 def claim_lines(claim: Mapping[str, Any], with_expectation: bool = True) -> Iterator[Text]:
     """One claim in full: what is wrong, for … read …, why, counterexample, evidence; with its id
     and whether it passed, or without."""

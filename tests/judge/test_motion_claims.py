@@ -297,3 +297,16 @@ def test_verify_counts_what_was_seen_and_what_was_not(tmp_path):
     )
     output = CliRunner().invoke(main, ["check", str(tmp_path / "paper.toml")]).output
     assert "on Drake's motions: 1 claims; 1 no motion: algebra; 1 for other reasons not" in output
+
+
+def test_a_premise_that_holds_of_everything_leaves_what_is_free_as_it_is(tmp_path):
+    """Rounding in (R Rᵀ − I) a is no equation for a: solved, it would put a anywhere, or nowhere."""
+    (claim,) = judged(
+        tmp_path,
+        r"""
+        printed = 'R (R^T a) = a \Rightarrow a = x'
+        corrected = 'R (R^T a) = a \Rightarrow a = R R^T a'
+        """,
+    )
+    (seen,) = motions(claim)
+    assert seen["outcome"] == "the sides part" and seen["samples"] == 22

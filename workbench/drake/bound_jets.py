@@ -16,6 +16,7 @@ import numpy as np
 from workbench.drake.bindings import Bound
 from workbench.drake.gate import MultibodyPlant
 from workbench.drake.joint_paths import JointPath
+from workbench.drake.quantities import cross
 
 Array = np.ndarray
 
@@ -108,10 +109,6 @@ def _matrix(a: Estimated, b: Estimated, order: int) -> Estimated:
     return _product(np.matmul, np.matmul, a, b, order)
 
 
-def _cross(a: Array, b: Array) -> Array:
-    return np.cross(a, b)
-
-
 def _absolute_cross(a: Array, b: Array) -> Array:
     return np.array([a[i - 2] * b[i - 1] + a[i - 1] * b[i - 2] for i in range(3)])
 
@@ -148,7 +145,7 @@ def _field_rate(n: int, order: int, twist: Estimated, p: Estimated) -> Estimated
     """ω⁽ⁿ⁾ × p + v⁽ⁿ⁾: the n-th rate of the velocity of whatever is at a place that is fixed in W."""
     rates = _from(twist, n, order)
     w, v = (Estimated(rates.values[:, i], rates.errors[:, i]) for i in range(2))
-    return _plus(v, _product(_cross, _absolute_cross, w, p, order))
+    return _plus(v, _product(cross, _absolute_cross, w, p, order))
 
 
 def _field_rate_at_origin(n: int, order: int, twist: Estimated, R: Estimated, p: Estimated) -> Estimated:

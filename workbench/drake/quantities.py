@@ -126,15 +126,20 @@ def third_body_quantities(
     }
 
 
+def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """a × b; of a matrix b the columns. Much faster than NumPy's for single vectors."""
+    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+
 def line(direction: np.ndarray, point: np.ndarray) -> np.ndarray:
     """A line's dual vector: direction, and moment about the origin."""
-    return np.array([direction, np.cross(point, direction)])
+    return np.array([direction, cross(point, direction)])
 
 
 def dual_rotation(X: Any) -> np.ndarray:
     """R + ε p̃ R: the columns of the dual part are p × the columns of R."""
     R = X.rotation().matrix()
-    return np.array([R, np.cross(X.translation(), R.T).T])
+    return np.array([R, cross(X.translation(), R)])
 
 
 def dual_twist(V_WBp: Any) -> np.ndarray:

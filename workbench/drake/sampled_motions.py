@@ -45,7 +45,7 @@ SAMPLES = (-0.75, 0.5)
 COURSE = (-1.0, -0.5, 0.0, 0.5, 1.0)
 
 #: Sums of joint angles, in rad, swept in half of a window.
-TURNS = (4.0, 6.0, 9.0)
+TURNS = (4.0, 6.0)
 
 
 class Posture:

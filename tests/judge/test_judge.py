@@ -225,7 +225,7 @@ class TestFamilies:
             definitions=PHI,
             table=PHI_TABLE,
         )
-        assert (verdict.outcome, verdict.scope) == (Outcome.PROVED, "all n")
+        assert (verdict.outcome, verdict.scope) == (Outcome.PROVED, "all n ≥ 1")
 
     def test_a_range_says_that_it_is_a_range(self):
         verdict = judged(r"\sum_{k=0}^{n} C_n^k a = 2^n a", orders=Orders.parse("n = 0..6"))

@@ -315,7 +315,24 @@ v = { kind = "vector" }
 """
     printed = r"v \cdot a_{n+1} = v \cdot \dot{a}_n + v \cdot (\Phi_n v)"
     (verdict,) = verdicts(tmp_path / "paper.toml", text + claim(printed, "n = 1..3"))
-    assert (verdict.outcome, verdict.scope) == (Outcome.PROVED, "all n")
+    assert (verdict.outcome, verdict.scope) == (Outcome.PROVED, "all n ≥ 1")
+
+
+@pytest.mark.parametrize(
+    ("orders", "scope"), [("n = 1..3", "all n ≥ 1"), ("n = 2..3", "all n ≥ 1"), ("n = 0..2", None)]
+)
+def test_all_n_begins_behind_a_member_that_is_defined_apart(tmp_path, orders, scope):
+    text = r"""[symbols]
+x = { kind = "vector" }
+f = { kind = "scalar" }
+'a_n' = { kind = "vector" }
+[definitions]
+'a_1' = 'x'
+'a_{n+1}' = '\dot{a}_n + f a_n'
+"""
+    (verdict,) = verdicts(tmp_path / "paper.toml", text + claim(r"f a_{n+1} = f (\dot{a}_n + f a_n)", orders))
+    assert verdict.scope == scope
+    assert verdict.outcome == (Outcome.PROVED if scope else Outcome.REFUTED)
 
 
 def test_a_denominator_without_a_zero_in_sight_is_unchecked():

@@ -235,8 +235,9 @@ def check_definitions(random: Random) -> str:
     judge = Judge(definitions)
     found = agrees(judge, statement, orders)
     verdict = None if found == "unchecked" else judge.judge(statement, orders=orders)
-    if verdict is not None and verdict.scope == "all n":
-        for n in range(6):  # all of them, not those of the range alone
+    if verdict is not None and (verdict.scope or "").startswith("all n"):
+        least = int(verdict.scope.partition("≥")[2] or 0)
+        for n in range(least, least + 6):  # all of them, not those of the range alone
             for world in worlds(definitions, 1):
                 try:
                     holds = world.holds(statement, {"n": n})

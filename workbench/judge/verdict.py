@@ -77,7 +77,7 @@ class Counterexample:
 class Verdict:
     """The verdict on one statement.
 
-    scope: for which n it is proved ("all n", "n = 1..8"); None where there is no n.
+    scope: for which n it is proved ("all n", "all n ≥ 1", "n = 1..8"); None where there is no n.
     read_back: canonical LaTeX of the term that was judged.
     reason: why, for ill-formed (with line and column), unchecked and conditional.
     hypothesis: canonical LaTeX of the condition that the text does not state, for conditional.

@@ -155,9 +155,10 @@ def _scope(
     original: Statement,
     orders: OrderRanges,
 ) -> str | None:
-    """ "all n" if the definitions that the statements use are in force for each n for which all members in
-    them are of their families, and for all of `orders`; else None. "" without any n. The statements are
-    shifted: their n counts from `shift`."""
+    """ "all n ≥ 1", from the least n on for which the definitions that the statements use are in force, or
+    "all n" where that is 0; None unless that holds for each n for which all members in them are of their
+    families, and for all of `orders`; "" without any n. The statements are shifted: their n counts from
+    `shift`."""
     known = exceptions(judge)
     terms = list(_all_terms(statements))
     start, begin = known.start(rewritten(terms, judge.definitions)), known.begin(symbolic_members(terms))
@@ -168,7 +169,8 @@ def _scope(
         return None
     if any(values[name] < needed[name] for values in orders.assignments() for name in variables):
         return None
-    return f"all {', '.join(variables)}" if variables else ""
+    said = [f"{name} ≥ {needed[name]}" if needed[name] > 0 else name for name in variables]
+    return f"all {', '.join(said)}" if said else ""
 
 
 def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Statement]) -> None:

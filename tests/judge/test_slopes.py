@@ -92,11 +92,13 @@ def test_what_is_not_said_to_be_independent_is_not_kept(latex: str, reason: str)
         (r"\frac{\partial V}{q} = 0", "expected a partial derivative"),
         (r"\frac{\partial}{\partial q} = 0", "the partial derivative of what"),
         (r"\frac{\partial V}{\partial (q p)} = 0", "by anything but a symbol"),
+        (r"\frac{\partial^n V}{\partial q^n} = 0", "of the order n"),
+        (r"\frac{\partial^{-1} V}{\partial q^{-1}} = 0", "of the order -1"),
     ],
 )
 def test_what_cannot_be_read(latex: str, message: str) -> None:
     with pytest.raises(ReadError, match=message):
-        read(latex, TABLE)
+        read(latex, TABLE, ["n"])
 
 
 @pytest.mark.parametrize(

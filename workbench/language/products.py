@@ -423,8 +423,14 @@ class _Row:
     def slope(self, at: int, found: Rate, body: Term) -> Term:
         """∂/∂x of the body as often as it is said."""
         scope = self.scope
-        orders = [int(scope.integer(order)) if order is not None else 1 for _, order in found.by]
-        above = 1 if found.order_above is None else int(scope.integer(found.order_above))
+
+        def count(order: Node | None) -> int:
+            number = Linear(1) if order is None else scope.integer(order)
+            if not number.is_number or int(number) < 1:
+                raise Fault(f"a partial derivative of the order {number}", order.at)
+            return int(number)
+
+        orders, above = [count(order) for _, order in found.by], count(found.order_above)
         if above != sum(orders):
             raise Misfit(IllFormed(f"a derivative of order {above} above and {sum(orders)} below"), at)
         for (variable, _), order in zip(reversed(found.by), reversed(orders), strict=True):

@@ -5,6 +5,8 @@ import os
 import pytest
 from hypothesis import settings
 
+from workbench.budget import workers
+
 #: Papers that tests judge themselves: what they claim is not all right.
 collect_ignore_glob = ["judge/papers/*.toml"]
 
@@ -17,6 +19,8 @@ def pytest_configure(config: pytest.Config) -> None:
     os.environ.setdefault(
         "WORKBENCH_CACHE", os.devnull
     )  # tests judge anew: a file that cannot be is no cache
+    if "MUTANT_UNDER_TEST" in os.environ:  # mutmut sees which test calls what in its own process alone
+        workers.get_all_start_methods = list
     settings.register_profile("same cases", derandomize=True)
     if not config.getoption("--slow"):
         settings.load_profile("same cases")

@@ -1,6 +1,7 @@
 """What the Coq statements say: read back they are the typed terms, and a reader sees the formula in them."""
 
 import pytest
+from click.testing import CliRunner
 
 from tests.certificates.emitted import all_certificates, one
 from workbench import check
@@ -8,7 +9,8 @@ from workbench.certificates import read_back
 from workbench.certificates.forms import certificate, forms_of
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.steps import steps_of
-from workbench.certificates.theorem import theorem
+from workbench.certificates.theorem import Theorem, theorem
+from workbench.cli.commands import main
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.papers import find_paper
@@ -39,6 +41,13 @@ def test_a_changed_text_is_seen(old, new):
     if old == "skew omega":
         t.emitter.read_back["v"] = t.emitter.read_back["Phi_1"]
     assert t.read_back_faults()
+
+
+def test_a_statement_that_says_something_else_ends_the_run(monkeypatch):
+    monkeypatch.setattr(Theorem, "read_back_faults", lambda self: ["omega is read as v"])
+    done = CliRunner().invoke(main, ["certify", "58.det"])
+    assert done.exit_code == 3
+    assert "omega is read as v" in " ".join(done.output.split())
 
 
 def test_the_determinant_of_the_acceleration_tensor():

@@ -21,7 +21,7 @@ class Certified:
     """One exact form: its certificate, or the first obstacle to one; what Coq said, if it was asked.
 
     `outcome`: the verdict on the form, which a certificate never changes. `gap`: why no motion is known that
-    meets the premises; `met`: what Coq said of one.
+    meets the premises; `met`: what Coq said of one. `misread`: what the text says otherwise than the terms.
     """
 
     form: Form
@@ -31,11 +31,12 @@ class Certified:
     checked: coqc.Checked | None = None
     gap: str = ""
     met: coqc.Checked | None = None
+    misread: str = ""
 
     @property
     def certified(self) -> bool:
         """Coq accepts the certificate, and that its premises can be met, if it has any."""
-        own = self.checked is not None and self.checked.expected and not self.gap
+        own = self.checked is not None and self.checked.expected and not (self.gap or self.misread)
         return own and (self.certificate.motions is None or (self.met is not None and self.met.expected))
 
     @property
@@ -44,7 +45,10 @@ class Certified:
 
     @property
     def broken(self) -> bool:
-        """Coq refuses the certificate, or it rests on axioms nobody expects: a defect of the workbench."""
+        """Coq refuses the certificate, it rests on axioms nobody expects, or it does not say what its terms
+        say: a defect of the workbench."""
+        if self.misread:
+            return True
         refused = [said for said in (self.checked, self.met) if said is not None and not said.expected]
         return any(self.outcome == Outcome.PROVED or not _unfinished(said) for said in refused)
 
@@ -53,6 +57,8 @@ class Certified:
         """What a table says of it."""
         if self.certificate is None:
             return f"not certified: {self.obstacle}"
+        if self.misread:
+            return f"NOT WHAT ITS TERMS SAY: {self.misread}"
         if self.checked is None:
             return "written"
         if _unfinished(self.checked):
@@ -103,14 +109,16 @@ def written(form: Form, verdict: Verdict) -> Certified:
     """The certificate of a form, not yet checked."""
     try:
         if verdict.outcome == Outcome.REFUTED:
-            return Certified(form, verdict.outcome, refutation(form, verdict))
+            made = refutation(form, verdict)
+            return Certified(form, verdict.outcome, made, misread=made.misread)
         made = certificate(form, every=(verdict.scope or "").startswith("all"))
     except NotCertified as obstacle:
         return Certified(form, verdict.outcome, None, str(obstacle))
     try:
-        return Certified(form, verdict.outcome, replace(made, motions=not_empty(made)))
+        whole = replace(made, motions=not_empty(made))
+        return Certified(form, verdict.outcome, whole, misread=made.misread)
     except NotCertified as gap:
-        return Certified(form, verdict.outcome, made, gap=str(gap))
+        return Certified(form, verdict.outcome, made, gap=str(gap), misread=made.misread)
 
 
 def checked_all(

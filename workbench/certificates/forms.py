@@ -45,6 +45,11 @@ class Certificate:
     title: str = ""
 
     @property
+    def misread(self) -> str:
+        """What its text, read again, says otherwise than its terms: a defect of the emitter; "" if none."""
+        return "; ".join(fault for theorem in self.theorems for fault in theorem.read_back_faults())
+
+    @property
     def text(self) -> str:
         about = f"(* {_said(self.form)} *)" if self.form else f"(* {self.title} *)"
         names = [t.name for t in self.theorems]

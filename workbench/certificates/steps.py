@@ -26,6 +26,7 @@ class Step:
 
     certificate: Certificate | None
     obstacle: str = ""
+    misread: str = ""
 
     @property
     def checked(self) -> coqc.Checked | None:
@@ -46,11 +47,14 @@ class Steps:
 
     @property
     def certified(self) -> list[Step]:
-        return [step for step in self.steps if (said := step.checked) is not None and said.expected]
+        accepted = (step for step in self.steps if (said := step.checked) is not None and said.expected)
+        return [step for step in accepted if not step.misread]
 
     @property
     def broken(self) -> bool:
-        """Coq refuses one of them."""
+        """Coq refuses one of them, or one does not say what its terms say."""
+        if any(step.misread for step in self.steps):
+            return True
         said = [step.checked for step in self.steps]
         return any(s is not None and not s.expected for s in said)
 
@@ -109,4 +113,5 @@ def _step(claim: Claim, obligation: Obligation, number: int) -> Step:
         made = theorem(name, statement, supposed, definitions, integers)
     except (NotCertified, IllFormed) as obstacle:
         return Step(None, str(obstacle))
-    return Step(Certificate(None, (made,), title=f"{claim.id}, {obligation.rule}"))
+    written = Certificate(None, (made,), title=f"{claim.id}, {obligation.rule}")
+    return Step(written, misread=written.misread)

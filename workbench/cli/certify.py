@@ -66,7 +66,7 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
         terminal.print(f"{path.name}, written by hand{said}", markup=False)
     wrong = [s.claim.id for s in steps if s.broken] if asked else []
     if broken := [*(c.form.identifier for c in made if c.broken), *wrong, *refused]:
-        raise Defect(f"Coq refuses {len(broken)} of them: {', '.join(broken)}")
+        raise Defect(f"Coq refuses {len(broken)} of them, or they say something else: {', '.join(broken)}")
 
 
 def _times(done: Sequence[Certified]) -> str:

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from workbench.papers.file_bytes import file_bytes
 from workbench.papers.model import PaperError
 from workbench.papers.toml_places import KeyPath, Places
 
@@ -94,7 +95,7 @@ class TomlFile:
         return PaperError(self.path, *self.places.in_key(path, line, column), message)
 
     def _text(self) -> str:
-        raw = self._bytes()
+        raw = file_bytes(self.path, "a TOML file", MOST_BYTES)
         try:
             text = raw.decode("utf-8")
         except UnicodeDecodeError as error:
@@ -107,25 +108,6 @@ class TomlFile:
         if not text.strip():
             raise PaperError(self.path, 1, 1, "is empty; expected a paper file with [[claim]] tables")
         return text
-
-    def _bytes(self) -> bytes:
-        fault = None
-        try:
-            if self.path.is_dir():
-                fault = "is a directory; expected a TOML file"
-            elif self.path.exists() and not self.path.is_file():
-                fault = "is not a regular file; expected a TOML file"
-            else:
-                with self.path.open("rb") as stream:
-                    raw = stream.read(MOST_BYTES + 1)
-                if len(raw) <= MOST_BYTES:
-                    return raw
-                fault = f"is larger than {MOST_BYTES:,} bytes"
-        except FileNotFoundError:
-            fault = "no such file"
-        except (OSError, ValueError) as error:  # ValueError: a NUL in the name
-            fault = f"cannot be read: {getattr(error, 'strerror', None) or error}"
-        raise PaperError(self.path, None, None, fault)
 
     def _syntax_error(self, error: tomllib.TOMLDecodeError, text: str) -> PaperError:
         message, line, column = str(error), None, None

@@ -69,7 +69,6 @@ class Correction:
     picture: str | None
     cost: str | None
     proved: str | None
-    proved_as: str | None
 
 
 @dataclass(frozen=True)
@@ -238,7 +237,6 @@ def _correction(claim: Claim, places: Mapping[str, tuple[str, str]]) -> Correcti
         picture=residuals_svg(claim) if claim["fault"] == "error" else None,
         cost=_cost(claim),
         proved=right["latex"] if right else None,
-        proved_as=right["verdict"] if right else None,
     )
 
 

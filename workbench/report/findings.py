@@ -15,7 +15,6 @@ from workbench.papers.model import Span
 from workbench.papers.text_paper import TextPaper
 from workbench.verify.claims import HOLDS, ClaimResult
 
-LEVELS = ("error", "warning", "note")
 _LEVEL_OF = {
     Outcome.REFUTED: "error",
     Outcome.ILL_FORMED: "error",

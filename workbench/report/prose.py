@@ -104,10 +104,6 @@ def _signed(dual: Sequence[str]) -> tuple[str, str]:
     return "+", rf"\varepsilon {_laid_out(dual)}"
 
 
-def value_latex(entries: Sequence[str] | str) -> str | None:
-    return values_of(entries).latex
-
-
 def _laid_out(entries: Sequence[str]) -> str:
     numbers = [_rational_latex(entry) for entry in entries]
     size = isqrt(len(numbers))

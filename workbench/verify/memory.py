@@ -51,7 +51,6 @@ class Memory:
     """The verdicts in a file, made on first use."""
 
     def __init__(self, file: Path) -> None:
-        self._file = file
         self._database: sqlite3.Connection | None = None
         with suppress(OSError, sqlite3.Error):
             self._database = _opened(file)

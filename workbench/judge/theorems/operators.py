@@ -23,10 +23,6 @@ from workbench.language.terms import (
 from workbench.language.types import Declaration
 
 
-def has_operators(term: Term) -> bool:
-    return any(part.type.kind == "operator" for part in term.walk())
-
-
 def with_operators_applied(equation: Relation, definitions: Definitions) -> Relation:
     """D x is the derivative, (P Q) x is P (Q x), (P + Q) x is P x + Q x; defined operators are written
     out."""

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
+from workbench.papers.file_bytes import file_bytes
 from workbench.papers.model import PaperError
 
 MOST_BYTES = 20_000_000
@@ -26,7 +27,7 @@ class Source:
     @staticmethod
     def open(path: Path) -> Source:
         """UTF-8, or what a byte-order mark says, or else Latin-1 with a warning. Raises PaperError."""
-        raw = _bytes(path)
+        raw = file_bytes(path, "a text", MOST_BYTES)
         encoding = next((name for mark, name in _BOMS if raw.startswith(mark)), "utf-8")
         warnings = []
         try:
@@ -85,23 +86,3 @@ class View:
         pieces.append(self.text[done:])
         at += self.at[done:]
         return View("".join(pieces), self.source, at)
-
-
-def _bytes(path: Path) -> bytes:
-    fault = None
-    try:
-        if path.is_dir():
-            fault = "is a directory; expected a text"
-        elif path.exists() and not path.is_file():
-            fault = "is not a regular file; expected a text"
-        else:
-            with path.open("rb") as stream:
-                raw = stream.read(MOST_BYTES + 1)
-            if len(raw) <= MOST_BYTES:
-                return raw
-            fault = f"is larger than {MOST_BYTES:,} bytes"
-    except FileNotFoundError:
-        fault = "no such file"
-    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
-        fault = f"cannot be read: {getattr(error, 'strerror', None) or error}"
-    raise PaperError(path, None, None, fault)

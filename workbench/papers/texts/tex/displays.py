@@ -57,10 +57,6 @@ class Display:
     warnings: tuple[tuple[Token, str], ...] = ()
 
     @property
-    def is_inline(self) -> bool:
-        return self.environment in ("$", "\\(", "math")
-
-    @property
     def line(self) -> int:
         return self.source.place(self.start)[0]
 

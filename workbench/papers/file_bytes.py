@@ -1,0 +1,28 @@
+"""What stands in a file that somebody named, or one clear error."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from workbench.papers.model import PaperError
+
+
+def file_bytes(path: Path, expected: str, most: int) -> bytes:
+    """Raises PaperError for what is no such file, cannot be read, or has more than `most` bytes."""
+    fault = None
+    try:
+        if path.is_dir():
+            fault = f"is a directory; expected {expected}"
+        elif path.exists() and not path.is_file():
+            fault = f"is not a regular file; expected {expected}"
+        else:
+            with path.open("rb") as stream:
+                raw = stream.read(most + 1)
+            if len(raw) <= most:
+                return raw
+            fault = f"is larger than {most:,} bytes"
+    except FileNotFoundError:
+        fault = "no such file"
+    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
+        fault = f"cannot be read: {getattr(error, 'strerror', None) or error}"
+    raise PaperError(path, None, None, fault)

@@ -105,6 +105,10 @@ def prove(
     )
 
 
+#: Of members to a symbolic n no engine has a normal form: the terms themselves are compared.
+SAME_ADDENDS = Evidence("operators applied, sums shifted and split", "both sides have the same addends")
+
+
 @dataclass(frozen=True)
 class _Prover:
     judge: Judge
@@ -138,14 +142,13 @@ class _Prover:
         used = _integers(obligation)
         try:
             forms = list(_simpler(obligation, used))
-            if (used or obligation.rule != FORMULA) and any(is_same_sum(form) for form in forms):
-                found = Evidence(
-                    "operators applied, sums shifted and split", "both sides have the same addends"
-                )
-                return Verdict(Outcome.PROVED, scope="all" if used else None, evidence=(found,))
+            if used and any(is_same_sum(form) for form in forms):
+                return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
             verdict = self._judged(obligation.statement, obligation, used)
             if verdict.outcome in (Outcome.REFUTED, Outcome.DEFINITION) or _is_for_all(verdict, used):
                 return verdict
+            if obligation.rule != FORMULA and any(is_same_sum(form) for form in forms):
+                return Verdict(Outcome.PROVED, evidence=(*verdict.evidence, SAME_ADDENDS))
             return self._one_of(forms, obligation, used) or _for_some_only(verdict)
         except Unsatisfiable:
             reason = "its premises contradict each other, or no example of them was found"

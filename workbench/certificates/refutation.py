@@ -62,6 +62,10 @@ class Denied:
             ]
         )
 
+    def read_back_faults(self) -> list[str]:
+        """Where what is denied, read again, does not say what the terms say."""
+        return self.made.read_back_faults()
+
     def _lines(self) -> list[str]:
         shifted = [n for n in self.numbers if n.endswith("_less_1")]
         return [*(f"let {n.removesuffix('_less_1')} := S {n} in" for n in shifted), *self.emitter.statement]

@@ -16,6 +16,9 @@ from pathlib import Path
 
 ROOT = Path("mutants")
 
+#: Which test calls which function; mutmut writes it once all mutants are written, before it looks for a name.
+STATISTICS = ROOT / "mutmut-stats.json"
+
 
 def functions(path):
     """The original and the mutants of each function of a file that mutmut wrote, by name."""
@@ -57,8 +60,10 @@ def main():
     parser.add_argument("--again", action="store_true", help="only the survivors of the last run")
     options = parser.parse_args()
     mutmut = ["mutmut", "run", "--max-children", "2"]
-    if not ROOT.exists():  # writes all mutants and finds which test calls which function
-        subprocess.run([*mutmut, "no.such.mutant"], check=False)
+    if not STATISTICS.exists():
+        subprocess.run([*mutmut, "no.such.mutant"], check=False, stderr=subprocess.DEVNULL)
+    if not STATISTICS.exists():
+        raise SystemExit("mutmut did not find which test calls which function: see what it printed above")
     files = sorted(path.with_suffix("") for path in ROOT.glob("workbench/judge/*/*.py.meta"))
     pool = [name for path in files for name in mutants_of(path)]
     names = random.Random(options.seed).sample(pool, min(options.sample, len(pool)))

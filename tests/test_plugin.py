@@ -23,6 +23,7 @@ FILES = {
     "nothing": HEAD + TRUE + "assume = ['a = 0', 'a \\neq 0']\n",
     "other": "[tool]\nname = 'x'\n# [[claim]] in a comment\n",
 }
+NO_SETTINGS_FROM_ABOVE = "[pytest]\n"
 
 
 def pytest_run(directory: Path, *arguments: str) -> str:
@@ -37,6 +38,7 @@ def papers(tmp_path_factory) -> Path:
     directory = tmp_path_factory.mktemp("papers")
     for name, text in FILES.items():
         (directory / f"{name}.toml").write_text(text, encoding="utf-8")
+    (directory / "pytest.ini").write_text(NO_SETTINGS_FROM_ABOVE, encoding="utf-8")
     return directory
 
 

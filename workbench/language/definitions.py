@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from workbench.language.construct import rebuild
-from workbench.language.instances import instantiate
+from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear
 from workbench.language.symbols import index_in, spelled
 from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
@@ -123,7 +123,8 @@ def _with_arguments(body: Term, definition: Definition, symbol: Symbol) -> Term:
     if not definition.parameters:
         return body
     actual = {p.name: a for p, a in zip(definition.parameters, symbol.arguments, strict=True)}
-    return _replace(body, actual, {})
+    used = frozenset().union(*map(free_integers, symbol.arguments))
+    return _replace(instantiate(body, {f"in {name}": Linear.variable(name) for name in used}), actual, {})
 
 
 def _replace(term: Term, actual: Mapping[str, Term], done: dict[int, Term]) -> Term:

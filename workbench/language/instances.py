@@ -212,3 +212,23 @@ def _sum_values(
             edges = (-1, *bars, places)
             parts = (edges[i + 1] - edges[i] - 1 for i in range(len(variables)))
             yield {name: Linear(part) for name, part in zip(variables, parts, strict=True)}
+
+
+def free_integers(term: Term) -> frozenset[str]:
+    """The integer variables of the term, but for those that its sums bind."""
+    names = frozenset().union(*(free_integers(child) for child in term.children))
+    match term:
+        case Symbol(index=index):
+            return names.union(*(place.variables for place in index))
+        case Derivative(order=order):
+            return names | order.variables
+        case Power(exponent=exponent):
+            return names | exponent.variables
+        case Counting(arguments=arguments):
+            return names.union(*(argument.variables for argument in arguments))
+        case Integer(value=value):
+            return names | value.variables
+        case BigSum(variables=bound, lower=lower, upper=upper):
+            inner = names - frozenset(bound)
+            return inner | upper.variables | (frozenset() if lower is None else lower.variables)
+    return names

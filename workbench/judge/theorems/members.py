@@ -87,7 +87,7 @@ def _typed(term: Term, variable: Variable, letter: str) -> Term:
 def members_belong(
     rule: str, sequent: Sequent, variables: tuple[Variable, ...], members: Mapping[str, str]
 ) -> Iterator[Obligation]:
-    """That what is given for rotations and unit vectors are such."""
+    """That what is given for rotations and unit vectors are such: at all times, if they may move."""
     for variable, term in read_members(sequent.scope, variables, members).items():
         yield from belongs(rule, sequent, variable, term)
 
@@ -104,5 +104,6 @@ def belongs(rule: str, sequent: Sequent, variable: Variable, term: Term) -> Iter
         said.append(relation("=", apply("det", term), number(1)))
     if own.unit:
         said.append(relation("=", apply("dot", term, term), number(1)))
+    known = sequent if own.constant else sequent.at_all_times()
     for one in said:
-        yield Obligation(f"{rule}: a member of its set", one, sequent.scope, tuple(supposed(sequent, None)))
+        yield Obligation(f"{rule}: a member of its set", one, sequent.scope, tuple(supposed(known, None)))

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from workbench.judge.theorems.sums import free_integers
 from workbench.language.construct import apply, big_sum, derivative, power, rebuild, symbol, zero
 from workbench.language.definitions import Definitions
+from workbench.language.instances import free_integers
 from workbench.language.printer import to_latex
 from workbench.language.terms import (
     Apply,

@@ -20,7 +20,7 @@ from workbench.judge.theorems.goals import (
     Implies,
     Scope,
 )
-from workbench.judge.theorems.members import put_in, read_members
+from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.operators import with_operators_applied
 from workbench.judge.theorems.proofs import (
     Against,
@@ -33,16 +33,18 @@ from workbench.judge.theorems.proofs import (
     Proof,
     Proven,
     TwoWitnesses,
+    Witness,
 )
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent, relations_of
 from workbench.judge.theorems.substitution import Substitution, at_integer
-from workbench.judge.theorems.sums import free_integers, without_sums
+from workbench.judge.theorems.sums import without_sums
 from workbench.judge.theorems.tidy import is_same_sum, tidy
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.construct import number, relation
 from workbench.language.definitions import expand
 from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.instances import free_integers
 from workbench.language.printer import to_latex
 from workbench.language.terms import IllFormed, Relation, Statement
 
@@ -180,12 +182,13 @@ class _Prover:
                 return self.refute(
                     sequent.of(Implies(left, right) if place == 0 else Implies(right, left)), then
                 )
-            case Implies(premise, conclusion), Broken(then, shown):
-                held = self.holds(sequent.of(premise), shown)
+            case Implies(premise, conclusion, lasting), Broken(then, shown):
+                known = sequent.at_all_times() if lasting else sequent
+                held = self.holds(known.of(premise), shown)
                 if held.outcome != Outcome.PROVED:
                     return held
                 return _with(self.refute(sequent.of(conclusion), then), held)
-            case Implies(premise, conclusion), False_():
+            case Implies(premise, conclusion, lasting=False), False_():
                 return self.refute(sequent.given(premise, False).of(conclusion), against)
             case Exists(variables, body, True), TwoWitnesses():
                 return self._two(sequent, variables, body, against)
@@ -206,10 +209,9 @@ class _Prover:
         raise NotShown(f"{type(against).__name__} does not stand against {type(goal).__name__}")
 
     def _two(self, sequent: Sequent, variables, body: Goal, against: TwoWitnesses) -> Verdict:
+        sought = Exists(variables, body, unique=False)
         shown = [
-            self.holds(
-                Sequent(put_in(sequent, variables, members, body), sequent.scope, sequent.premises), proof
-            )
+            self.holds(sequent.of(sought), Witness(members, proof))
             for members, proof in ((against.first, against.firstly), (against.second, against.secondly))
         ]
         for verdict in shown:

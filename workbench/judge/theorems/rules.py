@@ -79,7 +79,7 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
         case _, Have(text, by, then):
             lemma = read_goal(text, scope)
             yield from obligations(sequent.of(lemma), by)
-            yield from obligations(sequent.given(lemma, _lasts(sequent)), then)
+            yield from obligations(sequent.given(lemma, sequent.lasts), then)
         case _, Cases(text, equal, unequal):
             yield from _cases(sequent, text, equal, unequal)
         case AllFrom(integer, least, body), Induction():
@@ -88,8 +88,7 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             for inner, own in pascal(sequent, goal, proof):
                 yield from obligations(inner, own)
         case AllFrom(integer, least, body), _:
-            inner = replace(sequent, goal=body, scope=scope.with_integer(integer, least))
-            yield from obligations(inner, proof)
+            yield from obligations(sequent.with_integer(integer, least).of(body), proof)
         case All(variables, body), _:
             refuse_used(sequent, variables)
             inner = replace(sequent, goal=body, scope=scope.with_variables(variables))
@@ -154,11 +153,6 @@ def _separate(statement: Statement) -> list[Statement]:
         return [statement]
 
 
-def _lasts(sequent: Sequent) -> bool:
-    """Whether what follows from the premises holds at all times: if all of them do."""
-    return all(premise.lasting for premise in sequent.premises)
-
-
 def _unique(
     sequent: Sequent, variables: tuple[Variable, ...], body: Goal, proof: Unique
 ) -> Iterator[Obligation]:
@@ -179,7 +173,7 @@ def _induction(
 ) -> Iterator[Obligation]:
     yield from obligations(sequent.of(at_integer(body, integer, least)), proof.begin)
     n = Linear.variable(integer)
-    inner = replace(sequent, scope=sequent.scope.with_integer(integer, least)).given(body, _lasts(sequent))
+    inner = sequent.with_integer(integer, least).given(body, sequent.lasts)
     yield from obligations(inner.of(at_integer(body, integer, n + 1)), proof.step)
 
 
@@ -275,7 +269,7 @@ def _differentiates(term: Term, name: str, definitions: Definitions, below: bool
 
 def _instance(sequent: Sequent, use: Use):
     """The equation that a premise says for these values, and whether it lasts; yields what its own premises
-    and its sets ask for."""
+    and its sets ask for: at all times, where it speaks of all times."""
     premise = _premise(sequent, use.premise)
     goal, scope, given = premise.goal, sequent.scope, dict(use.at)
     lasting = premise.lasting
@@ -288,14 +282,20 @@ def _instance(sequent: Sequent, use: Use):
                 for variable, term in read_members(scope, variables, taken).items():
                     own = [Atom(o.statement) for o in belongs("instance", sequent, variable, term)]
                     if own:
-                        yield from obligations(sequent.of(Both(tuple(own))), use.members)
+                        moves = not variable.declaration.constant
+                        lasting = lasting and (moves or sequent.lasts)
+                        known = sequent.at_all_times() if moves else sequent
+                        yield from obligations(known.of(Both(tuple(own))), use.members)
                 goal = put_in(sequent, variables, taken, body)
             case AllFrom(integer, least, body):
                 value = _integer(given.pop(integer, None), integer, least, scope)
                 goal = at_integer(body, integer, value)
-            case Implies(antecedent, conclusion):
-                if all(antecedent != supposed.goal for supposed in sequent.premises):
-                    yield from obligations(sequent.of(antecedent), Kernel())
+            case Implies(antecedent, conclusion, always):
+                known = sequent.at_all_times() if always else sequent
+                same = [supposed for supposed in known.premises if supposed.goal == antecedent]
+                lasting = lasting and (any(s.lasting for s in same) if same else known.lasts)
+                if not same:
+                    yield from obligations(known.of(antecedent), Kernel())
                 goal = conclusion
             case Both(parts):
                 flat = [

@@ -49,6 +49,21 @@ class Sequent:
     def given(self, goal: Goal, lasting: bool) -> Sequent:
         return replace(self, premises=(*self.premises, Premise(goal, lasting)))
 
+    @property
+    def lasts(self) -> bool:
+        """Whether what follows from the premises holds at all times: if all of them do."""
+        return all(premise.lasting for premise in self.premises)
+
+    def at_all_times(self) -> Sequent:
+        """With those premises alone that hold at all times."""
+        return replace(self, premises=tuple(premise for premise in self.premises if premise.lasting))
+
+    def with_integer(self, name: str, least: int) -> Sequent:
+        """Any integer from `least` on, of which no premise speaks. Raises NotShown where it is one already."""
+        if name in self.scope.integers:
+            raise NotShown(f"{name} is an integer already; bind another letter")
+        return replace(self, scope=self.scope.with_integer(name, least))
+
 
 @dataclass(frozen=True)
 class Obligation:

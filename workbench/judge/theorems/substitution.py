@@ -19,10 +19,11 @@ from workbench.judge.theorems.goals import (
 )
 from workbench.language.construct import rebuild, relation, zero
 from workbench.language.definitions import Definitions, expand
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
+from workbench.language.instances import free_integers, instantiate
+from workbench.language.integers import Linear, as_linear
 from workbench.language.terms import (
     Apply,
+    BigSum,
     Conjunction,
     Definition,
     Derivative,
@@ -54,9 +55,9 @@ def is_function(term: Term, definitions: Definitions) -> bool:
 class Substitution:
     """Terms for the bound letters of one quantifier.
 
-    What stands for a constant letter under a derivative must be constant too: at an instant a constant has
-    the value of the term there, and not its derivatives. Definitions that use a letter of the paper are
-    written out.
+    What stands for a constant letter under a derivative, or where something is supposed for all times, must
+    be constant too: at an instant a constant has the value of the term there, and not its derivatives.
+    Definitions that use a letter of the paper are written out.
     """
 
     def __init__(self, terms: Mapping[Variable, Term], definitions: Definitions) -> None:
@@ -73,46 +74,51 @@ class Substitution:
             for part in expand(term, definitions).walk()
             if isinstance(part, Symbol)
         }
+        self.integers = frozenset().union(*map(free_integers, terms.values()))
 
-    def goal(self, goal: Goal) -> Goal:
-        """Raises GoalError where a letter would be bound or differentiated that must not be."""
+    def goal(self, goal: Goal, lasting: bool = False) -> Goal:
+        """Raises GoalError where a letter would be bound or differentiated that must not be. lasting: the
+        goal is said of all times."""
         match goal:
             case Atom(statement):
-                return Atom(self.statement(statement))
+                return Atom(self.statement(statement, lasting))
             case AtLeast(left, right):
-                return AtLeast(self.term(left), self.term(right))
+                return AtLeast(self.term(left, lasting), self.term(right, lasting))
             case All(variables, body) | Exists(variables, body):
                 for variable in variables:
                     if variable.name in self.used or variable.name in self.terms:
                         raise GoalError(f"{variable.name} is bound again where a term with it is put in")
-                new = self.goal(body)
+                new = self.goal(body, lasting)
                 return All(variables, new) if isinstance(goal, All) else Exists(variables, new, goal.unique)
             case AllFrom(integer, least, body):
-                return AllFrom(integer, least, self.goal(body))
-            case Implies(premise, conclusion, lasting):
-                return Implies(self.goal(premise), self.goal(conclusion), lasting)
+                if integer in self.integers:
+                    raise GoalError(f"{integer} is bound again where a term with it is put in")
+                return AllFrom(integer, least, self.goal(body, lasting))
+            case Implies(premise, conclusion, always):
+                parts = (self.goal(part, lasting or always) for part in (premise, conclusion))
+                return Implies(*parts, always)
             case Iff(left, right):
-                return Iff(self.goal(left), self.goal(right))
+                return Iff(self.goal(left, lasting), self.goal(right, lasting))
             case Both(parts):
-                return Both(tuple(map(self.goal, parts)))
+                return Both(tuple(self.goal(part, lasting) for part in parts))
 
-    def statement(self, statement: Statement) -> Statement:
+    def statement(self, statement: Statement, lasting: bool = False) -> Statement:
         match statement:
-            case Relation():
-                return relation(statement.operator, self.term(statement.left), self.term(statement.right))
+            case Relation(operator, left, right):
+                return relation(operator, self.term(left, lasting), self.term(right, lasting))
             case Conjunction(parts):
-                return Conjunction(tuple(map(self.statement, parts)))
+                return Conjunction(tuple(self.statement(part, lasting) for part in parts))
             case Equivalence(left, right) | Implication(left, right):
-                return type(statement)(self.statement(left), self.statement(right))
+                return type(statement)(self.statement(left, lasting), self.statement(right, lasting))
 
-    def term(self, term: Term) -> Term:
+    def term(self, term: Term, lasting: bool = False) -> Term:
         if not any(self._is_reached_by(definition, set()) for definition in self.definitions):
-            return self._term(term, False)
+            return self._term(term, lasting)
         whole = expand(term, self.definitions)
         for part in whole.walk():
             if isinstance(part, Symbol) and self._left_over(part):
                 raise GoalError(f"{part.declaration.name} is known by its recurrence only, and uses a letter")
-        return self._term(whole, False)
+        return self._term(whole, lasting)
 
     def _left_over(self, part: Symbol) -> bool:
         """Whether a member of a family, which stays as it is, depends on one of the letters."""
@@ -154,8 +160,11 @@ class Substitution:
             left, right = term.arguments
             return _without_zeros(rebuild(term, [self._term(left, differentiated), self._term(right, True)]))
         children = tuple(self._term(child, differentiated) for child in term.children)
-        unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-        return term if unchanged else _without_zeros(rebuild(term, children))
+        if all(new is old for new, old in zip(children, term.children, strict=True)):
+            return term
+        if isinstance(term, BigSum) and not self.integers.isdisjoint(term.variables):
+            raise GoalError(f"{', '.join(term.variables)} is summed over where a term with it is put in")
+        return _without_zeros(rebuild(term, children))
 
 
 #: What is linear in each of its arguments.
@@ -182,10 +191,6 @@ def _without_zeros(term: Term) -> Term:
     return zero(term.type) if is_linear and any(isinstance(c, Zero) for c in term.children) else term
 
 
-def _names(term: Term) -> set[str]:
-    return {part.declaration.name for part in term.walk() if isinstance(part, Symbol)}
-
-
 def at_integer(goal: Goal, name: str, value: Linear | int) -> Goal:
     """The goal with an integer put in. Raises IllFormed for a member that there is not."""
     values = {name: value}
@@ -199,8 +204,8 @@ def at_integer(goal: Goal, name: str, value: Linear | int) -> Goal:
         case Exists(variables, body, unique):
             return Exists(variables, at_integer(body, name, value), unique)
         case AllFrom(integer, least, body):
-            if integer == name:
-                raise GoalError(f"{name} is bound twice")
+            if integer == name or integer in as_linear(value).variables:
+                raise GoalError(f"{integer} is bound twice")
             return AllFrom(integer, least, at_integer(body, name, value))
         case Implies(premise, conclusion, lasting):
             return Implies(at_integer(premise, name, value), at_integer(conclusion, name, value), lasting)

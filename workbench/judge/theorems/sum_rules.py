@@ -9,9 +9,8 @@ from workbench.judge.theorems.goals import All, AllFrom, Atom, Goal, Scope, Vari
 from workbench.judge.theorems.proofs import Kernel, Pascal, Proof, Termwise
 from workbench.judge.theorems.sequents import NotShown, Sequent
 from workbench.judge.theorems.substitution import Substitution
-from workbench.judge.theorems.sums import free_integers
 from workbench.language.construct import apply, counting, relation, symbol
-from workbench.language.instances import instantiate
+from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear
 from workbench.language.reader import read_term
 from workbench.language.terms import BigSum, Relation, Term
@@ -27,7 +26,7 @@ def pascal(sequent: Sequent, goal: AllFrom, proof: Pascal) -> Asked:
     total = _sum_on_the_right(goal)
     if goal.least != 0 or total.lower != Linear(0) or total.upper != Linear.variable(n):
         raise NotShown(f"expected a sum from 0 to {n}, for all {n} from 0 on")
-    if not all(premise.lasting for premise in sequent.premises):
+    if not sequent.lasts:
         raise NotShown("a premise at one instant may not be differentiated")
     j, k = (_fresh(letter, {n}, scope) for letter in ("j", "k"))
     two = scope.with_integer(j, 0).with_integer(k, 0)

@@ -22,7 +22,7 @@ from workbench.language.construct import (
     relation,
     symbol,
 )
-from workbench.language.instances import instantiate
+from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear
 from workbench.language.printer import to_latex
 from workbench.language.terms import (
@@ -30,8 +30,6 @@ from workbench.language.terms import (
     BigSum,
     Counting,
     Derivative,
-    Integer,
-    Power,
     Relation,
     Symbol,
     Term,
@@ -225,26 +223,6 @@ def _base(term: Term, k: str, orders: set[Linear]) -> tuple[Term, Linear] | None
 
 def _depends(term: Term, k: str) -> bool:
     return k in free_integers(term)
-
-
-def free_integers(term: Term) -> frozenset[str]:
-    """The integer variables of the term, but for those that its sums bind."""
-    names = frozenset().union(*(free_integers(child) for child in term.children))
-    match term:
-        case Symbol(index=index):
-            return names.union(*(place.variables for place in index))
-        case Derivative(order=order):
-            return names | order.variables
-        case Power(exponent=exponent):
-            return names | exponent.variables
-        case Counting(arguments=arguments):
-            return names.union(*(argument.variables for argument in arguments))
-        case Integer(value=value):
-            return names | value.variables
-        case BigSum(variables=bound, lower=lower, upper=upper):
-            inner = names - frozenset(bound)
-            return inner | upper.variables | (frozenset() if lower is None else lower.variables)
-    return names
 
 
 # addends

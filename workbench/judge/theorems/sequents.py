@@ -59,7 +59,7 @@ class Sequent:
         return replace(self, premises=tuple(premise for premise in self.premises if premise.lasting))
 
     def with_integer(self, name: str, least: int) -> Sequent:
-        """Any integer from `least` on, of which no premise speaks. Raises NotShown where it is one already."""
+        """Any integer from `least` on, of which no premise speaks. Raises NotShown for a letter in use."""
         if name in self.scope.integers:
             raise NotShown(f"{name} is an integer already; bind another letter")
         return replace(self, scope=self.scope.with_integer(name, least))

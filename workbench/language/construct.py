@@ -7,8 +7,9 @@ from fractions import Fraction
 from typing import Literal
 
 from workbench.language.integers import Linear, as_linear
+from workbench.language.operators import OPERATORS
 from workbench.language.shapes import filling, fitted, layout, multiple, scalar_and_vector, shaped
-from workbench.language.signatures import SIGNATURES, agree
+from workbench.language.signatures import agree
 from workbench.language.terms import (
     Apply,
     BigSum,
@@ -145,7 +146,7 @@ def relation(operator: Literal["=", "≠"], left: Term, right: Term) -> Relation
 
 
 def apply(head: str, *arguments: Term) -> Term:
-    """The term head(arguments); SIGNATURES says which heads there are and what each takes."""
+    """The term head(arguments); OPERATORS says which heads there are and what each takes."""
     if head == "add":
         arguments = agree(_as_quaternions(arguments), "the addends")
     if head == "quaternion":
@@ -157,7 +158,7 @@ def apply(head: str, *arguments: Term) -> Term:
         head = "conjugate"  # both are written with a star
     if head == "mul":
         arguments = _beside_matrix(*arguments)
-    type_, weight = SIGNATURES[head](arguments)
+    type_, weight = OPERATORS[head].signature(arguments)
     return Apply(type_, weight, head, arguments)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from workbench.language.construct import integer
 from workbench.language.integers import Linear
+from workbench.language.operators import GRADIENTS, OPERATORS, command_of
 from workbench.language.shapes import multiple
 from workbench.language.symbols import may_be_label, pattern_of
 from workbench.language.terms import (
@@ -31,30 +32,12 @@ from workbench.language.terms import (
     Zero,
     is_accented_symbol,
 )
+from workbench.language.vocabulary import SIGN_COMMANDS
 
 # How tightly a text holds together.
 _SUM, _INFIX, _PRODUCT, _FACTOR, _ATOM = range(5)
 
 _DOTS = {1: "\\dot", 2: "\\ddot", 3: "\\dddot", 4: "\\ddddot"}
-_FUNCTIONS = {
-    "vect": "\\operatorname{vect}",
-    "symmetric": "\\operatorname{sym}",
-    "antisymmetric": "\\operatorname{skew}",
-    "det": "\\det",
-    "trace": "\\operatorname{trace}",
-    "re": "\\operatorname{Re}",
-    "du": "\\operatorname{Du}",
-    "sin": "\\sin",
-    "cos": "\\cos",
-    **{head: f"\\{head}" for head in ("arccos", "arcsin", "arctan")},
-    "exp": "\\exp",
-    "divergence": "\\operatorname{div}",
-    "curl": "\\operatorname{curl}",
-    "scalar part": "\\operatorname{Sc}",
-    "vector part": "\\operatorname{Vec}",
-}
-_SUPERSCRIPTS = {"transpose": "T", "inverse": "-1", "adjugate": "*", "conjugate": "*"}
-_INFIXES = {"dot": "\\cdot", "cross": "\\times", "outer": "\\otimes", "compose": "\\circ"}
 _ZEROS = {"scalar": "0", "vector": "\\mathbf{0}", "tensor": "\\mathbf{0}_{3 \\times 3}"}
 _ZEROS["covector"] = "\\mathbf{0}_{1 \\times 3}"
 
@@ -294,18 +277,17 @@ def _big_sum(term: BigSum) -> _Text:
 
 def _apply(term: Apply) -> _Text:
     head, arguments = term.head, term.arguments
-    if head in _FUNCTIONS:
-        return _function(head, arguments[0])
-    if head in _SUPERSCRIPTS:
+    operator = OPERATORS[head]
+    if operator.superscript:
         base = _print(arguments[0])
         if head != "transpose" and _is_dotted(arguments[0]):
             base = _Text(_bracket(base.text), _ATOM)
-        return _raised(base, _SUPERSCRIPTS[head])
-    if head in _INFIXES:
+        return _raised(base, operator.superscript)
+    if operator.sign:
         left, right = map(_print, arguments)
-        if left.end == "function" and (arguments[1].type.dual or _ends_in_curl(arguments[0])):
+        if left.end == "function" and (arguments[1].type.dual or _ends_in_gradient(arguments[0])):
             left = _Text(_bracket(left.text), _ATOM)
-        return _infix(_INFIXES[head], left, right)
+        return _infix(SIGN_COMMANDS[operator.sign], left, right)
     match head:
         case "add":
             return _add(arguments)
@@ -329,12 +311,11 @@ def _apply(term: Apply) -> _Text:
             return _Text(f"\\sqrt{{{_print(arguments[0]).text}}}", _FACTOR)
         case "quaternion" | "atan2":
             inner = ", ".join(_print(a).text for a in arguments)
-            name = "quat" if head == "quaternion" else head
-            return _Text(f"\\operatorname{{{name}}}{_bracket(inner)}", _FACTOR)
+            return _Text(f"{command_of(head)}{_bracket(inner)}", _FACTOR)
         case "skew":
             over = _under_accents(term)
             return over or _Text(f"\\widetilde{{{_print(arguments[0]).text}}}", _ATOM)
-    raise TypeError(f"no LaTeX for the operation {head}")
+    return _function(head, arguments[0])
 
 
 def _is_dotted(term: Term) -> bool:
@@ -347,8 +328,8 @@ def _is_dotted(term: Term) -> bool:
 def _function(head: str, argument: Term) -> _Text:
     simple = _under_accents(argument)
     if simple is not None:
-        return _Text(f"{_FUNCTIONS[head]} {simple.text}", _PRODUCT, "function")
-    return _Text(f"{_FUNCTIONS[head]}{_bracket(_print(argument).text)}", _FACTOR)
+        return _Text(f"{command_of(head)} {simple.text}", _PRODUCT, "function")
+    return _Text(f"{command_of(head)}{_bracket(_print(argument).text)}", _FACTOR)
 
 
 def _negated(argument: Term) -> str:
@@ -396,10 +377,10 @@ def _mul(left: Term, right: Term) -> _Text:
     return _Text(f"{first.text} {second.text}", _PRODUCT, second.end)
 
 
-def _ends_in_curl(term: Term) -> bool:
+def _ends_in_gradient(term: Term) -> bool:
     while _is_mul(term):
         term = term.arguments[1]
-    return isinstance(term, Apply) and term.head == "curl"
+    return isinstance(term, Apply) and term.head in GRADIENTS
 
 
 def _is_mul(term: Term) -> bool:

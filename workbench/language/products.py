@@ -10,6 +10,7 @@ from workbench.language.errors import Fault, Misfit, SpecError
 from workbench.language.integers import Linear
 from workbench.language.letters import letter, raised
 from workbench.language.names import Scripts, linear, literal, names_of_key
+from workbench.language.operators import GRADIENTS, OF_ANGLES, OF_TENSORS, QUOTIENTS, SIGNS, word_of
 from workbench.language.quotients import Rate, quotient, rate
 from workbench.language.scope import Scope
 from workbench.language.summations import summation
@@ -41,11 +42,7 @@ from workbench.language.terms import (
 )
 from workbench.language.vocabulary import OWN_SIGNS
 
-_OF_TENSORS = {"det", "trace", "symmetric", "skew", "vect", "adjugate"}
-_OF_ANGLES = {"sin", "cos", "tan", "cot", "sec", "csc", "arccos", "arcsin", "arctan"}
-_QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": (None, "cos"), "csc": (None, "sin")}
-_DIFFERENTIATE = {"d/dt", "the operator", "divergence", "curl"}
-_NAMES = {"symmetric": "sym", "re": "Re", "du": "Du", "adjugate": "adj", "divergence": "div"}
+_DIFFERENTIATE = GRADIENTS | {"d/dt", "the operator"}
 
 
 def product(scope: Scope, items: Sequence[Node]) -> Term:
@@ -78,10 +75,10 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
 def _refuse_reach(row: _Row, sign: Infix, operand: Term) -> None:
     """d/dt a × b, curl a × b, det A · B: whatever takes a may also take a × b, unless a is bracketed."""
     head = row.open_head
-    takes_tensors = head in _OF_TENSORS - {"vect"} and sign.operator == "·" and operand.type.kind == "tensor"
+    takes_tensors = head in OF_TENSORS - {"vect"} and sign.operator == "·" and operand.type.kind == "tensor"
     takes_parts = head in ("re", "du") and operand.type.dual
     if takes_tensors or takes_parts or head in _DIFFERENTIATE:
-        raise Fault(f"how far does {_NAMES.get(head, head)} reach? bracket its argument", row.items[0].at)
+        raise Fault(f"how far does {word_of(head)} reach? bracket its argument", row.items[0].at)
 
 
 def _is_vect_of_product(row: Sequence[Node], operands: Sequence[Term], sign: Infix) -> bool:
@@ -96,7 +93,6 @@ def _infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
     result = operands[0]
     heads = set()
     for sign, operand in zip(signs, operands[1:], strict=True):
-        head = {"×": "cross", "⊗": "outer", "∘": "compose"}.get(sign.operator, "mul")
         if sign.operator in OWN_SIGNS:
             result = _own_sign(scope, sign, result, operand)
             if result.type.kind != "quaternion":
@@ -104,8 +100,9 @@ def _infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
             if "cross" in heads and len([o for o in operands if o.type.kind != "scalar"]) > 2:
                 raise Fault("several products without brackets are ambiguous", signs[-1].at)
             continue
-        if sign.operator == "·" and result.type.is_column and operand.type.is_column:
-            head = "dot"
+        head = SIGNS[sign.operator]
+        if head == "dot" and not (result.type.is_column and operand.type.is_column):
+            head = "mul"
         head = _beside_quaternion(sign, result, operand) or head
         heads.add(head)
         factors = [o for o in operands if o.type.kind != "scalar"]
@@ -309,7 +306,7 @@ class _Row:
             message = f"a function and a product of symbols; write \\operatorname{{{leaf.name}}}"
             raise Fault(f"{leaf.name} is {message}", leaf.at)
         if place + 1 == len(self.items):
-            raise Fault(f"{_NAMES.get(head, head)} of nothing", leaf.at)
+            raise Fault(f"{word_of(head)} of nothing", leaf.at)
         if head in ("quaternion", "atan2"):
             return self.of_two(leaf, place)
         if head == "root":
@@ -321,7 +318,7 @@ class _Row:
         if isinstance(item, Scripted):
             exponent = None if item.sup is None else linear(item.sup, self.scope.variables)
             if item.sub is not None or item.primes or item.factorial or exponent is None:
-                raise Fault(f"only a power may stand on {_NAMES.get(head, head)}", item.at)
+                raise Fault(f"only a power may stand on {word_of(head)}", item.at)
             if exponent.is_number and exponent.constant < 0:
                 raise Fault("an inverse function or an inverse value? bracket the value", item.at)
             term = self.scope.build(item.at, construct.power, term, exponent)
@@ -352,9 +349,9 @@ class _Row:
             raise Fault("a power of the function or of its argument? bracket it", item.at)
         first = self.factor(place)
         run, end = [first], first.end
-        name = _NAMES.get(head, head)
+        name = word_of(head)
         self.open_head = head
-        if head in _OF_TENSORS:
+        if head in OF_TENSORS:
             while end < len(self.items) and first.term.type.kind == "tensor":
                 following = self.factor(end)
                 if following.term.type.kind != "tensor":
@@ -362,14 +359,14 @@ class _Row:
                 run.append(following)
                 end = following.end
             return self.multiply(run), end
-        numeric = isinstance(first.term, Number | Integer) and head in _OF_ANGLES | {"exp"}
+        numeric = isinstance(first.term, Number | Integer) and head in OF_ANGLES | {"exp"}
         if numeric and end < len(self.items):
             run.append(self.factor(end))
             end = run[-1].end
         if end < len(self.items):
             following = self.factor(end)
             own = isinstance(following.node, Leaf | Scripted) and _is_function(following.node)
-            mixes = head not in _OF_ANGLES or following.term.type.kind == "scalar"
+            mixes = head not in OF_ANGLES or following.term.type.kind == "scalar"
             if mixes and not own:
                 raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
         return self.multiply(run), end
@@ -446,9 +443,9 @@ def _has_left_scripts(node: Node) -> bool:
 
 def _value_of(head: str, argument: Term) -> Term:
     """The function's value; tan, cot, sec and csc are quotients of sines and cosines."""
-    if head not in _QUOTIENTS:
+    if head not in QUOTIENTS:
         return construct.apply(head, argument)
-    top, bottom = _QUOTIENTS[head]
+    top, bottom = QUOTIENTS[head]
     numerator = construct.number(1) if top is None else construct.apply(top, argument)
     return construct.apply("div", numerator, construct.apply(bottom, argument))
 

@@ -47,7 +47,7 @@ def _dual(arguments: Sequence[Term]) -> bool:
     return any(a.type.dual for a in arguments)
 
 
-def _total_weight(arguments: Sequence[Term]) -> Weight:
+def total_weight(arguments: Sequence[Term]) -> Weight:
     total = Linear(0)
     for argument in arguments:
         if argument.weight is None:
@@ -60,13 +60,13 @@ def _common_weight(arguments: Sequence[Term]) -> Weight:
     return next((a.weight for a in arguments if a.weight is not None), None)
 
 
-def _add(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def add(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     kinds = [a.type for a in arguments]
     base = next((k for k in kinds if k.kind == "operator"), kinds[0])
     return base.with_dual(_dual(arguments)), _common_weight(arguments)
 
 
-def _neg(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def as_argument(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return arguments[0].type, arguments[0].weight
 
 
@@ -82,12 +82,12 @@ _INTENTS = {
 }
 
 
-def _mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     """Juxtaposition: a scalar scales, matrices that fit are multiplied, an operator acts on what follows it,
     quaternions are multiplied by Hamilton's rules, a 4×4 matrix acts on a quaternion's column."""
     left, right = (a.type for a in arguments)
     dual = _dual(arguments)
-    weight = _total_weight(arguments)
+    weight = total_weight(arguments)
     if left.kind == "operator" and right.kind == "scalar":
         raise IllFormed("an operator with tensor coefficients acts on a vector or a tensor, got a scalar")
     if left.kind == "scalar":
@@ -125,13 +125,13 @@ def entries_acted_on(left: Type, right: Term) -> Type | None:
     return types.pop() if len(types) == 1 else None
 
 
-def _compose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def compose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     """∘: the product of operators, where a tensor counts as an operator of degree 0."""
     _expect(arguments, {"operator", "tensor"}, {"operator", "tensor"})
-    return OPERATOR.with_dual(_dual(arguments)), _total_weight(arguments)
+    return OPERATOR.with_dual(_dual(arguments)), total_weight(arguments)
 
 
-def _div(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def div(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     numerator, denominator = arguments
     if denominator.type.kind != "scalar":
         raise IllFormed(f"division by a {denominator.type}; expected a scalar")
@@ -150,7 +150,7 @@ def _expect(arguments: tuple[Term, ...], *kinds: set[str]) -> None:
             raise IllFormed(f"expected {article} {expected}, {place} a {argument.type}")
 
 
-def _function(takes: Sequence[str], gives: Type, weight: Callable[[tuple[Term, ...]], Weight]) -> Signature:
+def function(takes: Sequence[str], gives: Type, weight: Callable[[tuple[Term, ...]], Weight]) -> Signature:
     def signature(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
         _expect(arguments, *({t} for t in takes))
         return gives.with_dual(_dual(arguments)), weight(arguments)
@@ -158,38 +158,38 @@ def _function(takes: Sequence[str], gives: Type, weight: Callable[[tuple[Term, .
     return signature
 
 
-def _times(factor: int) -> Callable[[tuple[Term, ...]], Weight]:
+def times(factor: int) -> Callable[[tuple[Term, ...]], Weight]:
     return lambda arguments: None if arguments[0].weight is None else arguments[0].weight * factor
 
 
-def _weightless(arguments: tuple[Term, ...]) -> Weight:
+def weightless(arguments: tuple[Term, ...]) -> Weight:
     weight = arguments[0].weight
     if weight is not None and weight != Linear(0):
         raise IllFormed(f"the argument of a transcendental function has weight {weight}, expected 0")
     return Linear(0)
 
 
-def _transpose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def transpose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     type_ = arguments[0].type
     if type_.algebra or type_.kind == "scalar":
         raise IllFormed(f"the transpose of a {type_}")
     return Type(type_.columns, type_.rows, type_.dual), arguments[0].weight
 
 
-def _inverse(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def inverse(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     type_ = arguments[0].type
     if not type_.is_square and type_.kind != "quaternion":
         raise IllFormed(f"the inverse of a {type_}")
-    return type_, _times(-1)(arguments)
+    return type_, times(-1)(arguments)
 
 
-def _norm(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def norm(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     if not arguments[0].type.is_column:
         _expect(arguments, {"scalar", "vector", "quaternion"})
     return SCALAR.with_dual(_dual(arguments)), arguments[0].weight
 
 
-def _root(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def root(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     _expect(arguments, {"scalar"})
     weight = arguments[0].weight
     if weight is None:
@@ -199,24 +199,24 @@ def _root(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return arguments[0].type, Linear(weight.constant // 2)
 
 
-def _part(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def part(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return arguments[0].type.with_dual(False), arguments[0].weight
 
 
-def _exp(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def exp(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     _expect(arguments, {"scalar", "tensor", "quaternion"})
-    return arguments[0].type, _weightless(arguments)
+    return arguments[0].type, weightless(arguments)
 
 
-def _dot(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def dot(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     """x · y of two vectors, of any length."""
     left, right = (a.type.with_dual(False) for a in arguments)
     if left != right or not left.is_column:
         _expect(arguments, {"vector"}, {"vector"})
-    return SCALAR.with_dual(_dual(arguments)), _total_weight(arguments)
+    return SCALAR.with_dual(_dual(arguments)), total_weight(arguments)
 
 
-def _of_square(gives: Type | None, degree: int | None) -> Signature:
+def of_square(gives: Type | None, degree: int | None) -> Signature:
     """A function of a square matrix; without a type its value has that of the matrix, without a degree the
     number of its rows."""
 
@@ -224,13 +224,13 @@ def _of_square(gives: Type | None, degree: int | None) -> Signature:
         type_ = arguments[0].type
         if not type_.is_square or type_.kind == "scalar":
             _expect(arguments, {"tensor"})
-        weight = _times(type_.rows if degree is None else degree)(arguments)
+        weight = times(type_.rows if degree is None else degree)(arguments)
         return (gives or type_).with_dual(type_.dual), weight
 
     return signature
 
 
-def _quaternion(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def quaternion(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     """A scalar and a vector of one weight."""
     _expect(arguments, {"scalar"}, {"vector"})
     weights = dict.fromkeys(a.weight for a in arguments if a.weight is not None)
@@ -239,7 +239,7 @@ def _quaternion(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return QUATERNION.with_dual(_dual(arguments)), next(iter(weights), None)
 
 
-def _arc_of_two(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def arc_of_two(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     """atan2(y, x) of two scalars of one weight."""
     _expect(arguments, {"scalar"}, {"scalar"})
     weights = dict.fromkeys(a.weight for a in arguments if a.weight is not None)
@@ -248,7 +248,7 @@ def _arc_of_two(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     return SCALAR, Linear(0)
 
 
-def _partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+def partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     """∂f/∂x: by a scalar of the type of f; by a column of n the row of n, or the matrix whose row i is that
     of the component i."""
     body, by = arguments
@@ -262,42 +262,3 @@ def _partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     if body.type.kind != "scalar" and not body.type.is_column:
         raise IllFormed(f"the derivative of a {body.type} by a vector has more than two indices")
     return Type(body.type.rows, by.type.rows, body.type.dual), weight
-
-
-SIGNATURES: dict[str, Signature] = {
-    "add": _add,
-    "neg": _neg,
-    "mul": _mul,
-    "compose": _compose,
-    "div": _div,
-    "quaternion": _quaternion,
-    "conjugate": _function(("quaternion",), QUATERNION, _times(1)),
-    "scalar part": _function(("quaternion",), SCALAR, _times(1)),
-    "vector part": _function(("quaternion",), VECTOR, _times(1)),
-    "dot": _dot,
-    "cross": _function(("vector", "vector"), VECTOR, _total_weight),
-    "outer": _function(("vector", "vector"), TENSOR, _total_weight),
-    "triple": _function(("vector", "vector", "vector"), SCALAR, _total_weight),
-    "skew": _function(("vector",), TENSOR, _times(1)),
-    "vect": _function(("tensor",), VECTOR, _times(1)),
-    "symmetric": _of_square(None, 1),
-    "antisymmetric": _of_square(None, 1),
-    "transpose": _transpose,
-    "inverse": _inverse,
-    "adjugate": _function(("tensor",), TENSOR, _times(2)),
-    "det": _of_square(SCALAR, None),
-    "trace": _of_square(SCALAR, 1),
-    "re": _part,
-    "du": _part,
-    "norm": _norm,
-    "root": _root,
-    "sin": _function(("scalar",), SCALAR, _weightless),
-    "cos": _function(("scalar",), SCALAR, _weightless),
-    **{head: _function(("scalar",), SCALAR, _weightless) for head in ("arccos", "arcsin", "arctan")},
-    "atan2": _arc_of_two,
-    "exp": _exp,
-    "divergence": _function(("vector",), SCALAR, _times(1)),
-    "partial": _partial,
-    "total": _partial,
-    "curl": _function(("vector",), VECTOR, _times(1)),
-}

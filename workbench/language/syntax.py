@@ -12,8 +12,8 @@ from lark.exceptions import UnexpectedInput
 from lark.lexer import Lexer
 
 from workbench.language.errors import Fault
+from workbench.language.operators import FUNCTIONS
 from workbench.language.tokens import tokenize
-from workbench.language.vocabulary import FUNCTIONS
 
 
 @dataclass(frozen=True, slots=True)

@@ -113,7 +113,7 @@ class Symbol(Term):
 
 @_node
 class Apply(Term):
-    """The operation `head` on its arguments; SIGNATURES in `signatures.py` lists the heads."""
+    """The operation `head` on its arguments; OPERATORS in `operators.py` lists the heads."""
 
     head: str
     arguments: tuple[Term, ...]

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from lark import Token
 
 from workbench.language.errors import Fault
+from workbench.language.operators import FUNCTIONS
 from workbench.language.vocabulary import (
     BRACKETS,
     CHARACTERS,
@@ -16,7 +17,6 @@ from workbench.language.vocabulary import (
     DOTS,
     ENDS_A_FACTOR,
     EXPECTED,
-    FUNCTIONS,
     GOES_ON,
     LINES,
     MATRICES,

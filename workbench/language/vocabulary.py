@@ -2,36 +2,7 @@
 
 from __future__ import annotations
 
-#: What a function is called in a paper → the head of the term.
-FUNCTIONS = {
-    "det": "det",
-    "tr": "trace",
-    "Tr": "trace",
-    "trace": "trace",
-    "sym": "symmetric",
-    "skew": "skew",
-    "vect": "vect",
-    "adj": "adjugate",
-    "Re": "re",
-    "Du": "du",
-    "sin": "sin",
-    "cos": "cos",
-    "exp": "exp",
-    "tan": "tan",
-    "cot": "cot",
-    "sec": "sec",
-    "csc": "csc",
-    **{name: head for head in ("arccos", "arcsin", "arctan") for name in (head, head.replace("rc", ""))},
-    "atan2": "atan2",
-    "sqrt": "root",
-    "div": "divergence",
-    "curl": "curl",
-    "rot": "curl",
-    "quat": "quaternion",
-    "conj": "conjugate",
-    "Sc": "scalar part",
-    "Vec": "vector part",
-}
+from workbench.language.operators import TEX_FUNCTIONS
 
 _LETTERS = """
     alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho
@@ -42,14 +13,13 @@ _STYLES = (
     "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak mathscr mathds mathbfit mathbfup symup"
     " underline overline bar vec hat check breve mathring"
 )
-_FUNCTION_COMMANDS = "det sin cos tan cot sec csc arccos arcsin arctan exp sqrt Re"
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
 _SPACING = "quad qquad displaystyle textstyle limits nolimits nonumber notag , ; : ! >"
 
 COMMANDS: dict[str, tuple[str, str]] = {
     **{name: ("LETTER", f"\\{name}") for name in _LETTERS.split()},
     **{name: ("STYLE", f"\\{name}") for name in _STYLES.split()},
-    **{name: ("FUNCTION", f"\\{name}") for name in _FUNCTION_COMMANDS.split()},
+    **{name: ("FUNCTION", f"\\{name}") for name in (*TEX_FUNCTIONS, "sqrt", "Re")},
     "partial": ("LETTER", "\\partial"),
     "bm": ("STYLE", "\\boldsymbol"),
     "widehat": ("STYLE", "\\hat"),

@@ -11,9 +11,10 @@ import numpy as np
 
 from workbench.judge.evidence.motion_source import Bindings, BoundFirst, Motion, Stage
 from workbench.judge.evidence.truth import Evaluation, Truth
-from workbench.judge.subject.inventory import GRADIENTS, Inventory, Lookup, NotExact, take_inventory
+from workbench.judge.subject.inventory import Inventory, Lookup, NotExact, take_inventory
 from workbench.judge.verdict import Evidence
 from workbench.language.instances import instantiate
+from workbench.language.operators import GRADIENTS
 from workbench.language.terms import (
     Apply,
     Conjunction,

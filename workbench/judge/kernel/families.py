@@ -13,13 +13,13 @@ from typing import Protocol
 
 from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
 from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
-from workbench.judge.subject.inventory import GRADIENTS, NotExact
-from workbench.judge.subject.slopes import PARTIALS
+from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.construct import relation
 from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
+from workbench.language.operators import GRADIENTS, PARTIALS
 from workbench.language.terms import (
     Apply,
     BigSum,

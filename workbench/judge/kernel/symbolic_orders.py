@@ -13,12 +13,10 @@ from workbench.judge.subject.inventory import NotExact
 from workbench.language.construct import apply, block, derivative, rebuild, symbol, zero
 from workbench.language.construct import relation as equated
 from workbench.language.integers import Linear
+from workbench.language.operators import COMPONENTWISE, PRODUCTS
 from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, Block, Derivative, Relation, Symbol, Term, TimeOperator, Zero
 from workbench.language.types import Declaration
-
-_LINEAR = frozenset({"add", "neg", "skew", "transpose", "vect", "symmetric", "antisymmetric", "trace"})
-_BILINEAR = frozenset({"mul", "dot", "cross", "outer"})
 
 
 def symbolic_orders(terms: Iterable[Term]) -> list[Linear]:
@@ -65,11 +63,11 @@ def _differentiated(term: Term, order: Linear) -> Term:
             return _differentiated(term.body, order + term.order)
         case Block():
             return block([[_differentiated(entry, order) for entry in row] for row in term.entries])
-        case Apply() if term.head in _LINEAR:
+        case Apply() if term.head == "add" or (term.head in COMPONENTWISE and len(term.arguments) == 1):
             return apply(term.head, *(_differentiated(a, order) for a in term.arguments))
-        case Apply(arguments=(left, right)) if term.head in _BILINEAR and _constant(left):
+        case Apply(arguments=(left, right)) if term.head in PRODUCTS and _constant(left):
             return apply(term.head, left, _differentiated(right, order))
-        case Apply(arguments=(left, right)) if term.head in _BILINEAR and _constant(right):
+        case Apply(arguments=(left, right)) if term.head in PRODUCTS and _constant(right):
             return apply(term.head, _differentiated(left, order), right)
     lowest = order - order.constant
     free = _free(term, lowest)

@@ -12,12 +12,10 @@ from math import lcm
 
 from workbench.judge.subject import Lookup, NotExact
 from workbench.judge.subject.angles import angles_of
-from workbench.judge.subject.slopes import PARTIALS, require_known_dependence, seeds
+from workbench.judge.subject.slopes import require_known_dependence, seeds
 from workbench.language.construct import apply, derivative, number
+from workbench.language.operators import GRADIENTS, PARTIALS
 from workbench.language.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
-
-#: What differentiates by the coordinate.
-GRADIENTS = frozenset({"divergence", "curl"})
 
 
 @dataclass

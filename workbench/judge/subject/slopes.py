@@ -19,9 +19,6 @@ from typing import NamedTuple
 from workbench.judge.subject import Lookup, NotExact
 from workbench.language.terms import Apply, Block, Derivative, Number, Symbol, Term
 
-#: What differentiates by something else than the time.
-PARTIALS = frozenset({"partial", "total"})
-
 
 class Seed(NamedTuple):
     """A component of a derivative of a free symbol, of which the variable has the multiple `factor`."""

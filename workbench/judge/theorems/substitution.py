@@ -21,6 +21,7 @@ from workbench.language.construct import rebuild, relation, zero
 from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear, as_linear
+from workbench.language.operators import COMPONENTWISE
 from workbench.language.terms import (
     Apply,
     BigSum,
@@ -167,27 +168,9 @@ class Substitution:
         return _without_zeros(rebuild(term, children))
 
 
-#: What is linear in each of its arguments.
-_LINEAR = frozenset(
-    {
-        "neg",
-        "skew",
-        "transpose",
-        "vect",
-        "symmetric",
-        "antisymmetric",
-        "trace",
-        "mul",
-        "dot",
-        "cross",
-        "outer",
-    }
-)
-
-
 def _without_zeros(term: Term) -> Term:
     """0 for what is linear in a 0: also of an operator that is not known."""
-    is_linear = isinstance(term, Apply) and term.head in _LINEAR and term.type.kind != "block"
+    is_linear = isinstance(term, Apply) and term.head in COMPONENTWISE and term.type.kind != "block"
     return zero(term.type) if is_linear and any(isinstance(c, Zero) for c in term.children) else term
 
 

@@ -24,6 +24,7 @@ from workbench.language.construct import (
 )
 from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear
+from workbench.language.operators import COMPONENTWISE, PRODUCTS
 from workbench.language.printer import to_latex
 from workbench.language.terms import (
     Apply,
@@ -37,8 +38,6 @@ from workbench.language.terms import (
 )
 from workbench.language.types import Declaration
 
-_LINEAR = frozenset({"neg", "skew", "transpose", "vect", "symmetric", "antisymmetric", "trace"})
-_BILINEAR = frozenset({"mul", "dot", "cross", "outer"})
 _SHIFTS = (0, 1, -1, 2, -2)
 
 
@@ -177,7 +176,7 @@ def _ends(known: BigSum, j: str, end: Linear, more: int, below: bool) -> Iterato
 
 
 def _factors(term: Term) -> Iterator[Term]:
-    if isinstance(term, Apply) and term.head in _BILINEAR:
+    if isinstance(term, Apply) and term.head in PRODUCTS:
         for argument in term.arguments:
             yield from _factors(argument)
     else:
@@ -192,10 +191,10 @@ def _product(body: Term, k: str, top: Linear, offset: Linear) -> Term | None:
             return _product(right, k, top, offset)
         case Apply(head="mul", arguments=(left, Counting())):
             return _product(left, k, top, offset)
-        case Apply(head=head, arguments=(inner,)) if head in _LINEAR:
+        case Apply(head=head, arguments=(inner,)) if head in COMPONENTWISE:
             found = _product(inner, k, top, offset)
             return None if found is None else apply(head, found)
-        case Apply(head=head, arguments=(left, right)) if head in _BILINEAR:
+        case Apply(head=head, arguments=(left, right)) if head in PRODUCTS:
             if isinstance(left, Apply) and left.head == "mul" and isinstance(left.arguments[0], Counting):
                 left = left.arguments[1]
             if not _depends(left, k):
@@ -215,7 +214,7 @@ def _base(term: Term, k: str, orders: set[Linear]) -> tuple[Term, Linear] | None
     match term:
         case Derivative(body=body, order=order) if order in orders and not _depends(body, k):
             return body, order
-        case Apply(head=head, arguments=(inner,)) if head in _LINEAR:
+        case Apply(head=head, arguments=(inner,)) if head in COMPONENTWISE:
             found = _base(inner, k, orders)
             return None if found is None else (apply(head, found[0]), found[1])
     return None
@@ -247,9 +246,9 @@ def _spread(term: Term) -> Term:
         return term
     if isinstance(term, Derivative) and term.order.is_number:
         return _over(term.body, lambda part: _derived(part, term.order))
-    if isinstance(term, Apply) and term.head in _LINEAR and term.head != "neg":
+    if isinstance(term, Apply) and len(term.arguments) == 1 and term.head in COMPONENTWISE - {"neg"}:
         return _over(term.arguments[0], lambda part: apply(term.head, part))
-    if isinstance(term, Apply) and term.head in _BILINEAR:
+    if isinstance(term, Apply) and term.head in PRODUCTS:
         left, right = term.arguments
         if has_sums(left) and not has_sums(right):
             return _over(left, lambda part: apply(term.head, part, right))

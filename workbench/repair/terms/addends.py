@@ -8,6 +8,7 @@ from itertools import chain
 from workbench.judge.second.rings import PRIME
 from workbench.language.construct import apply, derivative, dual_unit, identity, power
 from workbench.language.integers import Linear
+from workbench.language.operators import OF_TENSORS, OPERATORS, PRODUCTS
 from workbench.language.terms import Apply, Derivative, Identity, IllFormed, Statement, Symbol, Term
 from workbench.language.types import Weight
 from workbench.repair.terms.coefficients import Vector
@@ -17,9 +18,6 @@ from workbench.repair.terms.variants import atoms_of, differentiated_to
 #: Products of more factors than this, and more products than this, are not tried.
 MOST_FACTORS = 4
 MOST_PRODUCTS = 4000
-
-_PAIRS = ("mul", "dot", "cross", "outer")
-_OF_ONE = frozenset(("det", "trace", "skew", "vect", "transpose", "adjugate", "symmetric", "antisymmetric"))
 
 
 class Supply:
@@ -152,11 +150,13 @@ def _basis(statement: Statement) -> Iterator[Term]:
     for head in ("det", "trace", "adjugate"):
         if head in heads:
             yield from (apply(head, body) for body in highest if body.type.kind == "tensor")
-    for head, other in (("sin", "cos"), ("cos", "sin")):
-        yield from (apply(other, t.arguments[0]) for _, t in places(statement) if _is(t, head))
+    for head in ("sin", "cos"):
+        yield from (
+            apply(OPERATORS[head].partner, t.arguments[0]) for _, t in places(statement) if _is(t, head)
+        )
     for _, term in places(statement):
         is_derivative = isinstance(term, Derivative) and not isinstance(term.body, Symbol)
-        if is_derivative or (isinstance(term, Apply) and term.head in _OF_ONE):
+        if is_derivative or (isinstance(term, Apply) and term.head in OF_TENSORS):
             yield term
     if any(term.type.kind in ("tensor", "operator") for _, term in places(statement)):
         yield identity()
@@ -175,7 +175,7 @@ def _pairs(left: Term, right: Term) -> Iterator[Term]:
             return
     if isinstance(left, Identity) or (isinstance(right, Identity) and left.type.kind != "scalar"):
         return
-    for head in _PAIRS:
+    for head in PRODUCTS:
         if head == "mul" and right.type.kind == "scalar":
             continue
         if head != "mul" and not left.type.kind == right.type.kind == "vector":

@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from workbench.language.construct import rebuild
+from workbench.language.operators import LINEAR
 from workbench.language.terms import Apply, Derivative, Term
 from workbench.repair.terms.places import Place
-
-_PARTS = frozenset(("symmetric", "antisymmetric", "vect", "transpose", "trace", "re", "du"))
-_LINEAR = _PARTS | frozenset(("neg", "skew", "divergence", "curl"))
-_MULTILINEAR = frozenset(("mul", "dot", "cross", "outer", "triple", "compose"))
 
 
 def addend_places(side: Term) -> Iterator[tuple[Place, ...]]:
@@ -47,7 +44,7 @@ def has_sum(term: Term) -> bool:
             return has_sum(numerator)
         case Derivative(body=body):
             return has_sum(body)
-        case Apply(head=head, arguments=arguments) if head in _LINEAR or head in _MULTILINEAR:
+        case Apply(head=head, arguments=arguments) if head in LINEAR:
             return any(map(has_sum, arguments))
     return False
 

@@ -18,6 +18,7 @@ from workbench.judge.second.components import Value, array_shape
 from workbench.judge.second.rings import PRIME
 from workbench.language.construct import apply, power, symbol, time_operator
 from workbench.language.integers import Linear
+from workbench.language.operators import LINEAR
 from workbench.language.terms import (
     Apply,
     Block,
@@ -43,9 +44,6 @@ from workbench.repair.terms.variants import number_and_rest, times, with_addend
 _MOST = 3
 
 _KINDS = frozenset(("scalar", "vector", "tensor", "operator", "matrix"))
-_PRODUCTS = frozenset(("mul", "dot", "cross", "outer", "triple", "compose"))
-_LINEAR = frozenset(("add", "neg", "skew", "transpose", "vect", "trace", "symmetric", "antisymmetric"))
-_ALSO_LINEAR = frozenset(("re", "du", "divergence", "curl"))
 
 #: What an addend is made of a product by, and the kind and weight that the product must have.
 _Form = tuple[Callable[[Term], Term], str, Weight]
@@ -297,7 +295,7 @@ def is_linear(statement: Statement, place: Place) -> bool:
         if not isinstance(parent, Term):
             continue
         match parent:
-            case Apply(head=head) if head in _PRODUCTS | _LINEAR | _ALSO_LINEAR:
+            case Apply(head=head) if head == "add" or head in LINEAR:
                 continue
             case Apply(head="div") if place[length] == 0:
                 continue

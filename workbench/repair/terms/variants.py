@@ -8,6 +8,7 @@ from functools import partial
 
 from workbench.language.construct import apply, big_sum, counting, derivative, integer, number, power, symbol
 from workbench.language.integers import Linear
+from workbench.language.operators import OPERATORS, PRODUCTS
 from workbench.language.printer import to_latex
 from workbench.language.terms import (
     Apply,
@@ -33,21 +34,9 @@ Said = tuple
 Variant = tuple[str, Said, Callable[[], Term]]
 
 _FACTORS = tuple(Fraction(text) for text in ("2", "1/2", "3", "1/3", "3/2", "2/3", "4", "1/4"))
-_PRODUCT_SIGNS = {"dot": "·", "cross": "×", "outer": "⊗", "mul": "juxtaposition"}
+_PRODUCT_SIGNS = {head: OPERATORS[head].sign or "juxtaposition" for head in PRODUCTS}
 #: Besides letters, what may stand in brackets or bars with an exponent.
 _SQUARED = frozenset(("skew", "dot", "outer", "triple", "det", "trace", "norm"))
-_OTHER_FUNCTION = {
-    "symmetric": "antisymmetric",
-    "antisymmetric": "symmetric",
-    "re": "du",
-    "du": "re",
-    "sin": "cos",
-    "cos": "sin",
-    "det": "trace",
-    "trace": "det",
-    "divergence": "curl",
-    "curl": "divergence",
-}
 
 
 def atoms_of(statement: Statement) -> Iterator[Term]:
@@ -107,7 +96,7 @@ def _sign_and_factor(term: Term) -> Iterator[Variant]:
 
 def coefficient(term: Term) -> Fraction:
     """The number in front of a product."""
-    while isinstance(term, Apply) and term.head in ("mul", "neg", "div", "dot", "cross", "outer"):
+    while isinstance(term, Apply) and term.head in (*PRODUCTS, "neg", "div"):
         term = term.arguments[0]
     return term.value if isinstance(term, Number) else Fraction(1)
 
@@ -138,7 +127,7 @@ def times(factor: Fraction | int, term: Term) -> Term:
         return apply("neg", times(-factor, term))
     if factor == 1:
         return term
-    if isinstance(term, Apply) and term.head in ("mul", "dot", "cross", "outer") and coefficient(term) != 1:
+    if isinstance(term, Apply) and term.head in PRODUCTS and coefficient(term) != 1:
         left, right = term.arguments
         if isinstance(left, Number) and term.head == "mul":
             scaled = factor * left.value
@@ -276,8 +265,7 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
         case "div":
             said = ("the denominator of {} is dropped", term)
             yield "coefficient", said, lambda: arguments[0]
-    if head in _OTHER_FUNCTION:
-        other = _OTHER_FUNCTION[head]
+    if other := OPERATORS[head].partner:
         yield "mark", ("{} becomes {} in {}", head, other, term), partial(apply, other, arguments[0])
     if head in ("cross", "outer", "compose"):
         said = ("the factors of {} change places", term)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
+from workbench.language.operators import LINEAR
 from workbench.language.syntax import Bracket, Fraction, Group, Leaf, Node, Product, Sum
 from workbench.repair.trees.nodes import below, exchanged
-
-_LINEAR = frozenset(("symmetric", "skew", "vect", "trace", "re", "du"))
 
 
 def addends_of(node: Node) -> list[Node]:
@@ -40,7 +39,7 @@ def _is_plain(node: Node) -> bool:
         case Leaf(kind="NUMBER"):
             return True
         case Leaf(kind="FUNCTION", text=text):
-            return text in _LINEAR
+            return text in LINEAR
         case Fraction():
             return all(isinstance(part, Fraction | Group) or _is_plain(part) for part in below(node))
     return False

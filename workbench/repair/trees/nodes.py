@@ -10,6 +10,7 @@ from dataclasses import fields, replace
 from functools import cache, partial
 from typing import Any
 
+from workbench.language.operators import command_of
 from workbench.language.syntax import (
     Accented,
     Binomial,
@@ -37,21 +38,6 @@ _ACCENTS = {"1": "\\dot", "2": "\\ddot", "3": "\\dddot", "4": "\\ddddot"}
 _RELATIONS = {"=": "=", "≠": "\\neq", "≥": "\\geq", ">": ">", "∈": "\\in"}
 _IMPLICATIONS = {"⇔": "\\Leftrightarrow", "⇒": "\\Rightarrow", "⇐": "\\text{ if }"}
 _CLOSING = {"(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
-_FUNCTIONS = {
-    "det": "\\det",
-    "sin": "\\sin",
-    "cos": "\\cos",
-    "exp": "\\exp",
-    "trace": "\\operatorname{trace}",
-    "symmetric": "\\operatorname{sym}",
-    "skew": "\\operatorname{skew}",
-    "vect": "\\operatorname{vect}",
-    "adjugate": "\\operatorname{adj}",
-    "re": "\\operatorname{Re}",
-    "du": "\\operatorname{Du}",
-    "divergence": "\\operatorname{div}",
-    "curl": "\\operatorname{curl}",
-}
 _MARKS = {"T": "T", "*": "*", "∞": "\\infty"}
 
 
@@ -136,8 +122,8 @@ def _with_part(parts: tuple, place: int, filled: Callable[[Node], Any], new: Nod
 def latex_of(node: Node) -> str:
     """The tree as LaTeX, spelled as it was."""
     match node:
-        case Leaf(kind="FUNCTION", text=text, name=name):
-            return _FUNCTIONS.get(text, f"\\operatorname{{{name or text}}}")
+        case Leaf(kind="FUNCTION", text=head):
+            return command_of(head)
         case Leaf(kind="MARK", text=text):
             return _MARKS.get(text) or SIGN_COMMANDS.get(text, text)
         case Leaf(text=text):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import strategies as st
 from sample_report import CLAIMS
 
-PRINTED = [claim["printed"] for claim in CLAIMS if claim["printed"] and claim["id"] != "L"]
+PRINTED = [r.claim.shown for r in CLAIMS if r.claim.shown and r.claim.id != "L"]
 TYPICAL = [
     *PRINTED,
     r"\begin{cases} \mathbf{v} - \mathbf{v}_Q = \dot{\mathbf{R}}\mathbf{R}^T \\ a = b, & n \geq 1 \end{cases}",

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-import copy
-from collections import Counter
+from collections.abc import Mapping, Sequence
 from typing import Any
+
+from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
+from workbench.papers.model import Claim, Formula, Mend, Paper
+from workbench.papers.orders import Orders
+from workbench.verify.results import ClaimResult, Proposed
 
 EXACT = {"method": "exact ring (python-flint)", "outcome": "zero residual", "terms": 48, "variables": 6}
 SECOND = {"method": "SymPy PolyRing", "outcome": "agrees", "terms": 48}
@@ -18,24 +22,70 @@ DRAKE = {
 }
 
 
-def claim(identity: str, equation: str | None, section: str, verdict: str, **rest: Any) -> dict[str, Any]:
-    fault = {"refuted": "error", "ill-formed": "misprint", "conditional": "hypothesis"}.get(verdict)
-    blank = {
-        "id": identity, "equation": equation, "section": section, "statement": None,
-        "printed": None, "read_back": None, "verdict": verdict, "scope": None, "reading": None,
-        "corrected": None, "hypothesis": None, "counterexample": None, "evidence": [],
-        "inherits": [], "note": None, "fault": fault,
-    }  # fmt: skip
-    return blank | rest
+FAULTS = {"refuted": "error", "ill-formed": "misprint", "conditional": "hypothesis"}
 
 
-def report_of(claims: list[dict[str, Any]], title: str = "Sample", doi: str | None = None) -> dict:
-    return {
-        "paper": {"title": title, "doi": doi},
-        "versions": {"workbench": "0.1.0", "drake": "1.51.0", "python-flint": "0.9.0"},
-        "claims": copy.deepcopy(claims),
-        "summary": dict(Counter(claim["verdict"] for claim in claims)),
-    }
+def claim(
+    identity: str,
+    equation: str | None,
+    section: str,
+    verdict: str,
+    *,
+    printed: str = "",
+    reading: Mapping[str, Any] | None = None,
+    corrected: Mapping[str, Any] | None = None,
+    hypothesis: str | None = None,
+    assume: Sequence[str] = (),
+    orders: str | None = None,
+    counterexample: Mapping[str, Any] | None = None,
+    proposed: tuple[Proposed, ...] | None = None,
+    mend: Mend | None = None,
+    note: str = "",
+    inherits: Sequence[str] = (),
+    statement: str | None = None,
+    quote: str | None = None,
+    argued: str | None = None,
+    **found: Any,
+) -> ClaimResult:
+    """found: of the verdict on the printed form. A reading and a correction bring their own."""
+    said = Claim(
+        identity,
+        Formula(printed),
+        None,
+        equation=equation,
+        section=section,
+        reading=reading and Formula(reading["latex"]),
+        corrected=corrected and Formula(corrected["latex"]),
+        hypothesis=hypothesis and Formula(hypothesis),
+        assume=tuple(map(Formula, assume)),
+        orders=orders and Orders.parse(orders),
+        note=note,
+        inherits=tuple(inherits),
+        statement=statement,
+        quote=quote,
+        argued=argued,
+        fault=FAULTS.get(verdict),
+        mend=mend or Mend(),
+    )
+    verdicts = [_verdict(**form) if form else None for form in (reading, corrected)]
+    against = counterexample and Counterexample.from_dict({"defined": {}, "behind": [], **counterexample})
+    own = _verdict(verdict=verdict, counterexample=against, **found)
+    return ClaimResult(said, own, *verdicts, proposed=proposed)
+
+
+def _verdict(
+    verdict: str, latex: str = "", evidence: Sequence[Mapping[str, Any]] = (), **rest: Any
+) -> Verdict:
+    if verdict == "proved":
+        evidence = evidence or [EXACT]
+    return Verdict(Outcome(verdict), evidence=tuple(map(Evidence.from_dict, evidence)), **rest)
+
+
+def report_of(
+    results: Sequence[ClaimResult], title: str = "Sample", doi: str | None = None, **citation: str
+) -> tuple[Paper, Sequence[ClaimResult]]:
+    claims = tuple(result.claim for result in results)
+    return Paper(title, doi, (), None, claims, citation=citation), results
 
 
 SECTION_3 = "3. Fields of higher order"
@@ -103,8 +153,8 @@ CLAIMS = [
         inherits=["59"],
     ),
     claim(
-        "58.det", "58", SECTION_4, "proved", assume=[r"\omega \times \dot{\omega} \neq 0"], orders="n = 2",
-        expected="refuted", passed=False, why_not="as printed: expected refuted, got proved", evidence=[EXACT, SECOND, DRAKE],
+        "58.det", "58", SECTION_4, "proved", assume=[r"\omega \times \dot{\omega} \neq 0"], orders="n = 2..2",
+        argued="it is only told", evidence=[EXACT, SECOND, DRAKE],
         printed=r"\det \Phi_2 = -(\boldsymbol{\omega} \times \dot{\boldsymbol{\omega}})^2",
     ),
     claim(
@@ -199,5 +249,5 @@ CLAIMS = [
 ]  # fmt: skip
 
 
-def sample() -> dict[str, Any]:
-    return report_of(CLAIMS, "Sample: kinematics of higher order", "10.0000/sample_1")
+def sample(**citation: str) -> tuple[Paper, Sequence[ClaimResult]]:
+    return report_of(CLAIMS, "Sample: kinematics of higher order", "10.0000/sample_1", **citation)

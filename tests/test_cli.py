@@ -164,11 +164,12 @@ def test_report_writes_every_format_and_nothing_else(tmp_path):
 def test_a_report_that_fails_midway_leaves_the_old_one(tmp_path, monkeypatch):
     (tmp_path / "report.json").write_text("old")
 
-    def breaks(data, directory):
-        (directory / "report.json").write_text("half")
+    def breaks(path, content):
+        with path.open("wb") as half:
+            half.write(content[:10])
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("workbench.report.write_report", breaks)
+    monkeypatch.setattr(Path, "write_bytes", breaks)
     result = run("report", "1", "--paper", EVERY_VERDICT, "--out", str(tmp_path))
     assert_one_message(result, "No space left on device")
     assert (tmp_path / "report.json").read_text() == "old"
@@ -205,7 +206,7 @@ BAD_CALLS = [
     (["list", "nothing", "--paper", EVERY_VERDICT], "'nothing' selects no claim"),
     (["list", "--paper", EVERY_VERDICT, "--josn"], "No such option"),
     (["report", "--paper", EVERY_VERDICT, "--out", EVERY_VERDICT], "expected a directory"),
-    (["report", "1", "--paper", EVERY_VERDICT, "--out", f"{EVERY_VERDICT}/x"], "cannot be written"),
+    (["report", "1", "--paper", EVERY_VERDICT, "--out", f"{EVERY_VERDICT}/x"], "expected a directory for the report"),
     (["report", "nothing", "--paper", EVERY_VERDICT, "--out", "unused"], "selects no claim"),
     (["judge"], "No such command"),
     (["motion"], "Missing argument 'URDF'"),

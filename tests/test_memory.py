@@ -12,8 +12,8 @@ import pytest
 
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.papers import load_paper
-from workbench.verify import PaperJudge
 from workbench.verify import memory as memories
+from workbench.verify.claims import PaperJudge
 from workbench.verify.memory import Keys, Memory
 
 PAPER = r"""

@@ -30,9 +30,9 @@ from workbench.papers.orders import orders_within
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.report.kinds import VERDICTS
-from workbench.verify.claims import HOLDS, ClaimResult, judge_paper
+from workbench.verify.claims import judge_paper
 from workbench.verify.memory import standard_memory
-from workbench.verify.results import claim_dict
+from workbench.verify.results import HOLDS, ClaimResult
 
 if TYPE_CHECKING:
     from workbench.repair.propose.repair import Repair
@@ -72,7 +72,7 @@ class Checked:
         return repair(self.result.claim, limits)
 
     def __str__(self) -> str:
-        return "\n".join(str(line) for line in claim_lines(claim_dict(self.result), with_expectation=False))
+        return "\n".join(str(line) for line in claim_lines(self.result, with_expectation=False))
 
     __repr__ = __str__
 

@@ -14,7 +14,8 @@ import pytest
 
 if TYPE_CHECKING:
     from workbench.papers import Claim
-    from workbench.verify.claims import ClaimResult, PaperJudge
+    from workbench.verify.claims import PaperJudge
+    from workbench.verify.results import ClaimResult
 
 _CLAIM_HEADER = re.compile(rb"^\s*\[\[\s*(claim|\"claim\"|'claim')\s*\]\]", re.MULTILINE)
 
@@ -75,14 +76,13 @@ class ClaimItem(pytest.Item):
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: object = None) -> object:
         from workbench.cli.terminal import claim_lines
         from workbench.papers import PaperError
-        from workbench.verify.results import claim_dict
 
         if isinstance(excinfo.value, PaperError):
             return str(excinfo.value)
         if not isinstance(excinfo.value, NotAsExpected):
             return super().repr_failure(excinfo, style)
         place = f"{self.claim.file}:{self.claim.line}: claim {self.claim.id}"
-        lines = [str(line) for line in claim_lines(claim_dict(excinfo.value.result))]
+        lines = [str(line) for line in claim_lines(excinfo.value.result)]
         return "\n".join([place, str(excinfo.value), *lines])
 
     def reportinfo(self) -> tuple[Path, int, str]:

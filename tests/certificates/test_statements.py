@@ -14,7 +14,7 @@ from workbench.cli.commands import main
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.papers import find_paper
-from workbench.verify.claims import ClaimResult
+from workbench.verify.results import ClaimResult
 
 
 def test_every_statement_says_what_its_terms_say_and_is_written_again_as_it_was():
@@ -134,14 +134,14 @@ def test_quaternions_are_named_as_the_obstacle():
 def test_each_step_of_a_theorem_has_a_certificate_or_an_obstacle(claim_id):
     paper = find_paper("chapter")
     (claim,) = [c for c in paper.claims if c.id == claim_id]
-    result = ClaimResult(claim, Verdict(Outcome.PROVED), None, None, Outcome.PROVED, True)
+    result = ClaimResult(claim, Verdict(Outcome.PROVED))
     made = steps_of(result, paper.theorems)
     assert all((step.certificate is None) == bool(step.obstacle) for step in made.steps)
     assert [
         f for s in made.steps if s.certificate for f in s.certificate.theorems[0].read_back_faults()
     ] == []
     assert f"of {len(made.steps)}" in made.word
-    refused = ClaimResult(claim, Verdict(Outcome.REFUTED), None, None, Outcome.PROVED, False)
+    refused = ClaimResult(claim, Verdict(Outcome.REFUTED))
     assert steps_of(refused, paper.theorems) is None
 
 

@@ -4,9 +4,9 @@ from pathlib import Path
 from textwrap import dedent
 
 from workbench.papers import load_paper
+from workbench.report.to_json import claim_json
 from workbench.verify.claims import judge_paper
 from workbench.verify.on_motions import METHOD
-from workbench.verify.results import claim_dict
 
 HEAD = r"""
     title = "A body"
@@ -39,7 +39,7 @@ def paper(folder: Path, *claims: str, motion: str = MOTION, head: str = HEAD):
 
 def judged(*arguments, **options):
     loaded = paper(*arguments, **options)
-    return [claim_dict(result) for result in judge_paper(loaded)]
+    return [claim_json(result) for result in judge_paper(loaded)]
 
 
 def motions(form):

@@ -10,9 +10,8 @@ from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.papers import find_paper
 from workbench.papers.model import PaperError
 from workbench.report.residuals import residuals_svg
+from workbench.report.to_json import report_json
 from workbench.verify.claims import judge_paper
-from workbench.verify.on_motions import cost_of_error
-from workbench.verify.results import claim_dict, report_dict
 from workbench.verify.witnesses import VETO, Witnesses
 
 
@@ -37,7 +36,7 @@ def test_a_refuted_form_and_its_correction_are_seen_at_the_same_time(tmp_path):
     assert claim["verdict"] == "refuted" and claim["passed"]
     (false,), (right,) = motions(claim), motions(claim["corrected"])
     assert false["outcome"] == "the sides part" and right["outcome"] == "residual within the error"
-    cost = cost_of_error(claim)
+    cost = claim["motion"]["error"]
     assert (
         cost["false"] > 0.1 and cost["right"] <= 1e-13 and cost["motion"] == "two cylindrical joints, seed 1"
     )
@@ -45,7 +44,7 @@ def test_a_refuted_form_and_its_correction_are_seen_at_the_same_time(tmp_path):
 
 
 def test_the_picture_of_both_has_words_and_no_script(tmp_path):
-    false, true = judged(
+    loaded = paper(
         tmp_path,
         r"""
         printed = '\dot{R} = -\tilde{\omega} R'
@@ -53,6 +52,7 @@ def test_the_picture_of_both_has_words_and_no_script(tmp_path):
         """,
         r"printed = '\dot{R} = \tilde{\omega} R'",
     )
+    false, true = judge_paper(loaded)
     svg = residuals_svg(false)
     root = xml.fromstring(svg)
     names = [element.tag.rpartition("}")[2] for element in root.iter()]
@@ -69,7 +69,7 @@ def test_what_has_no_motion_says_so_and_is_counted_apart(tmp_path):
         r"printed = '\dot{R} = \tilde{\omega} R'",
         r"printed = '\omega^{(6)} = \frac{d}{dt} \omega^{(5)} + 0 a'",
     )
-    report = report_dict(loaded, judge_paper(loaded))
+    report = report_json(loaded, judge_paper(loaded))
     lines = [claim["motion"] for claim in report["claims"]]
     assert [line["witness"] for line in lines] == ["no motion: algebra", "Drake", "none"]
     assert lines[2]["because"] == "derivatives of too high an order"
@@ -148,9 +148,8 @@ def test_a_body_of_a_urdf_is_one_of_the_motions(tmp_path):
 def test_the_chapters_errors_and_their_corrections():
     """(61), (66), (70) and (10): both forms on the same motion."""
     for result in judge_paper(find_paper(None), ["10", "61.adjugate", "66", "70.div"]):
-        claim = claim_dict(result)
         if result.corrected is None:
             continue
-        cost = claim["motion"]["error"]
-        assert result.passed and cost["false"] > 0.05 and cost["right"] <= 1e-12, claim["id"]
-        assert residuals_svg(claim) is not None
+        cost = result.on_motions.error
+        assert result.passed and cost.false > 0.05 and cost.right <= 1e-12, result.claim.id
+        assert residuals_svg(result) is not None

@@ -8,8 +8,8 @@ import pytest
 
 from workbench.papers import find_paper
 from workbench.report import render
+from workbench.report.document import document_of
 from workbench.verify.claims import judge_paper
-from workbench.verify.results import report_dict
 
 ERRORS = {
     "Eqs. (37), (107), (108), (110), (111), (112), (113)",
@@ -23,19 +23,19 @@ ERRORS = {
 @pytest.fixture(scope="module")
 def report():
     paper = find_paper(None)
-    return report_dict(paper, judge_paper(paper))
+    return paper, judge_paper(paper)
 
 
 @pytest.mark.slow
 def test_the_errors_are_these(report):
-    errata = render.document_of(render.canonical(report)).errata
+    errata = document_of(*report).errata
     assert {erratum.heading for erratum in errata.errors} == ERRORS
     assert [each.heading for each in errata.errors[1].corrections][:2] == ["Eq. (67)", "Eq. (67)"]
 
 
 @pytest.mark.slow
 def test_nothing_of_ours_stands_where_a_reader_looks(report):
-    texts = render.render(report)
+    texts = render.render(*report)
     note = texts["erratum.tex"].split(r"\begin{document}")[1]
     page = re.sub(r"<details.*?</details>|<[^>]*>", " ", texts["report.html"].split("<body>")[1])
     for text in (note, page):
@@ -47,7 +47,7 @@ def test_nothing_of_ours_stands_where_a_reader_looks(report):
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
 def test_errors_fill_at_most_three_pages_and_all_without_the_appendix_ten(report, tmp_path):
     """The sections are told by the pages on which they begin."""
-    note = render.render(report)["erratum.tex"]
+    note = render.render(*report)["erratum.tex"]
     for name in ("Errors", "Misprints", "Appendix"):
         note = note.replace(rf"\section*{{{name}", rf"\typeout{{{name} on \thepage}}\section*{{{name}", 1)
     (tmp_path / "erratum.tex").write_text(note, "utf-8")

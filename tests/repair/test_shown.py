@@ -13,9 +13,12 @@ from rich.console import Console
 from workbench import check
 from workbench.cli import proposals as shown
 from workbench.cli.commands import main
-from workbench.cli.proposals import difference_text, repair_lines, search_bar
+from workbench.cli.proposals import difference_text, proposed_lines, repair_lines, search_bar
+from workbench.judge.verdict import Outcome
+from workbench.papers.model import Claim, Formula
 from workbench.repair.propose.limits import Limits
 from workbench.repair.propose.repair import Repair
+from workbench.verify.results import Proposed
 
 PARTS = [{"same": "a ="}, {"printed": "", "proposed": "2"}, {"same": "b"}, {"printed": "+ c", "proposed": ""}]
 
@@ -42,8 +45,15 @@ def test_a_formula_shows_its_repair_in_words_marks_and_markdown():
     (first, *_) = found.proposals
     assert first.latex in str(found) and "{+" in str(found)
     assert r"{\color{green}{" in found._repr_markdown_() and first.edit in found._repr_markdown_()
-    lines = [line.plain for line in repair_lines(found.to_dict())]
+    lines = [line.plain for line in repair_lines(found)]
     assert sum("difference" in line for line in lines) == len(found.proposals)
+
+
+def test_a_formula_of_ours_for_a_sentence_is_no_printed_one():
+    said = Claim("1", Formula("a = b"), None, ours=True)
+    proposed = [Proposed("a = c", "$b$ becomes $c$", list(PARTS), Outcome.PROVED)]
+    lines = [line.plain.split() for line in proposed_lines(said, proposed, coloured=False)]
+    assert lines[:3] == [["1"], ["our", "formula", "a", "=", "b"], ["proposed", "a", "=", "c"]]
 
 
 def test_an_interrupted_search_says_so_and_keeps_what_it_has(monkeypatch):

@@ -13,7 +13,7 @@ NASTY = (
 
 @pytest.fixture(scope="module")
 def texts():
-    return render.render(sample())
+    return render.render(*sample())
 
 
 @pytest.fixture(scope="module")
@@ -23,8 +23,8 @@ def nasty():
             NASTY, NASTY, NASTY, "refuted", statement=NASTY, printed=NASTY, read_back=NASTY, scope=NASTY,
             hypothesis=NASTY, note=NASTY + r" $\input{x}$ $\end{document}$ $", inherits=[NASTY, NASTY + "2"],
             corrected={"latex": r"a\\&b", "verdict": "proved"},
-            counterexample={"values": {NASTY: ["1", "not a number"]}, "lhs": NASTY, "rhs": ["1/0"]},
+            counterexample={"values": {NASTY: ["1", "not a number"]}, "lhs": [NASTY], "rhs": ["1/0"]},
             evidence=[{"method": NASTY, "outcome": NASTY, NASTY: NASTY, "list": [1, {"a": None}]}],
         )
     ]  # fmt: skip
-    return render.render(report_of(claims, NASTY, NASTY))
+    return render.render(*report_of(claims, NASTY, NASTY))

@@ -2,9 +2,9 @@
 
 import pytest
 from headless_browser import EXECUTABLE, Browser
-from sample_report import sample
+from sample_report import CLAIMS, sample
 
-from workbench.report import write_report
+from workbench.report.render import write_report
 
 pytestmark = pytest.mark.skipif(EXECUTABLE is None, reason="no Chromium is installed")
 
@@ -35,7 +35,7 @@ CONTRASTS = """(() => {
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     out = tmp_path_factory.mktemp("report")
-    return next(path for path in write_report(sample(), out) if path.suffix == ".html")
+    return next(path for path in write_report(*sample(), out) if path.suffix == ".html")
 
 
 @pytest.fixture(scope="module")
@@ -67,7 +67,7 @@ def test_page_asks_for_nothing(browser, page):
 def test_filters_show_exactly_their_kind(browser, page):
     browser.open(page, 1280)
     browser.evaluate(UNFOLD)
-    total = len(sample()["claims"])
+    total = len(CLAIMS)
     assert len(browser.evaluate(VISIBLE.format(".claim"))) == total
     filters = browser.evaluate("[...document.querySelectorAll('.filters input')].map(e => e.id.slice(7))")
     assert filters[:2] == ["all", "erratum"] and len(filters) > 5

@@ -6,8 +6,7 @@ import subprocess
 
 import pytest
 
-from workbench.report import tex
-from workbench.report.structure import ReportError
+from workbench.report import ReportError, tex
 
 
 def test_nothing_from_the_input_becomes_markup(nasty):

@@ -7,32 +7,34 @@ import subprocess
 import pytest
 from judge.motion_papers import paper
 
+from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.papers.model import Claim, Formula
 from workbench.report import render
 from workbench.report.motions import Unseen, motions_of
 from workbench.verify.claims import judge_paper
-from workbench.verify.results import report_dict
+from workbench.verify.on_motions import ALGEBRA, METHOD
+from workbench.verify.results import ClaimResult
 
 
-def claim(name: str, witness: str, because: str | None = None) -> dict:
-    return {"id": name, "motion": {"witness": witness, "because": because}}
+def result(name: str, no_motion: str = "") -> ClaimResult:
+    seen = (
+        () if no_motion else (Evidence(METHOD, "the sides part", {"residual": 1, "motion": "", "time": 0}),)
+    )
+    return ClaimResult(
+        Claim(name, Formula("a"), None), Verdict(Outcome.REFUTED, evidence=seen, no_motion=no_motion)
+    )
 
 
 def test_claims_without_a_motion_are_listed_by_their_reasons():
     places = {"a": ("Eq. (1)", "a"), "b": ("Eq. (1)", "b"), "c": ("Eq. (2)", "c"), "d": ("Eq. (3)", "d")}
-    algebra = "no motion: algebra"
-    claims = [
-        claim("a", algebra, algebra),
-        claim("b", algebra, algebra),
-        claim("c", "Drake"),
-        claim("d", "none", "a word"),
-    ]
-    found = motions_of(claims, places)
+    results = [result("a", ALGEBRA), result("b", ALGEBRA), result("c"), result("d", "a word")]
+    found = motions_of(results, places)
     assert (found.seen, found.claims) == (1, 4)
     assert found.unseen == (
         Unseen("a word", 1, (("Eq. (3)", "d"),)),
-        Unseen(algebra, 2, (("Eq. (1)", "a"),)),
+        Unseen(ALGEBRA, 2, (("Eq. (1)", "a"),)),
     )
-    assert motions_of([claim("a", algebra, algebra), {"id": "b"}], places) is None
+    assert motions_of(results[:2], places) is None
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +49,7 @@ def texts(tmp_path_factory):
         """,
         r"printed = 'a \times x = -x \times a'",
     )
-    return render.render(report_dict(loaded, judge_paper(loaded)))
+    return render.render(loaded, judge_paper(loaded))
 
 
 def test_an_error_has_its_cost_and_its_picture_with_words(texts):

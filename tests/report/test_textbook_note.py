@@ -9,8 +9,8 @@ import pytest
 
 from workbench.papers import load_paper
 from workbench.report import render
+from workbench.report.to_json import claim_json
 from workbench.verify.claims import judge_paper
-from workbench.verify.results import report_dict
 
 TEXTBOOK = Path(__file__).parent.parent / "papers" / "textbook.toml"
 
@@ -20,12 +20,12 @@ def report():
     paper = load_paper(TEXTBOOK)
     results = judge_paper(paper, motions=False)
     assert [result.claim.id for result in results if not result.passed] == []
-    return report_dict(paper, results)
+    return paper, results
 
 
 @pytest.fixture(scope="module")
 def note(report):
-    return render.render(report)["erratum.tex"]
+    return render.render(*report)["erratum.tex"]
 
 
 def test_each_slip_is_in_the_note_once_and_what_is_right_is_not(note):
@@ -43,16 +43,14 @@ def test_each_slip_is_in_the_note_once_and_what_is_right_is_not(note):
 
 
 def test_edits_make_the_proved_forms(report):
-    edited = [
-        claim for claim in report["claims"] if (claim["mend"] or {}).get("edits") and not claim["formula"]
-    ]
+    told = map(claim_json, report[1])
+    edited = [claim for claim in told if (claim["mend"] or {}).get("edits") and not claim["formula"]]
     assert len(edited) == 3 and all(claim["mend"]["is_proved"] for claim in edited)
 
 
 def test_two_runs_give_the_same_bytes(report):
-    assert render.render(report) == render.render(
-        report_dict(load_paper(TEXTBOOK), judge_paper(load_paper(TEXTBOOK), motions=False))
-    )
+    again = load_paper(TEXTBOOK)
+    assert render.render(*report) == render.render(again, judge_paper(again, motions=False))
 
 
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")

@@ -9,7 +9,7 @@ import pytest
 from workbench.ingest import ingest, model_text
 from workbench.judge.verdict import Outcome
 from workbench.papers import load_paper
-from workbench.verify import judge_paper
+from workbench.verify.claims import judge_paper
 
 TEXTS = Path(__file__).parents[2] / "proofs" / "texts"
 

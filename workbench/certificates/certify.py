@@ -13,7 +13,7 @@ from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import Steps, all_steps
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.verify.claims import ClaimResult
+from workbench.verify.results import Certification, ClaimResult
 
 
 @dataclass(frozen=True)
@@ -72,19 +72,20 @@ class Certified:
         rest = "axioms of the real numbers" if self.checked.axioms else "no axioms"
         return f"certified: Coq {coqc.version()}, {rest}"
 
-    def to_dict(self) -> dict:
-        """For the report; nothing in it depends on the machine's speed."""
+    @property
+    def certification(self) -> Certification:
+        """As a result tells it."""
         said = self.checked if self.certified else None
-        return {
-            "form": self.form.name,
-            "checked_by": f"Coq {coqc.version()}" if said else None,
-            "axioms": list(said.axioms) if said else [],
-            "scope": self.certificate.scope if self.certificate else None,
-            "statement": _statements(self.certificate),
-            "premises_met": _statements(self.certificate.motions) if self.certificate else None,
-            "obstacle": self.obstacle or None,
-            "word": self.word,
-        }
+        return Certification(
+            form=self.form.name,
+            checked_by=f"Coq {coqc.version()}" if said else None,
+            axioms=tuple(said.axioms) if said else (),
+            scope=self.certificate.scope if self.certificate else None,
+            statement=_statements(self.certificate),
+            premises_met=_statements(self.certificate.motions) if self.certificate else None,
+            obstacle=self.obstacle or None,
+            word=self.word,
+        )
 
 
 def _unfinished(said: coqc.Checked) -> bool:
@@ -98,9 +99,8 @@ def _statements(certificate: Certificate | None) -> str | None:
 def exact_forms(results: Sequence[ClaimResult]) -> Iterator[tuple[Form, ClaimResult, Verdict]]:
     """The forms that are proved or refuted by their own exact verdict."""
     for result in results:
-        verdicts = {"printed": result.verdict, "reading": result.reading, "corrected": result.corrected}
         for form in forms_of(result.claim):
-            verdict = verdicts[form.name]
+            verdict = result.verdicts.get(form.name)
             if verdict is not None and verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
                 yield form, result, verdict
 
@@ -154,15 +154,12 @@ def _with(each: Certified, ask: Callable[[str], coqc.Checked | None]) -> Certifi
     return replace(each, checked=ask(each.certificate.text), met=ask(motions.text) if motions else None)
 
 
-def with_certificates(
-    claims: Sequence[dict], results: Sequence[ClaimResult], theorems: Mapping[str, object]
-) -> list[dict]:
-    """The claims of a report, each with what is remembered of the certificates of its exact forms and of the
-    steps of its theorem."""
-    found: dict[str, list[dict]] = {}
+def with_certificates(results: Sequence[ClaimResult], theorems: Mapping[str, object]) -> list[ClaimResult]:
+    """Each with what is remembered of the certificates of its exact forms and of the steps of its theorem."""
+    found: dict[str, list[Certification]] = {}
     for form, result, verdict in exact_forms(results):
         each = _with(written(form, verdict), coqc.recall)
-        found.setdefault(result.claim.id, []).append(each.to_dict())
+        found.setdefault(result.claim.id, []).append(each.certification)
     for steps in all_steps(results, theorems):
-        found.setdefault(steps.claim.id, []).append(steps.to_dict())
-    return [{**claim, "certificates": found.get(claim["id"], [])} for claim in claims]
+        found.setdefault(steps.claim.id, []).append(steps.certification)
+    return [replace(result, certificates=tuple(found.get(result.claim.id, ()))) for result in results]

@@ -17,7 +17,7 @@ from workbench.judge.theorems.sequents import Obligation, Premise, Sequent
 from workbench.judge.verdict import Outcome
 from workbench.language.terms import IllFormed
 from workbench.papers.model import Claim
-from workbench.verify.claims import ClaimResult
+from workbench.verify.results import Certification, ClaimResult
 
 
 @dataclass(frozen=True)
@@ -64,20 +64,21 @@ class Steps:
         obstacle = next((f"; not certified: {step.obstacle}" for step in self.steps if step.obstacle), "")
         return f"steps certified, {len(self.certified)} of {len(self.steps)}{obstacle}"
 
-    def to_dict(self) -> dict:
-        """For the report, beside the forms'."""
+    @property
+    def certification(self) -> Certification:
+        """As a result tells it, beside the forms'."""
         done = self.certified
         axioms = {name for step in done for name in step.checked.axioms}
-        return {
-            "form": "steps",
-            "checked_by": f"Coq {coqc.version()}" if len(done) == len(self.steps) else None,
-            "axioms": sorted(axioms),
-            "scope": None,
-            "statement": "\n\n".join(t.statement for step in done for t in step.certificate.theorems) or None,
-            "premises_met": None,
-            "obstacle": next((step.obstacle for step in self.steps if step.obstacle), None),
-            "word": self.word,
-        }
+        return Certification(
+            form="steps",
+            checked_by=f"Coq {coqc.version()}" if len(done) == len(self.steps) else None,
+            axioms=tuple(sorted(axioms)),
+            scope=None,
+            statement="\n\n".join(t.statement for step in done for t in step.certificate.theorems) or None,
+            premises_met=None,
+            obstacle=next((step.obstacle for step in self.steps if step.obstacle), None),
+            word=self.word,
+        )
 
 
 def steps_of(result: ClaimResult, theorems: Mapping[str, object]) -> Steps | None:

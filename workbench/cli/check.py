@@ -19,7 +19,7 @@ from workbench.cli.printed import print_judged
 
 if TYPE_CHECKING:
     from workbench.papers import Paper
-    from workbench.verify.claims import ClaimResult
+    from workbench.verify.results import ClaimResult
 
 FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
 

@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-import os
 import sys
-import tempfile
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +25,7 @@ from workbench.cli.options import (
     print_json,
     reports_faults,
 )
-from workbench.cli.repair import claims_with_proposals, errata, repair_claim
+from workbench.cli.repair import errata, repair_claim, with_proposals
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -106,18 +105,18 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     from workbench.cli.proposals import proposal_lines
     from workbench.cli.terminal import claim_lines, console
     from workbench.papers import find_paper
-    from workbench.verify.results import claim_dict
+    from workbench.report.to_json import claim_json
 
     paper = find_paper(paper_name)
-    results = judged(paper, [claim_id])
-    claims = claims_with_proposals([claim_dict(result) for result in results], results, proposals)
-    claims = with_certificates(claims, results, paper.theorems)
+    results = with_proposals(judged(paper, [claim_id]), proposals)
+    results = with_certificates(results, paper.theorems)
     if as_json:
-        print_json(claims[0] if len(claims) == 1 else claims)
+        told = [claim_json(result) for result in results]
+        print_json(told[0] if len(told) == 1 else told)
     else:
         terminal = console(sys.stdout)
-        for claim in claims:
-            for line in (*claim_lines(claim), *proposal_lines(claim, coloured=terminal.is_terminal)):
+        for result in results:
+            for line in (*claim_lines(result), *proposal_lines(result.proposed, terminal.is_terminal)):
                 terminal.print(line)
     sys.exit(0 if all(result.passed for result in results) else 1)
 
@@ -149,44 +148,23 @@ def report(
     from workbench.certificates.certify import with_certificates
     from workbench.cli.terminal import console, summary_line
     from workbench.papers import find_paper
-    from workbench.verify.results import report_dict
+    from workbench.report.render import write_report
+    from workbench.report.to_json import report_json
 
-    _require_directory(out)
+    if out.exists() and not out.is_dir():
+        raise Unusable(f"{out}: expected a directory for the report, got a file")
     paper = find_paper(paper_name)
     results = judged(paper, select, **engines)
-    data = report_dict(paper, results)
-    data["paper"].setdefault("recheck", "workbench report" + f" --paper {paper_name}" * bool(paper_name))
-    if proposals:
-        data["claims"] = claims_with_proposals(data["claims"], results, True)
-    data["claims"] = with_certificates(data["claims"], results, paper.theorems)
-    written = _write_report_atomically(data, out)
+    recheck = "workbench report" + f" --paper {paper_name}" * bool(paper_name)
+    cited = replace(paper, citation={"recheck": recheck, **paper.citation})
+    told = with_proposals(results, True) if proposals else results
+    told = with_certificates(told, paper.theorems)
+    written = write_report(cited, told, out)
     if as_json:
-        print_json(data)
+        print_json(report_json(cited, told))
     else:
         terminal = console(sys.stdout)
         for path in written:
             terminal.print(str(path), markup=False)
         terminal.print(summary_line(results))
     sys.exit(0 if as_expected(paper, results) else 1)
-
-
-def _require_directory(out: Path) -> None:
-    if out.exists() and not out.is_dir():
-        raise Unusable(f"{out}: expected a directory for the report, got a file")
-
-
-def _write_report_atomically(data: dict[str, Any], out: Path) -> list[Path]:
-    """Each file appears in `out` only when all of them are written."""
-    from workbench.report import write_report
-
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=out, prefix=".unfinished-") as unfinished:
-            drafts = write_report(data, Path(unfinished))
-            written = [out / draft.relative_to(unfinished) for draft in drafts]
-            for draft, path in zip(drafts, written, strict=True):
-                path.parent.mkdir(parents=True, exist_ok=True)
-                os.replace(draft, path)
-    except OSError as error:
-        raise Unusable(f"{out}: the report cannot be written: {error.strerror or error}") from None
-    return written

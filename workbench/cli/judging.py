@@ -14,7 +14,7 @@ from workbench.cli.options import Unusable, cache_option, memory_of_verdicts, pr
 
 if TYPE_CHECKING:
     from workbench.papers import Paper
-    from workbench.verify.claims import ClaimResult
+    from workbench.verify.results import ClaimResult
 
 proposals_flag = click.option(
     "--proposals/--no-proposals", default=True, help="Search for the right form of what is not right."
@@ -105,17 +105,16 @@ def as_expected(paper: Paper, results: Sequence[ClaimResult]) -> bool:
 
 def print_results(paper: Paper, results: Sequence[ClaimResult], as_json: bool) -> None:
     from workbench.cli.terminal import console, motions_line, results_table, summary_line
-    from workbench.verify.results import report_dict
+    from workbench.report.to_json import report_json
 
-    report = report_dict(paper, results)
     if as_json:
-        print_json(report)
-    else:
-        terminal = console(sys.stdout)
-        terminal.print(results_table(results))
-        if report["witnesses"]["Drake"]:
-            terminal.print(motions_line(report["witnesses"]))
-        terminal.print(summary_line(results))
+        print_json(report_json(paper, results))
+        return
+    terminal = console(sys.stdout)
+    terminal.print(results_table(results))
+    if (line := motions_line(results)) is not None:
+        terminal.print(line)
+    terminal.print(summary_line(results))
 
 
 def write_atomically(path: Path, text: str) -> None:

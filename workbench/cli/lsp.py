@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from workbench.papers import Paper
     from workbench.papers.model import Span
     from workbench.report.findings import Finding
-    from workbench.verify.claims import ClaimResult
+    from workbench.verify.results import ClaimResult
 
 
 @click.command()
@@ -112,7 +112,7 @@ def _is_paper(path: Path) -> bool:
 def _judge(server: LanguageServer, known: dict[Path, Judged], path: Path, motions: bool) -> None:
     from workbench.papers import PaperError, load_paper
     from workbench.report.findings import Finding, findings
-    from workbench.verify import judge_paper
+    from workbench.verify.claims import judge_paper
 
     try:
         paper = load_paper(path, faults=[])

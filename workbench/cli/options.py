@@ -37,7 +37,7 @@ def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
         from workbench.judge.verdict import EngineDisagreement
         from workbench.papers import PaperError
         from workbench.papers.selection import SelectError
-        from workbench.report.structure import ReportError
+        from workbench.report import ReportError
 
         try:
             command(*arguments, **options)

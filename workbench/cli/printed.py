@@ -11,57 +11,51 @@ import click
 
 from workbench.cli.judging import print_results, write_atomically
 from workbench.cli.options import json_text, print_json
-from workbench.cli.repair import claims_with_proposals
+from workbench.cli.repair import with_proposals
+from workbench.report.to_json import report_json, versions
 
 if TYPE_CHECKING:
     from workbench.papers import Paper
     from workbench.report.findings import Finding
-    from workbench.verify.claims import ClaimResult
+    from workbench.verify.results import ClaimResult
 
 
 def print_judged(
     judged: Sequence[tuple[Paper, Sequence[ClaimResult]]], json_out: str | None, form: str, proposals: bool
 ) -> None:
-    from workbench.verify.results import report_dict
-
     if form in ("github", "sarif", "rdjsonl"):
         _print_findings(judged, form)
         return
-    reports = []
+    judged = [(paper, with_proposals(results, proposals)) for paper, results in judged]
+    if form == "json" or json_out is not None:
+        told = [report_json(paper, results) | _faults_json(paper) for paper, results in judged]
+        text = json_text(told[0] if len(told) == 1 else told)
+        if form == "json" or json_out == "-":
+            click.echo(text, nl=False)
+            return
+        write_atomically(Path(json_out), text)
     for paper, results in judged:
-        data = report_dict(paper, results)
-        data["claims"] = claims_with_proposals(data["claims"], results, proposals)
-        reports.append(data)
-    told = [data | _faults_dict(paper) for (paper, _), data in zip(judged, reports, strict=True)]
-    shown = told[0] if len(told) == 1 else told
-    if form == "json" or json_out == "-":
-        print_json(shown)
-        return
-    if json_out is not None:
-        write_atomically(Path(json_out), json_text(shown))
-    for (paper, results), data in zip(judged, reports, strict=True):
         if len(judged) > 1:
             click.echo(f"{paper.paths[0]}:")
-        _print_text(paper, results, data)
+        _print_text(paper, results)
 
 
 def _print_findings(judged: Sequence[tuple[Paper, Sequence[ClaimResult]]], form: str) -> None:
     from workbench.cli.carets import lines_of
     from workbench.report.findings import findings, github, rdjsonl, sarif
-    from workbench.verify.results import report_dict
 
     found = [finding for paper, results in judged for finding in findings(paper, results)]
     if form == "github":
         click.echo(github(found), nl=False)
     elif form == "sarif":
-        print_json(sarif(found, report_dict(judged[0][0], ())["versions"]["workbench"]))
+        print_json(sarif(found, versions()["workbench"]))
     else:
         files = {each.span.file for each in found}
         click.echo(rdjsonl(found, {path: lines_of(path) for path in files}), nl=False)
 
 
-def _print_text(paper: Paper, results: Sequence[ClaimResult], data: dict[str, Any]) -> None:
-    from workbench.cli.proposals import repair_lines
+def _print_text(paper: Paper, results: Sequence[ClaimResult]) -> None:
+    from workbench.cli.proposals import proposed_lines
     from workbench.cli.terminal import console, summary_line
     from workbench.papers.text_paper import TextPaper
 
@@ -75,9 +69,10 @@ def _print_text(paper: Paper, results: Sequence[ClaimResult], data: dict[str, An
         for fault in paper.faults:
             click.echo(f"Error: {fault}", err=True)
         print_results(paper, results, False)
-    for claim in data["claims"]:
-        for line in repair_lines(claim, terminal.is_terminal) if claim["proposed"] else ():
-            terminal.print(line)
+    for result in results:
+        if result.proposed:
+            for line in proposed_lines(result.claim, result.proposed, terminal.is_terminal):
+                terminal.print(line)
 
 
 def _hint(paper: Paper, results: Sequence[ClaimResult]) -> str | None:
@@ -105,7 +100,7 @@ def _print_places(paper: Paper, results: Sequence[ClaimResult]) -> None:
             terminal.print(line)
 
 
-def _faults_dict(paper: Paper) -> dict[str, Any]:
+def _faults_json(paper: Paper) -> dict[str, Any]:
     from workbench.papers.text_paper import TextPaper
 
     kinds = [("faults", paper.faults)]

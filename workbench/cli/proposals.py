@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -15,8 +15,10 @@ from workbench.cli.terminal import outcome_text
 from workbench.typeset.differences import in_one_line
 
 if TYPE_CHECKING:
+    from workbench.papers import Claim
     from workbench.repair.propose.limits import Limits
     from workbench.repair.propose.repair import Repair
+    from workbench.verify.results import Proposed
 
 _GONE, _NEW = "red strike", "bold green underline"
 _INDENT = 17
@@ -24,26 +26,30 @@ _INDENT = 17
 _STRIDE = 50
 
 
-def repair_lines(repair: Mapping[str, Any], coloured: bool = False) -> Iterator[Text]:
-    """The proposals for one claim, by `Repair.to_dict`."""
-    yield Text(repair["id"], style="bold")
-    yield from _field("printed", repair["printed"])
-    yield from proposal_lines(repair, coloured)
-    if not repair["proposed"]:
-        yield from _field("proposed", f"nothing, of {repair['candidates']} candidates")
-    if not repair.get("complete", True):
+def repair_lines(repair: Repair, coloured: bool = False) -> Iterator[Text]:
+    """What the search on one claim came to."""
+    proposed = repair.proposed()
+    yield from proposed_lines(repair.claim, proposed, coloured)
+    if not proposed:
+        yield from _field("proposed", f"nothing, of {repair.candidates} candidates")
+    if not repair.complete:
         yield from _field("", "the search was not finished")
 
 
-def proposal_lines(claim: Mapping[str, Any], coloured: bool = False) -> Iterator[Text]:
-    """What stands under the key "proposed" of a claim of the report. coloured: the difference in colours;
-    else it is marked as [-printed-] and {+proposed+}."""
-    for proposal in claim["proposed"]:
-        yield from _field("proposed", proposal["latex"])
-        yield from _field("edit", proposal["edit"])
+def proposed_lines(claim: Claim, proposed: Sequence[Proposed], coloured: bool) -> Iterator[Text]:
+    yield Text(claim.id, style="bold")
+    yield from _field("our formula" if claim.ours else "printed", claim.printed.latex)
+    yield from proposal_lines(proposed, coloured)
+
+
+def proposal_lines(proposed: Sequence[Proposed], coloured: bool) -> Iterator[Text]:
+    """coloured: the difference in colours; else it is marked as [-printed-] and {+proposed+}."""
+    for proposal in proposed:
+        yield from _field("proposed", proposal.latex)
+        yield from _field("edit", proposal.edit)
         label = Text(f"{'difference':>{_INDENT - 2}}  ")
-        yield label.append_text(difference_text(proposal["difference"], coloured))
-        yield Text.assemble(" " * _INDENT, outcome_text(proposal["verdict"]))
+        yield label.append_text(difference_text(proposal.difference, coloured))
+        yield Text.assemble(" " * _INDENT, outcome_text(proposal.verdict))
 
 
 def difference_text(parts: Sequence[Mapping[str, str]], coloured: bool) -> Text:

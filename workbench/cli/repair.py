@@ -16,7 +16,7 @@ from workbench.repair.propose.limits import STANDARD, Limits
 if TYPE_CHECKING:
     from workbench.papers import Claim
     from workbench.repair.propose.repair import Repair
-    from workbench.verify.claims import ClaimResult
+    from workbench.verify.results import ClaimResult
 
 
 _seconds_option = click.option(
@@ -47,12 +47,12 @@ def repair_claim(
         _repair_definitions(claims, seconds, as_json)
     repairs = _repaired(claims, limits)
     if as_json:
-        found = [repair.to_dict() for repair in repairs]
+        found = [_repair_json(repair) for repair in repairs]
         print_json(found[0] if len(found) == 1 else found)
     else:
         terminal = console(sys.stdout)
         for repair in repairs:
-            for line in repair_lines(repair.to_dict(), coloured=terminal.is_terminal):
+            for line in repair_lines(repair, coloured=terminal.is_terminal):
                 terminal.print(line)
     done = len(repairs) == len(claims) and all(repair.proposals for repair in repairs)
     sys.exit(0 if done else 1)
@@ -82,6 +82,16 @@ def errata(select: Sequence[str], paper_name: str | None, seconds: float, as_jso
         terminal.print(errata_table(rows))
         terminal.print(summary(rows), markup=False)
     sys.exit(0 if len(rows) == len(claims) and all(row.is_same for row in rows) else 1)
+
+
+def _repair_json(repair: Repair) -> dict[str, Any]:
+    return {
+        "id": repair.claim.id,
+        "printed": repair.claim.printed.latex,
+        "proposed": [asdict(proposed) for proposed in repair.proposed()],
+        "candidates": repair.candidates,
+        "complete": repair.complete,
+    }
 
 
 def _limits(seconds: float) -> Limits:
@@ -116,15 +126,11 @@ def _repair_definitions(claims: Sequence[Claim], seconds: float, as_json: bool) 
     sys.exit(0 if repairs else 1)
 
 
-def claims_with_proposals(
-    claims: Sequence[dict[str, Any]], results: Sequence[ClaimResult], wanted: bool
-) -> list[dict[str, Any]]:
-    """The claims of the report with what the machine proposes for those that are refuted or ill-formed."""
+def with_proposals(results: Sequence[ClaimResult], wanted: bool) -> list[ClaimResult]:
+    """The results with what the machine proposes where a printed form is refuted or ill-formed; with nothing
+    if that is not wanted."""
     from workbench.cli.terminal import progress_bar
-    from workbench.repair.propose.run import proposals_for, with_proposals
+    from workbench.repair.propose.run import with_proposals
 
-    proposed: dict[str, list[dict[str, Any]]] = {}
-    if wanted:
-        with progress_bar(len(results), "repairing") as advance:
-            proposed = proposals_for(results, progress=advance)
-    return [with_proposals(claim, proposed) for claim in claims]
+    with progress_bar(len(results) if wanted else 0, "repairing") as advance:
+        return with_proposals(results, STANDARD if wanted else None, advance)

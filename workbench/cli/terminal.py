@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import IO, TYPE_CHECKING, Any
 
@@ -14,16 +14,21 @@ from rich.table import Table
 from rich.text import Text
 
 from workbench.report.kinds import STATES, VERDICTS
+from workbench.report.to_json import witness_counts
 
 if TYPE_CHECKING:
+    from workbench.judge.verdict import Counterexample
     from workbench.papers.model import Claim
-    from workbench.verify.claims import ClaimResult
+    from workbench.verify.results import ClaimResult
 
 _STYLES = {name: kind.style for name, kind in VERDICTS.items()}
 _UNLIMITED = 100_000
 
-#: Of an evidence's figures: what stands before them, and what only a picture can show.
-_UNSHOWN = ("method", "outcome", "course")
+#: Of an evidence's figures: what only a picture can show.
+_UNSHOWN = ("course",)
+
+#: Components of the largest value of a defined symbol that is told: those of a dual vector.
+_LARGEST = 6
 
 
 def console(stream: IO[str]) -> Console:
@@ -75,81 +80,87 @@ def summary_line(results: Sequence[ClaimResult]) -> Text:
     return line
 
 
-def motions_line(witnesses: Mapping[str, int]) -> Text:
-    """How many claims were evaluated on Drake's motions; `show` says of each other one why not."""
+def motions_line(results: Sequence[ClaimResult]) -> Text | None:
+    """How many claims were evaluated on Drake's motions; `show` says of each other one why not. None if none
+    was."""
+    counts = witness_counts(results)
+    if not (seen := counts.pop("Drake")):
+        return None
     names = {"none": "for other reasons not"}
-    others = [
-        f"{count} {names.get(name, name)}" for name, count in witnesses.items() if count and name != "Drake"
-    ]
-    return Text("; ".join([f"on Drake's motions: {witnesses['Drake']} claims", *others]))
+    others = [f"{count} {names.get(name, name)}" for name, count in counts.items() if count]
+    return Text("; ".join([f"on Drake's motions: {seen} claims", *others]))
 
 
-def claim_lines(claim: Mapping[str, Any], with_expectation: bool = True) -> Iterator[Text]:
+def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[Text]:
     """One claim in full: what is wrong, for … read …, why, counterexample, evidence; with its id
     and whether it passed, or without."""
+    claim, verdict = result.claim, result.verdict
     if with_expectation:
-        yield Text(claim["id"], style="bold")
-    yield from _field("equation", claim["equation"])
-    yield from _field("section", claim["section"])
-    yield from _fault(claim)
-    yield from _field("statement", claim["statement"])
-    yield from _field("printed", claim["printed"])
-    yield from _field("our formula", claim["formula"])
-    yield from _field("goal", claim["goal"])
-    yield from _field("for", claim["orders"])
-    for condition in claim["assume"]:
-        yield from _field("assuming", condition)
-    yield Text.assemble(f"{'verdict':>15}  ", outcome_text(claim["verdict"]))
-    yield from _field("scope", claim["scope"])
-    if claim["reading"] is None or not claim["note"]:  # else the note says what the machine would guess
-        yield from _field("because", claim["reason"])
-    yield from _field("hypothesis", claim["hypothesis"])
-    for key in ("reading", "corrected"):
-        if form := claim[key]:
-            yield from _field(key, form["latex"])
-            yield Text.assemble(" " * 17, outcome_text(form["verdict"]))
-            yield from _field("because", form["reason"])
-    if counterexample := claim["counterexample"]:
-        yield Text(f"{'counterexample':>15}")
-        for symbol, entries in counterexample["values"].items():
-            yield Text(f"{'':17}{symbol} = {_tuple(entries)}")
-        defined = counterexample.get("defined", {}).items()
-        for symbol, entries in (each for each in defined if len(each[1]) <= 6):
-            yield Text(f"{'':17}so that {symbol} = {_tuple(entries)}")
-        yield Text(f"{'':17}left  = {_tuple(counterexample['lhs'])}")
-        yield Text(f"{'':17}right = {_tuple(counterexample['rhs'])}")
-    yield from _field("read as", claim["read_back"])
-    for evidence in claim["evidence"]:
-        figures = ", ".join(f"{k} {v}" for k, v in evidence.items() if k not in _UNSHOWN)
-        text = f"{evidence['method']}: {evidence['outcome']}" + (f" ({figures})" if figures else "")
+        yield Text(claim.id, style="bold")
+    yield from _field("equation", claim.equation)
+    yield from _field("section", claim.section)
+    if result.fault:
+        yield from _fault(result.fault, claim)
+    yield from _field("statement", claim.statement)
+    yield from _field("printed", claim.shown)
+    yield from _field("our formula", claim.our_formula)
+    yield from _field("goal", claim.goal.latex if claim.goal else None)
+    yield from _field("for", str(claim.orders or ""))
+    for condition in claim.assume:
+        yield from _field("assuming", condition.latex)
+    yield Text.assemble(f"{'verdict':>15}  ", outcome_text(verdict.outcome))
+    yield from _field("scope", verdict.scope)
+    if claim.reading is None or not claim.note:  # else the note says what the machine would guess
+        yield from _field("because", verdict.reason)
+    yield from _field("hypothesis", result.hypothesis)
+    for form in ("reading", "corrected"):
+        if own := result.verdicts.get(form):
+            yield from _field(form, getattr(claim, form).latex)
+            yield Text.assemble(" " * 17, outcome_text(own.outcome))
+            yield from _field("because", own.reason)
+    if result.counterexample:
+        yield from _counterexample(result.counterexample)
+    yield from _field("read as", verdict.read_back)
+    for evidence in verdict.evidence:
+        figures = ", ".join(f"{k} {v}" for k, v in evidence.figures.items() if k not in _UNSHOWN)
+        text = f"{evidence.method}: {evidence.outcome}" + (f" ({figures})" if figures else "")
         yield from _field("evidence", text)
-    yield from _field("on motions", claim["motion"]["line"])
-    for certificate in claim.get("certificates", ()):
-        yield from _field("certificate", f"{certificate['form']}: {certificate['word']}")
-        if certificate["statement"]:
-            yield from (Text(f"{'':17}{line}") for line in certificate["statement"].splitlines())
-    yield from _field("bears on", ", ".join(claim["inherits"]))
-    if not claim["fault"]:
-        yield from _field("note", claim["note"])
-    if with_expectation and not claim["passed"]:
-        yield Text(f"{'NOT AS EXPECTED':>15}  {claim['why_not']}", style="bold red")
+    yield from _field("on motions", result.on_motions.line)
+    for certificate in result.certificates or ():
+        yield from _field("certificate", f"{certificate.form}: {certificate.word}")
+        if certificate.statement:
+            yield from (Text(f"{'':17}{line}") for line in certificate.statement.splitlines())
+    yield from _field("bears on", ", ".join(claim.inherits))
+    if not result.fault:
+        yield from _field("note", claim.note)
+    if with_expectation and not result.passed:
+        yield Text(f"{'NOT AS EXPECTED':>15}  {result.why_not}", style="bold red")
 
 
-def _fault(claim: Mapping[str, Any]) -> Iterator[Text]:
+def _fault(fault: str, claim: Claim) -> Iterator[Text]:
     """What is wrong, and what an editor does about it."""
-    if not claim["fault"]:
-        return
-    kind, mend = STATES[claim["fault"]], claim["mend"] or {}
+    kind, mend = STATES[fault], claim.mend
     yield Text.assemble(f"{'fault':>15}  ", (kind.label, kind.style), f": {kind.meaning}")
-    yield from _field("where", mend.get("place"))
-    yield from _field("beside it", mend.get("beside"))
-    for edit in mend.get("edits", ()):
-        yield from _field("for", edit["for"])
-        yield from _field("read", edit["read"] or "nothing")
-    yield from _field("add", mend.get("add"))
-    yield from _field("mended by", mend.get("mended_by"))
-    yield from _field("why", claim["note"])
-    yield from _field("for example", mend.get("example"))
+    yield from _field("where", mend.place)
+    yield from _field("beside it", mend.beside)
+    for edit in mend.edits:
+        yield from _field("for", edit.old)
+        yield from _field("read", edit.new or "nothing")
+    yield from _field("add", mend.add)
+    yield from _field("mended by", mend.by)
+    yield from _field("why", claim.note)
+    yield from _field("for example", mend.example)
+
+
+def _counterexample(example: Counterexample) -> Iterator[Text]:
+    yield Text(f"{'counterexample':>15}")
+    for symbol, entries in example.values.items():
+        yield Text(f"{'':17}{symbol} = {_tuple(entries)}")
+    for symbol, entries in example.defined.items():
+        if len(entries) <= _LARGEST:
+            yield Text(f"{'':17}so that {symbol} = {_tuple(entries)}")
+    yield Text(f"{'':17}left  = {_tuple(example.left)}")
+    yield Text(f"{'':17}right = {_tuple(example.right)}")
 
 
 @contextmanager

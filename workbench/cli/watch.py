@@ -53,7 +53,7 @@ def _judged(
     """Judges a file; the paths that it stands on."""
     from workbench.cli.printed import print_judged
     from workbench.papers import PaperError, load_paper
-    from workbench.verify import judge_paper
+    from workbench.verify.claims import judge_paper
 
     start = monotonic()
     try:

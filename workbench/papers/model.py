@@ -206,6 +206,15 @@ class Claim:
         return Outcome.PROVED if self.hypothesis is None else Outcome.CONDITIONAL
 
     @property
+    def shown(self) -> str | None:
+        """The formula or the sentence that is printed; None where only our formula says it."""
+        return None if self.ours else self.printed.latex or self.quote
+
+    @property
+    def our_formula(self) -> str | None:
+        return self.printed.latex if self.ours else None
+
+    @property
     def supposed(self) -> tuple[Statement, ...]:
         """The conditions that the text states."""
         return tuple(formula.statement for formula in self.assume)

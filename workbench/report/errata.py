@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from workbench.report.kinds import FAULTS
-from workbench.report.prose import Run, Values, formula, runs_of, subtract, text, values_of
+from workbench.judge.verdict import Outcome
+from workbench.papers.model import FAULTS
+from workbench.report.counterexamples import Against, against
+from workbench.report.places import Heirs, Place, joined, with_headings
+from workbench.report.prose import Run, formula, runs_of, text
 from workbench.report.residuals import residuals_svg
 from workbench.typeset.differences import difference
+from workbench.verify.results import ClaimResult
 
-Claim = Mapping[str, Any]
-_CLAIM_ID = re.compile(r"\b[\w+*'-]+(?:\.[\w+*'-]+)+|\b\w+_\w+(?:\.\w+)+")
 _PLACE_IN_SOURCE = re.compile(r"(?:cannot be read: )?line \d+, column \d+: ")
-_LETTER = re.compile(
-    r"\\(?!dot|ddot|dddot|ddddot|tilde|underline|mathbf|boldsymbol|mathrm|left|right|cos|sin)[A-Za-z]+"
-)
 _OTHERS = "Others."
-#: Components of the largest value that is told of a defined symbol: a dual vector.
-_SMALL = 6
+#: A longer sentence is not quoted where it is corrected.
+_LONG_QUOTE = 400
 
 
 @dataclass(frozen=True)
@@ -31,21 +29,6 @@ class Change:
     new: tuple[Run, ...] | None
     marked_old: frozenset[int] = frozenset()
     marked_new: frozenset[int] = frozenset()
-
-
-@dataclass(frozen=True)
-class Counterexample:
-    """values: symbol and value, those that are not 0.   rest: whether others are 0.   of: what is false.
-    formula: ours, where what is printed is no formula.   defined: what definitions make of the values."""
-
-    of: str
-    formula: Run | None
-    values: tuple[tuple[Run, Run], ...]
-    rest: bool
-    defined: tuple[tuple[Run, Run], ...]
-    left: Run
-    right: Run
-    gap: Run | None
 
 
 @dataclass(frozen=True)
@@ -65,10 +48,9 @@ class Correction:
     add: tuple[Run, ...]
     why: tuple[Run, ...]
     example: tuple[Run, ...]
-    counterexample: Counterexample | None
+    counterexample: Against | None
     picture: str | None
     cost: str | None
-    proved: str | None
 
 
 @dataclass(frozen=True)
@@ -79,7 +61,7 @@ class Erratum:
     cause: str | None
     anchor: str
     corrections: tuple[Correction, ...]
-    heirs: tuple[tuple[str, str], ...]
+    heirs: tuple[Place, ...]
 
     @property
     def weight(self) -> int:
@@ -123,11 +105,10 @@ class Errata:
         return {fault: sum(each.fault == fault for each in self.corrections) for fault in FAULTS}
 
 
-def errata_of(claims: Sequence[Claim], places: Mapping[str, tuple[str, str]]) -> Errata:
-    """places: claim id → heading and anchor. What the edits of another claim mend is none of its own."""
-    faulty = [c for c in claims if c.get("fault") and not (c.get("mend") or {}).get("mended_by")]
-    corrections = [_correction(claim, places) for claim in faulty]
-    heirs = Heirs(claims, places)
+def errata_of(results: Sequence[ClaimResult], places: Mapping[str, Place], heirs: Heirs) -> Errata:
+    """places: of the claims. What the edits of another claim mend is none of its own."""
+    faulty = [result for result in results if result.fault and not result.claim.mend.by]
+    corrections = [_correction(result, places) for result in faulty]
     groups: dict[str, list[Correction]] = {}
     for each in corrections:
         if each.fault == "error":
@@ -146,7 +127,7 @@ def _erratum(group: Sequence[Correction], heirs: Heirs) -> Erratum:
     group = sorted(group, key=lambda each: -len(heirs.of([each.id], [each.heading])))
     first = group[0]
     return Erratum(
-        heading=_joined(headings),
+        heading=joined(headings),
         cause=first.cause,
         anchor=first.anchor,
         corrections=tuple(group),
@@ -154,49 +135,8 @@ def _erratum(group: Sequence[Correction], heirs: Heirs) -> Erratum:
     )
 
 
-def _joined(headings: Sequence[str]) -> str:
-    """Eqs. (37), (107), (108) for Eq. (37), Eq. (107), Eq. (108)."""
-    numbers = sorted((heading.removeprefix("Eq. ") for heading in headings), key=lambda n: (len(n), n))
-    is_plain = len(headings) == 1 or not all(heading.startswith("Eq. ") for heading in headings)
-    return ", ".join(headings) if is_plain else f"Eqs. {', '.join(numbers)}"
-
-
-class Heirs:
-    """What rests on what, in both directions and through any number of steps."""
-
-    def __init__(self, claims: Sequence[Claim], places: Mapping[str, tuple[str, str]]) -> None:
-        self.places = places
-        self.later: dict[str, set[str]] = {}
-        for claim in claims:
-            self.later.setdefault(claim["id"], set()).update(claim["inherits"])
-            if by := (claim.get("mend") or {}).get("mended_by"):
-                self.later.setdefault(by, set()).add(claim["id"])
-        self.order = {claim["id"]: place for place, claim in enumerate(claims)}
-
-    def of(self, ids: Iterable[str], own: Collection[str]) -> tuple[tuple[str, str], ...]:
-        """Headings and anchors of the equations that rest on these claims, but for their own."""
-        waiting, reached = list(ids), set()
-        while waiting:
-            for heir in self.later.get(waiting.pop(), ()):
-                if heir not in reached:
-                    reached.add(heir)
-                    waiting.append(heir)
-        found: dict[str, str] = {}
-        for heir in sorted(reached & self.places.keys(), key=lambda name: self.order.get(name, -1)):
-            found.setdefault(*self.places[heir])
-        return tuple((name, anchor) for name, anchor in found.items() if name not in own)
-
-    def rests_on(self) -> dict[str, list[str]]:
-        """Claim → the claims that it inherits a fault from, directly."""
-        found: dict[str, list[str]] = {}
-        for claim, heirs in self.later.items():
-            for heir in sorted(heirs):
-                found.setdefault(heir, []).append(claim)
-        return found
-
-
 def _grouped(corrections: Sequence[Correction]) -> tuple[Cause, ...]:
-    groups: dict[str, dict[Any, list[Correction]]] = {}
+    groups: dict[str, dict[Hashable, list[Correction]]] = {}
     for each in corrections:
         rows = groups.setdefault(each.cause or _OTHERS, {})
         rows.setdefault(each.changes or each.id, []).append(each)
@@ -205,62 +145,53 @@ def _grouped(corrections: Sequence[Correction]) -> tuple[Cause, ...]:
 
 def _row(same: Sequence[Correction]) -> Row:
     headings = list(dict.fromkeys(each.heading for each in same))
-    return Row(_joined(headings), same[0], tuple(same))
+    return Row(joined(headings), same[0], tuple(same))
 
 
-def with_headings(prose: str, places: Mapping[str, tuple[str, str]]) -> str:
-    """A sentence with the names of claims, such as 61.det, as a reader knows them: Eq. (61)."""
-    return _CLAIM_ID.sub(lambda name: places[name[0]][0] if name[0] in places else name[0], prose)
-
-
-def _correction(claim: Claim, places: Mapping[str, tuple[str, str]]) -> Correction:
-    heading, anchor = places[claim["id"]]
-    mend = claim.get("mend") or {}
-    right = claim["corrected"] or claim["reading"]
-    sentence = "" if mend.get("edits") else claim.get("statement") or ""
-    quoted = claim["printed"] if (claim["printed"] or "").startswith("“") else mend.get("beside")
-    shown = _sentence(quoted) if quoted and "$$" not in quoted else ""
+def _correction(result: ClaimResult, places: Mapping[str, Place]) -> Correction:
+    claim, mend = result.claim, result.claim.mend
+    heading, anchor = places[claim.id]
+    line = result.on_motions.line
     return Correction(
-        id=claim["id"],
+        id=claim.id,
         anchor=anchor,
         heading=heading,
-        place=mend.get("place"),
-        fault=claim["fault"],
-        cause=mend.get("cause"),
-        changes=tuple(_changes(claim, mend)),
-        said=tuple(runs_of(shown or sentence)) or _without_correction(claim, mend),
-        condition=claim["hypothesis"],
-        add=tuple(runs_of(mend.get("add") or "")),
-        why=tuple(runs_of(with_headings(claim.get("note") or reason_for_readers(claim), places))),
-        example=tuple(runs_of(mend.get("example") or "")),
-        counterexample=_counterexample(claim),
-        picture=residuals_svg(claim) if claim["fault"] == "error" else None,
-        cost=_cost(claim),
-        proved=right["latex"] if right else None,
+        place=mend.place,
+        fault=result.fault,
+        cause=mend.cause,
+        changes=tuple(_changes(result)),
+        said=tuple(_said(result)),
+        condition=result.hypothesis,
+        add=tuple(runs_of(mend.add or "")),
+        why=tuple(runs_of(with_headings(claim.note or reason_for_readers(result), places))),
+        example=tuple(runs_of(mend.example or "")),
+        counterexample=against(result),
+        picture=residuals_svg(result) if result.fault == "error" else None,
+        cost=line[0].upper() + line[1:] if result.on_motions.error else None,
     )
 
 
-def _cost(claim: Claim) -> str | None:
-    """What the error costs on a motion, as a sentence."""
-    motion = claim.get("motion") or {}
-    return motion["line"][0].upper() + motion["line"][1:] if motion.get("error") else None
+def _said(result: ClaimResult) -> list[Run]:
+    """The sentence that is not right; or the formula, where nobody has mended it yet."""
+    claim = result.claim
+    quoted = claim.mend.beside if claim.ours or not claim.quote else claim.quote
+    if quoted and "$$" not in quoted and len(quoted) < _LONG_QUOTE:
+        return runs_of(quoted)
+    if claim.mend.edits:
+        return []
+    if claim.statement:
+        return runs_of(claim.statement)
+    if result.right or result.hypothesis or result.proposed or not claim.shown:
+        return []
+    return [formula(claim.shown), text(" is not right, and no correction is known.")]
 
 
-def _without_correction(claim: Claim, mend: Mapping[str, Any]) -> tuple[Run, ...]:
-    """What is false and nobody has mended yet: the printed formula itself."""
-    if mend.get("edits") or claim["corrected"] or claim["reading"] or claim["hypothesis"]:
-        return ()
-    if not claim["printed"] or claim.get("proposed"):
-        return ()
-    return (formula(claim["printed"]), text(" is not right, and no correction is known."))
-
-
-def reason_for_readers(claim: Claim) -> str:
+def reason_for_readers(result: ClaimResult) -> str:
     """Why there is no better verdict, without the place in the source. Where the reading of an ill-formed
     formula is known, what the machine would have guessed of it is not told."""
-    if claim["verdict"] == "ill-formed" and (claim["reading"] or claim["corrected"]):
+    if result.verdict.outcome is Outcome.ILL_FORMED and result.right:
         return ""
-    return without_place(claim.get("reason") or "")
+    return without_place(result.verdict.reason or "")
 
 
 def without_place(reason: str) -> str:
@@ -268,22 +199,17 @@ def without_place(reason: str) -> str:
     return _PLACE_IN_SOURCE.sub("", reason)
 
 
-def _sentence(quoted: str) -> str:
-    return quoted if len(quoted) < 400 else ""
-
-
-def _changes(claim: Claim, mend: Mapping[str, Any]) -> Iterable[Change]:
-    for edit in mend.get("edits", ()):
-        old, new = edit["for"], edit["read"]
-        if not edit["is_math"]:
-            yield Change(tuple(runs_of(old)), tuple(runs_of(new)) if new.strip() else None)
+def _changes(result: ClaimResult) -> Iterator[Change]:
+    claim = result.claim
+    for edit in claim.mend.edits:
+        if edit.is_math:
+            yield _in_formula(_trimmed(edit.old), _trimmed(edit.new))
         else:
-            yield _in_formula(_trimmed(old), _trimmed(new))
-    proposed = [form for form in claim.get("proposed", ()) if form["verdict"] == "proved"]
-    right = claim["corrected"] or claim["reading"] or next(iter(proposed), None)
-    printed = claim["printed"] or ""
-    if not mend.get("edits") and right and printed and not printed.startswith("“"):
-        yield _in_formula(printed, right["latex"])
+            yield Change(tuple(runs_of(edit.old)), tuple(runs_of(edit.new)) if edit.new.strip() else None)
+    proved = (form for form in result.proposed or () if form.verdict is Outcome.PROVED)
+    right = result.right or next(proved, None)
+    if right and claim.shown and claim.shown != claim.quote and not claim.mend.edits:
+        yield _in_formula(claim.shown, right.latex)
 
 
 def _in_formula(old: str, new: str) -> Change:
@@ -294,51 +220,3 @@ def _in_formula(old: str, new: str) -> Change:
 
 def _trimmed(latex: str) -> str:
     return latex.replace("&", "").strip()
-
-
-def _counterexample(claim: Claim) -> Counterexample | None:
-    example = claim["counterexample"]
-    if example is None or claim["verdict"] == "conditional":
-        return None
-    sides = (example["lhs"], example["rhs"])
-    defined = {
-        symbol: values_of(entries)
-        for symbol, entries in example.get("defined", {}).items()
-        if len(entries) <= _SMALL and entries not in sides
-    }
-    behind = example.get("behind", ()) if defined else ()
-    values = {name: values_of(entries) for name, entries in example["values"].items() if name not in behind}
-    shown = {symbol: value for symbol, value in values.items() if not value.is_zero}
-    gap = subtract(example["lhs"], example["rhs"])
-    ours = claim.get("formula") or claim.get("goal")
-    said = ours or claim["printed"] or ""
-    return Counterexample(
-        of="as it was meant" if claim["verdict"] == "ill-formed" else "as printed",
-        formula=formula(ours) if ours else None,
-        values=tuple((formula(as_printed(name, said)), _run(value)) for name, value in shown.items()),
-        rest=len(shown) < len(values) or (not shown and any(value.is_zero for value in defined.values())),
-        defined=tuple(
-            (formula(as_printed(name, said)), _run(value))
-            for name, value in defined.items()
-            if not value.is_zero
-        ),
-        left=_run(values_of(example["lhs"])),
-        right=_run(values_of(example["rhs"])),
-        gap=_run(values_of(gap)) if gap is not None else None,
-    )
-
-
-def as_printed(name: str, said: str) -> str:
-    """The name of a symbol in the type in which a formula sets its letter: bold, where it stands there in
-    bold only."""
-    for letter in _LETTER.findall(name):
-        for style in (r"\boldsymbol", r"\mathbf"):
-            bold = f"{style}{{{letter}}}"
-            is_bare = re.search(re.escape(letter) + r"(?![A-Za-z])", said.replace(bold, ""))
-            if bold in said and not is_bare and bold not in name:
-                return re.sub(re.escape(letter) + r"(?![A-Za-z])", lambda _, b=bold: b, name, count=1)
-    return name
-
-
-def _run(value: Values) -> Run:
-    return formula(value.latex) if value.latex is not None else text(value.plain)

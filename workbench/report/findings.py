@@ -13,7 +13,7 @@ from workbench.judge.verdict import Outcome
 from workbench.papers import Paper, PaperError
 from workbench.papers.model import Span
 from workbench.papers.text_paper import TextPaper
-from workbench.verify.claims import HOLDS, ClaimResult
+from workbench.verify.results import HOLDS, ClaimResult
 
 _LEVEL_OF = {
     Outcome.REFUTED: "error",

@@ -92,12 +92,3 @@ STATES = {
         Kind("holds", "✓", "holds as printed", "proved twice, or a definition that agrees", "green", *_GREEN),
     )
 }
-FAULTS = ("error", "misprint", "transcription", "wording", "hypothesis")
-#: As publishers sort errata.
-ERRATUM_TYPES = {
-    "error": "Technical",
-    "misprint": "Editorial",
-    "transcription": "Editorial",
-    "wording": "Editorial",
-    "hypothesis": "Technical",
-}

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+
+from workbench.report.places import Place
+from workbench.verify.results import ClaimResult
 
 
 @dataclass(frozen=True)
@@ -13,7 +15,7 @@ class Unseen:
 
     reason: str
     count: int
-    places: tuple[tuple[str, str], ...]
+    places: tuple[Place, ...]
 
 
 @dataclass(frozen=True)
@@ -25,16 +27,15 @@ class Motions:
     unseen: tuple[Unseen, ...]
 
 
-def motions_of(claims: Sequence[Mapping[str, Any]], places: Mapping[str, tuple[str, str]]) -> Motions | None:
+def motions_of(results: Sequence[ClaimResult], places: Mapping[str, Place]) -> Motions | None:
     """None for a paper of which nothing was evaluated. places: id → heading and anchor."""
-    reasons: dict[str, list[tuple[str, str]]] = {}
-    for claim in claims:
-        motion = claim.get("motion") or {}
-        if motion.get("witness") != "Drake":
-            reasons.setdefault(motion.get("because") or "not judged", []).append(places[claim["id"]])
+    reasons: dict[str, list[Place]] = {}
+    for result in results:
+        if result.on_motions.because is not None:
+            reasons.setdefault(result.on_motions.because, []).append(places[result.claim.id])
     unseen = [
         Unseen(reason, len(found), tuple(reversed(dict(reversed(found)).items())))
         for reason, found in sorted(reasons.items())
     ]
-    seen = len(claims) - sum(each.count for each in unseen)
-    return Motions(seen, len(claims), tuple(unseen)) if seen else None
+    seen = len(results) - sum(each.count for each in unseen)
+    return Motions(seen, len(results), tuple(unseen)) if seen else None

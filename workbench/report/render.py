@@ -1,11 +1,12 @@
-"""The four files of a report, made from one canonical dictionary: same input, same bytes."""
+"""The four files of a report: same results, same bytes."""
 
 from __future__ import annotations
 
+import json
 import os
 import tempfile
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from hashlib import sha256
 from importlib.resources import files
@@ -15,45 +16,44 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup, escape
 
-from workbench.report import markdown, tex
-from workbench.report.document import document_of
+from workbench.papers.model import Paper
+from workbench.report import ReportError, markdown, tex
+from workbench.report.document import CITED_AS, document_of
 from workbench.report.kinds import STATES, VERDICTS
 from workbench.report.mathml import mathml
 from workbench.report.prose import Run
-from workbench.report.structure import ReportError, canonical, canonical_json
+from workbench.report.to_json import report_json
+from workbench.verify.results import ClaimResult
 
-_CITED_AS = {
-    **{"authors": "Author", "source": "In", "year": "Year", "pages": "Pages", "doi": "DOI"},
-    **{"commit": "Commit", "licence": "Licence", "read": "Read was", "recheck": "Recheck by"},
-}
 _MATH_FAILED = "This formula could not be typeset for certain; this is its LaTeX source."
 
 
-def write_report(report: Mapping[str, Any], out: Path) -> list[Path]:
+def write_report(paper: Paper, results: Sequence[ClaimResult], out: Path) -> list[Path]:
     """Write report.json, report.md, report.html and erratum.tex into the directory `out`.
 
-    report: the canonical dictionary (see `structure`). All files are rendered before the first is put in
-    place, and each is put in place by a rename. Returns their paths. Raises ReportError if the report is
-    not canonical or `out` cannot be a directory.
+    Returns their paths. All files are written before the first is put in place. Raises ReportError for what
+    cannot be set, and if `out` cannot be a directory or has no room.
     """
-    texts = render(report)
+    texts = render(paper, results)
     try:
         out.mkdir(parents=True, exist_ok=True)
-    except (FileExistsError, NotADirectoryError) as error:
-        raise ReportError(f"{out}: expected a directory for the report, got a file") from error
-    with tempfile.TemporaryDirectory(dir=out, prefix=".report-") as staging:
-        for name, content in texts.items():
-            (Path(staging) / name).write_bytes(content.encode("utf-8"))
-        for name in texts:
-            os.replace(Path(staging) / name, out / name)
+        with tempfile.TemporaryDirectory(dir=out, prefix=".unfinished-") as staging:
+            for name, content in texts.items():
+                (Path(staging) / name).write_bytes(content.encode("utf-8"))
+            for name in texts:
+                os.replace(Path(staging) / name, out / name)
+    except (FileExistsError, NotADirectoryError):
+        raise ReportError(f"{out}: expected a directory for the report, got a file") from None
+    except OSError as error:
+        raise ReportError(f"{out}: the report cannot be written: {error.strerror or error}") from None
     return [out / name for name in texts]
 
 
-def render(report: Mapping[str, Any]) -> dict[str, str]:
-    """The text of each file by name. Raises ReportError if the report is not canonical."""
-    report = canonical(report)
-    texts = {"report.json": canonical_json(report)}
-    document = document_of(report)
+def render(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, str]:
+    """The text of each file by name. Raises ReportError for what cannot be set."""
+    told = json.dumps(report_json(paper, results), ensure_ascii=False, indent=2, allow_nan=False)
+    texts = {"report.json": told + "\n"}
+    document = document_of(paper, results)
     for name, environment in (
         ("report.md", _environment(markdown.FILTERS)),
         ("report.html", _environment(_HTML_FILTERS, html=True)),
@@ -70,7 +70,7 @@ def _shared() -> dict[str, Any]:
     script = files("workbench.report").joinpath("templates/report.js").read_text("utf-8")
     digest = b64encode(sha256(script.encode()).digest()).decode()
     return {
-        "cited_as": _CITED_AS,
+        "cited_as": CITED_AS,
         "states": STATES,
         "verdicts": VERDICTS,
         "colours": list((VERDICTS | STATES).values()),

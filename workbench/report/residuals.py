@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from html import escape
 from math import ceil, floor, log10
-from typing import Any
 
-from workbench.verify.on_motions import cost_of_error, courses_of, percent
+from workbench.verify.on_motions import Course, courses_of, percent
+from workbench.verify.results import ClaimResult
 
 WIDTH, HEIGHT = 360, 150
 LEFT, RIGHT, TOP, BOTTOM = 46, 8, 18, 30
@@ -18,20 +18,20 @@ LEAST = 1e-17
 _FORMS = (("as printed", "#b3261e", ""), ("as corrected", "#1b6e3a", "4 2"))
 
 
-def residuals_svg(claim: Mapping[str, Any]) -> str | None:
+def residuals_svg(result: ClaimResult) -> str | None:
     """Inline SVG of both residuals over the size of the sides, on a logarithmic scale, over the time of the
-    motion; None for a claim that has not both (see `cost_of_error`). It has a title and a description for
+    motion; None for a claim that has not both (see `Witnessed.error`). It has a title and a description for
     those who do not see it, no script, no link and no id, so that it can stand in several places of a page.
     """
-    courses, cost = courses_of(claim), cost_of_error(claim)
+    courses, cost = courses_of(result.verdicts), result.on_motions.error
     if courses is None or cost is None:
         return None
-    values = [max(r, LEAST) for course in courses for r in course["residuals"] if r is not None]
-    plot = _Plot(courses[0]["times"], floor(log10(min(values))), ceil(log10(max(values))))
-    title = f"Equation {claim['equation'] or claim['id']} on {cost['motion']}"
+    values = [max(r, LEAST) for course in courses for r in course.residuals if r is not None]
+    plot = _Plot(courses[0].times, floor(log10(min(values))), ceil(log10(max(values))))
+    title = f"Equation {result.claim.equation or result.claim.id} on {cost.motion}"
     description = (
         f"Difference of the two sides over their size, against time. As printed it is largest at "
-        f"t = {cost['time']:g} s, {percent(cost['false'])}; corrected it is there below {cost['right']:.0e}."
+        f"t = {cost.time:g} s, {percent(cost.false)}; corrected it is there below {cost.right:.0e}."
     )
     body = "".join((*plot.axes(), *_curves(plot, courses), *_legend()))
     return (
@@ -68,9 +68,9 @@ class _Plot:
         yield f'<text x="{middle}" y="{HEIGHT - 6}" text-anchor="middle">t in s</text>'
 
 
-def _curves(plot: _Plot, courses: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+def _curves(plot: _Plot, courses: Sequence[Course]) -> Iterator[str]:
     for course, (_, colour, dashes) in zip(courses, _FORMS, strict=True):
-        for run in _runs(course["times"], course["residuals"]):
+        for run in _runs(course.times, course.residuals):
             points = " ".join(f"{plot.x(time)},{plot.y(residual)}" for time, residual in run)
             yield (
                 f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"'

@@ -6,9 +6,9 @@ import re
 import unicodedata
 from collections.abc import Iterable
 
+from workbench.report import ReportError
 from workbench.report.errata import Change
 from workbench.report.prose import Run
-from workbench.report.structure import ReportError
 from workbench.typeset import glyphs
 from workbench.typeset.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
 

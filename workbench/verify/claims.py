@@ -4,8 +4,8 @@ and the claim passes if the verdicts are those that its keys announce."""
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import cache
 from typing import Protocol
 
@@ -20,33 +20,14 @@ from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
 from workbench.papers.selection import select_claims
 from workbench.verify.memory import Keys, Memory
+from workbench.verify.results import FORMS, ClaimResult
 from workbench.verify.witnesses import Witnesses
-
-#: Outcomes that count as true: what a definition says is true by its being one.
-HOLDS = frozenset({Outcome.PROVED, Outcome.DEFINITION})
 
 #: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
 #: From this many claims on it pays to start a process for each core.
 MANY = 40
-
-#: The forms of a claim that get a verdict each.
-FORMS = ("printed", "reading", "corrected")
-
-
-@dataclass(frozen=True)
-class ClaimResult:
-    """The verdict on a claim as printed, on its reading and on its correction. `why_not`: if the claim did
-    not pass, which verdict was expected and which one came."""
-
-    claim: Claim
-    verdict: Verdict
-    reading: Verdict | None
-    corrected: Verdict | None
-    expected: Outcome
-    passed: bool
-    why_not: str = ""
 
 
 class Pool(Protocol):
@@ -116,7 +97,7 @@ class PaperJudge:
                 for form in found:
                     if found[form] is None:
                         found[form] = self._remember(claim, form, next(verdicts))
-                yield _result(claim, *(found.get(form) for form in FORMS))
+                yield ClaimResult(claim, *map(found.get, FORMS))
         finally:
             verdicts.close()
             if workers is not self._workers:
@@ -289,37 +270,3 @@ def _load_engines() -> None:
     """Here, once, and not in each process."""
     import workbench.judge.second.drake_ring
     import workbench.judge.second.sympy_ring  # noqa: F401
-
-
-def _result(
-    claim: Claim, verdict: Verdict, reading: Verdict | None, corrected: Verdict | None
-) -> ClaimResult:
-    expected = claim.expected
-    faults = list(_faults(claim, expected, verdict, reading, corrected))
-    return ClaimResult(claim, verdict, reading, corrected, expected, not faults, "; ".join(faults))
-
-
-def _faults(
-    claim: Claim, expected: Outcome, verdict: Verdict, reading: Verdict | None, corrected: Verdict | None
-) -> Iterator[str]:
-    if claim.unread is None or verdict.outcome not in HOLDS:  # a verdict where none was expected yet
-        yield from _differs("as printed", expected, verdict)
-    if reading is not None:
-        intended = Outcome.PROVED
-        if claim.corrected is not None:
-            intended = Outcome.REFUTED
-        elif claim.hypothesis is not None:
-            intended = Outcome.CONDITIONAL
-        yield from _differs("the reading", intended, reading)
-    if corrected is not None:
-        yield from _differs("the correction", Outcome.PROVED, corrected)
-
-
-def _differs(what: str, expected: Outcome, verdict: Verdict) -> Iterable[str]:
-    got = verdict.outcome
-    if got == Outcome.PROVED and not verdict.evidence:
-        yield f"{what}: proved without evidence"
-    if got == expected or (expected == Outcome.PROVED and got in HOLDS):
-        return
-    reason = f" ({verdict.reason})" if verdict.reason else ""
-    yield f"{what}: expected {expected}, got {got}{reason}"

@@ -1,56 +1,83 @@
-"""What Drake's motions say of a claim, in one line and in figures: made from the claim's own dictionary."""
+"""What Drake's motions say of a claim, in one line and in figures: read from the evidence on its forms."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from workbench.judge.verdict import Evidence, Verdict
 
 METHOD = "Drake reference motions"
 ALGEBRA = "no motion: algebra"
 
-Claim = Mapping[str, Any]
+#: By the names of a claim's forms.
+Verdicts: TypeAlias = Mapping[str, Verdict]
 
 
-def on_motions(claim: Claim) -> dict[str, Any]:
+@dataclass(frozen=True)
+class Cost:
+    """The residuals over the size of the sides, on one motion at one time (s): where the false form is worst.
+    right: a bound, a power of ten."""
+
+    motion: str
+    time: float
+    false: float
+    right: float
+
+
+@dataclass(frozen=True)
+class Course:
+    """The residuals over time of one form on one motion; None where they cannot be told."""
+
+    motion: str
+    times: Sequence[float]
+    residuals: Sequence[float | None]
+
+
+@dataclass(frozen=True)
+class Witnessed:
     """witness: "Drake" where a form of the claim was evaluated, else "no motion: algebra" or "none".
     because: why it was not.   error: what the false form costs beside the right one, None for a claim that
-    has not both on one motion.   line: all of it in words."""
-    found = list(_evidence(claim))
-    error = cost_of_error(claim)
-    reason = _reason(claim) if not found else None
-    witness = "Drake" if found else ALGEBRA if reason == ALGEBRA else "none"
-    return {"witness": witness, "because": reason, "error": error, "line": _line(found, error, reason)}
+    has not both on one motion, or where no motion tells them apart.   line: all of it in words."""
+
+    witness: str
+    because: str | None
+    error: Cost | None
+    line: str
 
 
-def cost_of_error(claim: Claim) -> dict[str, Any] | None:
-    """The residuals over the size of the sides, on one motion at one time: where the false form is worst.
+def witnessed(verdicts: Verdicts) -> Witnessed:
+    found = list(_evidence(verdicts))
+    error = _cost(verdicts)
+    if found:
+        return Witnessed("Drake", None, error, _line(found, error))
+    reason = next((v.no_motion for v in reversed(verdicts.values()) if v.no_motion), "not judged")
+    return Witnessed(ALGEBRA if reason == ALGEBRA else "none", reason, error, reason)
 
-    motion, time (s), false, right (figures); right is a bound, a power of ten. None where there is no false
-    form, or none that a motion tells from the right one.
-    """
-    courses = courses_of(claim)
-    if courses is None:
+
+def _cost(verdicts: Verdicts) -> Cost | None:
+    if (courses := courses_of(verdicts)) is None:
         return None
     false, right = courses
     told = [
         (wrong, time, good)
-        for time, wrong, good in zip(false["times"], false["residuals"], right["residuals"], strict=True)
+        for time, wrong, good in zip(false.times, false.residuals, right.residuals, strict=True)
         if wrong is not None and good is not None
     ]
     if not told:
         return None
     wrong, time, good = max(told, key=lambda each: each[0])
-    return {"motion": false["motion"], "time": time, "false": wrong, "right": good}
+    return Cost(false.motion, time, wrong, good)
 
 
-def courses_of(claim: Claim) -> tuple[Claim, Claim] | None:
-    """The residuals over time of the false form and of the right one, on one motion at the same times."""
+def courses_of(verdicts: Verdicts) -> tuple[Course, Course] | None:
+    """Those of the false form and of the right one, on one motion at the same times."""
     false, right = (
-        next((c for form in _forms(claim) if (c := _course(form, outcome)) is not None), None)
+        next((Course(**e.figures["course"]) for e in _evidence(verdicts) if _tells(e, outcome)), None)
         for outcome in ("the sides part", "residual within the error")
     )
-    if false is None or right is None or false["motion"] != right["motion"]:
+    if false is None or right is None or false.motion != right.motion:
         return None
     return false, right
 
@@ -60,43 +87,22 @@ def percent(share: float) -> str:
     return f"{100 * share:.0f} %" if share >= 0.1 else f"{100 * share:.2g} %"
 
 
-def witness_counts(claims: Iterable[Claim]) -> dict[str, int]:
-    """How many claims have Drake for a witness, have no motion, or have none for another reason."""
-    counts = Counter(claim["motion"]["witness"] for claim in claims)
-    return {name: counts[name] for name in ("Drake", ALGEBRA, "none")}
+def _tells(evidence: Evidence, outcome: str) -> bool:
+    return evidence.outcome == outcome and bool(evidence.figures.get("course"))
 
 
-def _course(form: Claim, outcome: str) -> Claim | None:
-    for evidence in form.get("evidence", ()):
-        if evidence["method"] == METHOD and evidence["outcome"] == outcome and evidence.get("course"):
-            return evidence["course"]
-    return None
+def _evidence(verdicts: Verdicts) -> Iterator[Evidence]:
+    return (e for verdict in verdicts.values() for e in verdict.evidence if e.method == METHOD)
 
 
-def _evidence(claim: Claim) -> Iterator[Claim]:
-    for form in _forms(claim):
-        yield from (e for e in form["evidence"] if e["method"] == METHOD)
-
-
-def _forms(claim: Claim) -> list[Claim]:
-    return [form for form in (claim, claim.get("reading"), claim.get("corrected")) if form]
-
-
-def _reason(claim: Claim) -> str:
-    forms = [form for form in (claim.get("corrected"), claim.get("reading"), claim) if form]
-    return next((form["no_motion"] for form in forms if form.get("no_motion")), "not judged")
-
-
-def _line(found: list[Claim], error: Mapping[str, Any] | None, reason: str | None) -> str:
-    if reason is not None:
-        return reason
+def _line(found: Sequence[Evidence], error: Cost | None) -> str:
     if error is not None:
-        off = percent(error["false"])
-        place = f"on {error['motion']} at t = {error['time']:g} s"
-        return f"{place}: as printed off by {off} of its sides, corrected by less than {error['right']:.0e}"
-    holding = [e for e in found if "residuals_below" in e]
+        off = percent(error.false)
+        place = f"on {error.motion} at t = {error.time:g} s"
+        return f"{place}: as printed off by {off} of its sides, corrected by less than {error.right:.0e}"
+    holding = [e.figures for e in found if "residuals_below" in e.figures]
     if not holding:
-        worst = found[0]
+        worst = found[0].figures
         return f"off by {percent(worst['residual'])} on {worst['motion']} at t = {worst['time']:g} s"
     best = holding[-1]
     smallest, largest = min(best["residuals_below"]), max(best["residuals_below"])

@@ -1,105 +1,150 @@
-"""The results of a paper as plain data: what every report is made from (same input, same bytes)."""
+"""The result on a claim: the verdict on each of its forms, and what follows from them."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Sequence
-from importlib.metadata import version
-from typing import Any
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
 
-from workbench.judge.verdict import Outcome, Verdict
-from workbench.papers.model import Claim, Formula, Paper
-from workbench.verify.claims import ClaimResult
-from workbench.verify.faults import fault_of, mend_dict
-from workbench.verify.on_motions import on_motions, witness_counts
+from workbench.judge.verdict import Counterexample, Outcome, Verdict
+from workbench.papers.model import Claim, Formula
+from workbench.typeset.differences import difference
+from workbench.verify.on_motions import Witnessed, witnessed
 
-_PACKAGES = {
-    "workbench": "kinematics-workbench",
-    "drake": "drake",
-    "python-flint": "python-flint",
-    "sympy": "sympy",
-    "numpy": "numpy",
-}
+#: Outcomes that count as true: what a definition says is true by its being one.
+HOLDS = frozenset({Outcome.PROVED, Outcome.DEFINITION})
+
+#: The forms of a claim that get a verdict each.
+FORMS = ("printed", "reading", "corrected")
 
 
-def report_dict(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:
-    """The canonical report: paper, versions, claims in reading order, and the count of each verdict."""
-    counts = Counter(result.verdict.outcome for result in results)
-    claims = [claim_dict(result) for result in results]
-    return {
-        "paper": {"title": paper.title, "doi": paper.doi, **paper.citation},
-        "versions": {name: version(package) for name, package in _PACKAGES.items()},
-        "claims": claims,
-        "summary": {str(outcome): counts[outcome] for outcome in Outcome if counts[outcome]},
-        "witnesses": witness_counts(claims),
-    }
+@dataclass(frozen=True)
+class Proposed:
+    """A right form that the machine proposes. difference: from the printed one, side by side
+    (`Difference.parts`)."""
+
+    latex: str
+    edit: str
+    difference: list[dict[str, str]]
+    verdict: Outcome
 
 
-def claim_dict(result: ClaimResult) -> dict[str, Any]:
-    """One claim with its verdicts. `evidence` is that on the printed form; a reading and a correction bring
-    their own."""
-    told = _told(result)
-    return {**told, "motion": on_motions(told)}
+@dataclass(frozen=True)
+class Certification:
+    """What Coq is remembered to say of one form of a claim, or of the steps of its theorem; `word`: all of it
+    in words. Nothing in it depends on the machine's speed."""
+
+    form: str
+    checked_by: str | None
+    axioms: tuple[str, ...]
+    scope: str | None
+    statement: str | None
+    premises_met: str | None
+    obstacle: str | None
+    word: str
 
 
-def _told(result: ClaimResult) -> dict[str, Any]:
-    claim, verdict = result.claim, result.verdict
-    refuted = verdict if verdict.counterexample or result.reading is None else result.reading
-    return {
-        "id": claim.id,
-        "equation": claim.equation,
-        "section": claim.section,
-        "printed": None if claim.ours else claim.printed.latex or claim.quote,
-        "formula": claim.printed.latex if claim.ours else None,
-        "goal": claim.goal.latex if claim.goal else None,
-        "statement": claim.statement,
-        "fault": fault_of(result),
-        "mend": mend_dict(result),
-        "read_back": verdict.read_back,
-        "verdict": str(verdict.outcome),
-        "scope": verdict.scope,
-        "reason": verdict.reason,
-        "reading": _form_dict(claim.reading, result.reading),
-        "corrected": _form_dict(claim.corrected, result.corrected),
-        "hypothesis": claim.hypothesis.latex if claim.hypothesis else verdict.hypothesis,
-        "assume": [formula.latex for formula in claim.assume],
-        "orders": str(claim.orders) if claim.orders else None,
-        "counterexample": refuted.counterexample.to_dict() if refuted.counterexample else None,
-        "evidence": [evidence.to_dict() for evidence in verdict.evidence],
-        "no_motion": verdict.no_motion or None,
-        "inherits": list(claim.inherits),
-        "note": claim.note,
-        "expected": str(result.expected),
-        "passed": result.passed,
-        "why_not": result.why_not,
-        **_place(claim),
-    }
+@dataclass(frozen=True)
+class ClaimResult:
+    """The verdict on a claim as printed, on its reading and on its correction.
+
+    proposed, certificates: what the machine proposes for it and what Coq says of it; None where nobody
+    asked."""
+
+    claim: Claim
+    verdict: Verdict
+    reading: Verdict | None = None
+    corrected: Verdict | None = None
+    proposed: tuple[Proposed, ...] | None = None
+    certificates: tuple[Certification, ...] | None = None
+
+    @property
+    def expected(self) -> Outcome:
+        return self.claim.expected
+
+    @property
+    def passed(self) -> bool:
+        return not self.why_not
+
+    @cached_property
+    def why_not(self) -> str:
+        """If the claim did not pass, which verdict was expected and which one came."""
+        return "; ".join(_unexpected(self))
+
+    @property
+    def verdicts(self) -> dict[str, Verdict]:
+        """By the forms that have one."""
+        found = {"printed": self.verdict, "reading": self.reading, "corrected": self.corrected}
+        return {form: verdict for form, verdict in found.items() if verdict is not None}
+
+    @property
+    def right(self) -> Formula | None:
+        """What stands right for what is printed, if anything does."""
+        return self.claim.corrected or self.claim.reading
+
+    @property
+    def hypothesis(self) -> str | None:
+        """The condition that the text does not state."""
+        return self.claim.hypothesis.latex if self.claim.hypothesis else self.verdict.hypothesis
+
+    @property
+    def counterexample(self) -> Counterexample | None:
+        """Against what is printed, or, where that says nothing, against its reading."""
+        if self.verdict.counterexample or self.reading is None:
+            return self.verdict.counterexample
+        return self.reading.counterexample
+
+    @cached_property
+    def on_motions(self) -> Witnessed:
+        """What Drake's motions say of its forms."""
+        return witnessed(self.verdicts)
+
+    @cached_property
+    def fault(self) -> str | None:
+        """What its `fault` says, or what can be derived; None where it is right as printed or nothing is
+        known.
+
+        Derived: what needs a condition lacks a hypothesis; what is false as it was meant is an error; what is
+        right as it was meant is a loss of the transcription if only marks differ, else a misprint."""
+        claim, outcome = self.claim, self.verdict.outcome
+        if claim.fault is not None or outcome in HOLDS | {Outcome.UNCHECKED, Outcome.PROBABLE}:
+            return claim.fault
+        if outcome is Outcome.CONDITIONAL or (outcome is Outcome.ARGUED and claim.hypothesis is not None):
+            return "hypothesis"
+        if outcome is Outcome.ARGUED:
+            return "error" if claim.corrected is not None else None
+        if Outcome.REFUTED in (outcome, self.reading and self.reading.outcome):
+            return "error"
+        return "transcription" if _only_marks_differ(claim) else "misprint"
 
 
-def _place(claim: Claim) -> dict[str, Any]:
-    """Of a claim in a text: its file, where it stands, and the steps before it in its chain."""
-    if claim.span is None:
-        return {}
-    span = claim.span
-    where = {
-        "file": str(span.file),
-        "line": span.line,
-        "column": span.column,
-        "end_line": span.end_line,
-        "end_column": span.end_column,
-    }
-    return {"place": where, "chain": list(claim.chain)}
+def _only_marks_differ(claim: Claim) -> bool:
+    if claim.reading is None or not claim.printed.latex:
+        return False
+    found = difference(claim.printed.latex, claim.reading.latex)
+    return bool(found and found.changes and all(change.kind == "mark" for change in found.changes))
 
 
-def _form_dict(formula: Formula | None, verdict: Verdict | None) -> dict[str, Any] | None:
-    if formula is None or verdict is None:
-        return None
-    return {
-        "latex": formula.latex,
-        "verdict": str(verdict.outcome),
-        "read_back": verdict.read_back,
-        "scope": verdict.scope,
-        "reason": verdict.reason,
-        "evidence": [evidence.to_dict() for evidence in verdict.evidence],
-        "no_motion": verdict.no_motion or None,
-    }
+def _unexpected(result: ClaimResult) -> Iterator[str]:
+    claim = result.claim
+    if claim.unread is None or result.verdict.outcome not in HOLDS:  # a verdict where none was expected yet
+        yield from _differs("as printed", result.expected, result.verdict)
+    if result.reading is not None:
+        intended = Outcome.PROVED
+        if claim.corrected is not None:
+            intended = Outcome.REFUTED
+        elif claim.hypothesis is not None:
+            intended = Outcome.CONDITIONAL
+        yield from _differs("the reading", intended, result.reading)
+    if result.corrected is not None:
+        yield from _differs("the correction", Outcome.PROVED, result.corrected)
+
+
+def _differs(what: str, expected: Outcome, verdict: Verdict) -> Iterator[str]:
+    got = verdict.outcome
+    if got == Outcome.PROVED and not verdict.evidence:
+        yield f"{what}: proved without evidence"
+    if got == expected or (expected == Outcome.PROVED and got in HOLDS):
+        return
+    reason = f" ({verdict.reason})" if verdict.reason else ""
+    yield f"{what}: expected {expected}, got {got}{reason}"

@@ -8,7 +8,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from itertools import islice, product
 from time import monotonic
-from typing import Any
 
 from workbench.budget import Budget, OutOfBudget, Workers
 from workbench.judge.kernel.judge import Judge
@@ -35,6 +34,7 @@ from workbench.repair.trees.as_printed import as_printed
 from workbench.repair.trees.readings import Readings
 from workbench.typeset.differences import difference, in_one_line
 from workbench.typeset.latex_atoms import in_colour
+from workbench.verify.results import Proposed
 
 _PROVED = (Outcome.PROVED, Outcome.DEFINITION)
 
@@ -62,14 +62,9 @@ class Proposal:
         found = difference(printed, self.latex)
         return in_colour(self.latex, found.marked_after if found else ())
 
-    def to_dict(self, printed: str) -> dict[str, Any]:
-        """For the report."""
-        return {
-            "latex": self.latex,
-            "edit": self.edit,
-            "difference": self.difference(printed),
-            "verdict": str(self.verdict.outcome),
-        }
+    def beside(self, printed: str) -> Proposed:
+        """As a result tells it."""
+        return Proposed(self.latex, self.edit, self.difference(printed), self.verdict.outcome)
 
 
 @dataclass(repr=False)
@@ -82,15 +77,6 @@ class Repair:
     seconds: float = 0.0
     complete: bool = False
 
-    def to_dict(self) -> dict[str, Any]:
-        return {
-            "id": self.claim.id,
-            "printed": self.claim.printed.latex,
-            "proposed": self.proposed(),
-            "candidates": self.candidates,
-            "complete": self.complete,
-        }
-
     @property
     def printed(self) -> str:
         """The printed form in the spelling of the proposals: the canonical one, if it can be read, in the
@@ -102,8 +88,8 @@ class Repair:
         table = self.claim.notation.symbols
         return as_printed(to_latex(formula.statement), formula.latex, table, integers)
 
-    def proposed(self) -> list[dict[str, Any]]:
-        return [proposal.to_dict(self.printed) for proposal in self.proposals]
+    def proposed(self) -> tuple[Proposed, ...]:
+        return tuple(proposal.beside(self.printed) for proposal in self.proposals)
 
     def __str__(self) -> str:
         lines = [

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
 
 from workbench.budget import Workers
 from workbench.judge.verdict import Outcome
 from workbench.papers.model import Claim
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.repair.propose.repair import Repair, repair
-from workbench.verify.claims import ClaimResult
+from workbench.verify.results import ClaimResult
 
 #: Verdicts on a printed form that ask for another form.
 TO_REPAIR = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
@@ -54,18 +53,14 @@ def _side_by_side(
             progress(found[claim.id])
 
 
-def proposals_for(
-    results: Iterable[ClaimResult],
-    limits: Limits = STANDARD,
+def with_proposals(
+    results: Sequence[ClaimResult],
+    limits: Limits | None = STANDARD,
     progress: Callable[[Repair], None] = lambda found: None,
-) -> dict[str, list[dict[str, Any]]]:
-    """By claim id, what the machine proposes where the printed form is refuted or ill-formed."""
+) -> list[ClaimResult]:
+    """The results, each with what the machine proposes if its printed form is refuted or ill-formed, few
+    changes first; with nothing if there are no limits."""
     claims = [r.claim for r in results if r.verdict.outcome in TO_REPAIR and r.claim.theorem is None]
-    repairs = repair_claims(claims, limits, progress) if claims else []
-    return {found.claim.id: found.proposed() for found in repairs}
-
-
-def with_proposals(claim: Mapping[str, Any], proposed: Mapping[str, list[dict[str, Any]]]) -> dict[str, Any]:
-    """A claim of the report with the key "proposed": a list of {latex, edit, difference, verdict},
-    few changes first."""
-    return {**claim, "proposed": proposed.get(claim["id"], [])}
+    repairs = repair_claims(claims, limits, progress) if claims and limits else []
+    proposed = {found.claim.id: found.proposed() for found in repairs}
+    return [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]

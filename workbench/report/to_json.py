@@ -1,0 +1,133 @@
+"""Results as JSON: what `--json` prints and report.json holds (same results, same bytes)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import asdict
+from importlib.metadata import version
+from typing import Any
+
+from workbench.judge.verdict import Verdict
+from workbench.papers.mends import mended, same_formula
+from workbench.papers.model import CITATION_KEYS, Claim, Formula, Paper
+from workbench.report.kinds import VERDICTS
+from workbench.verify.on_motions import ALGEBRA
+from workbench.verify.results import Certification, ClaimResult, Proposed
+
+_PACKAGES = {
+    "workbench": "kinematics-workbench",
+    "drake": "drake",
+    "python-flint": "python-flint",
+    "sympy": "sympy",
+    "numpy": "numpy",
+}
+
+
+def versions() -> dict[str, str]:
+    """Of the workbench and of what its verdicts rest on."""
+    return {name: version(package) for name, package in _PACKAGES.items()}
+
+
+def summary(results: Sequence[ClaimResult]) -> dict[str, int]:
+    """How many claims have each verdict."""
+    counts = Counter(result.verdict.outcome for result in results)
+    return {name: counts[name] for name in VERDICTS if counts[name]}
+
+
+def witness_counts(results: Sequence[ClaimResult]) -> dict[str, int]:
+    """How many claims have Drake for a witness, have no motion, or have none for another reason."""
+    counts = Counter(result.on_motions.witness for result in results)
+    return {name: counts[name] for name in ("Drake", ALGEBRA, "none")}
+
+
+def report_json(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:
+    """Paper, versions, claims in reading order, and the count of each verdict."""
+    return {
+        "paper": {
+            "title": paper.title,
+            "doi": paper.doi,
+            **{key: paper.citation[key] for key in CITATION_KEYS if key in paper.citation},
+        },
+        "versions": versions(),
+        "claims": [claim_json(result) for result in results],
+        "summary": summary(results),
+        "witnesses": witness_counts(results),
+    }
+
+
+def claim_json(result: ClaimResult) -> dict[str, Any]:
+    """One claim with its verdicts. `evidence` is that on the printed form; a reading and a correction bring
+    their own."""
+    claim, verdict, against = result.claim, result.verdict, result.counterexample
+    return {
+        "id": claim.id,
+        "equation": claim.equation,
+        "section": claim.section,
+        "printed": claim.shown,
+        "formula": claim.our_formula,
+        "goal": claim.goal.latex if claim.goal else None,
+        "statement": claim.statement,
+        "read_back": verdict.read_back,
+        "verdict": verdict.outcome,
+        "scope": verdict.scope,
+        "reason": verdict.reason,
+        "fault": result.fault,
+        "mend": _mend(claim),
+        "reading": _form(claim.reading, result.reading),
+        "corrected": _form(claim.corrected, result.corrected),
+        "hypothesis": result.hypothesis,
+        "assume": [formula.latex for formula in claim.assume],
+        "orders": str(claim.orders) if claim.orders else None,
+        "counterexample": against.to_dict() if against else None,
+        "evidence": [evidence.to_dict() for evidence in verdict.evidence],
+        "motion": asdict(result.on_motions),
+        "no_motion": verdict.no_motion or None,
+        "inherits": list(claim.inherits),
+        "note": claim.note,
+        "expected": result.expected,
+        "passed": result.passed,
+        "why_not": result.why_not,
+        **_asked("proposed", result.proposed),
+        **_place(claim),
+        **_asked("certificates", result.certificates),
+    }
+
+
+def _asked(key: str, told: Sequence[Proposed | Certification] | None) -> dict[str, Any]:
+    return {} if told is None else {key: [asdict(each) for each in told]}
+
+
+def _form(formula: Formula | None, verdict: Verdict | None) -> dict[str, Any] | None:
+    if formula is None or verdict is None:
+        return None
+    return {
+        "latex": formula.latex,
+        "verdict": verdict.outcome,
+        "read_back": verdict.read_back,
+        "scope": verdict.scope,
+        "reason": verdict.reason,
+        "evidence": [evidence.to_dict() for evidence in verdict.evidence],
+        "no_motion": verdict.no_motion or None,
+    }
+
+
+def _mend(claim: Claim) -> dict[str, Any] | None:
+    """The edits that mend the claim; `is_proved`: whether what they make of the print is the proved form."""
+    if claim.fault is None:
+        return None
+    mend, right, printed = claim.mend, claim.corrected or claim.reading, claim.printed.latex
+    makes_right = mend.edits and printed and right and same_formula(mended(printed, mend.edits), right.latex)
+    return {
+        "edits": [{"for": e.old, "read": e.new, "is_math": e.is_math} for e in mend.edits],
+        **{key: getattr(mend, key) for key in ("place", "beside", "cause", "add", "example")},
+        "mended_by": mend.by,
+        "is_proved": bool(makes_right),
+    }
+
+
+def _place(claim: Claim) -> dict[str, Any]:
+    """Of a claim in a text: its file, where it stands, and the steps before it in its chain."""
+    if claim.span is None:
+        return {}
+    return {"place": {**vars(claim.span), "file": str(claim.span.file)}, "chain": list(claim.chain)}

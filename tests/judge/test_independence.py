@@ -13,7 +13,7 @@ from test_imports import graph, imported, modules
 import proofs
 import workbench
 from workbench.judge.second import sympy_gate
-from workbench.judge.second.sympy_gate import QQ, lex, polynomial_ring, require_python_integers
+from workbench.judge.second.sympy_gate import QQ, ZZ, lex, polynomial_ring, require_python_integers
 
 ROOT = Path(workbench.__file__).parent
 SOURCES = {**modules(ROOT), **modules(Path(proofs.__file__).parent)}
@@ -101,6 +101,12 @@ def tops(self, values):
         seen.update((type(c), type(c.numerator)) for c in p.coeffs())
     return found
 engine.SympyRing.tops = tops
+over = engine.SympyRing.over_rationals
+def over_rationals(self, polynomials):
+    found = over(self, polynomials)
+    seen.update((type(c), type(c.numerator)) for p in found for c in p.coeffs())
+    return found
+engine.SympyRing.over_rationals = over_rationals
 """
 
 
@@ -108,15 +114,18 @@ engine.SympyRing.tops = tops
     "before", ["", IMPORTED_FIRST, FLINT_FIRST, "import flint\n"], ids=["first", "later", "flint", "alone"]
 )
 def test_the_second_engine_computes_with_python_integers(before):
-    code = before + SPY + IDENTITY + "assert seen == {(PythonMPQ, int)}, seen\n"
+    code = before + SPY + IDENTITY + "assert seen == {(int, int), (PythonMPQ, int)}, seen\n"
     done = run(code)
     assert done.returncode == 0, done.stderr
 
 
-def test_with_flint_s_numbers_there_is_no_verdict():
-    """If the field were SymPy's own, which is FLINT's here, the engine would say so."""
+@pytest.mark.parametrize("numbers", ["ZZ", "QQ"])
+def test_with_flint_s_numbers_there_is_no_verdict(numbers):
+    """If integers or rationals were SymPy's own, which are FLINT's here, the engine would say so."""
     code = (
-        FLINT_FIRST + "import workbench.judge.second.sympy_ring as engine\nengine.QQ = sympy.QQ\n" + IDENTITY
+        FLINT_FIRST
+        + f"import workbench.judge.second.sympy_ring as engine\nengine.{numbers} = sympy.{numbers}\n"
+        + IDENTITY
     )
     done = run(code)
     assert done.returncode and "RuntimeError: the second engine computes with flint" in done.stderr
@@ -134,9 +143,9 @@ def test_what_uses_sympy_s_own_numbers_is_refused_where_they_are_flint_s():
 
 def test_foreign_coefficients_are_seen():
     ring, x = polynomial_ring("x", QQ, lex)
-    require_python_integers(x / 3 + 1, ring.zero)
+    require_python_integers(x / 3 + 1, ring.zero, polynomial_ring("x", ZZ, lex)[1])
     with pytest.raises(RuntimeError, match="computes with"):
-        require_python_integers(x, polynomial_ring("x", sympy_gate.import_module("sympy").ZZ, lex)[1])
+        require_python_integers(x, polynomial_ring("x", sympy_gate.import_module("sympy").RR, lex)[1])
 
 
 def test_the_field_is_a_field():

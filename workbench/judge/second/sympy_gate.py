@@ -1,8 +1,8 @@
 """Where SymPy comes in: the one module that imports it, and sees to it that its numbers are Python's.
 
 SymPy takes FLINT's numbers where python-flint is installed, and settles that when it is first imported,
-perhaps by someone else. `QQ` computes with Python's integers in any case. What else of SymPy is handed out
-computes with the numbers that SymPy has settled on, so it is refused where these are not Python's.
+perhaps by someone else. `ZZ` and `QQ` compute with Python's integers in any case. What else of SymPy is handed
+out computes with the numbers that SymPy has settled on, so it is refused where these are not Python's.
 """
 
 from __future__ import annotations
@@ -14,18 +14,25 @@ from typing import Any
 os.environ.setdefault("SYMPY_GROUND_TYPES", "python")
 
 from sympy.external.gmpy import GROUND_TYPES
+from sympy.polys.domains.pythonintegerring import PythonIntegerRing
 from sympy.polys.domains.pythonrational import PythonRational
 from sympy.polys.domains.pythonrationalfield import PythonRationalField
 from sympy.polys.orderings import lex
-from sympy.polys.rings import PolyElement
+from sympy.polys.rings import PolyElement, PolyRing
 from sympy.polys.rings import ring as polynomial_ring
 
 from workbench.judge.subject.inventory import NotExact
 
-__all__ = ["QQ", "PolyElement", "lex", "polynomial_ring", "require_python_integers"]
+__all__ = ["QQ", "ZZ", "PolyElement", "PolyRing", "lex", "polynomial_ring", "require_python_integers"]
 
 #: What computes with the numbers that SymPy has settled on.
 HOMES = {"Matrix": "sympy", "eye": "sympy", "symbols": "sympy", "DomainMatrix": "sympy.polys.matrices"}
+
+
+class PythonIntegers(PythonIntegerRing):
+    """ℤ as Python's integers; SymPy's own class looks for the numbers that SymPy has settled on."""
+
+    tp = int
 
 
 class PythonRationals(PythonRationalField):
@@ -50,12 +57,15 @@ class PythonRationals(PythonRationalField):
 
 
 QQ = PythonRationals()
+ZZ = PythonIntegers()
 
 
 def require_python_integers(*polynomials: PolyElement) -> None:
-    """Raises RuntimeError if a coefficient is anything but a fraction of two Python integers."""
+    """Raises RuntimeError if a coefficient is anything but a Python integer or a fraction of two of them."""
     for p in polynomials:
-        for c in p.coeffs():
+        for c in p.values():
+            if type(c) is int:
+                continue
             if type(c) is not PythonRational or {type(c.numerator), type(c.denominator)} != {int}:
                 raise RuntimeError(f"the second engine computes with {type(c).__module__}.{type(c).__name__}")
 

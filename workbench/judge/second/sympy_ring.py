@@ -4,12 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import isqrt
+from functools import cached_property
+from math import gcd, isqrt, lcm
 from typing import Any
 
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource
-from workbench.judge.second.sympy_gate import QQ, PolyElement, lex, polynomial_ring, require_python_integers
+from workbench.judge.second.sympy_gate import (
+    QQ,
+    ZZ,
+    PolyElement,
+    PolyRing,
+    lex,
+    polynomial_ring,
+    require_python_integers,
+)
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter, parameters
 from workbench.language.terms import Relation
@@ -19,20 +28,31 @@ METHOD = "SymPy PolyRing on Python integers"
 
 
 class Ratio:
-    """numerator / Π denominatorᵢ^eᵢ. Denominators are monic polynomials, known by their place in the ring's
-    list, and never cancelled: equality needs no greatest common divisor."""
+    """top / (number · Π denominatorᵢ^eᵢ). The coefficients of top are integers, and number is a positive one.
+    Denominators are primitive polynomials with a positive leading coefficient, known by their place in the
+    ring's list, and never cancelled: equality needs no greatest common divisor of polynomials."""
 
-    __slots__ = ("below", "ring", "top")
+    __slots__ = ("below", "number", "ring", "top")
 
-    def __init__(self, ring: SympyRing, top: PolyElement, below: dict[int, int]) -> None:
-        self.ring, self.top, self.below = ring, top, below
+    def __init__(self, ring: SympyRing, top: PolyElement, number: int, below: dict[int, int]) -> None:
+        if number != 1:
+            common = gcd(number, *top.values())
+            if common != 1:
+                top, number = top.quo_ground(common), number // common
+        self.ring, self.top, self.number, self.below = ring, top, number, below
 
     def __add__(self, other: Any) -> Ratio:
         other = self.ring.lift(other)
-        if self.below == other.below:
-            return Ratio(self.ring, self.top + other.top, self.below)
-        common = {k: max(self.below.get(k, 0), other.below.get(k, 0)) for k in {*self.below, *other.below}}
-        return Ratio(self.ring, self._raised(common) + other._raised(common), common)
+        left, right, below = self.top, other.top, self.below
+        if below != other.below:
+            below = {k: max(below.get(k, 0), other.below.get(k, 0)) for k in {*below, *other.below}}
+            left, right = self._raised(below), other._raised(below)
+        number = lcm(self.number, other.number)
+        if number != self.number:
+            left = left * (number // self.number)
+        if number != other.number:
+            right = right * (number // other.number)
+        return Ratio(self.ring, left + right, number, below)
 
     __radd__ = __add__
 
@@ -43,7 +63,7 @@ class Ratio:
         return self.ring.normal(top)
 
     def __neg__(self) -> Ratio:
-        return Ratio(self.ring, -self.top, self.below)
+        return Ratio(self.ring, -self.top, self.number, self.below)
 
     def __sub__(self, other: Any) -> Ratio:
         return self + -self.ring.lift(other)
@@ -53,12 +73,13 @@ class Ratio:
 
     def __mul__(self, other: Any) -> Ratio:
         if isinstance(other, int):
-            return Ratio(self.ring, self.top * other, self.below)
+            return Ratio(self.ring, self.top * other, self.number, self.below)
         other = self.ring.lift(other)
-        below = dict(self.below)
-        for place, exponent in other.below.items():
-            below[place] = below.get(place, 0) + exponent
-        return Ratio(self.ring, self.ring.normal(self.top * other.top), below)
+        below = self.below or other.below
+        if self.below and other.below:
+            below = {k: self.below.get(k, 0) + other.below.get(k, 0) for k in {*self.below, *other.below}}
+        top = self.ring.normal(self.top * other.top) if self.top and other.top else self.ring.zero
+        return Ratio(self.ring, top, self.number * other.number, below)
 
     __rmul__ = __mul__
 
@@ -80,24 +101,43 @@ class SympyRing:
         first = {"circle": 1, "unit": 0, "quaternion": 0}
         names.sort(key=lambda p: first.get(p.part) != p.component)
         symbols = [f"n{i}" for i in reversed(range(self._roots))] + [f"y{i}" for i in range(len(names))]
-        self.polynomials, *generators = (
-            polynomial_ring(symbols, QQ, lex) if symbols else polynomial_ring("y", QQ, lex)
-        )
+        self.polynomials, *generators = polynomial_ring(symbols or "y", ZZ, lex)
+        self.zero = self.polynomials.zero
         self._root_generators = generators[: self._roots][::-1]
-        self._root_squares: list[PolyElement] = []
+        self._root_squares: list[PolyElement] = []  # over the rationals
         bases = dict(zip(names, generators[self._roots :], strict=False))
         self.denominators: list[PolyElement] = []
-        self.relations: list[PolyElement] = []
-        self.point = {p: Ratio(self, g, {}) for p, g in bases.items()}
+        self._squares: dict[int, PolyElement] = {}  # what the square of a generator is, by its place
+        self.point = {p: Ratio(self, g, 1, {}) for p, g in bases.items()}
         for parameter in names:
             if first.get(parameter.part) == parameter.component:
                 self._relate(parameter, bases)
 
     def _relate(self, squared: Parameter, bases: dict[Parameter, PolyElement]) -> None:
-        sphere = [
-            bases[Parameter(squared.symbol, squared.part, 0, i)] ** 2 for i in range(SPHERES[squared.part])
-        ]
-        self.relations.append(sum(sphere[1:], sphere[0]) - 1)
+        others = [i for i in range(SPHERES[squared.part]) if i != squared.component]
+        rest = sum(bases[Parameter(squared.symbol, squared.part, 0, i)] ** 2 for i in others)
+        self._square(bases[squared], 1 - rest)
+
+    def _square(self, generator: PolyElement, square: PolyElement) -> None:
+        """Has generator² rewritten as the square, where only generators ranked below it occur."""
+        self._squares[self.polynomials.gens.index(generator)] = square
+
+    @property
+    def relations(self) -> list[PolyElement]:
+        """What vanishes: generator² − square, by falling rank of the generators."""
+        generators = self.polynomials.gens
+        return [generators[place] ** 2 - self._squares[place] for place in sorted(self._squares)]
+
+    @cached_property
+    def rationals(self) -> PolyRing:
+        """The polynomials in the same indeterminates over ℚ, for what divides."""
+        return self.polynomials.clone(domain=QQ)
+
+    def over_rationals(self, polynomials: Sequence[PolyElement]) -> list[PolyElement]:
+        """Polynomials with integer coefficients as members of `rationals`."""
+        converted = [p.set_ring(self.rationals) for p in polynomials]
+        require_python_integers(*converted)
+        return converted
 
     def lift(self, value: Any) -> Ratio:
         if isinstance(value, Ratio):
@@ -106,11 +146,17 @@ class SympyRing:
         return self.constant(value.numerator, value.denominator)
 
     def constant(self, numerator: int, denominator: int) -> Ratio:
-        return Ratio(self, self.polynomials.ground_new(QQ(numerator, denominator)), {})
+        if denominator < 0:
+            numerator, denominator = -numerator, -denominator
+        return Ratio(self, self.polynomials.ground_new(ZZ(numerator)), denominator, {})
 
     def normal(self, p: PolyElement) -> PolyElement:
-        """The remainder by the relations, which are a Gröbner basis (see `differential_ring.py`)."""
-        return p.rem(self.relations) if self.relations else p
+        """The remainder by the relations, which are a Gröbner basis (see `differential_ring.py`): squares are
+        rewritten from the highest rank down."""
+        for place in sorted(self._squares):
+            if any(powers[place] > 1 for powers in p):
+                p = _with_square(p, place, self._squares[place].set_ring(p.ring))
+        return p
 
     def tops(self, values: Sequence[Any]) -> list[PolyElement]:
         """The numerators, in normal form. Raises RuntimeError if anything here is no number of Python's."""
@@ -122,19 +168,18 @@ class SympyRing:
         a, b = self.lift(a), self.lift(b)
         if not b:
             raise ZeroDivisionError("division by an expression that is identically zero")
-        upside_down = self.constant(1, 1)
+        upside_down = self.constant(b.number, 1)
         for place, exponent in b.below.items():
-            upside_down = upside_down * Ratio(self, self.denominators[place] ** exponent, {})
-        leading = b.top.LC
-        monic = b.top.quo_ground(leading)
-        if monic == 1:
-            inverse = Ratio(self, self.polynomials.ground_new(1 / leading), {})
-        else:
-            if monic not in self.denominators:
-                self.denominators.append(monic)
-            place = self.denominators.index(monic)
-            inverse = Ratio(self, self.polynomials.ground_new(1 / leading), {place: 1})
-        return a * upside_down * inverse
+            upside_down = upside_down * Ratio(self, self.denominators[place] ** exponent, 1, {})
+        content = gcd(*b.top.values()) if b.top.LC > 0 else -gcd(*b.top.values())
+        primitive = b.top.quo_ground(content)
+        below = {}
+        if primitive != 1:
+            if primitive not in self.denominators:
+                self.denominators.append(primitive)
+            below = {self.denominators.index(primitive): 1}
+        sign = self.polynomials.ground_new(ZZ(1 if content > 0 else -1))
+        return a * upside_down * Ratio(self, sign, abs(content), below)
 
     def root(self, square: Any) -> Ratio:
         square = self.lift(square)
@@ -142,25 +187,30 @@ class SympyRing:
             raise NotExact("the norm of a quotient")
         if not square:
             raise NotExact("the norm of zero")
-        leading = square.top.LC
+        (top,) = self.over_rationals([square.top])
+        top = top.quo_ground(QQ(square.number))
+        leading = top.LC
         outside = leading**0
         below = leading.denominator
         if leading > 0 and isqrt(leading.numerator * below) ** 2 == leading.numerator * below:
             outside = QQ(isqrt(leading.numerator * below), below)
-        top = square.top.quo_ground(outside**2)
+        top = top.quo_ground(outside**2)
+        root = self.constant(outside.numerator, outside.denominator)
         if top == 1:
-            return Ratio(self, self.polynomials.ground_new(outside), {})
-        root = self.polynomials.ground_new(outside)
+            return root
         for base, power in self._split(top):
-            root = root * self._root_generator(base) ** power
-        return Ratio(self, self.normal(root), {})
+            for _ in range(power):
+                root = root * self._root_of(base)
+        return root
 
-    def _root_generator(self, square: PolyElement) -> PolyElement:
+    def _root_of(self, square: PolyElement) -> Ratio:
+        """With d for the common denominator: the root of d² · square, an indeterminate, over d."""
+        below = lcm(*(c.denominator for c in square.coeffs()))
         if square not in self._root_squares:
-            generator = self._root_generators[len(self._root_squares)]
+            whole = {powers: int(c * below**2) for powers, c in square.terms()}
+            self._square(self._root_generators[len(self._root_squares)], self.polynomials.from_dict(whole))
             self._root_squares.append(square)
-            self.relations.insert(0, generator**2 - square)
-        return self._root_generators[self._root_squares.index(square)]
+        return Ratio(self, self._root_generators[self._root_squares.index(square)], below, {})
 
     def _split(self, square: PolyElement) -> list[tuple[PolyElement, int]]:
         """The factors of a square that are nowhere negative, with their powers; itself where one may be."""
@@ -172,6 +222,22 @@ class SympyRing:
         bases = [(p, k) if _is_nowhere_negative(p) else (p * p, k // 2) for p, k in monic]
         more = sum(p not in self._root_squares for p, _ in bases)
         return bases if len(self._root_squares) + more <= self._roots else [(square, 1)]
+
+
+def _with_square(p: PolyElement, place: int, square: PolyElement) -> PolyElement:
+    """p with x² replaced by the square, x being the indeterminate at that place."""
+    parts: dict[int, dict[tuple[int, ...], Any]] = {0: {}}
+    for powers, coefficient in p.items():
+        if powers[place] > 1:
+            half, odd = divmod(powers[place], 2)
+            powers = (*powers[:place], odd, *powers[place + 1 :])
+            parts.setdefault(half, {})[powers] = coefficient
+        else:
+            parts[0][powers] = coefficient
+    total = p.ring.zero
+    for half in range(max(parts), -1, -1):
+        total = total * square + p.new(parts.get(half, ()))
+    return total
 
 
 def _is_nowhere_negative(p: PolyElement) -> bool:
@@ -189,21 +255,21 @@ def recheck(
     if not equations:
         return not any(tops)
     supposed = [p for e in equations for p in ring.tops(engine.differences(e.left, e.right))]
-    supposed = [p for p in supposed if p]
-    rests = _eliminated(tops, supposed, ring)
+    supposed = ring.over_rationals([p for p in supposed if p])
+    rests = _eliminated(ring.over_rationals(tops), supposed, ring)
     return not any(_eliminated([ring.normal(rest * rest) for rest in rests if rest], supposed, ring))
 
 
 def _eliminated(tops: list[PolyElement], supposed: list[PolyElement], ring: SympyRing) -> list[PolyElement]:
     """The polynomials where the supposed ones vanish. A supposed one that is linear in an indeterminate, with
     a number as coefficient, is solved for it and put in; by the others the result is divided."""
-    bound = {x for relation in ring.relations for x in ring.polynomials.gens if relation.degree(x) > 0}
+    generators = ring.rationals.gens
+    relations = ring.over_rationals(ring.relations)
+    bound = {x for relation in relations for x in generators if relation.degree(x) > 0}
     supposed, divisors = list(supposed), []
     while supposed:
         p = supposed.pop()
-        solvable = (
-            x for x in ring.polynomials.gens if x not in bound and p.degree(x) == 1 and p.diff(x).is_ground
-        )
+        solvable = (x for x in generators if x not in bound and p.degree(x) == 1 and p.diff(x).is_ground)
         x = next(solvable, None)
         if x is None:
             divisors.append(p)
@@ -237,5 +303,5 @@ def recheck_distance(relation: Relation, inventory: Inventory, definitions: Look
 
 
 def _norm_square(ring: SympyRing, differences: Sequence[Any]) -> PolyElement:
-    tops = ring.tops(differences)
+    tops = ring.over_rationals(ring.tops(differences))
     return tops[0] if len(tops) == 1 else ring.normal(sum((t * t for t in tops[1:]), tops[0] * tops[0]))

@@ -59,6 +59,33 @@ def outcome(goal: str, proof=None, against=None) -> Verdict:
     return prove(read_goal(goal, where), where, Judge(where.definitions), proven)
 
 
+def test_lemmas_of_other_proofs_change_no_verdict():
+    """What was judged is found again by what is claimed, supposed and for which integers, and by no less."""
+    goals = [
+        r"\forall c \in V_3 : c \times c = \mathbf{0}",
+        r"a \times b = \mathbf{0}",
+        r"a = b \Rightarrow a \times b = \mathbf{0}",
+        r"a = -b \Rightarrow a \times b = \mathbf{0}",
+        r"a \times b = \mathbf{0}",
+        r"\forall n \geq 1 : \det F_n = \det F_n^T",
+        r"\forall n \geq 1 : F_n = F_n^T",
+        r"\forall n \geq 2 : F_n = \dot{F}_{n-1} + F_{n-1} F_1",
+        r"\forall n \geq 1 : F_n = \dot{F}_{n-1} + F_{n-1} F_1",
+    ]
+    where, lemmas, found = scope(), {}, []
+    judge = Judge(where.definitions)
+    for goal in goals * 2:
+        read, proven = read_goal(goal, where), Proven(Kernel())
+        known = len(lemmas)
+        shared = prove(read, where, judge, proven, lemmas=lemmas)
+        assert shared == prove(read, where, judge, proven), goal
+        found.append((str(shared.outcome), len(lemmas) - known))
+    first, again = found[: len(goals)], found[len(goals) :]
+    assert {outcome for outcome, _ in first} == {"proved", "refuted", "unchecked"}
+    assert [outcome for outcome, _ in again] == [outcome for outcome, _ in first]
+    assert sum(new for _, new in first) > 4 and not any(new for _, new in again)
+
+
 def test_quantifiers_reach_to_the_right():
     goal = read_goal(
         r"\forall n \geq 1 : \exists! X \in L(V_3, V_3) : \forall c \in V_3 : X c = F_n c", scope()

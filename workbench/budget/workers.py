@@ -7,6 +7,7 @@ code, so they need no lock that another thread may have held.
 
 from __future__ import annotations
 
+import gc
 import os
 import resource
 import signal
@@ -167,6 +168,7 @@ class _Worker:
         theirs.close()
 
     def _serve(self, pipe: Connection) -> None:
+        gc.freeze()  # what was loaded before the fork stays; to look it through again and again takes a tenth
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all; the caller ends this one
         signal.signal(signal.SIGPROF, signal.SIG_DFL)
         for worker in self._siblings:

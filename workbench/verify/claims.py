@@ -15,7 +15,7 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.proofs import False_, Kernel, Proven
-from workbench.judge.theorems.prove import prove
+from workbench.judge.theorems.prove import Lemmas, prove
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
 from workbench.papers.selection import select_claims
@@ -57,6 +57,7 @@ class PaperJudge:
         self.budget = budget or paper.budget or STANDARD
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[int, Judge] = {}
+        self._lemmas: dict[int, Lemmas] = {}  # by notation, as the judges
         self._theorem = cache(lambda name: paper.theorems[name]())  # several claims can rest on one
         self._claims = {claim.id: claim for claim in paper.claims}
         self._workers = self._new_workers(1)
@@ -177,6 +178,7 @@ class PaperJudge:
             proven,
             assume=claim.supposed,
             bare=claim.goal.bare if claim.hypothesis is not None else None,
+            lemmas=self._lemmas.setdefault(id(notation), {}),
         )
 
     def _argument(self, claim: Claim) -> Verdict:

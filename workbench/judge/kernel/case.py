@@ -23,6 +23,9 @@ from workbench.judge.subject.parameters import Parameter
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.language.terms import Relation, Statement, Symbol
 
+#: So many random points are cheaper to try than points to solve for.
+_FEW = 40
+
 
 @dataclass(frozen=True)
 class Setting:
@@ -73,8 +76,9 @@ class Case:
         would be proved; NotExact where none is found and that is not proved."""
         admitted = self._admitted(lambda trial: True)
         points = trials(self.inventory, self.definitions, self._completed)
+        first = islice(points, _FEW)
         if not self.assumptions.relations or any(
-            accepted(t, admitted) for t in chain(points, self._solved())
+            accepted(t, admitted) for t in chain(first, self._solved(), points)
         ):
             return
         if impossible(self.exact, self.assumptions):

@@ -1,8 +1,8 @@
 """Where SymPy comes in: the one module that imports it, and sees to it that its numbers are Python's.
 
 SymPy takes FLINT's numbers where python-flint is installed, and settles that when it is first imported,
-perhaps by someone else. `ZZ` and `QQ` compute with Python's integers in any case. What else of SymPy is handed
-out computes with the numbers that SymPy has settled on, so it is refused where these are not Python's.
+perhaps by someone else. `ZZ` and `QQ` compute with Python's integers in any case. What else of SymPy is
+handed out computes with the numbers that SymPy has settled on, so it is refused where these are not Python's.
 """
 
 from __future__ import annotations

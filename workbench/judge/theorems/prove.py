@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 from workbench.judge.kernel.families import SAME_TERM
 from workbench.judge.kernel.judge import Judge
@@ -48,6 +49,10 @@ from workbench.language.instances import free_integers
 from workbench.language.printer import to_latex
 from workbench.language.terms import IllFormed, Relation, Statement
 
+#: Verdicts of one judge on equations, by what is claimed, what is supposed and the integers with their least
+#: values.
+Lemmas: TypeAlias = "dict[tuple[Statement, tuple[Statement, ...], tuple[tuple[str, int], ...]], Verdict]"
+
 #: How many members of a family are looked at one by one, beside the proof for all of them.
 _MEMBERS = 3
 
@@ -75,14 +80,15 @@ def prove(
     proven: Proven,
     assume: Sequence[Statement] = (),
     bare: Goal | None = None,
+    lemmas: Lemmas | None = None,
 ) -> Verdict:
     """`proved`, or `refuted`; `unchecked`, with the rule and the reason, where the proof does not show the
     goal.
 
     bare: the goal without a hypothesis that the text does not state; if that is refuted, the verdict is
-    `conditional`."""
+    `conditional`. lemmas: what other proofs asked of the same judge, and this one adds to."""
     given = tuple(Premise(Atom(statement), False) for statement in assume)
-    prover = _Prover(judge)
+    prover = _Prover(judge, {} if lemmas is None else lemmas)
     try:
         if proven.proof is None and proven.against is None:
             raise NotShown("expected a proof or what stands against the goal")
@@ -114,6 +120,7 @@ SAME_ADDENDS = Evidence("operators applied, sums shifted and split", "both sides
 @dataclass(frozen=True)
 class _Prover:
     judge: Judge
+    lemmas: Lemmas
 
     def holds(self, sequent: Sequent, proof: Proof) -> Verdict:
         """As `show`, for what another verdict rests on: `proved`, or else `unchecked`. Here it is no matter
@@ -157,7 +164,11 @@ class _Prover:
             return Verdict(Outcome.UNCHECKED, reason=reason)
 
     def _judged(self, statement: Statement, obligation: Obligation, used: Mapping[str, int]) -> Verdict:
-        return self.judge.judge(statement, obligation.assume, orders=Members(used) if used else None)
+        asked = (statement, obligation.assume, tuple(used.items()))
+        if asked not in self.lemmas:
+            orders = Members(used) if used else None
+            self.lemmas[asked] = self.judge.judge(statement, obligation.assume, orders=orders)
+        return self.lemmas[asked]
 
     def _one_of(self, forms: Sequence[Relation], obligation: Obligation, used: Mapping) -> Verdict | None:
         """The proof, if there is one, of a form that is left when operators and sums are taken away."""

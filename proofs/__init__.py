@@ -36,6 +36,7 @@ chapter = InstalledPaper(
         _CHAPTER / "05_4_isomorphism.toml",
         _CHAPTER / "06_1_dual_twist.toml",
         _CHAPTER / "06_2_reduced_accelerations.toml",
+        _CHAPTER / "06_2_where_they_are_least.toml",
         _CHAPTER / "06_3_orders_by_107.toml",
         _CHAPTER / "06_4_orders_by_13.toml",
         _CHAPTER / "07_1_chains_and_lemma.toml",

@@ -10,10 +10,10 @@ from workbench.judge.theorems.proofs import (
     ByLength,
     Cases,
     Each,
+    False_,
     Follows,
     Given,
     Have,
-    Impossible,
     Kernel,
     Part,
     Proven,
@@ -61,16 +61,10 @@ THEOREMS = {
     ),
     "plane_motion": Proven(
         Each(
-            Given(
-                Cases(
-                    "s = 0",
-                    equal=Witness({"x": r"\mathbf{0}"}, Follows("Y", Y=Use(0))),
-                    unequal=Witness({"x": r"-\frac{1}{s} b"}),
-                )
-            ),
+            Given(Cases("s = 0", equal=Have(r"n \times b = \mathbf{0}", Follows("Y", Y=Use(0)), Kernel()))),
             Kernel(),
             Follows(r"Y - Z n \times x", Y=Use(0), Z=Use(1)),
         ),
-        against=Part(0, At({"s": "0"}, Impossible(Follows("Y", Y=Use(-1)), so=r"n \times b = \mathbf{0}"))),
+        against=Part(0, At({"s": "0"}, False_())),
     ),
 }

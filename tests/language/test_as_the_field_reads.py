@@ -223,7 +223,7 @@ def test_a_circle_over_a_letter_is_a_part_of_its_name() -> None:
 @pytest.mark.parametrize(
     ("formula", "feature"),
     [
-        (r"\min_a s = 0", "optimization is said by a goal"),
+        (r"\inf_a s = 0", "a bound that need not be reached"),
         (r"a \mapsto b = 0", "a map is not read"),
         (r"a = \{ b \mid s = 0 \}", "a set given by a condition"),
     ],

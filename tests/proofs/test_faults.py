@@ -53,7 +53,6 @@ IN_OTHER_LETTERS = {
     "79": "the ρ of the decomposition, ρ_s in the proof, is not any vector",
     "97": "PQ is a word for ρ_Q − ρ_P, which is proved in its place",
     **dict.fromkeys(("101.A", "101.J", "101.H"), "as 97"),
-    **dict.fromkeys(("102.A", "102.J", "102.H"), "a minimum is proved as a goal, and here without the word"),
     "103.twist": "ω̲ on both sides would say nothing; it is written out by (90)",
     "121": "a product of k − 1 rotations is one letter in the proof",
     "124.power": "the print is of all powers; the first is refuted and proved, 124.powers goes on",

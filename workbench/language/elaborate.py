@@ -18,6 +18,7 @@ from workbench.language.syntax import (
     Bracket,
     Chain,
     Conditional,
+    Extremal,
     Fraction,
     Group,
     Leaf,
@@ -73,6 +74,8 @@ class Elaborator(Scope):
                 return node.term
             case Binomial():
                 return self.combinations(node.top, node.bottom)
+            case Extremal():
+                raise Fault("a minimum or maximum stands alone on a side of an equation", node.at)
             case Matrix():
                 rows = [[self.term(entry) for entry in row] for row in node.rows]
                 return self.build(node.at, construct.block, rows)

@@ -28,6 +28,7 @@ from workbench.language.terms import (
     Counting,
     Derivative,
     Equivalence,
+    Extremum,
     IllFormed,
     Implication,
     Integer,
@@ -74,6 +75,9 @@ class Instantiation:
                 return type(formula)(self.formula(formula.left), self.formula(formula.right))
             case Conjunction():
                 return Conjunction(tuple(self.formula(part) for part in formula.parts))
+            case Extremum():
+                sides = self.term(formula.body), self.term(formula.value)
+                return Extremum.of(formula.least, formula.letters, *sides)
         return self.term(formula)
 
     def term(self, term: Term) -> Term:

@@ -19,6 +19,7 @@ from workbench.language.terms import (
     Derivative,
     DualUnit,
     Equivalence,
+    Extremum,
     Identity,
     Implication,
     Integer,
@@ -59,6 +60,8 @@ def to_latex(formula: Term | Statement) -> str:
             return f"{premises} \\Rightarrow {to_latex(formula.right)}"
         case Conjunction(parts=parts):
             return _chain(parts)
+        case Extremum():
+            return _extremum(formula)
     return _print(formula).text
 
 
@@ -74,6 +77,18 @@ def _chain(parts: tuple[Statement, ...]) -> str:
         joint = ", \\quad " if before.operator == part.operator == "=" else " \\text{ and } "
         text += alone[len(right) :] if goes_on else joint + alone
     return text
+
+
+def _extremum(said: Extremum) -> str:
+    letters = ", ".join(f"{_symbol(x).text} \\in {_domain(x)}" for x in said.letters)
+    body = _print(said.body).at_least(_INFIX)
+    return f"\\{'min' if said.least else 'max'}_{{{letters}}} {body} = {_print(said.value).text}"
+
+
+def _domain(letter: Symbol) -> str:
+    if letter.declaration.unit:
+        return "\\mathbb{S}^{2}"
+    return "\\mathbb{R}" if letter.type.kind == "scalar" else "\\mathbf{V}_{3}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -148,15 +148,20 @@ def refuse_alone(members: Sequence[Node]) -> None:
 
 def require_member(term: Term, where: Node, at: int) -> None:
     """Raises Fault for a set that is not known, and for a term that is not declared to be in it."""
-    name = set_name(where)
-    letter, _, dimension = _STYLE.sub("", _OF_TIME.sub("", name)).replace("^", "_").partition("_")
-    kind = _SETS.get((letter, dimension))
+    name, kind = set_name(where), kind_of_members(where)
     if kind is None:
         raise Fault(f"the set {name} is not known here; declare what its members are in [symbols]", where.at)
     dual = "dual " if "\\underline" in name else ""
     if not _is(term, kind) or (term.type.dual and not dual):
         got = "dual " * term.type.dual + ("rotation" if _is(term, "rotation") else term.type.kind)
         raise Fault(f"a member of {name} is a {dual}{kind}; here it is a {got}, as declared", at)
+
+
+def kind_of_members(where: Node) -> str | None:
+    """What the members of a set are called, real or dual; None for a set that is not known. Raises Fault."""
+    name = _STYLE.sub("", _OF_TIME.sub("", set_name(where))).replace("^", "_")
+    letter, _, dimension = name.partition("_")
+    return _SETS.get((letter, dimension))
 
 
 def _is(term: Term, kind: str) -> bool:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from workbench.language import construct
 from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault, Misfit
+from workbench.language.extrema import extrema, is_extremal
 from workbench.language.ranges import Membership, Range, is_range, ranges_of, refuse_alone, require_member
 from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
@@ -237,6 +238,8 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
     for sign, at in chain.relations:
         if sign not in "=≠":
             raise Fault(f"{sign} states a range only; statements are made with = and \\neq", at)
+    if any(map(is_extremal, chain.sides)):
+        return _together(extrema(reader, chain))
     reader.tensor_operand = None
     terms = [reader.term(side) for side in chain.sides]
     _refuse_applied(reader, terms)

@@ -109,6 +109,14 @@ class Summation(Node):
 
 
 @dataclass(frozen=True, slots=True)
+class Extremal(Node):
+    """\\min or \\max, with what stands under it; it acts on the rest of its product."""
+
+    least: bool
+    over: Node | None
+
+
+@dataclass(frozen=True, slots=True)
 class Product(Node):
     """Two or more factors and infix signs in a row."""
 
@@ -217,6 +225,13 @@ class _Builder(Transformer):
         if scripts.primes or scripts.factorial:
             raise Fault("a sum has a lower and an upper bound only", at)
         return Summation(at, scripts.sub, scripts.sup)
+
+    def extremal(self, children):
+        at = children[0].start_pos
+        scripts = _scripts(Leaf(at, "MARK", "∑"), children[1:])
+        if scripts.primes or scripts.factorial or scripts.sup is not None:
+            raise Fault("expected nothing but letters and their sets under a minimum or maximum", at)
+        return Extremal(at, children[0] == "min", scripts.sub)
 
     def factor(self, children):
         return children[0] if len(children) == 1 else _scripts(children[0], children[1:])

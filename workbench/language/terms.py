@@ -205,7 +205,31 @@ class Conjunction:
     parts: tuple[Statement, ...]
 
 
-Statement = Relation | Equivalence | Implication | Conjunction
+@dataclass(frozen=True, slots=True)
+class Extremum:
+    """The least value (or the greatest) that the body takes over all values of the letters, which it binds,
+    is `value`; it takes it somewhere."""
+
+    least: bool
+    letters: tuple[Symbol, ...]
+    body: Term
+    value: Term
+
+    @staticmethod
+    def of(least: bool, letters: tuple[Symbol, ...], body: Term, value: Term) -> Extremum:
+        """Raises IllFormed where the body is no real scalar, or weighs more or less than the value."""
+        if body.type.kind != "scalar" or body.type.dual:
+            raise IllFormed(f"the least or greatest of a {body.type}; expected a real scalar")
+        if value.type != body.type:
+            raise IllFormed(f"what is least or greatest is a {body.type}, and the other side a {value.type}")
+        if None not in (body.weight, value.weight) and body.weight != value.weight:
+            raise IllFormed(f"the two sides differ in weight: {body.weight} and {value.weight}")
+        if any(part in letters for part in value.walk()):
+            raise IllFormed("what a minimum or maximum is taken over stands on the other side too")
+        return Extremum(least, letters, body, value)
+
+
+Statement = Relation | Equivalence | Implication | Conjunction | Extremum
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,6 +34,8 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "dfrac": ("FRACTION", "frac"),
     "binom": ("BINOMIAL", "binom"),
     "sum": ("SUM", "sum"),
+    "min": ("EXTREMAL", "min"),
+    "max": ("EXTREMAL", "max"),
     "cdot": ("INFIX", "·"),
     "times": ("INFIX", "×"),
     "otimes": ("INFIX", "⊗"),
@@ -143,8 +145,8 @@ DOTS = frozenset({"dots", "ldots", "cdots", "vdots", "ddots", "dotsb", "dotsc", 
 #: What to write in place of commands that cannot be read.
 EXPECTED = {
     **dict.fromkeys(
-        ("min", "max", "inf", "sup"),
-        "optimization is said by a goal: the bound for all places (\\forall), and one that has it (\\exists)",
+        ("inf", "sup"),
+        "a bound that need not be reached is not read; \\min and \\max are",
     ),
     **dict.fromkeys(
         ("mapsto", "to", "rightarrow", "colon"), "a map is not read; its values are, as in f(x) = …"

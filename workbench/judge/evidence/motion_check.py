@@ -19,6 +19,7 @@ from workbench.language.terms import (
     Apply,
     Conjunction,
     Equivalence,
+    Extremum,
     IllFormed,
     Implication,
     Relation,
@@ -220,6 +221,8 @@ def relations(statement: Statement) -> Iterator[Relation]:
         case Implication() | Equivalence():
             yield from relations(statement.left)
             yield from relations(statement.right)
+        case Extremum(body=body, value=value):
+            yield Relation("=", body, value)
 
 
 def _same(case: _Case) -> bool:

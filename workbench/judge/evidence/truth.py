@@ -14,7 +14,16 @@ from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource, sample
 from workbench.judge.subject.inventory import Inventory
 from workbench.judge.subject.parameters import SPHERES, Parameter, parts
-from workbench.language.terms import Conjunction, Equivalence, Implication, Relation, Statement, Symbol, Term
+from workbench.language.terms import (
+    Conjunction,
+    Equivalence,
+    Extremum,
+    Implication,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
 
 #: The errors of many references add up; two disturbances see a part of that.
 SAFETY = 16.0
@@ -107,7 +116,16 @@ class Evaluation:
                 one, other = self._truth(left), self._truth(right)
                 met = one.holds | other.holds
                 return replace(one, holds=one.holds == other.holds, told=one.told & other.told & met)
+            case Extremum(least=least, body=body, value=value):
+                return self._bound(*((body, value) if least else (value, body)))
         raise TypeError(f"no truth of a {type(statement).__name__}")
+
+    def _bound(self, more: Term, less: Term) -> Truth:
+        """more ≥ less, at the place that varies in a minimum or maximum."""
+        truth = self._relation(Relation("=", more, less))
+        over, under = (self._lanes(self._engine.components(side))[0, :, 0] for side in (more, less))
+        beaten = np.maximum(under - over, 0.0)
+        return replace(truth, residual=beaten, holds=beaten <= truth.error)
 
     def _relation(self, relation: Relation) -> Truth:
         differences = self._lanes(self._engine.differences(relation.left, relation.right))

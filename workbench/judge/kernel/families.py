@@ -26,6 +26,7 @@ from workbench.language.terms import (
     Conjunction,
     Derivative,
     Equivalence,
+    Extremum,
     IllFormed,
     Implication,
     Relation,
@@ -303,6 +304,8 @@ def _mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Stateme
             return of(statement)
         case Equivalence() | Implication():
             return type(statement)(_mapped(statement.left, of), _mapped(statement.right, of))
+        case Extremum():
+            raise NotExact("a minimum or maximum for all n at once")
     return Conjunction(tuple(_mapped(part, of) for part in statement.parts))
 
 
@@ -313,6 +316,8 @@ def _terms(statement: Statement) -> Iterator[Term]:
         case Equivalence() | Implication():
             yield from _terms(statement.left)
             yield from _terms(statement.right)
+        case Extremum():
+            yield from (statement.body, statement.value)
         case Conjunction():
             for part in statement.parts:
                 yield from _terms(part)

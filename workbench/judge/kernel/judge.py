@@ -9,13 +9,14 @@ from dataclasses import dataclass, replace
 from workbench.judge.kernel.branches import holds_arc, judge_branch
 from workbench.judge.kernel.case import Setting
 from workbench.judge.kernel.equation import Equation
+from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import OrderRanges, judge_family
 from workbench.judge.kernel.zero_sets import judge_inequation, judge_zeros
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.printer import to_latex
-from workbench.language.terms import Conjunction, Equivalence, Implication, Relation, Statement
+from workbench.language.terms import Conjunction, Equivalence, Extremum, Implication, Relation, Statement
 
 
 @dataclass(frozen=True)
@@ -84,6 +85,8 @@ class Judge(Setting):
                 return judge_zeros(self, left, right, assume, both_ways=False)
             case Implication(left=left, right=right):
                 return self._implied(left, right, assume)
+            case Extremum():
+                return judge_extremum(self, statement, assume, self._judge)
         raise NotExact("a statement of this form")
 
     def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:

@@ -18,7 +18,7 @@ from workbench.judge.theorems.goals import (
     Scope,
     Variable,
 )
-from workbench.language.terms import Relation, Statement, Symbol, Term
+from workbench.language.terms import Extremum, Relation, Statement, Symbol, Term
 
 FORMULA = "formula"
 
@@ -132,6 +132,8 @@ def relations_of(statement: Statement) -> Iterator[Relation]:
     match statement:
         case Relation():
             yield statement
+        case Extremum(body=body, value=value):
+            yield Relation("=", body, value)
         case _ if hasattr(statement, "parts"):
             for part in statement.parts:
                 yield from relations_of(part)

@@ -29,6 +29,7 @@ from workbench.language.terms import (
     Definition,
     Derivative,
     Equivalence,
+    Extremum,
     Implication,
     Relation,
     Statement,
@@ -111,6 +112,11 @@ class Substitution:
                 return Conjunction(tuple(self.statement(part, lasting) for part in parts))
             case Equivalence(left, right) | Implication(left, right):
                 return type(statement)(self.statement(left, lasting), self.statement(right, lasting))
+            case Extremum(least, letters, body, value):
+                for letter in letters:
+                    if letter.declaration.name in self.used or letter.declaration.name in self.terms:
+                        raise GoalError(f"{letter.declaration.name} varies where a term with it is put in")
+                return Extremum.of(least, letters, self.term(body, lasting), self.term(value, lasting))
 
     def term(self, term: Term, lasting: bool = False) -> Term:
         if not any(self._is_reached_by(definition, set()) for definition in self.definitions):

@@ -1,0 +1,124 @@
+"""\\min_{x \\in V_3} f = m: what is least (or greatest) over which letters, and what it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from workbench.language.elaborate import Elaborator
+from workbench.language.errors import Fault
+from workbench.language.names import Scripts, base_name, literal, spell
+from workbench.language.ranges import kind_of_members, set_name
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import (
+    Chain,
+    Extremal,
+    Group,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+)
+from workbench.language.terms import Extremum, Symbol, Term
+from workbench.language.types import SCALAR, VECTOR, Declaration
+
+_KINDS = {"scalar": SCALAR, "vector": VECTOR, "unit vector": VECTOR}
+
+
+def is_extremal(side: Node) -> bool:
+    """Whether the side is \\min or \\max of something."""
+    return isinstance(side, Product) and isinstance(side.items[0], Extremal)
+
+
+def extrema(reader: Elaborator, chain: Chain) -> list[Extremum]:
+    """What a chain with \\min or \\max on some sides says of them: all are equal to its other sides, of which
+    there must be one. Raises Fault and Misfit."""
+    for sign, at in chain.relations:
+        if sign != "=":
+            raise Fault(f"a minimum or maximum is said to be equal to something; {sign} is not read here", at)
+    values = [side for side in chain.sides if not is_extremal(side)]
+    if not values:
+        raise Fault("of a minimum or maximum a formula says what it is: expected such a side", chain.at)
+    value = reader.term(values[0])
+    return [_extremum(reader, side, value) for side in chain.sides if is_extremal(side)]
+
+
+def _extremum(reader: Elaborator, side: Product, value: Term) -> Extremum:
+    operator, *rest = side.items
+    if any(isinstance(item, Extremal) for item in rest):
+        raise Fault("a minimum or maximum within another one", side.at)
+    if isinstance(rest[0], Infix):
+        raise Fault("nothing between a minimum or maximum and the sign", rest[0].at)
+    if operator.over is None:
+        what = "minimum" if operator.least else "maximum"
+        raise Fault(f"a {what} over what? write it under the sign, as in \\min_{{x \\in V_3}}", operator.at)
+    table, letters = reader.table, []
+    for node, kind in _bound(operator.over):
+        symbol = _letter(table, reader, node, kind)
+        table = table if symbol.declaration.name in table.symbols else table.with_symbol(symbol.declaration)
+        letters.append(symbol)
+    inner = Elaborator(table, reader.variables)
+    body = inner.term(rest[0] if len(rest) == 1 else Product(rest[0].at, tuple(rest)))
+    return reader.build(side.at, Extremum.of, operator.least, tuple(letters), body, value)
+
+
+def _bound(over: Node) -> Iterator[tuple[Node, str | None]]:
+    """The letters under the sign, each with the kind of the members of its set; None where no set is said."""
+    waiting: list[Node] = []
+    for part in over.parts if isinstance(over, Group) else (over,):
+        if isinstance(part, Chain):
+            if [sign for sign, _ in part.relations] != ["∈"]:
+                raise Fault("a condition under a minimum or maximum; expected letters and sets only", part.at)
+            letter, domain = part.sides
+            kind = kind_of_members(domain)
+            if kind not in _KINDS:
+                name = set_name(domain)
+                raise Fault(
+                    f"a minimum or maximum over {name}; known: ℝ, V_3, and S^2 (unit vectors)", part.at
+                )
+            yield from ((node, kind) for node in (*waiting, letter))
+            waiting = []
+        else:
+            waiting.append(part)
+    yield from ((node, None) for node in waiting)
+
+
+def _letter(table: SymbolTable, reader: Elaborator, node: Node, kind: str | None) -> Symbol:
+    """The letter as it is declared; one that is not is a constant of its set."""
+    name = _name(node)
+    declared = table.find([name]) if name is not None else None
+    if declared is None:
+        if kind is None:
+            raise Fault("over which set? expected a letter and its set, as in x \\in V_3", node.at)
+        if name is None or name in reader.variables:
+            raise Fault("expected a letter, such as x, under a minimum or maximum", node.at)
+        declaration = Declaration(name, _KINDS[kind], constant=True, unit=kind == "unit vector")
+        return Symbol(declaration.type, None, declaration)
+    symbol = reader.term(node)
+    if not isinstance(symbol, Symbol) or symbol.declaration.name in table.defined:
+        raise Fault("a minimum or maximum is taken over letters that nothing defines", node.at)
+    declaration = symbol.declaration
+    unit = kind == "unit vector" if kind is not None else declaration.unit
+    fits = declaration.type == _KINDS[kind] if kind is not None else declaration.type in (SCALAR, VECTOR)
+    if not fits or declaration.unit != unit or declaration.clock or declaration.of:
+        raise Fault(f"{declaration.name} is declared as another thing than what varies here", node.at)
+    return symbol
+
+
+def _name(node: Node) -> str | None:
+    scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
+    if scripted.factorial or scripted.sup is not None:
+        return None
+    styles: list[str] = []
+    letter: Node = scripted.nucleus
+    while isinstance(letter, Styled) or (isinstance(letter, Group) and len(letter.parts) == 1):
+        if isinstance(letter, Styled):
+            styles.append(letter.style)
+        letter = letter.body if isinstance(letter, Styled) else letter.parts[0]
+    if not isinstance(letter, Leaf) or letter.kind != "LETTER":
+        return None
+    pieces: Sequence | None = spell(
+        base_name(styles, letter.text), Scripts(sub=scripted.sub, primes=scripted.primes), ()
+    )
+    return None if pieces is None else literal(pieces)

@@ -113,7 +113,7 @@ BRACKETS = {
     "\\lVert": ("\\|", 1),
     "\\rVert": ("\\|", -1),
 }
-MATRICES = frozenset({"matrix", "bmatrix", "pmatrix", "smallmatrix"})
+MATRICES = frozenset({"matrix", "bmatrix", "pmatrix", "smallmatrix", "bsmallmatrix", "psmallmatrix"})
 LINES = frozenset({"cases", "aligned", "align", "align*", "gathered", "split"})
 
 #: Signs without a meaning of their own: a paper says in [notation] what they are.

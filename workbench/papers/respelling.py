@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
+from workbench.papers.plain_tex import with_nuclei, with_typefaces
 from workbench.papers.texts import Token
 
 _DROPPED = frozenset(
@@ -75,6 +76,9 @@ _UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})
 _LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace"})
 _OPERATORS = frozenset({"operatorname", "mathop", "symup"})
 _TEXTS = frozenset({"mbox", "text", "hbox", "textrm"})
+_GROUPS = frozenset({"SO", "SE", "so", "se"})
+_OVER = frozenset({"overset", "stackrel", "underset"})
+_NO_NOTES = frozenset({"\\sim", "\\approx", "\\cdot", "\\circ", "\\wedge", "\\triangle", "\\Delta"})
 _BOLD = frozenset({"\\boldmath", "\\bf", "\\bfseries"})
 _TYPED = {(":", "="): ":=", ("=", ">"): "\\Rightarrow"}
 _RENAMED = {
@@ -110,7 +114,7 @@ _RENAMED = {
 def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Token]:
     """Without what moves, colours or numbers; bold italics and brackets by names that the reader knows; and
     letters that stand together and are one of the words by the command of this name."""
-    made = list(_respelled(list(tokens)))
+    made = list(_respelled(list(with_nuclei(list(with_typefaces(tokens))))))
     if any(token.word in _OPERATORS for token in tokens):
         made = _tidied(made)
     return list(_with_words(made, words))
@@ -207,6 +211,11 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             yield token.standing_for("{")
             yield from _respelled(inner)
             yield token.standing_for("}")
+        elif word in _TEXTS and _is_name(tokens, place):
+            yield token.standing_for("\\mathrm")
+        elif word in _OVER and (sign := _noted_sign(tokens, place)) is not None:
+            yield tokens[sign[0]]
+            place = sign[1]
         elif word in _DROPPED_WITH_ARGUMENT:
             _, place = argument(tokens, _past(tokens, place, "*"))
         elif word in _UNWRAPPED:
@@ -223,6 +232,23 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             yield from _respelled(inner)
         else:
             yield token.standing_for(_RENAMED.get(word, token.text))
+
+
+def _is_name(tokens: Sequence[Token], place: int) -> bool:
+    """Whether \\text holds one letter, or the name of a group: v in \\text{v}, SO in \\textrm{SO}(3)."""
+    inside = "".join(token.text for token in argument(tokens, place)[0])
+    return (len(inside) == 1 and inside.isalpha()) or inside in _GROUPS
+
+
+def _noted_sign(tokens: Sequence[Token], place: int) -> tuple[int, int] | None:
+    """Where the = of \\overset{(a)}{=} stands, and the place behind; None for a sign of another meaning."""
+    note, end = argument(tokens, place)
+    sign, behind = argument(tokens, end)
+    words = "".join(token.text for token in note)
+    is_note = not any(token.text in _NO_NOTES for token in note) and "def" not in words and "?" not in words
+    if not is_note or [token.text for token in sign if token.text != " "] != ["="]:
+        return None
+    return tokens.index(next(token for token in sign if token.text == "="), end), behind
 
 
 def _is_empty(tokens: Sequence[Token], place: int) -> bool:

@@ -1,0 +1,261 @@
+"""The rows of a display as lines of an argument: alignment marks, environments, lines that go on."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from workbench.papers.respelling import argument, respelled
+from workbench.papers.texts import Display, Token, joined
+
+_LINES = frozenset(
+    [
+        "aligned",
+        "alignedat",
+        "split",
+        "gathered",
+        "cases",
+        "dcases",
+        "rcases",
+        "align",
+        "align*",
+        "gather",
+        "gather*",
+        "array",
+        "equation",
+        "equation*",
+        "multlined",
+    ]
+)
+EQUALITIES = frozenset({"=", ":=", "\\equiv", "\\stackrel", "\\overset"})
+_OTHERS = frozenset(
+    [
+        "\\neq",
+        "\\ne",
+        "\\approx",
+        "\\simeq",
+        "\\sim",
+        "\\propto",
+        "<",
+        ">",
+        "\\le",
+        "\\leq",
+        "\\ge",
+        "\\geq",
+        "\\lt",
+        "\\gt",
+        "\\in",
+        "\\to",
+        "\\mapsto",
+        "\\ll",
+        "\\gg",
+        "\\cong",
+        "\\doteq",
+        "\\subset",
+        "\\rightarrow",
+    ]
+)
+RELATIONS = EQUALITIES | _OTHERS
+IMPLICATIONS = frozenset(
+    [
+        "\\Rightarrow",
+        "\\Leftrightarrow",
+        "\\implies",
+        "\\iff",
+        "\\Longrightarrow",
+        "\\Longleftrightarrow",
+        "\\Leftarrow",
+        "\\impliedby",
+        "\\Longleftarrow",
+    ]
+)
+_INFIX = frozenset({"\\cdot", "\\times", "\\wedge", "\\otimes", "\\circ"})
+WORD_COMMANDS = frozenset({"\\text", "\\mbox", "\\textrm", "\\textit", "\\textnormal", "\\hbox"})
+_SPACES = frozenset({" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "~", "\\>", "\\par", "\\enspace", "\\thinspace"})
+WIDE = frozenset({"\\quad", "\\qquad", "\\hspace"})
+_OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
+_ENDS = frozenset({".", ",", ";"})
+
+
+@dataclass
+class Line:
+    """`rows`: of each of its rows the last token, the number and labels. `opens`: whether it begins behind an
+    alignment mark, as what goes on with the line before does."""
+
+    tokens: list[Token]
+    rows: list[tuple[Token, str | None, tuple[str, ...]]]
+    opens: bool = False
+
+
+def lines_of(display: Display, words: Collection[str]) -> list[Line]:
+    made: list[Line] = []
+    in_column: dict[int, Line] = {}
+    several = len(display.rows) > 1
+    for row in display.rows:
+        tokens = respelled(row.tokens, words)
+        inner = None if several else _inside(tokens)
+        for piece in [tokens] if inner is None else _split(inner, "\\\\"):
+            for column, (cell, opens) in enumerate(_columns(piece)):
+                cell = trimmed(cell)
+                if not cell:
+                    continue
+                line = Line(cell, [(cell[-1], row.number, row.labels)], opens)
+                before = in_column.get(column)
+                if before is not None and _goes_on(before, line):
+                    before.tokens += [line.tokens[0].standing_for(" "), *line.tokens]
+                    before.rows += line.rows
+                else:
+                    made.append(line)
+                    in_column[column] = line
+    return made
+
+
+def _inside(tokens: list[Token]) -> list[Token] | None:
+    """The rows inside of the one environment of lines that the tokens are; None if they are not one."""
+    tokens = _stripped(tokens)
+    if len(tokens) > 2 and tokens[0].text == "\\left" and tokens[-2].text == "\\right":
+        tokens = _stripped(tokens[2:-2]) if tokens[1].text == "\\{" else tokens
+    name = _environment(tokens[0]) if tokens else None
+    if name is None or name not in _LINES:
+        return tokens if any(token.text == "\\\\" for token in top(tokens)) else None
+    depth = 0
+    for place, token in enumerate(tokens):
+        depth += token.text.startswith("\\begin{") - token.text.startswith("\\end{")
+        if depth == 0:
+            if place < len(tokens) - 1 and any(each.text not in _ENDS for each in tokens[place + 1 :]):
+                return None
+            inner = tokens[1:place]
+            if name in ("array", "alignedat"):
+                inner = inner[argument(inner, 0)[1] :]
+            return _inside(inner) or inner
+    return None
+
+
+def _goes_on(before: Line, line: Line) -> bool:
+    begins = line.tokens[0].text
+    if begins in IMPLICATIONS:
+        return False
+    if begins in RELATIONS | _INFIX or _stripped(before.tokens)[-1].text in RELATIONS | _INFIX | {"+", "-"}:
+        return True
+    if _left_open(before.tokens):
+        return True
+    has_relation = any(token.text in RELATIONS for token in top(line.tokens))
+    return begins in ("+", "-") and (line.opens or not has_relation)
+
+
+def _columns(tokens: list[Token]) -> list[tuple[list[Token], bool]]:
+    """The formulas of a row, parted by every second alignment mark, and whether each begins behind one; the
+    two marks of a &=& b part nothing."""
+    cells: list[tuple[list[Token], bool]] = [([], False)]
+    marks = 0
+    around = _around_signs(tokens)
+    for token, depth in with_depth(tokens):
+        cell, _ = cells[-1]
+        if id(token) in around:
+            marks += around[id(token)]
+            continue
+        if token.text != "&" or depth:
+            cell.append(token)
+            continue
+        marks += 1
+        if marks % 2 == 0:
+            cells.append(([], False))
+        elif not _stripped(cell):
+            cells[-1] = (cell, True)
+    return cells
+
+
+def _around_signs(tokens: list[Token]) -> dict[int, int]:
+    """The marks of &=&, and 1 for the one that counts: in eqnarray a sign has a column of its own."""
+    marks = [
+        (place, token)
+        for place, (token, depth) in enumerate(with_depth(tokens))
+        if token.text == "&" and not depth
+    ]
+    found: dict[int, int] = {}
+    for (start, first), (end, second) in pairwise(marks):
+        inside = _stripped(tokens[start + 1 : end])
+        if id(first) not in found and inside and all(token.text in RELATIONS for token in inside):
+            found |= {id(first): 1, id(second): 0}
+    return found
+
+
+def _environment(token: Token) -> str | None:
+    return token.text[7:-1] if token.text.startswith("\\begin{") else None
+
+
+def with_depth(tokens: Sequence[Token]) -> Iterator[tuple[Token, int]]:
+    """Each token with the number of brackets and environments around it."""
+    depth = 0
+    for token in tokens:
+        text = token.text
+        if text.startswith("\\end{") or text in _CLOSE or text in ("\\}", "\\rangle"):
+            depth = max(0, depth - 1)
+        yield token, depth
+        if text.startswith("\\begin{") or text in _OPEN or text in ("\\{", "\\langle"):
+            depth += 1
+
+
+def top(tokens: Sequence[Token]) -> Iterator[Token]:
+    return (token for token, depth in with_depth(tokens) if depth == 0)
+
+
+def _left_open(tokens: Sequence[Token]) -> bool:
+    texts = [token.text for token in tokens]
+    return texts.count("\\left") > texts.count("\\right")
+
+
+def _split(tokens: Sequence[Token], mark: str) -> list[list[Token]]:
+    rows: list[list[Token]] = [[]]
+    for token, depth in with_depth(tokens):
+        if depth == 0 and token.text == mark:
+            rows.append([])
+        else:
+            rows[-1].append(token)
+    return [_without_length(row) for row in rows]
+
+
+def _without_length(row: list[Token]) -> list[Token]:
+    """Without the [2pt] of \\\\[2pt]."""
+    if row and row[0].text == "[":
+        texts = joined(row[:12])
+        length, bracket, _ = texts[1:].partition("]")
+        if bracket and length.strip()[-2:] in ("pt", "ex", "em", "mm", "cm"):
+            end = next(place for place, token in enumerate(row) if token.text == "]")
+            return row[end + 1 :]
+    return row
+
+
+def _stripped(tokens: Sequence[Token]) -> list[Token]:
+    first, last = 0, len(tokens)
+    while first < last and tokens[first].text in _SPACES:
+        first += 1
+    while first < last and tokens[last - 1].text in _SPACES:
+        last -= 1
+    return list(tokens[first:last])
+
+
+def trimmed(tokens: Sequence[Token]) -> list[Token]:
+    """Without spaces around, and without the punctuation at the end, which may stand in a \\text."""
+    tokens = _stripped(tokens)
+    while tokens:
+        is_ellipsis = [token.text for token in tokens[-2:]] == [".", "."]
+        if tokens[-1].text in _ENDS | WIDE and not is_ellipsis:
+            tokens = _stripped(tokens[:-1])
+        elif tokens[0].text in WIDE | {",", ";"}:
+            tokens = _stripped(tokens[1:])
+        elif len(tokens) > 3 and tokens[-1].text == "}" and (start := _closing_words(tokens)) is not None:
+            tokens = _stripped(tokens[:start])
+        else:
+            return tokens
+    return tokens
+
+
+def _closing_words(tokens: list[Token]) -> int | None:
+    """Where a last \\text{.} begins."""
+    for start in range(len(tokens) - 2, max(-1, len(tokens) - 8), -1):
+        if tokens[start].text in WORD_COMMANDS:
+            inside = joined(tokens[start + 2 : -1]).strip()
+            return start if all(character in " .,;:" for character in inside) else None
+    return None

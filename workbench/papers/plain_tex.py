@@ -1,0 +1,88 @@
+"""What TeX does by itself: scripts that stand on nothing, switches of typeface for the rest of a group."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from workbench.papers.texts import Token
+
+_SPACING = r"\, \; \: \! \> ~ \enspace \thinspace \quad \qquad"
+_LENGTHS = r"\hspace \hskip \mspace \kern"
+_NO_NUCLEI = r"""
+    ( [ { , ; & \\ = + - / < > \times \cdot \otimes \circ \wedge \pm \mp \equiv \neq \ne \approx \simeq \in
+    \triangleq \coloneqq \coloneq \defeq \leq \le \geq \ge \Rightarrow \Leftrightarrow \implies \iff \lbrace
+    \lbrack \lparen
+"""
+_AS_POWERS = r"T \top * \ast \prime -T"
+_SPACES, _SPACES_WITH_ARGUMENT = frozenset([*_SPACING.split(), "\\ "]), frozenset(_LENGTHS.split())
+_SIGNS, _OPERATIONS = frozenset(_NO_NUCLEI.split()), frozenset(_AS_POWERS.split())
+_SWITCHES = {
+    "\\rm": "\\mathrm",
+    "\\bf": "\\mathbf",
+    "\\it": "\\mathit",
+    "\\sf": "\\mathsf",
+    "\\cal": "\\mathcal",
+    "\\frak": "\\mathfrak",
+}
+
+
+def with_typefaces(tokens: Sequence[Token]) -> Iterator[Token]:
+    """{\\rm v} as \\mathrm{v}."""
+    skip_to = -1
+    for place, token in enumerate(tokens):
+        if place < skip_to:
+            continue
+        after = _past_spaces(tokens, place + 1)
+        switch = _SWITCHES.get(tokens[after].text) if token.text == "{" and after < len(tokens) else None
+        if switch is not None:
+            yield tokens[after].standing_for(switch)
+            skip_to = _past_spaces(tokens, after + 1)
+        yield token
+
+
+def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:
+    """A script behind a sign or a space stands on nothing: = ^A R_B as = {}^A R_B. Only a number, a transpose
+    or a star behind a space is a power, moved for the eye."""
+    is_bare, is_spaced = True, False
+    length_until = -1
+    for place, token in enumerate(tokens):
+        text = token.text
+        if place < length_until:
+            yield token
+            continue
+        if text in ("^", "_") and is_bare and not (is_spaced and _is_operation(tokens, place)):
+            yield token.standing_for("{")
+            yield token.standing_for("}")
+        yield token
+        if text == " ":
+            continue
+        is_spaced = text in _SPACES or text in _SPACES_WITH_ARGUMENT
+        is_bare = is_spaced or text in _SIGNS or text.startswith("\\begin{")
+        if text in _SPACES_WITH_ARGUMENT:
+            length_until = _behind_group(tokens, place + 1)
+
+
+def _is_operation(tokens: Sequence[Token], place: int) -> bool:
+    inside = "".join(each.text for each in tokens[place + 1 : _behind_group(tokens, place + 1)]).strip("{} ")
+    is_number = inside.lstrip("-").isdecimal()
+    return tokens[place].text == "^" and (
+        is_number or inside in ("T", "\\top", "*", "\\ast", "\\prime", "-T")
+    )
+
+
+def _behind_group(tokens: Sequence[Token], place: int) -> int:
+    place = _past_spaces(tokens, place)
+    if place >= len(tokens) or tokens[place].text != "{":
+        return min(place + 1, len(tokens))
+    depth = 0
+    for end in range(place, len(tokens)):
+        depth += (tokens[end].text == "{") - (tokens[end].text == "}")
+        if depth == 0:
+            return end + 1
+    return len(tokens)
+
+
+def _past_spaces(tokens: Sequence[Token], place: int) -> int:
+    while place < len(tokens) and tokens[place].text == " ":
+        place += 1
+    return place

@@ -175,7 +175,7 @@ UNREADABLE = [
     ("\\omega\u200b = 0", 7, "U+200B"),
     (r"\verb|x| = 0", 1, "unknown command"),
     (r"__import__('os') = 0", 1, "unexpected _"),
-    (r"\omega = \mathbf{0}_{2 \times 2}", 21, "shape"),
+    (r"\omega = \mathbf{0}_{0 \times 2}", 21, "shape"),
     (r"\omega = \mathbf{0}_7", 21, "shape"),
 ]
 

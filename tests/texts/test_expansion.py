@@ -105,6 +105,8 @@ def test_overrides_win_over_the_text(tmp_path: Path) -> None:
 
 MARKDOWN = [
     ("GitHub", "```math\na = b\n```\n", ["a = b"]),
+    ("GitHub", "a\n\n$`a = b\n+ c`$\n\nwith $`b = 1`$\n\n$`b`$\n\n`$`x = y`$`\n", ["a = b\n+ c"]),
+    ("GitHub", "so\n\n$a = b$.\n\n$b = c$ is\n\n$c$\n\n> $d = e$\n", ["a = b", "d = e"]),
     ("MyST", "```{math}\n:label: one\na = b\n```\n\n$$ c = d $$ (two)\n", ["a = b", "c = d"]),
     ("mdBook", "\\\\[ a\\_1 = b \\\\]\n\nText \\\\( x \\\\)\n", ["a_1 = b"]),
     ("kramdown", "---\nt: 1\n---\n\nin $$x$$ a line\n\n$$ a = b $$\n", ["a = b"]),

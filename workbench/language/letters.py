@@ -25,9 +25,9 @@ from workbench.language.syntax import (
     Sum,
 )
 from workbench.language.terms import Derivative, IllFormed, Symbol, Term, Zero
-from workbench.language.types import CLOCK, COVECTOR, TENSOR, VECTOR
+from workbench.language.types import CLOCK, TENSOR, VECTOR, Type
 
-_ZEROS = {("3", "3"): TENSOR, ("3", "1"): VECTOR, ("1", "3"): COVECTOR}
+_UNITS = ("\\mathbf{I}", "\\underline{\\mathbf{I}}")
 _COUNTING = ("C", "\\mathbf{C}", "\\mathrm{C}")
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
@@ -63,7 +63,7 @@ class _Lettering:
                 found := self.constant(base_name(styles, node.text), scripts)
             ):
                 return found
-            case Leaf(kind="NUMBER", text="0") if styles:
+            case Leaf(kind="NUMBER", text="0") if styles or scripts.sub is not None:
                 return self.zero(scripts), scripts.sup
             case Styled() if self.scope.table.notations.accents(node.style):
                 return self.accented_by_the_paper(node, scripts, styles)
@@ -177,11 +177,14 @@ class _Lettering:
                     f"{base} is a symbol too; write the number of combinations as \\binom{{n}}{{k}}", at
                 )
             return self.scope.combinations(scripts.sub, scripts.sup), None
-        if scripts.sub is not None:
+        size, _ = _size(scripts.sub)
+        if scripts.sub is not None and (size is None or size.rows != size.columns):
+            return None
+        if base in _UNITS:
+            return construct.identity(size or TENSOR), scripts.sup
+        if size is not None:
             return None
         match base:
-            case "\\mathbf{I}" | "\\underline{\\mathbf{I}}":
-                return construct.identity(), scripts.sup
             case "\\varepsilon":
                 return construct.dual_unit(), scripts.sup
             case "t":
@@ -193,15 +196,13 @@ class _Lettering:
         return None
 
     def zero(self, scripts: Scripts) -> Term:
-        """𝟎 is the zero vector; 𝟎_{3×3} is the zero tensor. Beside other terms it takes their kind."""
-        match scripts.sub:
-            case None:
-                return construct.zero(VECTOR)
-            case Group(parts=(Product(items=(Leaf() as rows, Infix(operator="×"), Leaf() as columns)),)):
-                kind = _ZEROS.get((rows.text, columns.text))
-                if kind is not None:
-                    return construct.zero(kind)
-        raise Fault("expected the shape of the zero as 3\\times 3, 3\\times 1 or 1\\times 3", scripts.sub.at)
+        """𝟎 is the zero vector; 𝟎_{3×3} is the zero tensor. Beside other terms 𝟎 and 𝟎₃ take their kind."""
+        if scripts.sub is None:
+            return construct.zero(VECTOR)
+        size, is_square = _size(scripts.sub)
+        if size is None or (is_square and size != TENSOR):
+            raise Fault("expected the shape of the zero, such as 6\\times 6 or 6\\times 1", scripts.sub.at)
+        return construct.zero(VECTOR if is_square else size)
 
     def unknown(self, base: str, scripts: Scripts) -> str:
         """Why a name means nothing: an index without a range, or no such symbol."""
@@ -261,6 +262,23 @@ def _refuse_label(term: Term, sup: Node) -> None:
     is_number = isinstance(inner, Leaf) and inner.kind == "NUMBER" and inner.text.isdigit()
     if is_number and isinstance(term, Symbol) and may_be_label(term, int(inner.text)):
         raise Fault(f"the power {inner.text}, or the label of a frame? bracket what the power is of", sup.at)
+
+
+def _size(sub: Node | None) -> tuple[Type | None, bool]:
+    """What 3×1 or a single 3 says below a zero or a unit tensor, and whether it is a single number."""
+    inner = sub.parts[0] if isinstance(sub, Group) and len(sub.parts) == 1 else sub
+    match inner:
+        case Product(
+            items=(Leaf(kind="NUMBER") as rows, Infix(operator="×"), Leaf(kind="NUMBER") as columns)
+        ):
+            sizes = (rows.text, columns.text)
+        case Leaf(kind="NUMBER"):
+            sizes = (inner.text, inner.text)
+        case _:
+            return None, False
+    if not all(size.isdecimal() and 0 < int(size) < 100 for size in sizes):
+        return None, False
+    return Type(int(sizes[0]), int(sizes[1])), isinstance(inner, Leaf)
 
 
 def _is_upright_t(node: Node) -> bool:

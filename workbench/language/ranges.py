@@ -15,6 +15,7 @@ from workbench.language.names import INDEX_LETTERS, Scripts, base_name, linear, 
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Bracket, Chain, Group, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.terms import Apply, Symbol, Term
+from workbench.language.types import Type
 
 NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}
 
@@ -26,6 +27,7 @@ _SETS = {
     ("V", ""): "vector",
     ("E", "3"): "vector",
     ("SO", "3"): "rotation",
+    ("SE", "3"): "transform",
     ("so", "3"): "skew tensor",
     ("S", "2"): "unit vector",
 }
@@ -153,7 +155,9 @@ def require_member(term: Term, where: Node, at: int) -> None:
         raise Fault(f"the set {name} is not known here; declare what its members are in [symbols]", where.at)
     dual = "dual " if "\\underline" in name else ""
     if not _is(term, kind) or (term.type.dual and not dual):
-        got = "dual " * term.type.dual + ("rotation" if _is(term, "rotation") else term.type.kind)
+        got = "dual " * term.type.dual + (
+            "rotation" if _is(term, "rotation") else str(term.type.with_dual(False))
+        )
         raise Fault(f"a member of {name} is a {dual}{kind}; here it is a {got}, as declared", at)
 
 
@@ -161,7 +165,7 @@ def kind_of_members(where: Node) -> str | None:
     """What the members of a set are called, real or dual; None for a set that is not known. Raises Fault."""
     name = _STYLE.sub("", _OF_TIME.sub("", set_name(where))).replace("^", "_")
     letter, _, dimension = name.partition("_")
-    return _SETS.get((letter, dimension))
+    return _SETS.get((letter, dimension)) or (_columns(dimension) if letter == "R" else None)
 
 
 def _is(term: Term, kind: str) -> bool:
@@ -172,7 +176,15 @@ def _is(term: Term, kind: str) -> bool:
             return isinstance(term, Symbol) and term.declaration.unit
         case "skew tensor":
             return isinstance(term, Apply) and term.head in ("skew", "antisymmetric")
-    return term.type.kind == kind
+        case "transform":
+            return isinstance(term, Symbol) and term.declaration.transform
+    return kind in (term.type.kind, str(term.type.with_dual(False)))
+
+
+def _columns(dimension: str) -> str | None:
+    """What the members of ℝⁿ and ℝ^{n×m} are called."""
+    size = re.fullmatch(r"([1-9]\d?)(?:(?:×|\\times)([1-9]\d?))?", dimension)
+    return str(Type(int(size[1]), int(size[2] or 1))) if size else None
 
 
 def set_name(node: Node) -> str:
@@ -189,6 +201,9 @@ def set_name(node: Node) -> str:
             letter = letter.body
         else:
             letter = letter.parts[0]
+    if isinstance(letter, Product) and all(isinstance(item, Styled) for item in letter.items):
+        styles.append(letter.items[0].style)
+        letter = Product(letter.at, tuple(item.body for item in letter.items))
     if isinstance(letter, Product) and all(isinstance(item, Leaf) for item in letter.items):
         letter = Leaf(letter.at, "LETTER", "".join(item.text for item in letter.items))  # SO
     scripts = Scripts(sub=scripted.sub, sup=scripted.sup)

@@ -57,7 +57,7 @@ def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[in
     """The heights of the rows and the widths of the columns of a block matrix.
 
     A unit tensor is as wide as it is high, 3 by 3 where nothing else says so; a row or column of zeros has
-    the size 1. Raises IllFormed where entries do not fit.
+    the size 1, and that of zero vectors in a column the size 3. Raises IllFormed where entries do not fit.
     """
     height: dict[int, int] = {}
     width: dict[int, int] = {}
@@ -85,8 +85,9 @@ def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[in
         size = height.get(i) or width.get(j) or 3
         fix(height, i, size, "row")
         fix(width, j, size, "column")
+    of_zeros = [entries[i][0].type.rows if len(entries[i]) == 1 else 1 for i in range(len(entries))]
     return (
-        tuple(height.get(i, 1) for i in range(len(entries))),
+        tuple(height.get(i, of_zeros[i]) for i in range(len(entries))),
         tuple(width.get(j, 1) for j in range(len(entries[0]))),
     )
 

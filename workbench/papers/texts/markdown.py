@@ -22,6 +22,7 @@ _UNDERLINE = re.compile(r"(?:={3,}|-{3,})[ \t]*")
 _QUOTE = re.compile(r"(?m)^[ \t]*>[ ]?")
 _TICKS = re.compile(r"`+")
 _SINGLE = re.compile(r"(?<![\\$])\$(?!\$)[^$\n]+\$(?!\$)")
+_NEAR = 200
 _ESCAPED = re.compile(r"\\([!-/:-@\[-`{-~])")
 
 
@@ -33,13 +34,21 @@ def markdown(view: View, inline: bool = False) -> Iterator[Found]:
 
 
 def _all(view: View, inline: bool) -> Iterator[tuple[Found, int]]:
-    searched, fenced = _without_code(view.text)
+    searched, fenced, ticked = _without_code(view.text)
     for inner, inner_end, start, label in fenced:
         yield _fenced(view, inner, inner_end, start, label), start
+    for start, inner, inner_end, end in ticked:
+        if inline or _is_a_paragraph(view.text, start, end):
+            environment = "\\[" if _is_a_paragraph(view.text, start, end) else "$"
+            yield Found(view.cut(inner, inner_end), view.at[start], view.at[end - 1] + 1, environment), start
     escaped = "\\\\[" in searched or "\\\\(" in searched
     in_paragraph = _is_kramdown(view.text, searched)
-    for found, start, end in formulas(view, searched, escaped, inline):
+    for found, start, end in formulas(view, searched, escaped, inline=True):
         environment = found.environment
+        if environment in ("$", "\\(") and _is_a_paragraph(searched, start, end):
+            environment = "\\["
+        elif environment in ("$", "\\(") and not inline:
+            continue
         if in_paragraph and searched.startswith("$$", start) and _stands_in_a_line(searched, start, end):
             if not inline:
                 continue
@@ -80,8 +89,18 @@ def _stands_in_a_line(text: str, start: int, end: int) -> bool:
     return bool(before or previous.strip(" \t>") or following.strip(" \t.,;"))
 
 
-def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]]]:
-    """The text with code, comments and front matter blanked; math fences as (inner, end, start, label)."""
+def _is_a_paragraph(text: str, start: int, end: int) -> bool:
+    """Whether an equation has a paragraph of its own, as GitHub's authors write displays."""
+    before = text[max(0, start - _NEAR) : start].rpartition("\n\n")[2]
+    after = text[end : end + _NEAR].partition("\n\n")[0]
+    return "=" in text[start:end] and not (before.strip(" \t\n>") or after.strip(" \t\n>.,;"))
+
+
+def _without_code(
+    text: str,
+) -> tuple[str, list[tuple[int, int, int, str]], list[tuple[int, int, int, int]]]:
+    """The text with code, comments and front matter blanked; math fences as (inner, end, start, label);
+    GitHub's $`…`$ as (start, inner, inner end, end)."""
     pieces: list[str] = []
     fenced: list[tuple[int, int, int, str]] = []
     front = _FRONT_MATTER.match(text)
@@ -112,7 +131,8 @@ def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]]]:
         position = after
     if fence is not None and fence[3] is not None:
         fenced.append((fence[2], len(text), fence[1], fence[3]))
-    return _without_spans(_without_comments("".join(pieces))), fenced
+    searched, ticked = _without_spans(_without_comments("".join(pieces)))
+    return searched, fenced, ticked
 
 
 def _without_comments(text: str) -> str:
@@ -123,8 +143,9 @@ def _without_comments(text: str) -> str:
     return "".join([*pieces, text[position:]])
 
 
-def _without_spans(text: str) -> str:
-    """Code between as many backticks on either side; the formulas of GitHub's $`…`$ stay."""
+def _without_spans(text: str) -> tuple[str, list[tuple[int, int, int, int]]]:
+    """Without code between as many backticks on either side; and the formulas of GitHub's $`…`$."""
+    ticked: list[tuple[int, int, int, int]] = []
     runs = [match.span() for match in _TICKS.finditer(text)]
     by_length: dict[int, list[int]] = defaultdict(list)
     for start, end in runs:
@@ -141,14 +162,13 @@ def _without_spans(text: str) -> str:
         if "\n\n" in text[start : min(closing, start + 5000)] or closing - start > 5000:
             continue
         is_formula = text[start - 1 : start] == "$" and text[closing : closing + 1] == "$"
-        inside = text[end : closing - (end - start)]
-        ticks = " " * (end - start)
-        pieces += [
-            text[position:start],
-            ticks + inside + ticks if is_formula else _blank(text[start:closing]),
-        ]
-        position = closing
-    return "".join([*pieces, text[position:]])
+        if is_formula:
+            ticked.append((start - 1, end, closing - (end - start), closing + 1))
+            pieces += [text[position : start - 1], _blank(text[start - 1 : closing + 1])]
+        else:
+            pieces += [text[position:start], _blank(text[start:closing])]
+        position = closing + is_formula
+    return "".join([*pieces, text[position:]]), ticked
 
 
 def _blank(text: str) -> str:
@@ -166,7 +186,7 @@ class _Headings:
 
 
 def _headings(text: str) -> _Headings:
-    searched, _ = _without_code(text)
+    searched, _, _ = _without_code(text)
     entries: list[tuple[int, str]] = []
     start, before = 0, ""
     for line in searched.split("\n"):

@@ -45,10 +45,12 @@ _INLINE = re.compile(r"\$([^$\n]{1,40})\$|:math:`([^`\n]{1,40})`")
 _OF_KINDS = re.compile(
     r"(?:expected|transpose of|juxtaposition of) an? (?:scalar|vector|tensor|quaternion)|differ in type"
 )
+_MATRIX = re.compile(r"matrix \d+×\d+")
+_MOST_SIZES = 3
 _NEAR = 40
 #: More symbols than these in a text are tried in turn no further.
 MOST_TRIED = 150
-_ROUNDS = 4
+_ROUNDS = 6
 _MOST_GROUPS = 200
 _MOST_TOGETHER = 4
 KINDS = ("scalar", "vector", "tensor")
@@ -76,6 +78,13 @@ class Outcome:
     message: str = ""
     ill_formed: bool = False
     symbols: set[str] = field(default_factory=set)
+
+    @property
+    def stage(self) -> int:
+        """How far the reader comes: 3 if it reads the formula, 2 if only its two sides do not fit."""
+        if self.statements is not None:
+            return 3
+        return (2 if "the two sides differ" in self.message else 1) if self.ill_formed else 0
 
     @property
     def progress(self) -> tuple[bool, str]:
@@ -123,6 +132,7 @@ class Guesser:
         self.kinds = (*KINDS, "hamilton quaternion") if prose.has_quaternions else KINDS
         self.guesses: dict[str, Guess] = {}
         self.refused: dict[str, str] = {}
+        self.takes_steps = False
 
     def read_all(self, formulas: Sequence[str]) -> list[Outcome]:
         """Declares what the formulas need; each is read with all the symbols of those before it."""
@@ -136,6 +146,7 @@ class Guesser:
     def improve(self, formulas: Sequence[str]) -> None:
         """Other kinds where more formulas then fit: type errors tell what typeface did not. Symbols that are
         written alike change their kinds together first."""
+        self.takes_steps = False
         for turn in range(_ROUNDS):
             known = len(self.guesses)
             outcomes = self.read_all(formulas)
@@ -143,49 +154,68 @@ class Guesser:
             for place, outcome in enumerate(outcomes):
                 for name in outcome.symbols:
                     users.setdefault(name, set()).add(place)
-            fits = [outcome.statements is not None for outcome in outcomes]
+            fits = [outcome.stage for outcome in outcomes]
             changed = False
             groups = families(list(self.guesses)[:MOST_TRIED])
             if turn:
                 groups += _together(outcomes, self.guesses)
             for group in groups[:_MOST_GROUPS]:
                 places = sorted(set().union(*(users.get(name, set()) for name in group)))
-                if not all(fits[place] for place in places):
-                    changed |= self._improve(group, [formulas[place] for place in places], places, fits)
+                if any(fits[place] < 3 for place in places):
+                    sizes = _sizes(outcomes[place] for place in places) if turn else ()
+                    changed |= self._improve(
+                        group, [formulas[place] for place in places], places, fits, sizes
+                    )
             if turn and not changed and known == len(self.guesses):
-                return
+                if self.takes_steps:
+                    return
+                self.takes_steps = True
 
     def _improve(
-        self, group: Sequence[str], users: Sequence[str], places: Sequence[int], fits: list[bool]
+        self,
+        group: Sequence[str],
+        users: Sequence[str],
+        places: Sequence[int],
+        fits: list[int],
+        sizes: Sequence[str],
     ) -> bool:
         now = [fits[place] for place in places]
         best, kind = now, None
-        for other in _by_face(group[0]):
-            if other not in self.kinds or all(self.guesses[name].kind == other for name in group):
+        for other in (*(kind for kind in _by_face(group[0]) if kind in self.kinds), *sizes):
+            if all(self.guesses[name].kind == other for name in group):
                 continue
             changed = {name: {"kind": other} for name in group}
             specs = {each.name: each.spec for each in self.guesses.values()} | changed
             try:
-                fitting = self._fitting(self.ground.with_specs(specs), users)
+                fitting = self._fitting(self.ground.with_specs(specs), users, self._score(best))
             except SpecError:
                 continue
-            if sum(fitting) > sum(best):
+            if self._score(fitting) > self._score(best):
                 best, kind = fitting, other
         if kind is None:
             return False
-        why = f"{sum(best)} of {len(users)} formulas with it fit then"
+        why = f"{best.count(3)} of {len(users)} formulas with it fit then"
         for name in group:
             self.guesses[name] = replace(self.guesses[name], kind=kind, why=why, unit=False)
         for place, fit in zip(places, best, strict=True):
             fits[place] = fit
         return True
 
-    def _fitting(self, table: SymbolTable, formulas: Iterable[str]) -> list[bool]:
-        """Of each formula, whether it is read."""
-        fits = []
-        for latex in formulas:
+    def _score(self, fits: Sequence[int], unknown: int = 0) -> tuple[int, int]:
+        """How many formulas are read and, where that no longer grows, how far the others are; at most, if
+        some are not known."""
+        steps = sum(fits) + 3 * unknown if self.takes_steps else 0
+        return fits.count(3) + unknown, steps
+
+    def _fitting(self, table: SymbolTable, formulas: Sequence[str], least: tuple[int, int]) -> list[int]:
+        """Of each formula, how far it is read; no more of them than it takes to see that this scores no more
+        than `least`."""
+        fits: list[int] = []
+        for count, latex in enumerate(formulas):
+            if self._score(fits, len(formulas) - count) <= least:
+                break
             outcome, table = self._read(latex, table)
-            fits.append(outcome.statements is not None)
+            fits.append(outcome.stage)
         return fits
 
     def _read(self, latex: str, table: SymbolTable) -> tuple[Outcome, SymbolTable]:
@@ -260,6 +290,12 @@ def families(names: Sequence[str]) -> list[list[str]]:
             found.setdefault(key, []).append(name)
     groups = sorted((group for group in found.values() if len(group) > 1), key=len, reverse=True)
     return [*groups, *([name] for name in names)]
+
+
+def _sizes(outcomes: Iterable[Outcome]) -> list[str]:
+    """The sizes of matrices that stand against something else in these formulas."""
+    messages = " ".join(outcome.message for outcome in outcomes if outcome.stage == 2)
+    return sorted(set(_MATRIX.findall(messages)))[:_MOST_SIZES]
 
 
 def _together(outcomes: Sequence[Outcome], guesses: Mapping[str, Guess]) -> Iterator[list[str]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
+from functools import cache
 from typing import Any
 
 from workbench.language.construct import zero
@@ -159,7 +160,8 @@ class Notations:
         """Entries that are spelt like the node: brackets, matrices and marks on them."""
         if not self.entries:
             return []
-        found = ((entry, entry.matched(node)) for entry in self.entries if entry.formals)
+        alike = (entry for entry in self.entries if entry.formals and _is_alike(entry.pattern, node))
+        found = ((entry, entry.matched(node)) for entry in alike)
         return [(entry, places) for entry, places in found if places is not None]
 
 
@@ -186,12 +188,30 @@ def _letter(node: Node) -> Node | None:
     return node if isinstance(node, Leaf) else None
 
 
+def _is_alike(pattern: Node, node: Node) -> bool:
+    """Whether they are one kind of bracket or matrix with as many parts, so that a match is worth trying."""
+    match pattern, node:
+        case Bracket(), Bracket():
+            return pattern.kind == node.kind and len(pattern.parts) == len(node.parts)
+        case Matrix(), Matrix():
+            return len(pattern.rows) == len(node.rows)
+        case Scripted(), Scripted():
+            return _is_alike(_bare(pattern.nucleus), _bare(node.nucleus))
+    return False
+
+
+@cache
+def _fields(kind: type[Node]) -> tuple[str, ...]:
+    """What a kind of node holds, but its place."""
+    return tuple(each.name for each in fields(kind) if each.name != "at")
+
+
 def _parts(value: Any) -> Iterable[Any]:
     """The fields of a node but its place, and what they hold."""
     if isinstance(value, Sum):
         return [(sign, addend) for sign, _, addend in value.addends]
     if isinstance(value, Node):
-        return [getattr(value, each.name) for each in fields(value) if each.name != "at"]
+        return [getattr(value, name) for name in _fields(type(value))]
     return value if isinstance(value, tuple) else ()
 
 
@@ -227,11 +247,7 @@ def _filled(value: Any, terms: Mapping[str, Term]) -> Any:
     if isinstance(value, Leaf) and value.kind == "LETTER" and value.text in terms:
         return Known(value.at, terms[value.text])
     if isinstance(value, Node):
-        changed = {
-            each.name: _filled(getattr(value, each.name), terms)
-            for each in fields(value)
-            if each.name != "at"
-        }
+        changed = {name: _filled(getattr(value, name), terms) for name in _fields(type(value))}
         return type(value)(value.at, **changed)
     if isinstance(value, tuple):
         return tuple(_filled(part, terms) for part in value)

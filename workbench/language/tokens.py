@@ -205,7 +205,7 @@ class _Tokenizer:
         elif text == ".":
             rest = self.text[at + 1 :].lstrip()
             if rest and not rest.startswith(("\\\\", "\\end", "\\quad", "}")):
-                raise Fault("a full stop inside a formula", at)
+                self.emit("INFIX", ".", at)
         elif text in BRACKETS:
             self.bracket(text, at)
         elif text == "/" and any(opened.contents == "script" for opened in self.open):

@@ -120,12 +120,13 @@ LINES = frozenset({"cases", "aligned", "align", "align*", "gathered", "split"})
 OWN_SIGNS = {
     "∧": "the vector product is written \\times, the skew tensor of x \\tilde{x}",
     **dict.fromkeys("∨⊕⊖⊙⊞⊟*", "a sign that [notation] does not explain"),
+    ".": "a full stop inside a formula, which [notation] does not explain as a product",
 }
 
 #: Sign → how it is written.
 SIGN_COMMANDS = {
     value: f"\\{name}" for name, (kind, value) in reversed(COMMANDS.items()) if kind == "INFIX"
-} | {"*": "*"}
+} | {"*": "*", ".": "."}
 
 #: Words that join statements; behind a GIVEN stand the conditions of what is before it, or behind its THEN.
 WORDS = {

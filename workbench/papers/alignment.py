@@ -28,6 +28,8 @@ _LINES = frozenset(
         "multlined",
     ]
 )
+_MATRICES = frozenset({"matrix", "smallmatrix"})
+_ARROWS = frozenset({"\\rightarrow", "\\to", "\\longrightarrow"})
 EQUALITIES = frozenset({"=", ":=", "\\equiv", "\\stackrel", "\\overset"})
 _OTHERS = frozenset(
     [
@@ -93,7 +95,7 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
     in_column: dict[int, Line] = {}
     several = len(display.rows) > 1
     for row in display.rows:
-        tokens = respelled(row.tokens, words)
+        tokens = _with_implications(respelled(row.tokens, words))
         inner = None if several else _inside(tokens)
         for piece in [tokens] if inner is None else _split(inner, "\\\\"):
             for column, (cell, opens) in enumerate(_columns(piece)):
@@ -111,12 +113,29 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
     return made
 
 
+def _with_implications(tokens: list[Token]) -> list[Token]:
+    """The arrow of a = b → c = d as the implication that it is; a map f: x → y stays one."""
+    arrows = [
+        place
+        for place, (token, depth) in enumerate(with_depth(tokens))
+        if token.text in _ARROWS and not depth
+    ]
+    made, ends = list(tokens), [-1, *arrows, len(tokens)]
+    for place, before, after in zip(arrows, ends, ends[2:], strict=False):
+        sides = (tokens[before + 1 : place], tokens[place + 1 : after])
+        if all(any(token.text == "=" for token in top(side)) for side in sides):
+            made[place] = tokens[place].standing_for("\\Rightarrow")
+    return made
+
+
 def _inside(tokens: list[Token]) -> list[Token] | None:
     """The rows inside of the one environment of lines that the tokens are; None if they are not one."""
     tokens = _stripped(tokens)
     if len(tokens) > 2 and tokens[0].text == "\\left" and tokens[-2].text == "\\right":
         tokens = _stripped(tokens[2:-2]) if tokens[1].text == "\\{" else tokens
     name = _environment(tokens[0]) if tokens else None
+    if name in _MATRICES and _holds_equations(tokens):
+        name = "gathered"
     if name is None or name not in _LINES:
         return tokens if any(token.text == "\\\\" for token in top(tokens)) else None
     depth = 0
@@ -130,6 +149,12 @@ def _inside(tokens: list[Token]) -> list[Token] | None:
                 inner = inner[argument(inner, 0)[1] :]
             return _inside(inner) or inner
     return None
+
+
+def _holds_equations(tokens: list[Token]) -> bool:
+    """Whether each row of what is written as a matrix is one equation."""
+    rows = [{token.text for token in top(row)} for row in _split(tokens[1:-1], "\\\\") if _stripped(row)]
+    return all("=" in row and "&" not in row for row in rows)
 
 
 def _goes_on(before: Line, line: Line) -> bool:

@@ -70,6 +70,7 @@ _UNWRAPPED = frozenset(
         "Aboxed",
         "mathstrut",
         "substack",
+        "displaylines",
     ]
 )
 _UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})

@@ -206,7 +206,10 @@ BAD_CALLS = [
     (["list", "nothing", "--paper", EVERY_VERDICT], "'nothing' selects no claim"),
     (["list", "--paper", EVERY_VERDICT, "--josn"], "No such option"),
     (["report", "--paper", EVERY_VERDICT, "--out", EVERY_VERDICT], "expected a directory"),
-    (["report", "1", "--paper", EVERY_VERDICT, "--out", f"{EVERY_VERDICT}/x"], "expected a directory for the report"),
+    (
+        ["report", "1", "--paper", EVERY_VERDICT, "--out", f"{EVERY_VERDICT}/x"],
+        "expected a directory for the report",
+    ),
     (["report", "nothing", "--paper", EVERY_VERDICT, "--out", "unused"], "selects no claim"),
     (["judge"], "No such command"),
     (["motion"], "Missing argument 'URDF'"),

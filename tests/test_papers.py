@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 
 from workbench.judge.verdict import Outcome
 from workbench.papers import InstalledPaper, Orders, PaperError, load_paper, merge
-from workbench.papers.lines import split_lines
 from workbench.papers.orders import orders_within
 
 PAPERS = Path(__file__).parent / "papers"
@@ -357,39 +356,3 @@ def test_orders_of_one_variable_bounded_by_another():
     assert str(orders) == "k = 1..3, n = 1..3, k ≤ n"
     with pytest.raises(ValueError, match="values for n"):
         orders_within(Orders.parse("k = 1..3"), stated)
-
-
-# lines
-
-
-@pytest.mark.parametrize(
-    ("latex", "lines"),
-    [
-        ("a = b", ["a = b"]),
-        (r"\begin{aligned} a &= b \end{aligned}", [r"\begin{aligned} a &= b \end{aligned}"]),
-        (r"\begin{cases} a = b, \\ c = d. \end{cases}", ["a = b", "c = d"]),
-        (r"\begin{cases} a = b, \\ c = d \end{cases}, n \geq 1", [r"a = b, n \geq 1", r"c = d, n \geq 1"]),
-        (r"\left\{\begin{array}{l} a = b \\[2pt] + c \\ d = e \end{array}\right.", ["a = b + c", "d = e"]),
-        (r"\begin{aligned} a &= b, \\ &= c \\ &\neq d. \end{aligned}", ["a  = b  = c  \\neq d"]),
-        (
-            r"\begin{aligned} A &= \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \\ a &= b \end{aligned}",
-            [r"A  = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", "a  = b"],
-        ),
-        (r"x = \begin{cases} a, & p = 0 \\ b, & p \neq 0 \end{cases}", None),
-        (r"\begin{aligned} a &= b \\ c", None),
-    ],
-)
-def test_lines(latex, lines):
-    assert [line.latex for line in split_lines(latex)] == (lines or [latex])
-
-
-def test_each_character_of_a_line_is_placed_in_the_formula():
-    latex = "\\begin{aligned}\n a &= b \\\\\n  c &= d\n\\end{aligned}, n \\geq 1"
-    rows = latex.split("\n")
-    for line in split_lines(latex):
-        for offset, character in enumerate(line.latex):
-            row, column = line.place(
-                1 + line.latex.count("\n", 0, offset), offset - line.latex.rfind("\n", 0, offset)
-            )
-            whole = (rows[row - 1] + "\n")[column - 1]
-            assert whole == character or (whole == "&" and character == " ")

@@ -12,6 +12,7 @@ from workbench.cli.terminal import claim_lines
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.lines import Line, split_lines, whole_line
 from workbench.language.symbols import SymbolTable
 from workbench.papers import (
     Claim,
@@ -24,7 +25,6 @@ from workbench.papers import (
     load_notation,
 )
 from workbench.papers.formulas import read_statement, why_ill_formed
-from workbench.papers.lines import Line, split_lines
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
 from workbench.papers.selection import select_claims
@@ -134,7 +134,7 @@ def check(
     claims = []
     for number, line in enumerate(lines, start=1):
         formula, values = _formula(line, known, given)
-        supposed = tuple(_formula(Line(text), known, values, "assume: ")[0] for text in conditions)
+        supposed = tuple(_formula(whole_line(text), known, values, "assume: ")[0] for text in conditions)
         for condition in supposed:
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")

@@ -12,7 +12,7 @@ from workbench.language.extrema import extrema, is_extremal
 from workbench.language.ranges import Membership, Range, is_range, ranges_of, refuse_alone, require_member
 from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Chain, Conditional, Given, Joined, Lines, Node, Sum
+from workbench.language.syntax import Chain, Conditional, Given, Joined, Lines, Node
 from workbench.language.terms import (
     Conjunction,
     Equivalence,
@@ -65,7 +65,7 @@ def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:
 
 
 def clauses_of(lines: Lines) -> list[Node]:
-    """The clauses of all lines; a line that begins with a sign and states nothing goes on with the last."""
+    """The clauses of all lines."""
     return [clause for row in _rows_of(lines) for clause in row]
 
 
@@ -78,8 +78,6 @@ def _rows_of(lines: Lines) -> list[list[Node]]:
             conditions = [clause for clause in rest if _is_condition(clause)]
             rows += [[*row, *conditions] for row in _rows_of(first)]
             rows += [[clause] for clause in rest if clause not in conditions]
-        elif rows and isinstance(first, Sum) and first.addends[0][0]:
-            rows[-1] = [*rows[-1][:-1], _continued(rows[-1][-1], first), *rest]
         else:
             rows.append(list(line))
     return rows
@@ -92,15 +90,6 @@ def _is_condition(clause: Node) -> bool:
         case Chain(relations=relations, universal=universal):
             return universal or not any(sign == "=" for sign, _ in relations)
     return not isinstance(clause, Conditional | Joined | Lines)
-
-
-def _continued(clause: Node, more: Sum) -> Node:
-    if isinstance(clause, Chain) and clause.relations:
-        last = clause.sides[-1]
-        addends = last.addends if isinstance(last, Sum) else (("", last.at, last),)
-        side = Sum(last.at, addends + more.addends)
-        return Chain(clause.at, (*clause.sides[:-1], side), clause.relations, clause.universal)
-    raise Fault("a line that begins with a sign must follow a relation", more.at)
 
 
 @dataclass

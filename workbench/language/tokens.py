@@ -27,6 +27,9 @@ from workbench.language.vocabulary import (
 
 _OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
 
+_OPENS = frozenset({"OPEN", "LBRACE", "BEGIN_MATRIX", "BEGIN_LINES"})
+_CLOSES = frozenset({"CLOSE", "RBRACE", "END_MATRIX", "END_LINES"})
+
 #: No formula is longer, or nests brackets deeper.
 LONGEST = 50_000
 DEEPEST = 40
@@ -58,13 +61,17 @@ class _Open(NamedTuple):
 
 
 def tokenize(text: str) -> Iterator[Token]:
-    """The tokens of a formula; token.start_pos is its offset. Raises Fault."""
-    return iter(_Tokenizer(text).tokens())
+    """The tokens of a formula; token.start_pos is its offset, token.end_pos where it ends. Raises Fault."""
+    return iter(Tokenizer(text).tokens())
 
 
-class _Tokenizer:
+class Tokenizer:
+    """alignments: where an & stands in lines, and how many environments it stands in."""
+
     def __init__(self, text: str) -> None:
         self.text = text
+        self.end = 0
+        self.alignments: list[tuple[int, int]] = []
         self.out: list[Token] = []
         self.open: list[_Open] = []
         self.size: str | None = None  # a pending \left, \right, \bigl …
@@ -82,13 +89,25 @@ class _Tokenizer:
             raise Fault(f"\\{self.size} without a bracket", len(self.text))
         if self.refused:
             raise self.refused
-        return _join_lines(_marks(self.out))
+        return join_lines(_marks(self.out))
+
+    def legible(self) -> list[Token]:
+        """What can be told of the tokens of a formula that may be garbled, its lines not yet joined."""
+        if len(self.text) > LONGEST:
+            return []
+        for match in _TOKEN.finditer(self.text):
+            try:
+                self.match(match)
+            except Fault:
+                self.size = None
+        return _marks(self.out)
 
     def emit(self, kind: str, value: str, at: int) -> None:
-        self.out.append(Token(kind, value, start_pos=at))
+        self.out.append(Token(kind, value, start_pos=at, end_pos=self.end))
 
     def match(self, match: re.Match[str]) -> None:
         kind, text, at = match.lastgroup, match[0], match.start()
+        self.end = match.end()
         if kind == "space":
             return
         if self.size and not self.is_bracket(match):
@@ -196,7 +215,9 @@ class _Tokenizer:
             if inside == "matrix":
                 if self.text[at - 1 : at] != "&":  # && leaves room between two columns
                     self.emit("CELL", text, at)
-            elif inside != "lines":
+            elif inside == "lines":
+                self.alignments.append((at, sum(each.what.startswith("\\begin") for each in self.open)))
+            else:
                 raise Fault("& outside of a matrix or an aligned environment", at)
         elif text == "." and self.size:
             self.null_delimiter(at)
@@ -297,19 +318,55 @@ def _marks(tokens: list[Token]) -> list[Token]:
     return marked
 
 
-def _join_lines(tokens: list[Token]) -> list[Token]:
-    """A line goes on after a break if it ends with a sign, or if the next begins with =, × and the like."""
+def join_lines(tokens: list[Token]) -> list[Token]:
+    """A line goes on after a break if it ends with a sign, if the next begins with =, × and the like, or if
+    the next begins with a sign and relates nothing. A comma before such a break goes."""
     joined: list[Token] = []
+    in_cases: list[bool] = [False]  # of each environment: whether its lines are the values of a side
     for place, token in enumerate(tokens):
-        if token.type == "BREAK" and joined and place + 1 < len(tokens):
-            following = tokens[place + 1]
-            if joined[-1].type == "SIGN" and following == joined[-1]:
-                joined.pop()  # the sign is repeated on the next line
+        if token.type == "BEGIN_LINES":
+            in_cases.append(bool(joined) and joined[-1].type == "RELATION")
+        elif token.type == "END_LINES":
+            in_cases.pop()
+        elif token.type == "BREAK" and joined and place + 1 < len(tokens):
+            before, after = joined[-1], tokens[place + 1]
+            if before.type in GOES_ON | {"SIGN"}:
+                if before.type == "SIGN" and after == before:
+                    joined.pop()  # the sign is repeated on the next line
                 continue
-            if joined[-1].type in GOES_ON | {"SIGN"} or following.type in GOES_ON:
+            is_addend = after.type == "SIGN" and not in_cases[-1] and _takes_addends(joined)
+            if after.type in GOES_ON or (is_addend and not _relates(tokens[place + 1 :])):
+                if before.type == "COMMA":
+                    joined.pop()
                 continue
         joined.append(token)
     return joined
+
+
+def _relates(tokens: list[Token]) -> bool:
+    """Whether the clause that begins here says something, and is not the rest of a side."""
+    depth = 0
+    for token in tokens:
+        depth += (token.type in _OPENS) - (token.type in _CLOSES)
+        if depth < 0 or (depth == 0 and token.type in ("COMMA", "BREAK", "GIVEN")):
+            return False
+        if depth == 0 and token.type in ("RELATION", "IMPLICATION", "AND"):
+            return True
+    return False
+
+
+def _takes_addends(tokens: list[Token]) -> bool:
+    """Whether the line that ends here ends with a side, and not with a condition."""
+    relation, has_comma = "", False
+    for token in reversed(tokens):
+        if token.type in ("BREAK", "BEGIN_LINES"):
+            break
+        if token.type == "GIVEN":
+            return False
+        if token.type == "RELATION":
+            relation = relation or str(token)
+        has_comma = has_comma or (token.type == "COMMA" and token is not tokens[-1])
+    return relation == "=" or (relation != "" and not has_comma)
 
 
 def _refuse_control_characters(text: str) -> None:

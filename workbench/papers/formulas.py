@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 from typing import NoReturn
 
 from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.lines import Line, whole_line
 from workbench.language.reader import Range, read_formula
 from workbench.language.terms import Conjunction, Statement
-from workbench.papers.lines import Line
 from workbench.papers.model import Formula, Notation, UnreadFormula
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.toml_file import TomlFile
@@ -56,12 +56,12 @@ class FormulaReader:
         """A reading, a correction or a hypothesis, which must make sense; None if the claim has none."""
         if line is None:
             text = self.toml.text((*self.path, key))
-            return None if text is None else self._intended((key,), Line(text))
+            return None if text is None else self._intended((key,), whole_line(text))
         return self._intended((key,), line)
 
     def intended_list(self, key: str) -> tuple[Formula, ...]:
         texts = self.toml.texts((*self.path, key))
-        return tuple(self._intended((key, index), Line(text)) for index, text in enumerate(texts))
+        return tuple(self._intended((key, index), whole_line(text)) for index, text in enumerate(texts))
 
     def _intended(self, place: KeyPath, line: Line) -> Formula:
         try:

@@ -12,12 +12,12 @@ from typing import Any
 from workbench.budget import Budget
 from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers, read_goal
 from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.lines import Line, split_lines
 from workbench.language.printer import to_latex
 from workbench.language.reader import read_formula
 from workbench.language.terms import Conjunction, Statement
 from workbench.papers.formulas import WORDS, FormulaReader
 from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
-from workbench.papers.lines import Line, split_lines
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import (
     CITATION_KEYS,

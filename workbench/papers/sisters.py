@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from workbench.language.lines import split_lines
 from workbench.papers.installed import paper_of
-from workbench.papers.lines import split_lines
 from workbench.papers.model import PaperError
 from workbench.papers.toml_file import TomlFile
 

@@ -44,6 +44,8 @@ class Ratio:
     def __add__(self, other: Any) -> Ratio:
         other = self.ring.lift(other)
         left, right, below = self.top, other.top, self.below
+        if below == other.below and not (left and right):
+            return self if left else other
         if below != other.below:
             below = {k: max(below.get(k, 0), other.below.get(k, 0)) for k in {*below, *other.below}}
             left, right = self._raised(below), other._raised(below)

@@ -244,6 +244,11 @@ def test_any_array_of_numbers_will_do():
     for state, expected in zip(read_only.swapaxes(0, 1), V.swapaxes(0, 1), strict=True):
         close(chain.twist_derivatives(state), expected, 13)
         close(chain.twist_derivatives(state.tolist()), expected, 13)
+        other_end_first = state.astype(
+            state.dtype.newbyteorder()
+        )  # after a state of that shape in plain doubles
+        for same in (other_end_first, state.astype(np.float32), state.astype(int), state[:, ::-1][:, ::-1]):
+            close(chain.twist_derivatives(same), expected, 13)
     every_other = np.repeat(q * 1.0, 2, axis=1)[:, ::2]
     np.testing.assert_array_equal(chain.twist_derivatives(every_other), V)
     out = np.empty_like(V)

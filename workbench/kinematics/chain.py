@@ -61,6 +61,10 @@ class SerialChain:
         """
         return self._of_derivatives.twist(q, out)
 
+    def twist_derivatives_of_finite(self, q: np.ndarray) -> np.ndarray:
+        """The same of doubles that are known to be finite."""
+        return self._of_derivatives.twist_of_finite(q)
+
     def twist_taylor(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """The same from and to Taylor coefficients: q[k, ..., i] is q_i^{(k)} / k!.
 

@@ -11,12 +11,13 @@ from functools import partial
 from math import factorial, inf
 
 import numpy as np
-from numpy import empty, ndarray, vdot
+from numpy import empty, ndarray
 from numpy.typing import ArrayLike
 
 from workbench.kinematics import chain_series
 from workbench.kinematics.chain_geometry import Links
 
+DOUBLE = np.dtype(float)
 HIGHEST_DERIVATIVE_ORDER = 170  # 170! is the last factorial that a double can hold
 
 PLAIN_ORDER = 4  # tasks to this order
@@ -46,12 +47,22 @@ class Engine:
 
     def twist(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """(n + 2, ..., dof) → (n + 1, ..., 6). Raises ValueError for what the chain cannot take."""
-        known = type(q) is ndarray and q.dtype.char == "d" and _twist_kernel is not None and out is None
-        if known and q.shape in self._plans:  # a state as before: only its numbers are new
+        if type(q) is ndarray and q.dtype is DOUBLE and q.shape in self._plans and out is None:
+            numbers = q.ravel()
+            if numbers.dot(numbers) < inf:
+                return self.twist_of_finite(q)
+        return self._twist(q, out)
+
+    def twist_of_finite(self, q: np.ndarray) -> np.ndarray:
+        """`twist` of doubles that are known to be finite."""
+        if q.shape in self._plans:  # a state as before: only its numbers are new
             address, shape, _ = self._plans[q.shape]
-            rows, result = q.T.copy(), empty(shape)
-            if vdot(rows, rows) < inf and _twist_kernel(rows, address, result):
+            result = empty(shape)
+            if _twist_kernel(q.T.copy(), address, result):
                 return result
+        return self._twist(q, None)
+
+    def _twist(self, q: ArrayLike, out: np.ndarray | None) -> np.ndarray:
         rows = _by_state(self._checked(q))
         out = self._checked_result(rows, out)
         results = np.moveaxis(out, 0, -2)

@@ -150,7 +150,7 @@ class RobotFrame(FrameMotion):
             if found is not None:  # the compiled engine, for one body
                 chain, own = found
                 q = motion._q_derivatives
-                return chain.twist_derivatives(q if own is ... else q[..., own])
+                return chain.twist_derivatives_of_finite(q if own is ... else q[..., own])
         if body.after == WORLD:
             return np.zeros((motion.order, *motion.shape, 6))
         return motion._tree.twists[:, body.after].reshape(motion.order, *motion.shape, 6)

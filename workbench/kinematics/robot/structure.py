@@ -81,6 +81,7 @@ class Structure:
         self.steps = tuple(steps)
         self.frames = bodies
         self._chains: dict[str, tuple[SerialChain, Any] | None] = {}
+        self._states: set[tuple[int, ...]] = set()  # shapes of q_derivatives that were found right
         self.bodies = tuple(name for name in bodies if name != self.world)
         self._all_positions, self._all_velocities = tuple(positions), tuple(velocities)
 
@@ -181,13 +182,18 @@ class Structure:
 
     def derivatives(self, q_derivatives: ArrayLike) -> np.ndarray:
         """q_derivatives (N + 1, ..., positions), checked."""
-        q, count = reals(q_derivatives, "q_derivatives"), len(self.positions)
+        q = reals(q_derivatives, "q_derivatives")
+        if q.shape in self._states:
+            return q
+        count = len(self.positions)
         if q.ndim < 2 or q.shape[-1] != count or len(q) < 2:
             raise ValueError(
                 f"q_derivatives: expected shape (N + 1, ..., {count}) with N >= 1, the order first and the "
                 f"{count} coordinates last, got {q.shape}"
             )
         self.check(q[0], len(q) - 1)
+        if q.ndim == 2 and not self._quaternions:
+            self._states.add(q.shape)
         return q
 
     def state(self, q: ArrayLike, v_derivatives: ArrayLike) -> tuple[np.ndarray, np.ndarray | None]:
@@ -266,6 +272,7 @@ def reals(values: ArrayLike, what: str) -> np.ndarray:
         if array.dtype.kind not in "fiu":
             raise ValueError(f"{what}: expected real numbers, got an array of {array.dtype}")
         array = array.astype(float)
-    if not (np.vdot(array, array) < np.inf or np.isfinite(array).all()):
+    numbers = array.ravel()
+    if not (numbers.dot(numbers) < np.inf or np.isfinite(array).all()):
         raise ValueError(f"{what}: expected finite numbers, got a NaN or an infinity")
     return array

@@ -30,7 +30,7 @@ from workbench.papers.orders import orders_within
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.report.kinds import VERDICTS
-from workbench.verify.claims import judge_paper
+from workbench.verify.claims import judge_claims
 from workbench.verify.memory import standard_memory
 from workbench.verify.results import HOLDS, ClaimResult
 
@@ -141,7 +141,7 @@ def check(
         name = "check" if len(lines) == 1 else f"check.{number}"
         claims.append(Claim(name, formula, known, assume=supposed, orders=values))
     with standard_memory() as memory:
-        results = judge_paper(Paper("", None, (), known, tuple(claims)), budget=budget, memory=memory)
+        results = judge_claims(claims, budget=budget, memory=memory)
     checked = [Checked(result) for result in results]
     return checked[0] if len(checked) == 1 else CheckedLines(checked)
 

@@ -343,7 +343,7 @@ for dof in (1, 2, 7):
     for order in (0, 1, 2, 4, 7, 10):
         for states in (1, 3, 8, 17):
             q = rng.normal(size=(order + 2, states, dof))
-            chain_engine._twist_kernel, chain_engine._plain_tasks_left = None, 10
+            chain_engine._twist_kernel = None
             engine = chain_engine.Engine(SerialChain(joints)._of_derivatives.links, taylor=False)
             expected = np.moveaxis(engine._in_numpy(np.moveaxis(q, 0, -1).copy()), -2, 0)
             chain_engine.load_kernel()
@@ -357,7 +357,7 @@ for dof in (1, 2, 7):
 def test_many_small_tasks_load_the_kernel(monkeypatch):
     monkeypatch.setattr(chain_engine, "_twist_kernel", None)
     monkeypatch.setattr(chain_engine.Engine, "_is_small", IS_SMALL)
-    monkeypatch.setattr(chain_engine, "_plain_tasks_left", 2)
+    monkeypatch.setattr(chain_engine, "PLAIN_TASKS", 2)
     chain = SerialChain([Joint.revolute([0, 0, 1])])
     for expected in (True, True, False):
         chain.twist_derivatives(np.ones((4, 1)))

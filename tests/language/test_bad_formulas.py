@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import time
+from contextlib import suppress
 
 import pytest
 
-from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.elaborate import Elaborator
+from workbench.language.errors import Fault, IllFormedAt, Misfit, ReadError
 from workbench.language.reader import read, read_term
+from workbench.language.statements import clauses_of
 from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import Chain, parse
 
 TABLE = SymbolTable.build(
     {
@@ -230,6 +234,17 @@ def test_ill_formed(latex: str, column: int, part: str) -> None:
         read(latex, TABLE)
     assert (caught.value.line, caught.value.column) == (1, column), str(caught.value)
     assert part in caught.value.message
+
+
+@pytest.mark.parametrize("latex", [latex for latex, _, _ in UNREADABLE + ILL_FORMED])
+def test_a_fault_leaves_nothing_behind(latex: str) -> None:
+    with suppress(Fault):
+        for clause in clauses_of(parse(latex)):
+            for side in clause.sides if isinstance(clause, Chain) else (clause,):
+                scope = Elaborator(TABLE, frozenset({"n"}))
+                with suppress(Fault, Misfit):
+                    scope.term(side)
+                assert (scope.depth, scope.variables) == (0, {"n"})
 
 
 def test_the_place_counts_lines() -> None:

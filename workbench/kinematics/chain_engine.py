@@ -22,9 +22,8 @@ HIGHEST_DERIVATIVE_ORDER = 170  # 170! is the last factorial that a double can h
 
 PLAIN_ORDER = 4  # tasks to this order
 PLAIN_STATES = 32  # of at most so many states are done in NumPy
-PLAIN_TASKS = 2000  # so often in a process, unless the kernel is there already
+PLAIN_TASKS = 2000  # so often for one chain, unless the kernel is there already
 
-_plain_tasks_left = PLAIN_TASKS
 _twist_kernel = None
 
 
@@ -43,6 +42,7 @@ class Engine:
     def __init__(self, links: Links, *, taylor: bool):
         self.links = links
         self.taylor = taylor
+        self._plain_tasks = 0
         self._plans: dict[tuple[int, int], tuple] = {}  # shape of a state → see _address_of_plan
 
     def twist(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
@@ -186,11 +186,10 @@ class Engine:
         return 1 / factorials, factorials
 
     def _is_small(self, q):
-        global _plain_tasks_left
         states = q.size // (q.shape[-2] * q.shape[-1])
-        if q.shape[-1] - 2 > PLAIN_ORDER or states > PLAIN_STATES or _plain_tasks_left == 0:
+        if q.shape[-1] - 2 > PLAIN_ORDER or states > PLAIN_STATES or self._plain_tasks == PLAIN_TASKS:
             return False
-        _plain_tasks_left -= 1
+        self._plain_tasks += 1
         return True
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TypeVar
 
@@ -96,21 +96,26 @@ class Scope(ABC):
         return self.build(at, construct.apply, head, *arguments)
 
     @contextmanager
-    def bound(self, names: Sequence[str], at: int):
+    def bound(self, names: Sequence[str], at: int) -> Iterator[None]:
+        """The names as integer variables, within."""
         for name in names:
             if name in self.variables or names.count(name) > 1:
                 raise Fault(f"the summation variable {name} already has a meaning here", at)
         outer, self.variables = self.variables, self.variables.union(names)
-        yield
-        self.variables = outer
+        try:
+            yield
+        finally:
+            self.variables = outer
 
     @contextmanager
-    def nested(self, at: int):
-        self.depth += 1
-        if self.depth > DEEPEST_TERM:
+    def nested(self, at: int) -> Iterator[None]:
+        if self.depth == DEEPEST_TERM:
             raise Fault(f"the formula nests deeper than {DEEPEST_TERM}", at)
-        yield
-        self.depth -= 1
+        self.depth += 1
+        try:
+            yield
+        finally:
+            self.depth -= 1
 
     def is_time(self, node: Node) -> bool:
         """Whether it is the letter t, as it stands for the time."""

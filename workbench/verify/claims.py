@@ -4,9 +4,10 @@ and the claim passes if the verdicts are those that its keys announce."""
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
+from types import MappingProxyType
 from typing import Protocol
 
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
@@ -17,7 +18,7 @@ from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.proofs import False_, Kernel, Proven
 from workbench.judge.theorems.prove import Lemmas, prove
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
-from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
+from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Theorem
 from workbench.papers.selection import select_claims
 from workbench.verify.memory import Keys, Memory
 from workbench.verify.results import FORMS, ClaimResult
@@ -40,40 +41,41 @@ class Pool(Protocol):
         """Ends it."""
 
 
-class PaperJudge:
-    """The judges of a paper: one for each notation, made on first use. Each judgement has the budget: that
-    given here, or the paper's, or the standard one. memory: where verdicts of earlier runs are kept."""
+class ClaimJudge:
+    """The judges of claims: one for each notation, made on first use. theorems: what claims may name.
+    budget: of each judgement.   memory: where verdicts of earlier runs are kept."""
 
     def __init__(
         self,
-        paper: Paper,
+        claims: Sequence[Claim],
+        theorems: Mapping[str, Theorem] = MappingProxyType({}),
         second_engine: bool = True,
         motions: bool = True,
         budget: Budget | None = None,
         memory: Memory | None = None,
     ) -> None:
-        self.paper = paper
+        self.theorems = theorems
         self.options = {"second_engine": second_engine}
-        self.budget = budget or paper.budget or STANDARD
+        self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[int, Judge] = {}
         self._lemmas: dict[int, Lemmas] = {}  # by notation, as the judges
-        self._theorem = cache(lambda name: paper.theorems[name]())  # several claims can rest on one
-        self._claims = {claim.id: claim for claim in paper.claims}
+        self._theorem = cache(lambda name: theorems[name]())  # several claims can rest on one
+        self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
         self._memory = memory
-        self._keys = Keys(paper.theorems, {**self.options, "motions": motions, "budget": self.budget})
+        self._keys = Keys(theorems, {**self.options, "motions": motions, "budget": self.budget})
         self._witnesses = Witnesses(memory, self._keys) if motions else None
 
     def result(self, claim: Claim) -> ClaimResult:
-        """The result for one of the paper's claims."""
+        """The result for one of the claims."""
         (result,) = self.results([claim])
         return result
 
     def results(
         self, claims: Sequence[Claim], jobs: int | None = None, pool: Pool | None = None
     ) -> Iterator[ClaimResult]:
-        """The results for claims of the paper, in their order, each as soon as it is there.
+        """The results for some of the claims, in their order, each as soon as it is there.
 
         Many claims are judged on all cores, or by so many jobs, or by the pool: a claim does not depend on
         another. A pool has its work before the first result is asked for."""
@@ -165,7 +167,7 @@ class PaperJudge:
         """On the goal, by its proof; without one, by the judge of formulas alone."""
         proven = Proven(None, False_()) if claim.corrected is not None else Proven(Kernel())
         if claim.theorem is not None:
-            proven = self.paper.theorems[claim.theorem]
+            proven = self.theorems[claim.theorem]
             if not isinstance(proven, Proven):
                 return Verdict(
                     Outcome.UNCHECKED, reason=f"{claim.theorem} is an argument, and no proof of a goal"
@@ -184,7 +186,7 @@ class PaperJudge:
     def _argument(self, claim: Claim) -> Verdict:
         """What the steps of an argument support: they are checked, and what joins them is prose."""
         name = claim.theorem
-        if isinstance(self.paper.theorems[name], Proven):
+        if isinstance(self.theorems[name], Proven):
             return Verdict(Outcome.UNCHECKED, reason=f"{name} proves a goal, and the claim has none")
         verdict = self._theorem(name)
         if verdict.outcome == Outcome.UNCHECKED:
@@ -245,6 +247,14 @@ def _states(symbol: str) -> str:
     return f"says what {symbol} is, which nothing defines; a definition of {symbol} makes it a claim"
 
 
+class PaperJudge(ClaimJudge):
+    """The judges of a paper. The budget is that given here, or the paper's, or the standard one."""
+
+    def __init__(self, paper: Paper, budget: Budget | None = None, **options: bool | Memory | None) -> None:
+        super().__init__(paper.claims, paper.theorems, budget=budget or paper.budget, **options)
+        self.paper = paper
+
+
 def judge_paper(
     paper: Paper,
     select: Sequence[str] = (),
@@ -253,10 +263,22 @@ def judge_paper(
 ) -> list[ClaimResult]:
     """The results of the selected claims, in reading order; `progress` sees each as soon as it is there.
     options: those of PaperJudge."""
-    judge = PaperJudge(paper, **options)
+    return _judged(PaperJudge(paper, **options), select_claims(paper.claims, select), progress)
+
+
+def judge_claims(claims: Sequence[Claim], **options: bool | Budget | Memory | None) -> list[ClaimResult]:
+    """The results of claims that stand in no paper. options: those of ClaimJudge."""
+    return _judged(ClaimJudge(claims, **options), claims)
+
+
+def _judged(
+    judge: ClaimJudge,
+    claims: Sequence[Claim],
+    progress: Callable[[ClaimResult], None] = lambda result: None,
+) -> list[ClaimResult]:
     results = []
     try:
-        for result in judge.results(select_claims(paper.claims, select)):
+        for result in judge.results(claims):
             results.append(result)
             progress(result)
     finally:

@@ -107,7 +107,7 @@ class _Reader:
     def term(self, node: Node) -> Term | None:
         self.tick()
         try:
-            return self._elaborator.alone(node)
+            return self._elaborator.term(node)
         except (Fault, Misfit, IllFormed):
             return None
 

@@ -14,15 +14,10 @@ class RememberingElaborator(Elaborator):
 
     def __init__(self, table: SymbolTable, variables: frozenset[str]) -> None:
         super().__init__(table, variables)
-        self._free = variables
         self._known: dict[tuple[int, frozenset[str]], tuple[Node, Term | Exception]] = {}
 
-    def alone(self, node: Node) -> Term:
-        """The term of a node that stands for itself. Raises Fault, Misfit or IllFormed."""
-        self.depth, self.variables = 0, self._free  # a fault leaves them as they were inside
-        return self.term(node)
-
     def term(self, node: Node) -> Term:
+        """Raises Fault, Misfit or IllFormed, each time anew."""
         key = id(node), self.variables
         if key not in self._known:
             try:

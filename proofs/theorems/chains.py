@@ -42,7 +42,7 @@ _BY_FACTORS = Induction(
     )
 )
 _IS_A_ROTATION = Each(Follows("Y", Y=Use(0, _AT_M)), Follows("Y", Y=Use(0, _AT_M, part=1)))
-_OF_A_PRODUCT = (
+OF_A_PRODUCT = (
     r"\forall P, S \in \underline{SO}_3^\mathbb{R} : \operatorname{vect} (\frac{d}{dt}(P S) (P S)^T)"
     r" = \operatorname{vect}(\dot{P} P^T) + P \operatorname{vect}(\dot{S} S^T)"
 )
@@ -56,7 +56,7 @@ def _with_one_more(then: Proof) -> Proof:
     """₀w̲ₘ₊₁ = ₀w̲ₘ + w̲ₘ₊₁ is premise 2."""
     product = Use(1, {"P": _Q, "S": _R}, members=_IS_A_ROTATION)
     by_product = Given(Follows("Y", Y=product))
-    return Have(_ORTHOGONAL, _BY_FACTORS, Have(_OF_A_PRODUCT, Kernel(), Have(_ONE_MORE, by_product, then)))
+    return Have(_ORTHOGONAL, _BY_FACTORS, Have(OF_A_PRODUCT, Kernel(), Have(_ONE_MORE, by_product, then)))
 
 
 _NEXT = Use(2, _AT_M)

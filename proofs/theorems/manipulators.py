@@ -1,366 +1,250 @@
-"""Section 8: the 2C manipulator, Eqs. (143)–(147), and the 3C manipulator that it leaves to the reader.
+r"""Section 8: the 3C manipulator, which the chapter leaves to the reader.
 
-Each theorem is proved twice over polynomials, from two different descriptions of the motion:
-
-* FLINT: the lines go through free points, which move as points of the bodies before them do;
-  the twist Σ ω̲ᵢ u̲ᵢ is differentiated by the ring's derivation.
-* SymPy: the bodies' poses are products of 4×4 matrix exponentials in truncated powers of t,
-  Eqs. (117) and (136)–(138), and the twist is Ṫ T⁻¹, Eq. (118). The first line is the z axis and
-  the x axis is normal to the first two lines: a frame that every pair of lines has.
+Of the lines x, y, z and the rates f, g, h of their joints no more is used than that x stays, ẏ = f x × y and
+ż = (f x + g y) × z, and that they are unit lines: so each derivative of f x + g y + h z follows from the one
+before by the product rule.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
-from functools import cache, lru_cache, partial
-from math import factorial
-from typing import Any
 
-import numpy as np
+from proofs.theorems.chains import OF_A_PRODUCT
+from workbench.judge.theorems.proofs import Each, Follows, Given, Have, Kernel, Proof, Proven, Use
+from workbench.kinematics.cylindrical_chains import latex_3c
 
-from workbench.algebra.differential_ring import DifferentialRing
-from workbench.algebra.dual import Dual
-from workbench.algebra.dual_tensors import cross, scale
-from workbench.judge.first.exact import ExactEngine
-from workbench.judge.second.jets import JetEngine
-from workbench.judge.second.rings import PointSource
-from workbench.judge.subject.inventory import take_inventory
-from workbench.judge.theorems.arguments import Engine, Step, Way, argue, vanishing, vanishing_to
-from workbench.judge.verdict import Verdict
-from workbench.kinematics.cylindrical_chains import (
-    current_lines,
-    latex_2c,
-    latex_3c,
-    twist_derivatives,
-    twist_derivatives_2c,
-    twist_derivatives_3c,
+Product = str | tuple["Product", "Product"]  # a letter, or the cross product of two
+Addend = tuple[str, Product]  # a factor in f, g, h and what it is a factor of
+
+_START: list[Addend] = [("f", "x"), ("g", "y"), ("h", "z")]
+_RATES = {"y": [("f", ("x", "y"))], "z": [("f", ("x", "z")), ("g", ("y", "z"))]}
+_NEW = {"y": "P", "z": "Q"}  # for ẏ and ż
+_TWIST = "(f x + g y + h z)"
+_JOINTS = (
+    r"\forall f, g, h \in \underline{\mathbb{R}}^\mathbb{R}, x \in \underline{S}^2,"
+    r" y \in \underline{S}^2^\mathbb{R}, z \in \underline{V}_3^\mathbb{R} :"
+    r" \dot{y} = f x \times y \wedge \dot{z} = (f x + g y) \times z \Longrightarrow "
 )
-from workbench.kinematics.frames import chapter_twist
-from workbench.kinematics.lines import line_through
-from workbench.language.definitions import Definitions
-from workbench.language.reader import read, read_term
-from workbench.language.symbols import SymbolTable
-
-TwistDerivatives = Callable[[Sequence[Dual], Sequence[Sequence[Dual]]], tuple[Dual, ...]]
-
-DRAKE_TOLERANCE = 1e-9  # of the largest entry; the references' own errors reach 1e-11 of it
 
 
-@cache
-def closed_form_2c() -> Verdict:
-    """Eqs. (143)–(147) give the dual twist of the 2C manipulator and its first three derivatives."""
-    return _closed_form(2, twist_derivatives_2c, latex_2c)
+def _latex(product: Product) -> str:
+    return product if isinstance(product, str) else rf"({_latex(product[0])}) \times ({_latex(product[1])})"
 
 
-@cache
-def closed_form_3c() -> Verdict:
-    """`latex_3c` gives the dual twist of the 3C manipulator and its first three derivatives."""
-    return _closed_form(3, twist_derivatives_3c, latex_3c)
+def _sum(addends: list[Addend]) -> str:
+    return " + ".join(rf"({factor}) ({_latex(product)})" for factor, product in addends)
 
 
-#: Name in the claim files → proof.
-THEOREMS = {
-    proof.__name__: proof
-    for proof in (
-        closed_form_2c,
-        closed_form_3c,
+def _places(product: Product) -> Iterator[tuple[str, Callable[[Product], Product]]]:
+    """For each y and z in it: the letter, and the product with another one at its place."""
+    if isinstance(product, tuple):
+        left, right = product
+        for letter, replaced in _places(left):
+            yield letter, lambda new, replaced=replaced: (replaced(new), right)
+        for letter, replaced in _places(right):
+            yield letter, lambda new, replaced=replaced: (left, replaced(new))
+    elif product in _RATES:
+        yield product, lambda new: new
+
+
+def _differentiated(addends: list[Addend]) -> tuple[list[Addend], list[Addend]]:
+    """The derivative, with P and Q for ẏ and ż; and with what these are."""
+    by_letters: list[Addend] = []
+    written_out: list[Addend] = []
+    for factor, product in addends:
+        own = (rf"\frac{{d}}{{dt}} [{factor}]", product)
+        by_letters.append(own)
+        written_out.append(own)
+        for letter, replaced in _places(product):
+            by_letters.append((factor, replaced(_NEW[letter])))
+            written_out += [(rf"{factor} {rate}", replaced(new)) for rate, new in _RATES[letter]]
+    return by_letters, written_out
+
+
+def _derivative(order: int, of: str) -> str:
+    return rf"\frac{{d^{order}}}{{dt^{order}}} {of}"
+
+
+def _in_letters(formula: str) -> str:
+    """The right side of a formula of the chapter, in the letters x, y, z and f, g, h."""
+    right = re.sub(r"\\underline\{\\mathbf\{u\}\}_(\d)", lambda m: " xyz"[int(m[1])], formula).split(" = ")[1]
+    return re.sub(
+        r"(\\d*dot)?\{?\\underline\{\\omega\}\}?_(\d)",
+        lambda m: f"{m[1]}{{{' fgh'[int(m[2])]}}}" if m[1] else " fgh"[int(m[2])],
+        right,
     )
+
+
+def _after(order: int) -> list[Addend]:
+    addends = _START
+    for _ in range(order):
+        addends = _differentiated(addends)[1]
+    return addends
+
+
+def _by_the_product_rule(lines: Sequence[str]) -> Proof:
+    """Each derivative is the last premise of the proof of the next one; all of them are the lines."""
+    proof: Proof = Each(
+        *(Follows(f"Y + ({line}) - ({_sum(_after(n))})", Y=Use(n)) for n, line in enumerate(lines, 1))
+    )
+    for order in range(len(lines), 0, -1):
+        before, expression = _sum(_after(order - 1)), _sum(_differentiated(_after(order - 1))[0])
+        uses = {"P": Use(0), "Q": Use(0, part=1)}
+        if order > 1:
+            expression = rf"\dot{{Y}} - \frac{{d}}{{dt}} [{before}] + {expression}"
+            uses["Y"] = Use(-1)
+        said = f"{_derivative(order, _TWIST)} = {_sum(_after(order))}"
+        proof = Have(said, Follows(expression, **uses), proof)
+    return Given(proof)
+
+
+# the chain of the chapter, body by body
+
+_R1, _R2, _R3, _R02, _R03 = (
+    rf"{{}}^{before}\underline{{\mathbf{{R}}}}_{after}" for before, after in ("01", "12", "23", "02", "03")
+)
+_U1, _U2, _U3 = (rf"\underline{{\mathbf{{u}}}}_{i}" for i in (1, 2, 3))
+_H1, _H2, _H3 = (rf"{{}}_{i}\underline{{\mathbf{{u}}}}_{i + 1}" for i in (0, 1, 2))
+_W1, _W2, _W3 = (rf"\underline{{\omega}}_{i}" for i in (1, 2, 3))
+_OMEGA = r"\underline{\boldsymbol{\omega}}"
+_SUM = f"{_W1} {_U1} + {_W2} {_U2} + {_W3} {_U3}"
+_LINE_3 = f"{_R1} ({_R2} {_H3})"
+_TURNED = r"\forall Q \in \underline{SO}_3, x, y \in \underline{V}_3 : Q (x \times y) = (Q x) \times (Q y)"
+
+
+def _spin(tensor: str) -> str:
+    return rf"\operatorname{{vect}}(\frac{{d}}{{dt}} [{tensor}] ({tensor})^T)"
+
+
+def _at(name: str, part: int = 0, back: bool = False) -> Use:
+    return Use(_place(name), {}, part, back)
+
+
+def _place(name: str) -> int:
+    """The lines are premise 0."""
+    return 1 + list(_FACTS).index(name)
+
+
+def _rotation(of: str) -> str:
+    return rf"{of} {of}^T = \mathbf{{I}} \wedge \det {of} = 1"
+
+
+#: In this order each is a premise of those after it.
+_FACTS: dict[str, str] = {
+    "turned": _TURNED,
+    "rotations": r"\forall P, S \in \underline{SO}_3, Q \in L(\underline{V}_3, \underline{V}_3) : Q = P S"
+    r" \Rightarrow Q Q^T = \mathbf{I} \wedge \det Q = 1",
+    "product": OF_A_PRODUCT,
+    "u1": f"{_U1} = {_H1}",
+    "u2": f"{_U2} = {_R1} {_H2}",
+    "rotation 1": _rotation(_R1),
+    "rotation 2": _rotation(_R2),
+    "rotation 3": _rotation(_R3),
+    "rate 1": rf"\dot{{{_R1}}} = {_W1} \widetilde{{{_H1}}} {_R1}",
+    "rate 2": rf"\dot{{{_R2}}} = {_W2} \widetilde{{{_H2}}} {_R2}",
+    "spin 1": f"{_spin(_R1)} = {_W1} {_H1}",
+    "spin 2": f"{_spin(_R2)} = {_W2} {_H2}",
+    "spin 3": f"{_spin(_R3)} = {_W3} {_H3}",
+    "02": f"{_R02} = {_R1} {_R2}",
+    "03": f"{_R03} = {_R02} {_R3}",
+    "02 x": f"{_R02} {_H3} = {_LINE_3}",
+    "u3 of 02": f"{_U3} = {_R02} {_H3}",
+    "rotation 02": _rotation(_R02),
+    "u3": f"{_U3} = {_LINE_3}",
+    "turned line": rf"{_R1} ({_H2} \times ({_R2} {_H3})) = ({_R1} {_H2}) \times ({_LINE_3})",
+    "moved": rf"\dot{{{_U3}}} = {_W1} {_H1} \times ({_LINE_3}) + {_W2} {_R1} ({_H2} \times ({_R2} {_H3}))",
+    "lines": rf"\dot{{{_U2}}} = {_W1} {_U1} \times {_U2} \wedge"
+    rf" \dot{{{_U3}}} = ({_W1} {_U1} + {_W2} {_U2}) \times {_U3}",
+    "sum": f"{_OMEGA} = {_SUM}",
+    "spin 02": f"{_spin(_R02)} = {_W1} {_U1} + {_W2} {_U2}",
+    "spin 03": f"{_spin(_R03)} = {_OMEGA}",
 }
 
 
-def _closed_form(
-    joints: int, formulas: TwistDerivatives, latex: Callable[[bool], tuple[str, ...]]
-) -> Verdict:
-    name = f"the {joints}C manipulator"
-    return argue(
-        [
-            Step(
-                f"{name}: the closed forms are the twist and its derivatives to order 3",
-                *_ways(joints, formulas, entries=4),
-            ),
-            Step(
-                f"{name}: Eq. (133) nested gives the same to order 4",
-                *_ways(joints, twist_derivatives, entries=5),
-            ),
-            Step(
-                f"{name}: the printed products say the same",
-                *_printed_ways(joints, latex(False), formulas),
-            ),
-            Step(
-                f"{name}: expanded as in (147), they say the same",
-                *_printed_ways(joints, latex(True), formulas),
-            ),
-        ]
-    )
+def _is_a_rotation(name: str) -> Proof:
+    return Each(*(Follows("Y", Y=_at(f"rotation {name}", part)) for part in (0, 1)))
 
 
-def _ways(joints: int, formulas: TwistDerivatives, entries: int) -> list[Way]:
-    wrong = _misprinted(formulas)
-    ways = [
-        Way(
-            engine,
-            vanishing(partial(chain(joints, entries).residuals, formulas)),
-            but_not=vanishing(partial(chain(joints, entries).residuals, wrong)),
+def _two(fact: str, left: str, right: str, part: int = 0, **more: str) -> Use:
+    """What the fact says of the product of two rotations."""
+    tensors = {"1": _R1, "2": _R2, "3": _R3, "02": _R02}
+    members = {"P": left, "S": right}
+    values = {**more, **{letter: tensors[name] for letter, name in members.items()}}
+    are = {letter: _is_a_rotation(name) for letter, name in members.items()}
+    return Use(_place(fact), values, part, members=are)
+
+
+#: How those follow that the judge does not see at once.
+_BECAUSE: dict[str, Proof] = {
+    "02 x": Follows(f"X {_H3}", X=_at("02")),
+    "rotations": Given(Each(Follows("X X^T", X=Use(-1)), Follows(r"\det X", X=Use(-1)))),
+    "rotation 02": Each(*(Follows("Y", Y=_two("rotations", "1", "2", part, Q=_R02)) for part in (0, 1))),
+    "u3": Follows(f"Y - {_R02} {_H3} + X", X=_at("02 x"), Y=_at("u3 of 02")),
+    "turned line": Follows(
+        "X", X=Use(_place("turned"), {"Q": _R1, "x": _H2, "y": f"{_R2} {_H3}"}, members=_is_a_rotation("1"))
+    ),
+    "moved": Follows(
+        rf"\dot{{X}} - \frac{{d}}{{dt}} [{_LINE_3}] + Y ({_R2} {_H3}) + {_R1} (Z {_H3})",
+        X=_at("u3"),
+        Y=_at("rate 1"),
+        Z=_at("rate 2"),
+    ),
+    "lines": Each(
+        Kernel(using=()),
+        Follows(
+            rf"X - {_W1} {_H1} \times ({_LINE_3}) - {_W2} {_R1} ({_H2} \times ({_R2} {_H3}))"
+            rf" + {_W1} Y \times Z + {_W2} T - {_W2} ({_R1} {_H2}) \times ({_LINE_3}) + {_W2} S \times Z",
+            X=_at("moved"),
+            Y=_at("u1", back=True),
+            Z=_at("u3", back=True),
+            T=_at("turned line"),
+            S=_at("u2", back=True),
+        ),
+    ),
+    "spin 02": Follows(
+        rf"\operatorname{{vect}}(\dot{{Z}} Z^T) - {_spin(f'({_R1} {_R2})')} + Y - {_spin(_R1)} + S"
+        rf" + {_R1} (T - {_spin(_R2)}) + {_W1} (X - {_H1}) + {_W2} (V - {_R1} {_H2})",
+        Z=_at("02"),
+        Y=_two("product", "1", "2"),
+        S=_at("spin 1"),
+        T=_at("spin 2"),
+        X=_at("u1", back=True),
+        V=_at("u2", back=True),
+    ),
+    "spin 03": Follows(
+        rf"\operatorname{{vect}}(\dot{{Z}} Z^T) - {_spin(f'({_R02} {_R3})')} + Y - {_spin(_R02)} + S"
+        rf" + {_R02} (T - {_spin(_R3)}) + {_W3} (X - {_R02} {_H3}) + V - ({_SUM})",
+        Z=_at("03"),
+        Y=_two("product", "02", "3"),
+        S=_at("spin 02"),
+        T=_at("spin 3"),
+        X=_at("u3 of 02", back=True),
+        V=_at("sum", back=True),
+    ),
+}
+
+
+def _having(then: Proof) -> Proof:
+    for name in reversed(_FACTS):
+        then = Have(_FACTS[name], _BECAUSE.get(name, Kernel(using=())), then)
+    return then
+
+
+def _closed_form(expanded: bool) -> Proven:
+    lines = [_in_letters(formula) for formula in latex_3c(expanded)[1:]]
+    said = r" \wedge ".join(f"{_derivative(n, _TWIST)} = {line}" for n, line in enumerate(lines, 1))
+    values = {"f": _W1, "g": _W2, "h": _W3, "x": _U1, "y": _U2, "z": _U3}
+    steps = [
+        Follows(
+            rf"{_derivative(n, 'X')} + Y - {_derivative(n, f'({_SUM})')}",
+            X=_at("sum"),
+            Y=Use(0, values, part=n - 1, members=Kernel(using=())),
         )
-        for engine, chain in ((Engine.FLINT, FlintChain), (Engine.SYMPY, SympyChain))
+        for n in (1, 2, 3)
     ]
-    check = vanishing_to(DRAKE_TOLERANCE, partial(_drake_residuals, joints, formulas, entries))
-    but_not = vanishing_to(DRAKE_TOLERANCE, partial(_drake_residuals, joints, wrong, entries))
-    return [*ways, Way(Engine.DRAKE, check, but_not)]
+    parts = Each(Follows("Y", Y=_at("spin 03")), Follows("Y", Y=_at("sum")), *steps)
+    return Proven(Have(_JOINTS + said, _by_the_product_rule(lines), _having(parts)))
 
 
-def _printed_ways(joints: int, latex: Sequence[str], formulas: TwistDerivatives) -> Iterator[Way]:
-    for engine, printed in (
-        (Engine.FLINT, _printed_in_flint),
-        (Engine.SYMPY, _printed_in_sympy),
-    ):
-        yield Way(
-            engine,
-            vanishing(partial(printed, joints, latex, formulas)),
-            but_not=vanishing(partial(printed, joints, latex, _misprinted(formulas))),
-        )
-
-
-def _misprinted(formulas: TwistDerivatives) -> TwistDerivatives:
-    """The formulas with one coefficient of ω̲⃛ wrong: −ω̲₁³ω̲₂ u̲₁ × u̲₂ stands there twice."""
-
-    def misprinted(lines: Sequence[Dual], rates: Sequence[Sequence[Dual]]) -> tuple[Dual, ...]:
-        right = formulas(lines, rates)
-        w1, w2 = rates[0][0], rates[1][0]
-        extra = scale(-(w1 * w1 * w1 * w2), cross(lines[0], lines[1]))
-        return (*right[:3], right[3] + extra, *right[4:])
-
-    return misprinted
-
-
-def _rates(joints: int, entries: int, value: Callable[[str], Any]) -> list[list[Dual]]:
-    """ω̲ᵢ⁽ᵏ⁾ = wi_k + ε di_k for every joint i and k < entries."""
-    return [[Dual(value(f"w{i}_{k}"), value(f"d{i}_{k}")) for k in range(entries)] for i in range(joints)]
-
-
-def _rate_names(joints: int, entries: int) -> list[str]:
-    return [f"{part}{i}_{k}" for i in range(joints) for k in range(entries) for part in "wd"]
-
-
-def _array(entries: Sequence[Any]) -> np.ndarray:
-    array = np.empty(len(entries), dtype=object)
-    array[:] = entries
-    return array
-
-
-class FlintChain:
-    """Unit directions and points of the lines are free; points and directions are carried along."""
-
-    def __init__(self, joints: int, entries: int) -> None:
-        directions = [[f"{axis}{i}" for axis in "abc"] for i in range(joints)]
-        points = [[f"{axis}{i}" for axis in "xyz"] for i in range(joints)]
-        names = [n[0] for n in directions] + [name for n in directions for name in n[1:]]
-        rates = _rate_names(joints, entries)
-        self.ring = ring = DifferentialRing([*names, *(n for p in points for n in p), *rates])
-        generator = ring.generators
-        self._u = [_array([generator[n] for n in names]) for names in directions]
-        self._p = [_array([generator[n] for n in names]) for names in points]
-        self.rates = _rates(joints, entries, generator.__getitem__)
-        for i in range(joints):
-            a, b, c = directions[i]
-            ring.square_as(a, ring.one - generator[b] ** 2 - generator[c] ** 2)
-            for name, rate in zip(directions[i], self._rate_of_direction(i), strict=True):
-                ring.derive_as(name, rate)
-            for name, rate in zip(points[i], self._rate_of_point(i), strict=True):
-                ring.derive_as(name, rate)
-            for k in range(entries - 1):
-                ring.derive_as(f"w{i}_{k}", generator[f"w{i}_{k + 1}"])
-                ring.derive_as(f"d{i}_{k}", generator[f"d{i}_{k + 1}"])
-        self.lines = [Dual(u, cross(p, u)) for u, p in zip(self._u, self._p, strict=True)]
-
-    def _rate_of_direction(self, i: int) -> np.ndarray:
-        rate = _array([self.ring.zero] * 3)
-        for j in range(i):
-            rate = rate + scale(self.rates[j][0].re, cross(self._u[j], self._u[i]))
-        return rate
-
-    def _rate_of_point(self, i: int) -> np.ndarray:
-        velocity = _array([self.ring.zero] * 3)
-        for j in range(i):
-            turn = cross(self._u[j], self._p[i] - self._p[j])
-            rate = self.rates[j][0]
-            velocity = velocity + scale(rate.re, turn) + scale(rate.du, self._u[j])
-        return velocity
-
-    def residuals(self, formulas: TwistDerivatives) -> Iterator[Dual]:
-        derive, reduce = (np.frompyfunc(f, 1, 1) for f in (self.ring.derive, self.ring.reduce))
-        twist = Dual(_array([self.ring.zero] * 3))
-        for u, w in zip(self.lines, self.rates, strict=True):
-            twist = twist + scale(w[0], u)
-        for k, claimed in enumerate(formulas(self.lines, self.rates)):
-            if k > 0:
-                twist = Dual(derive(twist.re), derive(twist.du))
-            difference = twist - claimed
-            yield Dual(reduce(difference.re), reduce(difference.du))
-
-
-class SympyChain:
-    """Poses as products of exponentials of 4×4 matrices, in powers of t up to that of `entries`."""
-
-    def __init__(self, joints: int, entries: int) -> None:
-        from workbench.judge.second.sympy_gate import QQ, lex, polynomial_ring
-
-        self.order, self._fraction = entries, QQ
-        names = ["s", "c", "l", *(f"{part}{axis}" for part in "vm" for axis in "xyz")]
-        ring, *generators = polynomial_ring([*names, *_rate_names(joints, entries)], QQ, lex)
-        g = dict(zip([*names, *_rate_names(joints, entries)], generators, strict=True))
-        zero, one = ring.zero, ring.one
-        relation = [g["s"] ** 2 + g["c"] ** 2 - 1]
-        self._reduce = np.frompyfunc(lambda p: p.rem(relation), 1, 1)
-        self._zero = _array([zero] * 16).reshape(4, 4)
-        self._one = self._zero.copy()
-        np.fill_diagonal(self._one, one)
-        self.lines = [
-            Dual(_array([zero, zero, one]), _array([zero] * 3)),
-            Dual(_array([zero, -g["s"], g["c"]]), _array([zero, -g["l"] * g["c"], -g["l"] * g["s"]])),
-            Dual(*(_array([g[f"{part}{axis}"] for axis in "xyz"]) for part in "vm")),
-        ][:joints]
-        self.rates = _rates(joints, entries, g.__getitem__)
-
-    def residuals(self, formulas: TwistDerivatives) -> Iterator[np.ndarray]:
-        for claimed, twist in zip(formulas(self.lines, self.rates), self._twist_derivatives(), strict=True):
-            yield self._reduce(_array([*claimed.re, *claimed.du]) - twist)
-
-    def _twist_derivatives(self) -> Iterator[np.ndarray]:
-        pose, inverse = self._identity(), self._identity()
-        for i in range(len(self.lines)):
-            pose = self._product(pose, self._exponential(self._joint(i, 1)))
-            inverse = self._product(self._exponential(self._joint(i, -1)), inverse)
-        velocity = [pose[k + 1] * (k + 1) for k in range(self.order)]
-        for k in range(self.order):
-            V = sum((velocity[j] @ inverse[k - j] for j in range(k + 1)), self._zero)
-            yield _array([V[2, 1], V[0, 2], V[1, 0], *V[:3, 3]]) * factorial(k)
-
-    def _joint(self, i: int, sign: int) -> list[np.ndarray]:
-        """±(α(t) û + d(t) [0 u; 0 0]): the powers of t of the joint's matrix, α(0) = d(0) = 0."""
-        u, u0 = self.lines[i].re, self.lines[i].du
-        powers = [self._zero]
-        for k, rate in enumerate(self.rates[i]):
-            factor = self._fraction(sign, factorial(k + 1))
-            matrix = self._zero.copy()
-            matrix[0, 1], matrix[0, 2], matrix[1, 2] = -u[2], u[1], -u[0]
-            matrix[1, 0], matrix[2, 0], matrix[2, 1] = u[2], -u[1], u[0]
-            matrix = matrix * (rate.re * factor)
-            matrix[:3, 3] = u0 * (rate.re * factor) + u * (rate.du * factor)
-            powers.append(matrix)
-        return powers
-
-    def _identity(self) -> list[np.ndarray]:
-        return [self._one, *[self._zero] * self.order]
-
-    def _exponential(self, exponent: list[np.ndarray]) -> list[np.ndarray]:
-        """The exponent has no constant term, so the sum is finite up to the highest power of t."""
-        power = total = self._identity()
-        for k in range(1, self.order + 1):
-            power = self._product(power, exponent)
-            inverse = self._fraction(1, factorial(k))
-            total = [a + b * inverse for a, b in zip(total, power, strict=True)]
-        return total
-
-    def _product(self, A: list[np.ndarray], B: list[np.ndarray]) -> list[np.ndarray]:
-        return [
-            self._reduce(sum((A[j] @ B[k - j] for j in range(k + 1)), self._zero))
-            for k in range(self.order + 1)
-        ]
-
-
-@lru_cache(maxsize=1)
-def _drake_motion(joints: int, order: int) -> tuple[Any, ...]:
-    """Lines and joint derivatives at an instant of a plant, and Drake's dual twist and derivatives."""
-    from workbench.drake.joint_paths import JointPath
-    from workbench.drake.plants import CylindricalAxis, body_motion, cylindrical_chain
-    from workbench.drake.references import twist_derivatives as drake_twist_derivatives
-
-    random = np.random.default_rng(8)
-    directions = random.normal(size=(joints, 3))
-    directions /= np.linalg.norm(directions, axis=1)[:, None]
-    points = random.normal(size=(joints, 3))
-    names = [f"C{i + 1}" for i in range(joints)]
-    axes = [CylindricalAxis(*map(tuple, pair)) for pair in zip(directions, points, strict=True)]
-    plant = cylindrical_chain(axes, names)
-    q = random.normal(size=(order + 1, 2 * joints))
-    path = JointPath.from_derivatives(q)
-    references = drake_twist_derivatives(plant, names[-1], path, 0.0, order)
-    V_WBo = np.array([reference.value for reference in references])
-    p_WBo = body_motion(plant, names[-1], q[0], q[1], q[2]).p_WBp
-    homes = [line_through(p, u) for p, u in zip(points, directions, strict=True)]
-    angles = [Dual(q[:, 2 * i + 1], q[:, 2 * i]) for i in range(joints)]
-    lines = current_lines(homes, [angle[0] for angle in angles])
-    rates = [[angle[k + 1] for k in range(order)] for angle in angles]
-    return lines, rates, chapter_twist(V_WBo[:, :3], V_WBo[:, 3:], p_WBo)
-
-
-def _drake_residuals(joints: int, formulas: TwistDerivatives, entries: int) -> Iterator[np.ndarray]:
-    lines, rates, (omega, v) = _drake_motion(joints, entries)
-    for k, claimed in enumerate(formulas(lines, rates)):
-        scale_of_k = max(np.abs(omega[k]).max(), np.abs(v[k]).max())
-        yield (claimed.re - omega[k]) / scale_of_k
-        yield (claimed.du - v[k]) / scale_of_k
-
-
-def _notation(joints: int) -> SymbolTable:
-    """The letters of the printed forms; the last line need not be a unit vector."""
-    specs: dict[str, dict[str, Any]] = {}
-    for i in range(1, joints + 1):
-        specs[rf"\underline{{\omega}}_{i}"] = {"kind": "dual scalar", "weight": 1}
-        specs[rf"\underline{{\mathbf{{u}}}}_{i}"] = {"kind": "dual vector", "weight": 0}
-        specs[rf"\underline{{\mathbf{{u}}}}_{i}"]["unit"] = i < joints
-    specs[r"\underline{\boldsymbol{\omega}}"] = {"kind": "dual vector", "weight": 1}
-    return SymbolTable.build(specs)
-
-
-_DOTS = ("", r"\dot", r"\ddot", r"\dddot")
-
-
-def _printed(
-    joints: int, latex: Sequence[str], formulas: TwistDerivatives, engine_over: Callable
-) -> Iterator[Any]:
-    """Right sides as read − as computed: engine_over(terms) evaluates a term to its components."""
-    table = _notation(joints)
-    right_sides = [read(formula, table)[0].right for formula in latex]
-    lines = [read_term(rf"\underline{{\mathbf{{u}}}}_{i}", table) for i in range(1, joints + 1)]
-    rates = [
-        [
-            read_term(rf"{dots}{{\underline{{\omega}}}}_{i}" if dots else rf"\underline{{\omega}}_{i}", table)
-            for dots in _DOTS
-        ]
-        for i in range(1, joints + 1)
-    ]
-    components, normal = engine_over([*right_sides, *lines, *(w for row in rates for w in row)])
-
-    def value(term: Any) -> Dual:
-        entries = components(term)
-        half = len(entries) // 2
-        if half == 1:
-            return Dual(*entries)
-        return Dual(_array(entries[:half]), _array(entries[half:]))
-
-    claimed = formulas([value(u) for u in lines], [[value(w) for w in row] for row in rates])
-    for right, computed in zip(right_sides, claimed, strict=True):
-        difference = value(right) - computed
-        yield _array([normal(entry) for entry in (*difference.re, *difference.du)])
-
-
-def _printed_in_flint(joints: int, latex: Sequence[str], formulas: TwistDerivatives) -> Iterator[Any]:
-    def engine_over(terms: Sequence[Any]) -> tuple[Callable, Callable]:
-        engine = ExactEngine(take_inventory(terms, Definitions()), Definitions())
-        return lambda term: engine.parts(engine.value(term)), engine.ring.reduce
-
-    return _printed(joints, latex, formulas, engine_over)
-
-
-def _printed_in_sympy(joints: int, latex: Sequence[str], formulas: TwistDerivatives) -> Iterator[Any]:
-    def engine_over(terms: Sequence[Any]) -> tuple[Callable, Callable]:
-        from workbench.judge.second.sympy_ring import SympyRing
-
-        inventory = take_inventory(terms, Definitions())
-        ring = SympyRing(inventory)
-        engine = JetEngine(PointSource(ring, ring.point), Definitions())
-        return engine.components, lambda entry: ring.normal(ring.lift(entry).top)
-
-    return _printed(joints, latex, formulas, engine_over)
+THEOREMS = {"closed_form_3c": _closed_form(False), "closed_form_3c_expanded": _closed_form(True)}

@@ -31,6 +31,8 @@ LONG = {
     "relative_twist_is_the_difference",
     "twists_of_two_add",
     "theorem_11",
+    "closed_form_3c",
+    "closed_form_3c_expanded",
 }
 
 

@@ -68,13 +68,14 @@ class Induction:
 @dataclass(frozen=True)
 class Use:
     """One premise, for these values of its ∀ (LaTeX; an integer such as n+1): which of its equations, read
-    from right to left if `back`. members: the proof that values of rotations and unit vectors are such."""
+    from right to left if `back`. members: the proof that values of rotations and unit vectors are such, for
+    all of them or by letter."""
 
     premise: int
     at: Mapping[str, str] = field(default_factory=dict)
     part: int = 0
     back: bool = False
-    members: Proof = field(default_factory=Kernel)
+    members: Proof | Mapping[str, Proof] = field(default_factory=Kernel)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ judge proves with both of its engines. So a wrong witness, a wrong instance, or 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from workbench.judge.theorems.goals import (
@@ -285,7 +285,9 @@ def _instance(sequent: Sequent, use: Use):
                         moves = not variable.declaration.constant
                         lasting = lasting and (moves or sequent.lasts)
                         known = sequent.at_all_times() if moves else sequent
-                        yield from obligations(known.of(Both(tuple(own))), use.members)
+                        by = use.members
+                        by = by.get(variable.name, Kernel()) if isinstance(by, Mapping) else by
+                        yield from obligations(known.of(Both(tuple(own))), by)
                 goal = put_in(sequent, variables, taken, body)
             case AllFrom(integer, least, body):
                 value = _integer(given.pop(integer, None), integer, least, scope)

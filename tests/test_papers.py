@@ -11,6 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from workbench.judge.verdict import Outcome
+from workbench.language.names import Name
 from workbench.papers import InstalledPaper, Orders, PaperError, load_paper, merge
 from workbench.papers.orders import orders_within
 
@@ -215,7 +216,7 @@ def test_the_sections_of_a_paper_share_a_notation_and_keep_their_own(tmp_path):
     assert [(c.id, c.section) for c in paper.claims] == [("4.1", "4.1"), ("4.2", "4.2")]
     assert paper.claims[0].printed.statement is not None
     assert "scalar" in paper.claims[1].printed.ill_formed
-    assert "\\alpha" not in paper.symbols.symbols
+    assert Name("\\alpha") not in paper.symbols.symbols
     (alone,) = write(
         tmp_path,
         c="title = 'x'\n[symbols]\na = { kind = 'vector' }\n" + "[[claim]]\nid='c'\nprinted='a = a'\n",

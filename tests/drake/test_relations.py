@@ -12,6 +12,7 @@ from workbench.judge.evidence.motion_source import Bindings
 from workbench.judge.evidence.relation_terms import term_of
 from workbench.language.construct import relation, symbol
 from workbench.language.definitions import Definitions
+from workbench.language.names import Name
 from workbench.language.terms import Symbol
 from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration
 
@@ -23,7 +24,7 @@ KINDS = {(): SCALAR, (3,): VECTOR, (3, 3): TENSOR}
 def symbol_of(name: str) -> Symbol:
     shape, dual = BINDINGS[name].shape, name.startswith("dual_")
     kind = KINDS[shape[1:] if dual else shape]
-    return symbol(Declaration(name, kind.with_dual(dual)))
+    return symbol(Declaration(Name(name), kind.with_dual(dual)))
 
 
 def seen(name, data):

@@ -14,27 +14,28 @@ from workbench.language.construct import (
     symbol,
     time_operator,
 )
+from workbench.language.names import Name
 from workbench.language.terms import IllFormed, Term
 from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration
 
 SYMBOLS = {
-    "scalar": [Declaration("f", SCALAR), Declaration("c", SCALAR, constant=True)],
-    "angle": [Declaration(r"\alpha", SCALAR), Declaration(r"\beta", SCALAR)],
-    "dual angle": [Declaration(r"\underline{\alpha}", SCALAR.with_dual(True))],
+    "scalar": [Declaration(Name("f"), SCALAR), Declaration(Name("c"), SCALAR, constant=True)],
+    "angle": [Declaration(Name(r"\alpha"), SCALAR), Declaration(Name(r"\beta"), SCALAR)],
+    "dual angle": [Declaration(Name(r"\alpha", (r"\underline",)), SCALAR.with_dual(True))],
     "vector": [
-        Declaration("a", VECTOR),
-        Declaration("b", VECTOR),
-        Declaration("u", VECTOR, unit=True),
-        Declaration("e", VECTOR, unit=True, constant=True),
+        Declaration(Name("a"), VECTOR),
+        Declaration(Name("b"), VECTOR),
+        Declaration(Name("u"), VECTOR, unit=True),
+        Declaration(Name("e"), VECTOR, unit=True, constant=True),
     ],
     "dual vector": [
-        Declaration(r"\underline{a}", VECTOR.with_dual(True)),
-        Declaration(r"\underline{u}", VECTOR.with_dual(True), unit=True),
+        Declaration(Name("a", (r"\underline",)), VECTOR.with_dual(True)),
+        Declaration(Name("u", (r"\underline",)), VECTOR.with_dual(True), unit=True),
     ],
     "tensor": [
-        Declaration("T", TENSOR),
-        Declaration("R", TENSOR, rotation=True),
-        Declaration(r"\underline{R}", TENSOR.with_dual(True), rotation=True),
+        Declaration(Name("T"), TENSOR),
+        Declaration(Name("R"), TENSOR, rotation=True),
+        Declaration(Name("R", (r"\underline",)), TENSOR.with_dual(True), rotation=True),
     ],
 }
 

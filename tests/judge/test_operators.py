@@ -13,22 +13,23 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome
 from workbench.language.construct import apply, derivative, relation, symbol
 from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.operators import GRADIENTS, LINEAR, OPERATORS, PARTIALS
 from workbench.language.terms import IllFormed
 from workbench.language.types import QUATERNION, SCALAR, TENSOR, VECTOR, Declaration
 
 TYPES = (VECTOR, TENSOR, SCALAR, QUATERNION)
-PLACE = symbol(Declaration("r", VECTOR, coordinate=True))
+PLACE = symbol(Declaration(Name("r"), VECTOR, coordinate=True))
 #: P D and partial derivatives are linear in what they act on; tests/judge/test_slopes.py has laws of their own.
 HEADS = sorted(set(OPERATORS) - {"compose", *PARTIALS})
 
 
 def free(letter, type_):
-    return symbol(Declaration(letter, type_, Linear(0)))
+    return symbol(Declaration(Name(letter), type_, Linear(0)))
 
 
 def field(letter):
-    return apply("mul", symbol(Declaration(letter, TENSOR, uniform=True)), PLACE)
+    return apply("mul", symbol(Declaration(Name(letter), TENSOR, uniform=True)), PLACE)
 
 
 def arguments_of(head):

@@ -23,6 +23,7 @@ from workbench.language.construct import apply, derivative, number, rebuild, rel
 from workbench.language.defining import read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.instances import instantiate
+from workbench.language.names import Name
 from workbench.language.reader import read
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
@@ -272,7 +273,7 @@ def transformed(random: Random, claim: Relation) -> Relation:
         return relation("=", *(replaced(side, old, new) for side in (left, right)))
 
     def scaled() -> Relation:
-        f = symbol(TABLE.symbols[random.choice("fg")])
+        f = symbol(TABLE.symbols[Name(random.choice("fg"))])
         return relation("=", apply("mul", f, left), apply("mul", f, right))
 
     def differentiated() -> Relation:
@@ -289,12 +290,18 @@ def _bound(s: Symbol) -> bool:
     declaration = s.declaration
     is_formed = declaration.rotation or declaration.transform or declaration.symmetric or declaration.diagonal
     is_tied = declaration.independent or declaration.of or declaration.clock
-    return is_formed or is_tied or declaration.unit or declaration.constant or declaration.name == r"\alpha"
+    return (
+        is_formed
+        or is_tied
+        or declaration.unit
+        or declaration.constant
+        or declaration.name == Name(r"\alpha")
+    )
 
 
 def _like(random: Random, term: Term) -> Term:
     def sym(name: str) -> Term:
-        return symbol(TABLE.symbols[name])
+        return symbol(TABLE.symbols[Name(name)])
 
     choices: dict[str, list[Callable[[], Term]]] = {
         "scalar": [lambda: apply("mul", sym("f"), sym("g")), lambda: apply("dot", sym("a"), sym("x"))],

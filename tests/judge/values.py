@@ -49,6 +49,7 @@ from judge.series import (
 from mpmath import mp, mpf
 
 from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.terms import (
     Apply,
     BigSum,
@@ -535,10 +536,8 @@ def _count(name: str, arguments: list[int]) -> int:
     return value
 
 
-def _spelled(name: str, index: list[int]) -> str:
-    for value in index:
-        name = name.replace("@", str(value), 1)
-    return name
+def _spelled(name: Name, index: list[int]) -> str:
+    return name.shown(index)
 
 
 def _size(type_) -> tuple[int, int]:

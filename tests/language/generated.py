@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from workbench.language import construct
 from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Apply, IllFormed, Integer, Number, Symbol, Term, Zero
 from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration
@@ -37,16 +38,16 @@ VARIABLES = ("n", "m", "k_1")
 def _table() -> SymbolTable:
     table = SymbolTable.build(SPECS)
     for name, kind, formals in (
-        (r"\Phi_{@}(\cdot)", TENSOR, (Declaration("x", VECTOR),)),
-        (r"f(\cdot,\cdot)", SCALAR, (Declaration("x", SCALAR), Declaration("y", SCALAR))),
+        (Name(r"\Phi", sub=("", ""), parameters=1), TENSOR, (Declaration(Name("x"), VECTOR),)),
+        (Name("f", parameters=2), SCALAR, (Declaration(Name("x"), SCALAR), Declaration(Name("y"), SCALAR))),
     ):
-        function = Declaration(name, kind, indices=name.count("@"), parameters=len(formals))
+        function = Declaration(name, kind, indices=name.indices, parameters=len(formals))
         table = table.with_symbol(function, formals)
     return table
 
 
 TABLE = _table()
-DECLARATIONS = sorted({d.name: d for d in TABLE.symbols.values()}.values(), key=lambda d: d.name)
+DECLARATIONS = sorted({d.name: d for d in TABLE.symbols.values()}.values(), key=lambda d: str(d.name))
 FUNCTIONS = tuple(TABLE.functions.values())
 
 linears = st.builds(

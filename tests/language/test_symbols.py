@@ -4,17 +4,31 @@ from __future__ import annotations
 
 import pytest
 
+from tests.language.chapter import PARTS
+from tests.language.generated import TABLE
+from workbench.language.declarations import read_key
+from workbench.language.defining import read_definitions
 from workbench.language.errors import ReadError, SpecError
+from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.reader import read_term
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Apply, Symbol
+from workbench.language.types import VECTOR, Declaration
 
 
 def test_an_exact_name_goes_before_a_member_of_a_family() -> None:
     table = SymbolTable.build({r"a_n": {"kind": "vector"}, r"a_0": {"kind": "scalar"}})
-    assert read_term("a_0", table).declaration.name == "a_{0}"
+    assert read_term("a_0", table).declaration.name == Name("a", sub=("0",))
     member = read_term("a_1", table)
-    assert (member.declaration.name, str(member.index[0])) == ("a_{@}", "1")
+    assert (member.declaration.name, str(member.index[0])) == (Name("a", sub=("", "")), "1")
+
+
+@pytest.fixture(scope="module")
+def paper_names() -> set[Name]:
+    tables = [SymbolTable.build(part.symbols) for part in PARTS.values()]
+    tables = [read_definitions(p.definitions, t)[1] for p, t in zip(PARTS.values(), tables, strict=True)]
+    return {name for table in (*tables, TABLE) for name in (*table.symbols, *table.functions, *table.formals)}
 
 
 @pytest.mark.parametrize(
@@ -51,6 +65,23 @@ def test_weights_of_members(key: str, weight: int | str, use: str, expected: str
     assert str(read_term(use, table, {"n"}).weight) == expected
 
 
+def test_a_name_is_read_back_as_it_is_shown(paper_names) -> None:
+    for name in paper_names:
+        assert read_key(str(name.without_arguments())) == (
+            name.without_arguments(),
+            tuple(Linear.variable("n") for _ in range(name.indices)),
+        )
+        member = name.at([Linear(k) for k in range(name.indices)])
+        assert member.indices == 0 and (name.index_of(member) is not None) == (name.indices > 0)
+        assert str(member) == name.shown(range(name.indices))
+
+
+def test_what_is_made_of_other_terms_has_another_name() -> None:
+    x, y = (Symbol(VECTOR, weight, Declaration(Name("x"), VECTOR)) for weight in (None, Linear(1)))
+    names = {Name(r"\left(x\right)", of=(term,)) for term in (x, y)}
+    assert len(names) == 2 and len({str(name) for name in names}) == 1
+
+
 def test_fonts_are_symbols_of_their_own_unless_aliased() -> None:
     table = SymbolTable.build({r"\omega": {"kind": "vector", "aliases": [r"\boldsymbol{\omega}"]}})
     assert read_term(r"\boldsymbol{\omega}", table) == read_term(r"\omega", table)
@@ -68,8 +99,8 @@ def test_a_star_is_the_adjugate_unless_the_name_has_it() -> None:
 def test_a_table_is_never_changed() -> None:
     table = SymbolTable.build({"x": {"kind": "scalar"}})
     wider = table.with_specs({"y": {"kind": "vector"}})
-    assert set(table.symbols) == {"x"}
-    assert set(wider.symbols) == {"x", "y"}
+    assert set(table.symbols) == {Name("x")}
+    assert set(wider.symbols) == {Name("x"), Name("y")}
 
 
 BAD_SPECS = [

@@ -18,6 +18,7 @@ from workbench.judge.theorems.goals import (
 )
 from workbench.judge.theorems.proofs import Follows, Squares, TwoWitnesses, Unique, Witness
 from workbench.language.construct import apply, number, relation, symbol
+from workbench.language.names import Name
 from workbench.language.terms import Conjunction, Equivalence, Implication, Relation, Statement
 from workbench.language.types import Declaration
 
@@ -29,7 +30,9 @@ def made_false(said: Relation) -> Relation:
     if said.operator != "=":
         return relation(said.operator, said.left, said.left)
     kind = said.left.type.with_dual(said.left.type.dual or said.right.type.dual)
-    return relation("=", said.left, apply("add", said.right, symbol(Declaration(r"\mathsf{z}", kind))))
+    return relation(
+        "=", said.left, apply("add", said.right, symbol(Declaration(Name("z", (r"\mathsf",)), kind)))
+    )
 
 
 def made_idle(said: Relation) -> Relation:

@@ -312,10 +312,8 @@ class Collector:
 
 
 def identifier(symbol: Symbol) -> str:
-    name = symbol.declaration.name
-    for index in symbol.index:
-        name = name.replace("@", f" {index} ".replace("+", "_plus_").replace("-", "_minus_"), 1)
-    return spelled(name)
+    index = [f" {place} ".replace("+", "_plus_").replace("-", "_minus_") for place in symbol.index]
+    return spelled(symbol.declaration.name.latex(index))
 
 
 def spelled(latex: str) -> str:

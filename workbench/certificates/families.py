@@ -137,7 +137,8 @@ def _mentions(body: Term, definition: Definition) -> bool:
 
 
 def _family_name(emitter: Collector, symbol: Symbol) -> str:
-    return spelled(symbol.declaration.name.replace("@", ""))
+    name = symbol.declaration.name
+    return spelled(name.latex([""] * name.indices))
 
 
 def _recursion(emitter: Collector, symbol: Symbol, own: list[Definition], step: Definition, kind: str) -> str:

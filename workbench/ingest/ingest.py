@@ -216,4 +216,4 @@ def _definitions(formulas: list[Formula]) -> list[Proposed]:
 def _lone_left(statement: Statement) -> str | None:
     left = statement.left if isinstance(statement, Relation) else None
     is_plain = isinstance(left, Symbol) and not left.index and not left.arguments
-    return left.declaration.name if is_plain else None
+    return str(left.declaration.name) if is_plain else None

@@ -10,9 +10,10 @@ from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 from workbench.ingest.proposals import speaks_of_quaternions
+from workbench.language.declarations import read_key
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable, read_key
+from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Statement
 
 _UNKNOWN = re.compile(r"unknown symbol (.+?)(?:; known and close: .*)?$", re.DOTALL)
@@ -257,8 +258,9 @@ class Guesser:
         """The table and the symbols with a script letter as a superscript, which is no power."""
         for match in _LABELLED.finditer(latex):
             with suppress(SpecError):
-                name = read_key(match[0])[0]
-                if name not in table.symbols:
+                key = read_key(match[0])[0]
+                if key not in table.symbols:
+                    name = str(key)
                     guess = self.guesses.setdefault(name, self._guess(name))
                     return table.with_specs({name: guess.spec})
         return None
@@ -348,4 +350,4 @@ def _known(latex: str, names: Iterable[str]) -> set[str]:
 
 
 def _core(name: str) -> str:
-    return re.sub(r"[\s{}@]", "", name)
+    return re.sub(r"[\s{}]", "", name)

@@ -6,12 +6,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from workbench.language import construct
+from workbench.language.declarations import key_spelling, refuse_builtin
 from workbench.language.definitions import Definitions, solve
 from workbench.language.errors import Fault, IllFormedAt, SpecError
 from workbench.language.integers import Linear, as_linear
-from workbench.language.names import candidates, names_of_key
+from workbench.language.names import Name
 from workbench.language.reader import read_term
-from workbench.language.symbols import SymbolTable, index_in, key_pieces, refuse_builtin, spelled
+from workbench.language.spelling import Named
+from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Bracket, Node, Product, Scripted, parse
 from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
 from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
@@ -60,11 +62,11 @@ class _Head:
     """The left side of a definition: the spellings that it may mean, best first, and its formal arguments."""
 
     key: str
-    spellings: tuple[tuple[str, tuple[Linear, ...]], ...]
+    spellings: tuple[Named, ...]
     formals: tuple[Declaration, ...]
 
     @property
-    def own(self) -> tuple[str, tuple[Linear, ...]]:
+    def own(self) -> Named:
         """The spelling where letters are index places and numbers are not."""
         return self.spellings[-1]
 
@@ -73,9 +75,8 @@ class _Head:
         return frozenset().union(*(place.variables for place in self.own[1]))
 
     @property
-    def name(self) -> str:
-        places = ",".join(["\\cdot"] * len(self.formals))
-        return f"{self.own[0]}({places})" if self.formals else self.own[0]
+    def name(self) -> Name:
+        return replace(self.own[0], parameters=len(self.formals))
 
 
 def _head(key: str, table: SymbolTable) -> _Head:
@@ -92,19 +93,19 @@ def _head(key: str, table: SymbolTable) -> _Head:
             node = name[0] if len(name) == 1 else Product(node.at, tuple(name))
     if len(set(formals)) != len(formals):
         raise SpecError("the formal arguments must differ", key)
-    pieces = key_pieces(node, key)
-    own = names_of_key(pieces)
+    spelling = key_spelling(node, key)
+    own = spelling.declared()
     for place in own[1]:
         if len(place.coefficients) != 1 or place.coefficients[0][1] != 1:
             raise SpecError(f"the index {place}; expected a number, or one letter plus a number", key)
     if len({name for place in own[1] for name in place.variables}) != len(own[1]):
         raise SpecError("each index place needs a letter of its own", key)
-    return _Head(key, (*candidates(pieces), own), formals)
+    return _Head(key, (*spelling.candidates(), own), formals)
 
 
 def _formal(node: Node, table: SymbolTable, key: str) -> Declaration:
     try:
-        found = table.find(key_pieces(node, key))
+        found = table.find(key_spelling(node, key))
     except SpecError:
         found = None
     if found is None or found[1] or (isinstance(node, Scripted) and node.sup is not None):
@@ -115,9 +116,9 @@ def _formal(node: Node, table: SymbolTable, key: str) -> Declaration:
 def _known(head: _Head, table: SymbolTable) -> tuple[Declaration, tuple[Linear, ...]] | None:
     """The declaration that the table has for the left side already, and the index there."""
     known = _names(head, table)
-    for pattern, index in head.spellings:
-        declaration = known.get(pattern)
-        if declaration is not None and declaration.indices == len(index):
+    for name, index in head.spellings:
+        declaration = known.get(name)
+        if declaration is not None:
             if index in table.defined.get(declaration.name, ()):
                 raise SpecError("this symbol is defined already", head.key)
             return declaration, index
@@ -160,8 +161,8 @@ def _defined(
 
 def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
     """The definition of a symbol that is not in [symbols]."""
-    pattern, index = head.own
-    bases = {name: place for name in _names(head, table) if (place := index_in(pattern, name)) is not None}
+    own, index = head.own
+    bases = {name: place for name in _names(head, table) if (place := own.index_of(name)) is not None}
     if bases:
         return _recurrence(head, body, table, bases)
     term = read_term(body, table, head.variables)
@@ -169,7 +170,7 @@ def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition,
         name: Linear.variable(f"@{i}") - p.constant for i, p in enumerate(index) for name in p.variables
     }
     weight = None if term.weight is None else term.weight.substitute(places)
-    refuse_builtin(pattern, term.type, head.key)
+    refuse_builtin(own, term.type, head.key)
     declaration = _declaration(head, term.type, weight)
     table = table.with_symbol(declaration, head.formals)
     if isinstance(term, Zero | Identity):
@@ -178,7 +179,7 @@ def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition,
     return Definition(declaration, index, head.formals, term), table
 
 
-def _names(head: _Head, table: SymbolTable) -> Mapping[str, Declaration]:
+def _names(head: _Head, table: SymbolTable) -> Mapping[Name, Declaration]:
     return table.functions if head.formals else table.symbols
 
 
@@ -188,7 +189,7 @@ def _declaration(head: _Head, type_: Type, weight: Linear | None) -> Declaration
 
 
 def _recurrence(
-    head: _Head, body: str, table: SymbolTable, bases: Mapping[str, tuple[Linear, ...]]
+    head: _Head, body: str, table: SymbolTable, bases: Mapping[Name, tuple[Linear, ...]]
 ) -> tuple[Definition, SymbolTable]:
     """A step Φ_{n+1} after the base Φ_1: the numbered symbols become members of one family."""
     symbols = _names(head, table)
@@ -196,7 +197,7 @@ def _recurrence(
     free = [name for name, declaration in declared.items() if not declaration.introduced]
     if free or len(head.own[1]) != 1:
         raise SpecError("declare the whole family in [symbols]: kind, and weight in its index", head.key)
-    rest = {pattern: d for pattern, d in symbols.items() if pattern not in bases}
+    rest = {name: d for name, d in symbols.items() if name not in bases}
     outer = replace(table, **{"functions" if head.formals else "symbols": rest})
     step = _Step(head, body, outer, {bases[name]: d for name, d in declared.items()})
     first = next(iter(declared.values()))
@@ -283,7 +284,7 @@ def _refuse_overlap(head: _Head, definition: Definition, table: SymbolTable) -> 
             continue
         common = [_common(one, two) for one, two in zip(definition.index, other, strict=True)]
         if None not in common:
-            both, known = (spelled(name, index) for index in (tuple(map(as_linear, common)), other))
+            both, known = (name.shown(index) for index in (tuple(map(as_linear, common)), other))
             raise SpecError(
                 f"defines {both}, and so does {known}; each member needs one definition",
                 head.key,
@@ -335,8 +336,8 @@ def _step(used: Linear, own: Linear) -> int:
 
 
 def _primitives(
-    definition: Definition, defined: Mapping[str, tuple[tuple[Linear, ...], ...]]
-) -> Iterator[tuple[str, tuple[Linear, ...]]]:
+    definition: Definition, defined: Mapping[Name, tuple[tuple[Linear, ...], ...]]
+) -> Iterator[Named]:
     for term in _symbols(definition.body):
         name = term.declaration.name
         if name != definition.declaration.name and not any(

@@ -8,7 +8,8 @@ from dataclasses import replace
 from workbench.language.construct import rebuild
 from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear
-from workbench.language.symbols import index_in, spelled
+from workbench.language.names import Name
+from workbench.language.spelling import Named
 from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
 
 
@@ -23,12 +24,12 @@ class Definitions:
 
     def __init__(self, definitions: Iterable[Definition] = ()) -> None:
         self._all = tuple(definitions)
-        self._of: dict[str, list[Definition]] = {}
+        self._of: dict[Name, list[Definition]] = {}
         for definition in sorted(self._all, key=lambda d: sum(not place.is_number for place in d.index)):
             self._of.setdefault(definition.declaration.name, []).append(definition)
-        # by spelling, since a base Φ₁ is a symbol of its own until the recurrence makes it a member
+        # by the whole name, since a base Φ₁ is a symbol of its own until the recurrence makes it a member
         self._exact = {
-            spelled(d.declaration.name, d.index): d for d in self._all if all(i.is_number for i in d.index)
+            d.declaration.name.at(d.index): d for d in self._all if all(i.is_number for i in d.index)
         }
         self._known: dict[Symbol, Term | None] = {}
 
@@ -51,7 +52,7 @@ class Definitions:
         return self._known[symbol]
 
     def _step(self, symbol: Symbol) -> Term | None:
-        exact = self._exact.get(spelled(symbol.declaration.name, symbol.index))
+        exact = self._exact.get(symbol.declaration.name.at(symbol.index))
         if exact is not None:
             body = _with_arguments(exact.body, exact, symbol)
             is_bare = isinstance(body, Zero | Identity)
@@ -63,10 +64,10 @@ class Definitions:
                 return _with_arguments(instantiate(definition.body, values), definition, symbol)
         if symbol.declaration.introduced and all(place.is_number for place in symbol.index):
             family = symbol.declaration.name
-            known = [text for text in self._exact if index_in(family, text) is not None]
-            known += [spelled(family, definition.index) for definition in own]
+            known = [str(name) for name in self._exact if family.index_of(name) is not None]
+            known += [family.shown(definition.index) for definition in own]
             known = ", ".join(dict.fromkeys(known))
-            raise IllFormed(f"{spelled(family, symbol.index)} is not defined; defined: {known}")
+            raise IllFormed(f"{family.shown(symbol.index)} is not defined; defined: {known}")
         return None
 
 
@@ -82,7 +83,7 @@ class _Expansion:
     def __init__(self, definitions: Definitions) -> None:
         self.definitions = definitions
         self.done: dict[int, tuple[Term, Term]] = {}
-        self.members: dict[tuple[str, tuple[Linear, ...]], Term] = {}
+        self.members: dict[Named, Term] = {}
 
     def term(self, term: Term) -> Term:
         known = self.done.get(id(term))
@@ -127,7 +128,7 @@ def _with_arguments(body: Term, definition: Definition, symbol: Symbol) -> Term:
     return _replace(instantiate(body, {f"in {name}": Linear.variable(name) for name in used}), actual, {})
 
 
-def _replace(term: Term, actual: Mapping[str, Term], done: dict[int, Term]) -> Term:
+def _replace(term: Term, actual: Mapping[Name, Term], done: dict[int, Term]) -> Term:
     if id(term) not in done:
         if isinstance(term, Symbol) and term.declaration.name in actual:
             done[id(term)] = actual[term.declaration.name]

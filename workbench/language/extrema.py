@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault
-from workbench.language.names import Scripts, base_name, literal, spell
+from workbench.language.names import Name
 from workbench.language.ranges import kind_of_members, set_name
+from workbench.language.spelling import Scripts, spell
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Chain,
@@ -87,11 +88,10 @@ def _bound(over: Node) -> Iterator[tuple[Node, str | None]]:
 def _letter(table: SymbolTable, reader: Elaborator, node: Node, kind: str | None) -> Symbol:
     """The letter as it is declared; one that is not is a constant of its set."""
     name = _name(node)
-    declared = table.find([name]) if name is not None else None
-    if declared is None:
+    if name not in table.symbols:
         if kind is None:
             raise Fault("over which set? expected a letter and its set, as in x \\in V_3", node.at)
-        if name is None or name in reader.variables:
+        if name is None or str(name) in reader.variables:
             raise Fault("expected a letter, such as x, under a minimum or maximum", node.at)
         declaration = Declaration(name, _KINDS[kind], constant=True, unit=kind == "unit vector")
         return Symbol(declaration.type, None, declaration)
@@ -106,7 +106,7 @@ def _letter(table: SymbolTable, reader: Elaborator, node: Node, kind: str | None
     return symbol
 
 
-def _name(node: Node) -> str | None:
+def _name(node: Node) -> Name | None:
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
     if scripted.factorial or scripted.sup is not None:
         return None
@@ -118,7 +118,6 @@ def _name(node: Node) -> str | None:
         letter = letter.body if isinstance(letter, Styled) else letter.parts[0]
     if not isinstance(letter, Leaf) or letter.kind != "LETTER":
         return None
-    pieces: Sequence | None = spell(
-        base_name(styles, letter.text), Scripts(sub=scripted.sub, primes=scripted.primes), ()
-    )
-    return None if pieces is None else literal(pieces)
+    scripts = Scripts(sub=scripted.sub, primes=scripted.primes)
+    spelling = spell(Name.styled(styles, letter.text), scripts, ())
+    return None if spelling is None else spelling.exact

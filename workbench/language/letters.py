@@ -8,9 +8,10 @@ from dataclasses import replace
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
-from workbench.language.names import INDEX_LETTERS, Scripts, base_name, linear, literal, spell, variable_name
+from workbench.language.names import Name
 from workbench.language.notations import Notation
 from workbench.language.scope import Scope
+from workbench.language.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
 from workbench.language.symbols import may_be_label
 from workbench.language.syntax import (
     Accented,
@@ -60,7 +61,7 @@ class _Lettering:
             case Leaf(kind="LETTER" | "MARK"):
                 return self.symbol(node, styles, scripts)
             case Leaf(kind="NUMBER") if styles and (
-                found := self.constant(base_name(styles, node.text), scripts)
+                found := self.constant(Name.styled(styles, node.text), scripts)
             ):
                 return found
             case Leaf(kind="NUMBER", text="0") if styles or scripts.sub is not None:
@@ -107,27 +108,27 @@ class _Lettering:
 
     def symbol(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Lettered:
         """The declared symbol, with the superscript as part of the name if there is such a name."""
-        scope, base = self.scope, base_name(styles, leaf.text)
+        scope, letter = self.scope, Name.styled(styles, leaf.text)
         plain = not (styles or scripts.primes or scripts.left_sub or scripts.left_sup)
         if plain and leaf.kind == "LETTER":
             variable = variable_name(Scripted(leaf.at, leaf, scripts.sub) if scripts.sub else leaf)
             if variable in scope.variables:
                 return scope.integer_variable(variable, leaf.at), scripts.sup
         for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())):
-            pieces = spell(base, tried, scope.variables)
-            if pieces is None:
+            spelling = spell(letter, tried, scope.variables)
+            if spelling is None:
                 continue
-            if self.bracket is not None and (found := scope.table.find(pieces, function=True)) is not None:
+            if self.bracket is not None and (found := scope.table.find(spelling, function=True)) is not None:
                 return self.function(leaf, *found), sup
-            if (found := scope.table.find(pieces)) is not None:
+            if (found := scope.table.find(spelling)) is not None:
                 return scope.build(leaf.at, construct.symbol, *found), sup
         found = self.primed(leaf, styles, scripts)
-        found = found or self.constant(base, scripts) or self.builtin(base, scripts, leaf.at)
+        found = found or self.constant(letter, scripts) or self.builtin(letter.base, scripts, leaf.at)
         if found is not None:
             return found
         if leaf.kind == "MARK":
             raise Fault(f"{leaf.text} cannot stand here", leaf.at)
-        raise Fault(self.unknown(base, scripts), leaf.at)
+        raise Fault(self.unknown(letter, scripts), leaf.at)
 
     def function(self, leaf: Leaf, declaration, index) -> Term:
         self.takes_bracket = True
@@ -157,13 +158,13 @@ class _Lettering:
         term, sup = self.symbol(leaf, styles, replace(scripts, primes=scripts.primes - 1))
         return notated(self.scope, leaf.at, entries, term, "the prime"), sup
 
-    def constant(self, base: str, scripts: Scripts) -> Lettered | None:
+    def constant(self, letter: Name, scripts: Scripts) -> Lettered | None:
         """A name that stands for a term in the paper's own notation."""
         if not self.scope.table.constants:
             return None
         for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())):
-            pieces = spell(base, tried, ())
-            if pieces is not None and (entry := self.scope.table.constants.get(literal(pieces))) is not None:
+            spelling = spell(letter, tried, ())
+            if spelling is not None and (entry := self.scope.table.constants.get(spelling.exact)) is not None:
                 return self.scope.term(entry.filled({})), sup
         return None
 
@@ -204,20 +205,19 @@ class _Lettering:
             raise Fault("expected the shape of the zero, such as 6\\times 6 or 6\\times 1", scripts.sub.at)
         return construct.zero(VECTOR if is_square else size)
 
-    def unknown(self, base: str, scripts: Scripts) -> str:
+    def unknown(self, letter: Name, scripts: Scripts) -> str:
         """Why a name means nothing: an index without a range, or no such symbol."""
         scope = self.scope
         for tried in (scripts, scripts.without_sup()):
-            pieces = spell(base, tried, INDEX_LETTERS | scope.variables)
-            if pieces is not None and scope.table.find(pieces) is not None:
-                letters = {name for p in pieces if isinstance(p, Linear) for name in p.variables}
+            spelling = spell(letter, tried, INDEX_LETTERS | scope.variables)
+            if spelling is not None and scope.table.find(spelling) is not None:
+                letters = {name for place in spelling.places for name in place.variables}
                 missing = ", ".join(sorted(letters - scope.variables))
                 if not missing:
                     break
-                return f"the integer variable {missing} in {literal(pieces)} has no range here"
-        spellings = (spell(base, s, scope.variables) for s in (scripts, scripts.without_sup()))
-        pieces = next((pieces for pieces in spellings if pieces is not None), None)
-        return scope.table.unknown(pieces or [base])
+                return f"the integer variable {missing} in {spelling} has no range here"
+        spellings = (spell(letter, s, scope.variables) for s in (scripts, scripts.without_sup(), Scripts()))
+        return scope.table.unknown(next(spelling for spelling in spellings if spelling is not None))
 
     def accent(self, node: Accented, term: Term) -> Term:
         if node.accent != "~":

@@ -1,23 +1,20 @@
-"""How a symbol is spelled: canonical LaTeX with its integer indices taken out."""
+"""The name of a symbol: a letter in its styles, and scripts in which some places are indices."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
-from workbench.language.errors import Fault
 from workbench.language.integers import Linear
-from workbench.language.syntax import Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled, Sum
-from workbench.language.vocabulary import SIGN_COMMANDS
 
-#: Indices, orders and exponents beyond this are refused.
-LARGEST_INTEGER = 1000
+#: A script: the texts around its index places, ("", ",", "") for two indices and ("rel",) for none; () is no
+#: script.
+Script = tuple[str, ...]
 
-#: The letters that are index places in a declared name.
-INDEX_LETTERS = frozenset("ijklmnp")
-
-#: Superscripts that mean the transpose.
-TRANSPOSES = frozenset({"T", "\\mathrm{T}", "\\mathsf{T}"})
+#: The fields that are scripts, in the order in which their indices count.
+SCRIPTS = ("left_sub", "left_sup", "sub", "sup")
 
 _OUTERMOST_FIRST = (
     "\\underline",
@@ -29,160 +26,104 @@ _OUTERMOST_FIRST = (
     "\\breve",
     "\\mathring",
 )
-_CLOSING = {"(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
-
-#: A piece of a spelling: text, or an integer that may be an index.
-Piece = str | Linear
 
 
-@dataclass(frozen=True, slots=True)
-class Scripts:
-    """What surrounds a letter."""
+@dataclass(frozen=True, slots=True, repr=False)
+class Name:
+    """What tells a symbol from all others.
 
-    left_sub: Node | None = None
-    left_sup: Node | None = None
-    sub: Node | None = None
-    sup: Node | None = None
+    letter: LaTeX, without its fonts and accents.   styles: these, outermost first (`Name.styled` sorts them).
+    parameters: how many arguments it takes: f(x) is another symbol than f.
+    of: of a symbol that stands for what is made of terms, these terms, so that the same are the same symbol.
+    """
+
+    letter: str
+    styles: tuple[str, ...] = ()
     primes: int = 0
+    left_sub: Script = ()
+    left_sup: Script = ()
+    sub: Script = ()
+    sup: Script = ()
+    parameters: int = 0
+    of: tuple[Any, ...] = ()
 
-    def without_sup(self) -> Scripts:
-        return replace(self, sup=None)
+    @staticmethod
+    def styled(styles: Iterable[str], letter: str, primes: int = 0) -> Name:
+        """\\underline outermost, the font next to the letter, whatever the order in the source."""
+        order = {style: place for place, style in enumerate(_OUTERMOST_FIRST)}
+        innermost_first = sorted(dict.fromkeys(styles), key=lambda s: order.get(s, len(order)), reverse=True)
+        return Name(letter, tuple(reversed(innermost_first)), primes)
 
+    @property
+    def base(self) -> str:
+        """The letter in its styles, as LaTeX."""
+        return f"{''.join(f'{style}{{' for style in self.styles)}{self.letter}{'}' * len(self.styles)}"
 
-def variable_name(node: Node) -> str | None:
-    """k or k_1 as the name of an integer variable."""
-    match node:
-        case Leaf(kind="LETTER", text=text) if len(text) == 1:
-            return text
-        case Scripted(nucleus=Leaf(kind="LETTER", text=text), sub=sub, sup=None, primes=0, factorial=False):
-            while isinstance(sub, Group) and len(sub.parts) == 1:
-                sub = sub.parts[0]
-            if len(text) == 1 and isinstance(sub, Leaf) and sub.kind == "NUMBER" and sub.text.isdigit():
-                return f"{text}_{sub.text}" if len(sub.text) == 1 else f"{text}_{{{sub.text}}}"
-    return None
+    @property
+    def scripts(self) -> tuple[Script, ...]:
+        return tuple(getattr(self, field) for field in SCRIPTS)
 
+    @property
+    def indices(self) -> int:
+        return sum(len(script) - 1 for script in self.scripts if script)
 
-def linear(node: Node, variables: Collection[str]) -> Linear | None:
-    """The node as an integer expression in the variables; None if it is something else."""
-    match node:
-        case Leaf(kind="NUMBER", text=text) if text.isdigit() and (text == "0" or text[0] != "0"):
-            if len(text) > 9 or int(text) > LARGEST_INTEGER:
-                raise Fault(f"the integer {text[:20]} is too large here; at most {LARGEST_INTEGER}", node.at)
-            return Linear(int(text))
-        case Group(parts=(part,)) | Bracket(kind="(", parts=(part,)):
-            return linear(part, variables)
-        case Sum():
-            total = Linear(0)
-            for sign, _, addend in node.addends:
-                value = linear(addend, variables)
-                if value is None:
-                    return None
-                total = total - value if sign == "-" else total + value
-            return total
-        case Product(items=(Leaf(kind="NUMBER") as factor, other)):
-            size, value = linear(factor, ()), linear(other, variables)
-            return None if size is None or value is None or value.is_number else value * int(size)
-    name = variable_name(node)
-    return Linear.variable(name) if name in variables else None
+    @property
+    def is_bare(self) -> bool:
+        """Whether it has no scripts."""
+        return not any(self.scripts)
 
+    def latex(self, index: Sequence[object], accents: Sequence[str] = ()) -> str:
+        """The name with its indices put in, and accents, the outermost first, over its letter alone."""
+        places = iter(index)
+        left_sub, left_sup, sub, sup = (
+            "" if not script else sign + "{" + "".join(_filled(script, places)) + "}"
+            for sign, script in zip("_^_^", self.scripts, strict=True)
+        )
+        letter = self.base + "'" * self.primes
+        for accent in reversed(accents):
+            letter = f"{accent}{{{letter}}}"
+        left = "{}" if left_sub or left_sup else ""
+        return f"{left}{left_sub}{left_sup}{letter}{sub}{sup}"
 
-def base_name(styles: Sequence[str], letter: str) -> str:
-    """\\underline outermost, the font next to the letter, whatever the order in the source."""
-    order = {style: place for place, style in enumerate(_OUTERMOST_FIRST)}
-    text = letter
-    for style in sorted(dict.fromkeys(styles), key=lambda s: order.get(s, len(order)), reverse=True):
-        text = f"{style}{{{text}}}"
-    return text
+    def at(self, index: Sequence[Linear]) -> Name:
+        """The name whose scripts have these integers in the places of the indices."""
+        places = iter(index)
+        given = zip(SCRIPTS, self.scripts, strict=True)
+        return replace(self, **{field: ("".join(_filled(s, places)),) for field, s in given if s})
 
-
-def spell(base: str, scripts: Scripts, variables: Collection[str]) -> list[Piece] | None:
-    """The pieces of a name, in the order left scripts, letter, right scripts; None if it is no name."""
-    pieces: list[Piece] = []
-    if scripts.left_sub is not None or scripts.left_sup is not None:
-        pieces.append("{}")
-    parts = [("_{", scripts.left_sub), ("^{", scripts.left_sup), None]
-    parts += [("_{", scripts.sub), ("^{", scripts.sup)]
-    for part in parts:
-        if part is None:
-            pieces.append(base + "'" * scripts.primes)
-        elif part[1] is not None:
-            inner = _spell_script(part[1], variables)
-            if inner is None:
-                return None
-            pieces += [part[0], *inner, "}"]
-    return pieces
-
-
-def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
-    while isinstance(node, Group) and len(node.parts) == 1:
-        (node,) = node.parts
-    value = None if isinstance(node, Bracket) else linear(node, variables)
-    if value is not None:
-        return [value]
-    match node:
-        case Leaf(kind="FUNCTION", name=name):
-            return [" ".join(name if node.bare else (f"\\mathrm{{{letter}}}" for letter in name))]
-        case Leaf():
-            return [node.text]
-        case Styled():
-            inner = _spell_script(node.body, ())  # an upright n is a label
-            return None if inner is None else [node.style, "{", *inner, "}"]
-        case Group():
-            return _spell_list(node.parts, ",", variables)
-        case Bracket():
-            inner = _spell_list(node.parts, ",", variables)
-            return None if inner is None else [node.kind, *inner, _CLOSING[node.kind]]
-        case Product():
-            return _spell_list(node.items, " ", () if _is_word(node) else variables)
-        case Scripted(sub=None, sup=None, primes=primes, factorial=False):
-            inner = _spell_script(node.nucleus, ())
-            return None if inner is None else [*inner, "'" * primes]
-        case Scripted(sup=None, primes=0, factorial=False):
-            inner = _spell_list((node.nucleus, node.sub), "_{", variables)
-            return None if inner is None else [*inner, "}"]
-        case Infix(operator=operator):
-            return [SIGN_COMMANDS[operator]]
-    return None
-
-
-def _is_word(node: Product) -> bool:
-    """Whether the letters are a word such as rel, not indices in a row such as i j."""
-    letters = [item.text for item in node.items if isinstance(item, Leaf) and item.text.isalpha()]
-    return len(letters) == len(node.items) and not INDEX_LETTERS.issuperset(letters)
-
-
-def _spell_list(nodes: Sequence[Node], separator: str, variables: Collection[str]) -> list[Piece] | None:
-    pieces: list[Piece] = []
-    for place, node in enumerate(nodes):
-        inner = _spell_script(node, variables)
-        if inner is None:
+    def index_of(self, other: Name) -> tuple[Linear, ...] | None:
+        """The numbers at which the other is a member of this family: 1 for Φ_1 in Φ_n; None if it is none."""
+        if not self.indices or self.without_scripts() != other.without_scripts():
             return None
-        pieces += [separator, *inner] if place else inner
-    return pieces
+        found: list[str] = []
+        for own, its in zip(self.scripts, other.scripts, strict=True):
+            match = (
+                re.fullmatch("([0-9]+)".join(map(re.escape, own)), its[0]) if own and len(its) == 1 else None
+            )
+            if match is None and (own or its):
+                return None
+            found += match.groups() if match is not None else ()
+        return tuple(Linear(int(number)) for number in found)
+
+    def without_scripts(self) -> Name:
+        return replace(self, **dict.fromkeys(SCRIPTS, ()))
+
+    def without_arguments(self) -> Name:
+        return replace(self, parameters=0)
+
+    def shown(self, index: Sequence[object]) -> str:
+        """The same, of a function with a mark for each of its arguments."""
+        arguments = ",".join(["\\cdot"] * self.parameters)
+        return self.latex(index) + (f"({arguments})" if arguments else "")
+
+    def __str__(self) -> str:
+        return self.shown("n" * self.indices)
+
+    def __repr__(self) -> str:
+        return repr(str(self)) if not self.of else repr((str(self), self.of))
 
 
-def literal(pieces: Sequence[Piece]) -> str:
-    """The spelling as LaTeX, integers included."""
-    return "".join(str(piece) for piece in pieces)
-
-
-def candidates(pieces: Sequence[Piece]) -> list[tuple[str, tuple[Linear, ...]]]:
-    """The declared names that the spelling may mean, each with the indices it then has: exact name first,
-    then with more and more of its integers as indices (marked @)."""
-    places = [i for i, piece in enumerate(pieces) if isinstance(piece, Linear)][:6]
-    choices = sorted(range(2 ** len(places)), key=lambda choice: (choice.bit_count(), choice))
-    found = []
-    for choice in choices:
-        as_index = {place for bit, place in enumerate(places) if choice >> bit & 1}
-        text = "".join("@" if i in as_index else str(piece) for i, piece in enumerate(pieces))
-        found.append((text, tuple(pieces[i] for i in sorted(as_index))))
-    return found
-
-
-def names_of_key(pieces: Sequence[Piece]) -> tuple[str, tuple[Linear, ...]]:
-    """A declared name and the expressions in its index places: those that contain an index letter."""
-    index = tuple(piece for piece in pieces if isinstance(piece, Linear) and not piece.is_number)
-    text = "".join(
-        "@" if isinstance(piece, Linear) and not piece.is_number else str(piece) for piece in pieces
-    )
-    return text, index
+def _filled(script: Script, places: Any) -> Iterable[str]:
+    yield script[0]
+    for text in script[1:]:
+        yield f"{next(places)}{text}"

@@ -9,7 +9,7 @@ from workbench.language.construct import integer
 from workbench.language.integers import Linear
 from workbench.language.operators import GRADIENTS, OPERATORS, command_of
 from workbench.language.shapes import multiple
-from workbench.language.symbols import may_be_label, pattern_of
+from workbench.language.symbols import may_be_label
 from workbench.language.terms import (
     Apply,
     BigSum,
@@ -212,56 +212,19 @@ def _symbol(term: Symbol) -> _Text:
         arguments = ", ".join(_print(a).text for a in term.arguments)
         return _Text(f"{_accented(term)}{_bracket(arguments)}", _FACTOR)
     text = _accented(term)
-    return _Text(text, _ATOM if not _has_superscript(term) else _FACTOR, "symbol")
+    return _Text(text, _FACTOR if term.declaration.name.sup else _ATOM, "symbol")
 
 
 def _accented(term: Symbol, accents: tuple[str, ...] = ()) -> str:
     """The symbol with accents (outermost first) over its letter alone."""
-    left, letter, right = _split(pattern_of(term.declaration))
-    for accent in reversed(accents):
-        letter = f"{accent}{{{letter}}}"
-    index = iter(term.index)
-    return "".join(_integer(next(index)) if c == "@" else c for c in left + letter + right)
-
-
-def _has_superscript(term: Symbol) -> bool:
-    right = _split(pattern_of(term.declaration))[2]
-    return bool(_script(right, "_")[1])
-
-
-def _split(name: str) -> tuple[str, str, str]:
-    """Left scripts, letter and right scripts of a canonical name."""
-    left = ""
-    if name.startswith("{}"):
-        left, name = "{}", name[2:]
-        for sign in "_^":
-            script, name = _script(name, sign)
-            left += script
-    depth = 0
-    for place, character in enumerate(name):
-        if depth == 0 and character in "_^":
-            return left, name[:place], name[place:]
-        depth += {"{": 1, "}": -1}.get(character, 0)
-    return left, name, ""
-
-
-def _script(text: str, sign: str) -> tuple[str, str]:
-    """A script at the beginning of the text, and what follows it."""
-    if not text.startswith(f"{sign}{{"):
-        return "", text
-    depth = 0
-    for place, character in enumerate(text):
-        depth += {"{": 1, "}": -1}.get(character, 0)
-        if depth == 0 and place > 0:
-            return text[: place + 1], text[place + 1 :]
-    raise ValueError(f"unbalanced name {text}")
+    return term.declaration.name.latex([_integer(place) for place in term.index], accents)
 
 
 def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> _Text | None:
     """Dots and tildes that stand directly over the letter of a symbol."""
     match term:
         case Symbol(arguments=()):
-            level = _FACTOR if _has_superscript(term) else _ATOM
+            level = _FACTOR if term.declaration.name.sup else _ATOM
             return _Text(_accented(term, accents), level, "symbol")
         case Apply(head="skew", arguments=(body,)):
             return _under_accents(body, (*accents, "\\tilde"))

@@ -6,15 +6,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from workbench.language import construct
+from workbench.language.declarations import key_spelling
 from workbench.language.errors import Fault, Misfit, SpecError
 from workbench.language.integers import Linear
 from workbench.language.letters import letter, raised
-from workbench.language.names import Scripts, linear, literal, names_of_key
 from workbench.language.operators import GRADIENTS, OF_ANGLES, OF_TENSORS, QUOTIENTS, SIGNS, word_of
 from workbench.language.quotients import Rate, quotient, rate
 from workbench.language.scope import Scope
+from workbench.language.spelling import Scripts, linear
 from workbench.language.summations import summation
-from workbench.language.symbols import key_pieces
 from workbench.language.syntax import (
     Accented,
     Bracket,
@@ -288,10 +288,10 @@ class _Row:
         if not self.scope.table.arguments:
             return False
         try:
-            pieces = key_pieces(part, "")
+            spelling = key_spelling(part, "")
         except SpecError:
             return False
-        return not self.scope.table.arguments.isdisjoint({literal(pieces), names_of_key(pieces)[0]})
+        return not self.scope.table.arguments.isdisjoint({spelling.exact, spelling.declared()[0]})
 
     def function(self, place: int) -> _Factor:
         """det, sym, vect … take the run of tensors that follows, the others take one factor."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from workbench.language import construct
 from workbench.language.errors import Fault
-from workbench.language.names import base_name
+from workbench.language.names import Name
 from workbench.language.scope import Scope
 from workbench.language.syntax import Fraction, Group, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.terms import Number, Term, Zero
@@ -152,4 +152,4 @@ def _letter(node: Node) -> _Letter:
     if isinstance(node, Group) and len(node.parts) == 1:
         node = node.parts[0]
     text = node.text if isinstance(node, Leaf) else ""
-    return _Letter(text, base_name(styles, text), order)
+    return _Letter(text, Name.styled(styles, text).base, order)

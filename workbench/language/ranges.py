@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 from workbench.language.errors import Fault
 from workbench.language.integers import Linear
-from workbench.language.names import INDEX_LETTERS, Scripts, base_name, linear, literal, spell, variable_name
+from workbench.language.names import Name
+from workbench.language.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Bracket, Chain, Group, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.terms import Apply, Symbol, Term
@@ -58,14 +59,14 @@ def is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> boo
     signs = [sign for sign, _ in clause.relations]
     if clause.universal and set(signs) <= {"=", "≠"}:
         names = {_index_name(side, table) for side in clause.sides[:1]}
-        return not names & set(table.symbols) and None not in names
+        return None not in names and not any(name in table for name in names)
     if "∈" in signs or "≥" in signs or ">" in signs:
         return True
     if signs != ["="]:
         return False
     name, value = _index_name(clause.sides[0], table), clause.sides[1]
     is_value = isinstance(value, Leaf) and value.text.isdigit()
-    is_variable = name in integers | INDEX_LETTERS and name not in table.symbols
+    is_variable = name in integers | INDEX_LETTERS and name not in table
     return _bar(value) is not None or (is_value and is_variable)
 
 
@@ -76,7 +77,7 @@ def _index_name(node: Node, table: SymbolTable) -> str | None:
             while isinstance(body, Group) and len(body.parts) == 1:
                 (body,) = body.parts
             name = variable_name(body)
-            is_index = name in INDEX_LETTERS and f"{style}{{{name}}}" not in table.symbols
+            is_index = name in INDEX_LETTERS and Name(name, (style,)) not in table.symbols
             return name if is_index else None
     return variable_name(node)
 
@@ -103,7 +104,7 @@ def ranges_of(
     name = _index_name(left, table)
     if name is None:
         raise Fault("expected an integer variable before the bound", left.at)
-    if name in table.symbols:
+    if name in table:
         raise _no_variable(name, left.at)
     ends = _bar(right) or (right,)
     bounds = [linear(end, integers | _letters(end)) for end in ends]
@@ -134,7 +135,7 @@ def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[
     if None in names:
         raise Fault("expected integer variables before \\in", members[names.index(None)].at)
     for name, member in zip(names, members, strict=True):
-        if name in table.symbols:
+        if name in table:
             raise _no_variable(name, member.at)
     return [Range(name, Linear(lower)) for name in names]
 
@@ -207,9 +208,9 @@ def set_name(node: Node) -> str:
     if isinstance(letter, Product) and all(isinstance(item, Leaf) for item in letter.items):
         letter = Leaf(letter.at, "LETTER", "".join(item.text for item in letter.items))  # SO
     scripts = Scripts(sub=scripted.sub, sup=scripted.sup)
-    pieces = None
+    spelling = None
     if isinstance(letter, Leaf):
-        pieces = spell(base_name(styles, letter.text), scripts, ())
-    if pieces is None:
+        spelling = spell(Name.styled(styles, letter.text), scripts, ())
+    if spelling is None:
         raise Fault("expected a set, such as \\mathbb{N} or \\mathbf{V}_3", node.at)
-    return literal(pieces)
+    return str(spelling)

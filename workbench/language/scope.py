@@ -10,8 +10,8 @@ from typing import TypeVar
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
-from workbench.language.names import Scripts, linear, literal, spell
 from workbench.language.notations import is_shape
+from workbench.language.spelling import linear, spell_label
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Group, Leaf, Node, Product, Scripted, Sum
 from workbench.language.terms import IllFormed, Term, Zero, is_rate
@@ -69,8 +69,7 @@ class Scope(ABC):
 
     def frame(self, label: Node) -> Term:
         """The angular velocity of the frame of that label."""
-        pieces = spell("", Scripts(sup=label), ())
-        name = "" if pieces is None else literal(pieces)[2:-1]
+        name = spell_label(label) or ""
         if name not in self.table.frames:
             known = ", ".join(self.table.frames) or "none"
             raise Fault(f"a derivative in the frame {name}? frames declared in [frames]: {known}", label.at)
@@ -120,11 +119,11 @@ class Scope(ABC):
     def is_time(self, node: Node) -> bool:
         """Whether it is the letter t, as it stands for the time."""
         is_t = isinstance(node, Leaf) and node.text == "t"
-        return is_t and "t" not in self.table.symbols and "t" not in self.variables
+        return is_t and not self.knows("t")
 
     def knows(self, name: str) -> bool:
         """Whether the name is a symbol or an integer variable here."""
-        return name in self.table.symbols or name in self.variables
+        return name in self.table or name in self.variables
 
     # integers
 
@@ -139,7 +138,7 @@ class Scope(ABC):
         return None
 
     def integer_variable(self, name: str, at: int) -> Term:
-        if name in self.table.symbols:
+        if name in self.table:
             raise Fault(f"{name} is an integer variable and a declared symbol", at)
         return construct.integer(Linear.variable(name))
 

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from workbench.language import construct
 from workbench.language.errors import Fault
 from workbench.language.integers import Linear
-from workbench.language.names import variable_name
 from workbench.language.scope import Scope
+from workbench.language.spelling import variable_name
 from workbench.language.syntax import Chain, Group, Leaf, Node, Sum, Summation
 from workbench.language.terms import Term
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from workbench.language.integers import Linear
+from workbench.language.names import Name
 
 Kind = Literal["scalar", "vector", "covector", "tensor", "matrix", "operator", "quaternion"]
 
@@ -84,7 +85,7 @@ def type_of_kind(kind: str) -> Type | None:
 class Declaration:
     """What a paper file says of a symbol.
 
-    name: canonical LaTeX, unique in a paper, each index place marked `@`: `\\Phi_{@}`, `\\mathbf{K}_{@,@}`.
+    name: unique in a paper.
     type, weight: of one member; the weight of a family is linear in its indices, called `@0`, `@1`, … there.
     constant: its time derivative is 0.   unit: a vector or quaternion with x·x = 1 (dual: |x| = 1).
     rotation: a tensor with R Rᵀ = I and det R = 1.
@@ -99,7 +100,7 @@ class Declaration:
     introduced: only definitions introduce it, so that a member which none of them reaches is nothing.
     """
 
-    name: str
+    name: Name
     type: Type
     weight: Weight = None
     constant: bool = False
@@ -119,4 +120,4 @@ class Declaration:
 
 
 #: The time t.
-CLOCK = Declaration("t", SCALAR, Linear(-1), independent=True, clock=True)
+CLOCK = Declaration(Name("t"), SCALAR, Linear(-1), independent=True, clock=True)

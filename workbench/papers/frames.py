@@ -19,12 +19,13 @@ from itertools import product
 from typing import Any
 
 from workbench.language.construct import apply, derivative, symbol, zero
+from workbench.language.declarations import key_spelling
 from workbench.language.errors import Fault, ReadError, SpecError
-from workbench.language.integers import Linear
-from workbench.language.names import Scripts, literal, spell
+from workbench.language.names import Name
 from workbench.language.reader import read_term
-from workbench.language.symbols import SymbolTable, key_pieces
-from workbench.language.syntax import Group, parse
+from workbench.language.spelling import Spelling, spell_label
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import parse
 from workbench.language.terms import Definition, IllFormed, Term, Zero
 from workbench.language.types import TENSOR, VECTOR, Declaration, Type
 from workbench.papers.toml_file import TomlFile
@@ -41,7 +42,7 @@ class Frames:
     labels: tuple[str, ...]
     points: tuple[str, ...] = ()
     definitions: list[Definition] = field(default_factory=list)
-    declarations: dict[str, Declaration] = field(default_factory=dict)
+    declarations: dict[Name, Declaration] = field(default_factory=dict)
     origins: dict[str, Term] = field(default_factory=dict)
     places: dict[str, Term] = field(default_factory=dict)
     given: dict[str, Term] = field(default_factory=dict)
@@ -50,7 +51,7 @@ class Frames:
 
     def orientation(self, frame: str) -> Term | None:
         """Q_F; None for the base, whose is I."""
-        name = f"\\mathsf{{Q}}_{{{frame}}}"
+        name = _own("Q", frame)
         if frame in self.given:
             return self.defined(name, TENSOR, self.given[frame])
         return None if frame == self.base else self.free(name, TENSOR, rotation=True)
@@ -60,7 +61,7 @@ class Frames:
         turn = self.orientation(frame)
         if turn is None:
             return zero(VECTOR)
-        name = f"\\mathsf{{w}}_{{{frame}}}"
+        name = _own("w", frame)
         body = apply("vect", apply("mul", derivative(turn, 1), apply("transpose", turn)))
         return self.defined(name, VECTOR, body)
 
@@ -68,12 +69,12 @@ class Frames:
         if frame == self.base:
             return zero(VECTOR)
         if frame not in self.origins:
-            self.origins[frame] = self.free(f"\\mathsf{{o}}_{{{frame}}}", VECTOR)
+            self.origins[frame] = self.free(_own("o", frame), VECTOR)
         return self.origins[frame]
 
     def place(self, point: str) -> Term:
         if point not in self.places:
-            self.places[point] = self.free(f"\\mathsf{{p}}_{{{point}}}", VECTOR)
+            self.places[point] = self.free(_own("p", point), VECTOR)
         return self.places[point]
 
     def fix(self, point: str, frame: str) -> None:
@@ -87,15 +88,15 @@ class Frames:
         elif frame not in self.origins and frame != self.base:
             self.places[point] = self.origin(frame)
         else:
-            offset = self.free(f"\\mathsf{{c}}_{{{point}}}", VECTOR, constant=True)
+            offset = self.free(_own("c", point), VECTOR, constant=True)
             self.places[point] = plus(self.origin(frame), turned(self.orientation(frame), offset))
 
-    def free(self, name: str, type_: Type, **flags: bool) -> Term:
+    def free(self, name: Name, type_: Type, **flags: bool) -> Term:
         if name not in self.declarations:
             self.declarations[name] = Declaration(name, type_, **flags)
         return symbol(self.declarations[name], ())
 
-    def defined(self, name: str, type_: Type, body: Term) -> Term:
+    def defined(self, name: Name, type_: Type, body: Term) -> Term:
         if name not in self.declarations:
             self.declarations[name] = Declaration(name, type_)
             self.definitions.append(Definition(self.declarations[name], (), (), body))
@@ -223,7 +224,7 @@ class _Reader:
             if self.table.symbols.get(declaration.name) is declaration:
                 continue
             if declaration.name in self.table.symbols:
-                raise SpecError("this symbol is known already", declaration.name)
+                raise SpecError("this symbol is known already", str(declaration.name))
             self.table = self.table.with_symbol(declaration)
         defined = {definition.declaration.name: ((),) for definition in frames.definitions}
         table = replace(
@@ -264,7 +265,8 @@ class _Reader:
         if resolved is not None and type_ is not VECTOR:
             raise SpecError("only a vector is resolved in a frame", key)
         letters = {match[role]: role for role in match.groupdict()}
-        pieces = _pieces(key)
+        spelling = _spelling(key)
+        texts = {piece for _, pieces in spelling.scripts for piece in pieces} | {spelling.letter.letter}
         where = resolved["R"] if resolved else None
         names = [*letters, *([where] if where and where not in letters else [])]
         choices = []
@@ -272,17 +274,15 @@ class _Reader:
             known = (
                 self.frames.labels if letters.get(letter, "R") in (*in_frames, "R") else self.frames.points
             )
-            if letter not in pieces and letter not in known:
+            if letter not in texts and letter not in known:
                 raise SpecError(f"{letter} does not stand in it", key)
-            choices.append(known if letter in pieces else (letter,))  # ω for the ω of B in A
+            choices.append(known if letter in texts else (letter,))  # ω for the ω of B in A
         for chosen in product(*choices):
             given = dict(zip(names, chosen, strict=True))
             arguments = {role: given[letter] for letter, role in letters.items()}
             if len(letters) > 1 and len(set(arguments.values())) < 2:
                 continue  # {}^A ω^A
-            name = "".join(
-                given.get(piece, piece) if isinstance(piece, str) else str(piece) for piece in pieces
-            )
+            name = spelling.exchanged(given).exact
             body = make(self.frames, **arguments)
             if where is not None:
                 body = self.frames.resolved(given[where], body)
@@ -295,7 +295,7 @@ class _Reader:
             raise SpecError(f"expected its three axes, got {axes!r}", frame)
         for place, key in enumerate(axes):
             body = turned(self.frames.orientation(frame), _unit(place))
-            name = literal(_pieces(key))
+            name = _spelling(key).exact
             if (declared := self.table.symbols.get(name)) is None:
                 self.frames.defined(name, VECTOR, body)
             else:
@@ -322,9 +322,14 @@ def _unit(place: int) -> Term:
     return read_term(f"\\begin{{bmatrix}} {rows} \\end{{bmatrix}}", SymbolTable())
 
 
-def _pieces(key: str) -> list[str | Linear]:
+def _own(letter: str, label: str) -> Name:
+    """Of the symbols behind the author's."""
+    return Name(letter, ("\\mathsf",), sub=(label,))
+
+
+def _spelling(key: str) -> Spelling:
     try:
-        return key_pieces(parse(key).lines[0][0], key)
+        return key_spelling(parse(key).lines[0][0], key)
     except Fault as fault:
         raise SpecError(f"column {fault.at + 1}: {fault}", key) from None
 
@@ -332,9 +337,9 @@ def _pieces(key: str) -> list[str | Linear]:
 def label(text: str) -> str:
     """A label as names have it: B_{c} for B_c."""
     try:
-        pieces = spell("", Scripts(sup=Group(0, (parse(text).lines[0][0],))), ())
+        found = spell_label(parse(text).lines[0][0])
     except (Fault, IndexError):
-        pieces = None
-    if pieces is None:
+        found = None
+    if found is None:
         raise SpecError("expected a label such as A or B_c", text)
-    return literal(pieces)[2:-1]
+    return found

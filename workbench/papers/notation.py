@@ -7,10 +7,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from workbench.language.declarations import read_key
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.symbols import SymbolTable, read_key
+from workbench.language.names import Name
+from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Definition, Symbol
 from workbench.papers.frames import framed
 from workbench.papers.model import Notation
@@ -144,7 +146,7 @@ def _says_hamilton(file: TomlFile) -> bool:
     return "quaternion" in file.value(("conventions",), dict, {})
 
 
-def _arguments(files: Sequence[TomlFile]) -> frozenset[str]:
+def _arguments(files: Sequence[TomlFile]) -> frozenset[Name]:
     """What in brackets only says what a symbol depends on."""
     found = set()
     for file in files:

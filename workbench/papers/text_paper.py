@@ -10,6 +10,7 @@ from pathlib import Path
 
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.names import Name
 from workbench.language.terms import Conjunction, Derivative, Extremum, Relation, Statement, Symbol, Term
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
@@ -267,7 +268,7 @@ def _used(printed: Formula, tokens: Sequence[Token], guessed: Sequence[str]) -> 
     which any formula may rest on; all, where it does not fit together."""
     if printed.statement is None or not guessed:
         return tuple(guessed)
-    used = {term.declaration.name for term in terms_of(printed.statement) if isinstance(term, Symbol)}
+    used = {str(term.declaration.name) for term in terms_of(printed.statement) if isinstance(term, Symbol)}
     used |= {f"\\{call.name}" for token in tokens if token.call for call in token.call.chain()}
     return tuple(name for name in guessed if name in used or name.startswith("["))
 
@@ -373,7 +374,7 @@ def stated(statement: Statement, definitions: Definitions) -> str | None:
         if symbol is None or symbol.declaration.name in _defined(definitions):
             continue
         if not any(_derived(term) == (symbol, order) for term in other.walk()):
-            return symbol.declaration.name
+            return str(symbol.declaration.name)
     return None
 
 
@@ -385,5 +386,5 @@ def _derived(term: Term) -> tuple[Symbol | None, object]:
     return None, 0
 
 
-def _defined(definitions: Definitions) -> set[str]:
+def _defined(definitions: Definitions) -> set[Name]:
     return {definition.declaration.name for definition in definitions}

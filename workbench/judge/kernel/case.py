@@ -21,6 +21,7 @@ from workbench.judge.subject.assumptions import Assumptions, Unsatisfiable
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact, take_inventory
 from workbench.judge.subject.parameters import Parameter
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
+from workbench.language.names import Name
 from workbench.language.terms import Relation, Statement, Symbol
 
 #: So many random points are cheaper to try than points to solve for.
@@ -39,7 +40,7 @@ class Setting:
 
     definitions: Lookup
     second_engine: bool = True
-    bound: frozenset[str] = frozenset()
+    bound: frozenset[Name] = frozenset()
     laws: bool = True
 
 

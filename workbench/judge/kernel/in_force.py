@@ -19,7 +19,7 @@ from workbench.language.construct import relation, symbol
 from workbench.language.definitions import Definitions, expand, solve
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
-from workbench.language.symbols import index_in
+from workbench.language.names import Name
 from workbench.language.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
 
 _KNOWN: WeakKeyDictionary[Definitions, Exceptions] = WeakKeyDictionary()
@@ -43,8 +43,8 @@ class Exceptions:
     first: family → its lowest member, where a recurrence makes all others from its base: 1 for Φ₁, Φₙ₊₁.
     tangled: whether some family of several indices has such members; of these no proof for all n is tried."""
 
-    apart: Mapping[str, frozenset[int]]
-    first: Mapping[str, int]
+    apart: Mapping[Name, frozenset[int]]
+    first: Mapping[Name, int]
     tangled: bool
 
     def start(self, members: Iterable[Symbol]) -> dict[str, int]:
@@ -83,8 +83,8 @@ def exceptions(judge: InstanceJudge) -> Exceptions:
 
 def _exceptions(judge: InstanceJudge) -> Exceptions:
     definitions = judge.definitions
-    apart: dict[str, set[int]] = {}
-    first: dict[str, int] = {}
+    apart: dict[Name, set[int]] = {}
+    first: dict[Name, int] = {}
     tangled = _some_overlap(definitions)
     for general in definitions:
         if all(place.is_number for place in general.index):
@@ -143,7 +143,7 @@ def _members_by_themselves(definitions: Definitions, general: Definition) -> Ite
         if all(place.is_number for place in single.index):
             if single.declaration == general.declaration:
                 yield single.index
-            elif not single.index and (index := index_in(general.declaration.name, single.declaration.name)):
+            elif not single.index and (index := general.declaration.name.index_of(single.declaration.name)):
                 yield index
 
 

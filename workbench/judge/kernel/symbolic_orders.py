@@ -13,6 +13,7 @@ from workbench.judge.subject.inventory import NotExact
 from workbench.language.construct import apply, block, derivative, rebuild, symbol, zero
 from workbench.language.construct import relation as equated
 from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.operators import COMPONENTWISE, PRODUCTS
 from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, Block, Derivative, Relation, Symbol, Term, TimeOperator, Zero
@@ -80,7 +81,7 @@ def _free(term: Term, order: Linear) -> Symbol:
         raise NotExact(f"a {term.type} differentiated {order} times")
     weight = None if term.weight is None else term.weight + order
     uniform = all(part.declaration.uniform for part in term.walk() if isinstance(part, Symbol))
-    name = rf"\left({to_latex(term)}\right)^{{({order})}}"
+    name = Name(rf"\left({to_latex(term)}\right)", sup=(f"({order})",), of=(term, order))
     return symbol(Declaration(name, term.type, weight, uniform=uniform))
 
 

@@ -103,7 +103,6 @@ def _replaced(term: Term, given: Mapping[Symbol, Term], done: dict[int, tuple[Te
 
 def _require_visible(letter: Symbol, body: Term) -> None:
     name = letter.declaration.name
-    bare = re.sub(r"\\(?:boldsymbol|mathbf|underline|mathrm)\b|[{}]", "", name)
     for part in body.walk():
         if isinstance(part, Derivative | BigSum) and letter in part.walk():
             raise NotExact(f"a rate or a sum over n of what depends on {name}, which varies")
@@ -112,9 +111,9 @@ def _require_visible(letter: Symbol, body: Term) -> None:
             if operator:
                 raise NotExact(f"a derivative of what depends on {name}, which varies")
         if isinstance(part, Symbol) and part != letter:
-            scripts = re.split(r"[_^]", part.declaration.name, maxsplit=1)[1:]
-            spoken = re.findall(r"\\[A-Za-z]+|[A-Za-z]+", scripts[0]) if scripts else []
-            if letter in part.arguments or letter in part.declaration.of or bare in spoken:
+            scripts = " ".join(text for script in part.declaration.name.scripts for text in script)
+            spoken = re.findall(r"\\[A-Za-z]+|[A-Za-z]+", scripts)
+            if letter in part.arguments or letter in part.declaration.of or name.letter in spoken:
                 raise NotExact(f"{part.declaration.name} may depend on {name}, which varies; define it")
 
 

@@ -14,6 +14,7 @@ from math import lcm
 from workbench.judge.subject import Lookup, NotExact
 from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector
 from workbench.language.construct import apply, number, symbol
+from workbench.language.names import Name
 from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, DualUnit, Number, Power, Symbol, Term, Zero
 
@@ -162,6 +163,6 @@ def _scaled(term: Term, definitions: Lookup) -> tuple[Fraction, Term]:
 
 
 def _multiple(angle: Symbol, size: int) -> Term:
-    name = rf"\frac{{{to_latex(angle)}}}{{{size}}}"
+    name = Name(rf"\frac{{{to_latex(angle)}}}{{{size}}}", of=(angle, size))
     part = symbol(replace(angle.declaration, name=name, indices=0, weight=angle.weight, parameters=0))
     return apply("mul", number(size), part)

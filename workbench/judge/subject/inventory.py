@@ -161,9 +161,8 @@ def _require_known_places(gradient: Apply, symbols: Iterable[Symbol]) -> None:
     """Nothing is constant in space unless it is said so."""
     for symbol in symbols:
         if not (symbol.declaration.uniform or symbol.declaration.coordinate):
-            name = symbol.declaration.name.replace("@", "n")
-            reason = f"{name} in the {gradient.head} may depend on the place; if not, declare uniform = true"
-            raise NotExact(reason)
+            where = f"{symbol.declaration.name} in the {gradient.head}"
+            raise NotExact(f"{where} may depend on the place; if not, declare uniform = true")
 
 
 def differentiated(symbol: Symbol, order: int) -> Term:

@@ -57,7 +57,7 @@ def require_known_dependence(head: str, by: Iterable[Seed], symbols: Iterable[Sy
         declaration = symbol.declaration
         if symbol in varied or declaration.constant:
             continue
-        name = declaration.name.replace("@", "n")
+        name = declaration.name
         if not (declaration.independent or declaration.of):
             raise NotExact(f"{name} in the partial derivative may depend on it; `of` says what it depends on")
         others = {each for each in _moved_by(symbol, varied) if not each.declaration.clock} - varied

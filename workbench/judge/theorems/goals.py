@@ -19,10 +19,12 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from workbench.language.declarations import read_key
 from workbench.language.definitions import Definitions
 from workbench.language.errors import ReadError, SpecError
+from workbench.language.names import Name
 from workbench.language.reader import read_formula, read_term
-from workbench.language.symbols import SymbolTable, read_key
+from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Conjunction, Relation, Statement, Term
 from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
 
@@ -39,8 +41,13 @@ class Variable:
     argument: Declaration | None = None
 
     @property
-    def name(self) -> str:
+    def name(self) -> Name:
         return self.declaration.name
+
+    @property
+    def letter(self) -> Name:
+        """Its name, of a map without its argument."""
+        return self.declaration.name.without_arguments()
 
 
 @dataclass(frozen=True)
@@ -306,12 +313,12 @@ def _variable(letter: str, domain: str, scope: Scope, fresh: bool) -> Variable:
         )
     source, arrow, target = domain.partition("\\to")
     if arrow:
-        argument = _in_set("\\cdot", source, False)
+        argument = _in_set(Name(name.base, of=("the argument", name)), source, False)
         value = _in_set(name, target, False)
-        declaration = replace(value, name=f"{name}(\\cdot)", parameters=1)
+        declaration = replace(value, name=replace(name, parameters=1), parameters=1)
         if name in scope.table.functions or name in scope.table.symbols:
             raise GoalError(f"{letter} is a symbol of the paper already")
-        return Variable(declaration, replace(argument, name=f"{name}\\_argument"))
+        return Variable(declaration, argument)
     declaration = _in_set(name, domain, True)
     known = scope.table.symbols.get(name)
     if known is None:

@@ -9,7 +9,8 @@ from workbench.judge.theorems.goals import All, AllFrom, Both, Exists, Goal, Iff
 from workbench.judge.theorems.sequents import NotShown, Obligation, Sequent, names_of, supposed
 from workbench.judge.theorems.substitution import Substitution
 from workbench.language.construct import apply, identity, number, relation, symbol, zero
-from workbench.language.symbols import read_key
+from workbench.language.declarations import read_key
+from workbench.language.names import Name
 from workbench.language.terms import Symbol, Term, Zero
 from workbench.language.types import TENSOR
 
@@ -28,7 +29,7 @@ def _refuse_bound(scope: Scope, terms: Mapping[Variable, Term], body: Goal) -> N
             raise NotShown(f"the witness depends on {name}, which the goal binds behind it")
 
 
-def _bound(goal: Goal) -> Iterator[str]:
+def _bound(goal: Goal) -> Iterator[Name]:
     match goal:
         case All(variables, body) | Exists(variables, body):
             yield from (variable.name for variable in variables)
@@ -49,38 +50,33 @@ def read_members(
     given = dict(members)
     terms = {}
     for variable in variables:
-        letter = variable.name.removesuffix("(\\cdot)")
-        latex = next((given.pop(key) for key in list(given) if same_letter(key, letter)), None)
+        latex = next((given.pop(key) for key in list(given) if read_key(key)[0] == variable.letter), None)
         if latex is None:
-            raise NotShown(f"no member is given for {letter}")
-        terms[variable] = _typed(_member(scope, variable, latex), variable, letter)
+            raise NotShown(f"no member is given for {variable.letter}")
+        terms[variable] = _typed(_member(scope, variable, latex), variable)
     if given:
         raise NotShown(f"the goal does not bind {', '.join(given)} here")
     return terms
-
-
-def same_letter(key: str, letter: str) -> bool:
-    return key == letter or read_key(key)[0] == letter
 
 
 def _member(scope: Scope, variable: Variable, latex: str) -> Term:
     """What is given for a letter; for a map, an expression in its argument, which is written X."""
     if variable.argument is None:
         return scope.term(latex)
-    argument = replace(variable.argument, name="X")
+    argument = replace(variable.argument, name=Name("X"))
     term = scope.with_variables([Variable(argument)]).term(latex)
     inner = symbol(variable.argument)
     return Substitution({Variable(argument): inner}, scope.definitions)._term(term, False)
 
 
-def _typed(term: Term, variable: Variable, letter: str) -> Term:
+def _typed(term: Term, variable: Variable) -> Term:
     wanted = variable.declaration.type
     if isinstance(term, Zero):
         return zero(wanted)
     if term.type.kind == "tensor" and wanted.kind == "operator":
         return term
     if term.type.kind != wanted.kind or (term.type.dual and not wanted.dual):
-        raise NotShown(f"{letter} is a {wanted}, and what is given for it a {term.type}")
+        raise NotShown(f"{variable.letter} is a {wanted}, and what is given for it a {term.type}")
     return term
 
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from workbench.language.construct import apply, big_sum, derivative, power, rebuild, symbol, zero
 from workbench.language.definitions import Definitions
 from workbench.language.instances import free_integers
+from workbench.language.names import Name
 from workbench.language.printer import to_latex
 from workbench.language.terms import (
     Apply,
@@ -39,7 +40,7 @@ def _applied(term: Term, definitions: Definitions) -> Term:
             if to.type.kind != "operator":
                 return _value(operator, to, definitions)
         case Symbol(arguments=arguments) if arguments and definitions.lookup(term) is None:
-            return symbol(Declaration(rf"\left({to_latex(term)}\right)", term.type))
+            return symbol(Declaration(Name(rf"\left({to_latex(term)}\right)", of=(term,)), term.type))
     return term
 
 
@@ -69,7 +70,8 @@ def _value(operator: Term, to: Term, definitions: Definitions) -> Term:
             return big_sum(bound, lower, upper, _value(body, to, definitions))
         case Symbol() if (body := definitions.lookup(operator)) is not None:
             return _value(_applied(body, definitions), to, definitions)
-    return symbol(Declaration(rf"\left({to_latex(operator)} {to_latex(to)}\right)", to.type))
+    name = Name(rf"\left({to_latex(operator)} {to_latex(to)}\right)", of=(operator, to))
+    return symbol(Declaration(name, to.type))
 
 
 def _captures(bound: Sequence[str], term: Term) -> bool:

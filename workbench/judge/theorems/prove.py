@@ -286,8 +286,8 @@ def _at(sequent: Sequent, values: dict[str, str]) -> Sequent:
                 raise NotShown(f"{goal.integer} = {value} is not {goal.least} or more")
             goal = at_integer(goal.body, goal.integer, int(value))
             continue
-        taken = {v: values.pop(v.name.removesuffix("(\\cdot)"), None) for v in goal.variables}
-        given = {v.name.removesuffix("(\\cdot)"): value for v, value in taken.items() if value is not None}
+        taken = {v: values.pop(str(v.letter), None) for v in goal.variables}
+        given = {str(v.letter): value for v, value in taken.items() if value is not None}
         open_ = tuple(v for v, value in taken.items() if value is None)
         closed = tuple(v for v in goal.variables if v not in open_)
         terms = read_members(scope, closed, given)

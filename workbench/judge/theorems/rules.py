@@ -26,7 +26,7 @@ from workbench.judge.theorems.goals import (
     equations,
     read_goal,
 )
-from workbench.judge.theorems.members import belongs, members_belong, put_in, read_members, same_letter
+from workbench.judge.theorems.members import belongs, members_belong, put_in, read_members
 from workbench.judge.theorems.proofs import (
     ByLength,
     Cases,
@@ -61,10 +61,11 @@ from workbench.judge.theorems.sequents import (
 from workbench.judge.theorems.substitution import Substitution, at_integer, is_function
 from workbench.judge.theorems.sum_rules import pascal, termwise
 from workbench.language.construct import apply, power, relation, symbol, zero
+from workbench.language.declarations import read_key
 from workbench.language.definitions import Definitions
 from workbench.language.integers import Linear
-from workbench.language.names import linear
 from workbench.language.reader import read_term
+from workbench.language.spelling import linear
 from workbench.language.syntax import parse
 from workbench.language.terms import Derivative, Relation, Statement, Symbol, Term, TimeOperator, Zero
 from workbench.language.types import SCALAR, VECTOR, Declaration
@@ -193,10 +194,11 @@ def _pointwise(sequent: Sequent, statement: Statement, letter: str, then: Proof)
     kind = left.type.kind
     if kind not in ("tensor", "vector"):
         raise NotShown(f"expected an equation of tensors or vectors, got one of a {kind}")
-    if letter in sequent.scope.table.symbols:
+    name, _ = read_key(letter)
+    if name in sequent.scope.table.symbols:
         raise NotShown(f"{letter} is a symbol already; take a fresh letter")
     dual = left.type.dual or right.type.dual
-    variable = Variable(Declaration(letter, VECTOR.with_dual(dual), constant=True))
+    variable = Variable(Declaration(name, VECTOR.with_dual(dual), constant=True))
     vector = symbol(variable.declaration)
     if kind == "tensor":
         sides = apply("mul", left, vector), apply("mul", right, vector)
@@ -231,11 +233,12 @@ def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator
     scope, lefts, rights, letters = sequent.scope, {}, {}, []
     for letter, use in proof.uses.items():
         said, lasting = yield from _instance(sequent, use)
-        if letter in scope.table.symbols:
+        name, _ = read_key(letter)
+        if name in scope.table.symbols:
             raise NotShown(f"{letter} is a symbol already; take a fresh letter")
         kind = said.left.type
         kind = kind.with_dual(kind.dual or said.right.type.dual)
-        variable = Variable(Declaration(letter, kind))
+        variable = Variable(Declaration(name, kind))
         letters.append((variable, lasting))
         lefts[variable], rights[variable] = said.left, said.right
     inner = scope.with_variables([variable for variable, _ in letters])
@@ -276,9 +279,8 @@ def _instance(sequent: Sequent, use: Use):
     while not isinstance(goal, Atom):
         match goal:
             case All(variables, body):
-                taken = {
-                    k: given.pop(k) for k in list(given) if any(same_letter(k, v.name) for v in variables)
-                }
+                letters = {variable.letter for variable in variables}
+                taken = {key: given.pop(key) for key in list(given) if read_key(key)[0] in letters}
                 for variable, term in read_members(scope, variables, taken).items():
                     own = [Atom(o.statement) for o in belongs("instance", sequent, variable, term)]
                     if own:

@@ -103,8 +103,8 @@ def refuse_used(sequent: Sequent, variables: tuple[Variable, ...]) -> None:
     names = {variable.name for variable in variables}
     for premise in sequent.premises:
         free = _free_names(premise.goal, sequent.scope)
-        if names & free:
-            raise NotShown(f"{', '.join(names & free)} stands in a premise already; bind another letter")
+        if both := ", ".join(map(str, names & free)):
+            raise NotShown(f"{both} stands in a premise already; bind another letter")
 
 
 def _free_names(goal: Goal, scope: Scope) -> set[str]:

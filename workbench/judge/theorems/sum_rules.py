@@ -12,6 +12,7 @@ from workbench.judge.theorems.substitution import Substitution
 from workbench.language.construct import apply, counting, relation, symbol
 from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.reader import read_term
 from workbench.language.terms import BigSum, Relation, Term
 from workbench.language.types import Declaration
@@ -59,9 +60,9 @@ class _Step:
     """L, an expression in Y."""
 
     def __init__(self, latex: str, like: Term, scope: Scope) -> None:
-        if any(letter in scope.table.symbols for letter in ("Y", "Z")):
+        if any(letter in scope.table for letter in ("Y", "Z")):
             raise NotShown("Y or Z is a symbol already")
-        self.variables = tuple(Variable(Declaration(letter, like.type)) for letter in ("Y", "Z"))
+        self.variables = tuple(Variable(Declaration(Name(letter), like.type)) for letter in ("Y", "Z"))
         self.scope = scope
         self.image = read_term(latex, scope.with_variables(self.variables[:1]).table, scope.integers)
 

@@ -24,6 +24,7 @@ from workbench.language.construct import (
 )
 from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.operators import COMPONENTWISE, PRODUCTS
 from workbench.language.printer import to_latex
 from workbench.language.terms import (
@@ -89,7 +90,7 @@ class _Sums:
         return self._free(total)
 
     def _free(self, total: BigSum) -> Symbol:
-        return symbol(Declaration(rf"\left({to_latex(total)}\right)", total.type))
+        return symbol(Declaration(Name(rf"\left({to_latex(total)}\right)", of=(total,)), total.type))
 
     def _matched(self, total: BigSum, known: BigSum) -> Term | None:
         """The sum as a known one, shifted, with what it has more or less at its ends."""

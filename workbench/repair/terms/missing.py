@@ -18,6 +18,7 @@ from workbench.judge.second.components import Value, array_shape
 from workbench.judge.second.rings import PRIME
 from workbench.language.construct import apply, power, symbol, time_operator
 from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.operators import LINEAR
 from workbench.language.terms import (
     Apply,
@@ -210,7 +211,7 @@ class MissingAddends:
         self, place: Place, term: Term, make: Callable[[Term], Term], kind: str
     ) -> list[_Response] | None:
         type_ = (term.type if kind == term.type.kind else KINDS[kind]).with_dual(self._is_dual)
-        probe = symbol(Declaration("probe", type_, None))
+        probe = symbol(Declaration(Name("probe"), type_, None))
         try:
             changed = replaced(self.statement, place, with_addend(term, make(probe)))
         except IllFormed:

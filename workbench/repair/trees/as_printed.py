@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from workbench.language.errors import Fault
+from workbench.language.names import Name
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Node, parse
 from workbench.repair.trees.integers import bound_variables
@@ -20,7 +21,7 @@ def as_printed(latex: str, printed: str, table: SymbolTable, integers: Collectio
         lines, shown = parse(latex), parse(printed)
     except Fault:
         return latex
-    spelled: dict[str, dict[str, Node]] = {}  # by name: the letters that stand for it in print
+    spelled: dict[Name, dict[str, Node]] = {}  # by name: the letters that stand for it in print
     for found in occurrences(shown):
         name = meaning(found, table, frozenset(integers) | bound_variables(shown))
         if name is not None and not found.styles:

@@ -4,6 +4,7 @@ is written in a row, a lost factor, a lost index that belongs to the name."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
@@ -126,12 +127,12 @@ def index_marks(node: Node, table: SymbolTable) -> Iterator[list[Mark]]:
     for one in occurrences(node):
         if one.scripts.sub is not None or one.left is not None or id(one.node) in scripted:
             continue
-        named = [name for name in table.symbols if name.startswith(f"{one.base}_") and "@" not in name]
         marks = []
-        for name in named:
-            if one.styles:
+        for name in table.symbols:
+            is_more = name == replace(one.letter, sub=name.sub, sup=name.sup) and name.sub
+            if one.styles or name.indices or not is_more:
                 continue
-            new = parse(name).lines[0][0]
+            new = parse(str(name)).lines[0][0]
             said = f"${latex_of(one.node)}$ should be ${name}$"
             marks.append(Mark(one.node, new, 1, "symbol", said))
         if marks:

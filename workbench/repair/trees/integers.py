@@ -8,7 +8,7 @@ from itertools import product
 
 from workbench.language.errors import Fault
 from workbench.language.integers import Linear
-from workbench.language.names import linear, variable_name
+from workbench.language.spelling import linear, variable_name
 from workbench.language.syntax import (
     Bracket,
     Chain,

@@ -6,7 +6,8 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.language.errors import Fault
-from workbench.language.names import Scripts, base_name, linear, spell, variable_name
+from workbench.language.names import Name
+from workbench.language.spelling import Scripts, linear, spell, variable_name
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Accented,
@@ -59,12 +60,16 @@ class Occurrence:
         return letter_of(self.node).text
 
     @property
-    def base(self) -> str:
-        return self.base_of(self.node)
+    def letter(self) -> Name:
+        return self.letter_of(self.node)
 
-    def base_of(self, node: Node) -> str:
-        """The name that the letter would have with another one in the place of the node."""
-        return base_name((*self.styles, *_styles(node)), letter_of(node).text)
+    @property
+    def base(self) -> str:
+        return self.letter.base
+
+    def letter_of(self, node: Node) -> Name:
+        """The letter with another one in the place of the node."""
+        return Name.styled((*self.styles, *_styles(node)), letter_of(node).text)
 
 
 def _styles(node: Node) -> tuple[str, ...]:
@@ -148,17 +153,18 @@ def is_known(
 
 def meaning(
     found: Occurrence, table: SymbolTable, integers: Collection[str], node: Node | None = None
-) -> str | None:
+) -> Name | None:
     """The name under which the paper has the letter, or what it would be with `node` in its place."""
-    base = found.base_of(node or found.node)
+    letter = found.letter_of(node or found.node)
+    base = letter.base
     if base in _BUILT_IN or (base in _COUNTING and found.scripts.sub) or (base == "e" and found.scripts.sup):
-        return base
+        return letter
     if base == "t" or variable_name(_plain(base, found)) in integers:
-        return base
+        return letter
     for scripts in (found.scripts, found.scripts.without_sup()):
-        pieces = spell(base, scripts, integers)
-        if pieces is not None:
-            symbol = table.find(pieces) or (table.find(pieces, True) if found.bracket else None)
+        spelling = spell(letter, scripts, integers)
+        if spelling is not None:
+            symbol = table.find(spelling) or (table.find(spelling, True) if found.bracket else None)
             if symbol is not None:
                 return symbol[0].name
     return None
@@ -178,7 +184,7 @@ def other_letters(
     letter = letter_of(first.node)
     names = [letter.text, other_case(letter.text)]
     names += [other for group in _ALIKE if letter.text in group for other in group if other not in names]
-    seen: set[tuple[str | None, ...]] = set()
+    seen: set[tuple[Name | None, ...]] = set()
     for text in names:
         plain = Leaf(letter.at, "LETTER", text)
         for font in (plain, *(Styled(letter.at, font, plain) for font in FONTS)):
@@ -208,6 +214,6 @@ def has_readable_sup(found: Occurrence, table: SymbolTable, integers: Collection
             return True
     except Fault:
         return True
-    pieces = spell(found.base, found.scripts, integers)
+    spelling = spell(found.letter, found.scripts, integers)
     signed = latex_of(inner).lstrip("{").startswith("-")
-    return signed or isinstance(inner, Chain) or (pieces is not None and table.find(pieces) is not None)
+    return signed or isinstance(inner, Chain) or (spelling is not None and table.find(spelling) is not None)

@@ -130,7 +130,7 @@ def _other_letters(node: Node, core: _Core, table: SymbolTable) -> Iterator[Mark
     """The same letter in another font or case, underlined or not, if the paper has such a symbol."""
     letter = letter_of(core.letter)
     printed = latex_of(core.letter)
-    known = " ".join(table.symbols)
+    known = {name.base for name in table.symbols}
     for text in (letter.text, other_case(letter.text)):
         plain = Leaf(letter.at, "LETTER", text)
         for other in (plain, *(Styled(letter.at, font, plain) for font in FONTS)):

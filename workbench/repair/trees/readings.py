@@ -14,7 +14,7 @@ from random import Random
 
 from workbench.judge.second.rings import PRIME
 from workbench.language.errors import Fault, Misfit
-from workbench.language.names import linear
+from workbench.language.spelling import linear
 from workbench.language.statements import reading_of
 from workbench.language.syntax import Chain, Fraction, Node, Styled, Sum
 from workbench.language.terms import Conjunction, IllFormed, Statement, Term

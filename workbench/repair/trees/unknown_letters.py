@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice, pairwise, product
 
+from workbench.language.names import Name
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, parse
 from workbench.language.types import VECTOR
@@ -32,7 +33,7 @@ def arrows(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[F
         if not all(len(name) == 1 and name.isupper() for name in names):
             continue
         for letter in _letters_with_subscripts(names, table):
-            start, end = (parse(f"{letter}_{{{name}}}").lines[0][0] for name in names)
+            start, end = (parse(str(replace(letter, sub=(name,)))).lines[0][0] for name in names)
             vector = Bracket(part.at, "(", (Sum(part.at, (("", part.at, end), ("-", part.at, start))),))
             rest = part.items[:-2]
             new = Product(part.at, (*rest, vector)) if rest else vector
@@ -46,14 +47,16 @@ def arrows(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[F
     return found or [(lines, ())]
 
 
-def _letters_with_subscripts(names: Sequence[str], table: SymbolTable) -> list[str]:
-    """The letters x for which the paper has vectors x_P for all the names P."""
-    having = []
-    for name in names:
-        ending = f"_{{{name}}}"
-        vectors = [n for n, d in table.symbols.items() if n.endswith(ending) and d.type == VECTOR]
-        having.append([n.removesuffix(ending) for n in vectors])
-    first, *others = having
+def _letters_with_subscripts(labels: Sequence[str], table: SymbolTable) -> list[Name]:
+    """The letters x for which the paper has vectors x_P for all the labels P."""
+    first, *others = (
+        [
+            replace(n, sub=())
+            for n, d in table.symbols.items()
+            if n.sub == (label,) and not n.sup and d.type == VECTOR
+        ]
+        for label in labels
+    )
     return [letter for letter in first if all(letter in other for other in others)]
 
 
@@ -162,7 +165,7 @@ def arguments(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> lis
     for found in letters_of_clauses(lines):
         if found.bracket is None:
             continue
-        formals = table.formals.get(meaning(found, table, known) or "", ())
+        formals = table.formals.get(meaning(found, table, known), ())
         given = found.bracket.parts
         if len(formals) != len(given) + 1:
             continue
@@ -170,9 +173,9 @@ def arguments(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> lis
         formal_names = {f.name for fs in table.formals.values() for f in fs}
         for place, formal in enumerate(formals):
             for name, declaration in table.symbols.items():
-                if declaration.type != formal.type or "@" in name or name in formal_names:
+                if declaration.type != formal.type or name.indices or name in formal_names:
                     continue
-                argument = parse(name).lines[0][0]
+                argument = parse(str(name)).lines[0][0]
                 parts = (*given[:place], argument, *given[place:])
                 bracket = Bracket(found.bracket.at, found.bracket.kind, parts)
                 said = f"the argument ${name}$ is missing in ${latex_of(bracket)}$"

@@ -1,0 +1,174 @@
+"""One entry of [symbols]: what its LaTeX key names, and what its table says of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from workbench.language.errors import Fault, SpecError
+from workbench.language.integers import Linear
+from workbench.language.names import Name
+from workbench.language.spelling import INDEX_LETTERS, TRANSPOSES, Named, Scripts, Spelling, linear, spell
+from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, Styled, parse
+from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
+
+_FLAGS = ("constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal")
+_FLAGGED = {
+    "unit": ("vector", "hamilton quaternion"),
+    "coordinate": ("vector",),
+    "symmetric": ("tensor",),
+    "diagonal": ("tensor",),
+}
+_ALLOWED = ("kind", "weight", *_FLAGS, "of", "aliases", "note")
+
+#: What these names mean in every formula.
+BUILTIN = {
+    Name("\\varepsilon"): "the dual unit",
+    Name("I", ("\\mathbf",)): "the unit tensor",
+    Name("I", ("\\underline", "\\mathbf")): "the unit tensor",
+    Name("D", ("\\mathbf",)): "the operator d/dt",
+    Name("\\partial"): "the sign of a partial derivative",
+}
+
+
+def refuse_operation(name: Name, key: str) -> None:
+    """A superscript that means something else cannot be part of a name."""
+    sup, meaning = "n".join(name.sup), None
+    if sup in TRANSPOSES:
+        meaning = "the transpose"
+    elif name.sup == ("", "") or sup.lstrip("-").isdigit():
+        meaning = "a power"
+    elif sup.startswith("(") and sup.endswith(")"):
+        meaning = "a derivative"
+    if meaning is not None:
+        raise SpecError(f"the superscript {sup} would be read as {meaning}; try ^{{[n]}}", key)
+
+
+def refuse_builtin(name: Name, type_: Type, key: str) -> None:
+    """Raises SpecError for a name that has a meaning of its own, in which it is read and printed back."""
+    meaning = BUILTIN.get(name)
+    if name == CLOCK.name and type_.kind == "scalar":
+        meaning = "the time of x(t) and \\frac{d}{dt}"
+    if meaning is not None:
+        raise SpecError(f"{name} is {meaning}; a symbol of the paper needs another name", key)
+
+
+def read_key(key: str) -> Named:
+    """A declared LaTeX name, and what stands in its index places. Raises SpecError."""
+    try:
+        lines = parse(key).lines
+        if len(lines) != 1 or len(lines[0]) != 1 or isinstance(lines[0][0], Chain):
+            raise SpecError("expected one symbol", key)
+        return key_spelling(lines[0][0], key).declared()
+    except Fault as fault:
+        raise SpecError(f"column {fault.at + 1}: {fault}", key) from None
+
+
+def key_spelling(node: Node, key: str) -> Spelling:
+    """The spelling of a declared name, where index letters count as integers. Raises SpecError."""
+    left_sub = left_sup = None
+    match node:
+        case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
+            left_sub, left_sup, node = left.sub, left.sup, right
+    scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
+    styles, letter = [], scripted.nucleus
+    while not isinstance(letter, Leaf):
+        match letter:
+            case Styled():
+                styles.append(letter.style)
+                letter = letter.body
+            case Group(parts=(part,)):
+                letter = part
+            case _:
+                raise SpecError("expected one symbol: a letter with its font and scripts", key)
+    is_figure = letter.kind == "NUMBER" and letter.text != "0" and styles
+    if not (letter.kind == "LETTER" or is_figure) or scripted.factorial:
+        raise SpecError(f"expected a letter, got {letter.text}", key)
+    scripts = Scripts(left_sub, left_sup, scripted.sub, scripted.sup, scripted.primes)
+    spelling = spell(Name.styled(styles, letter.text), scripts, INDEX_LETTERS)
+    if spelling is None:
+        raise SpecError("its scripts are not part of a name", key)
+    return spelling
+
+
+def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mapping[str, Any]) -> Declaration:
+    if not isinstance(spec, Mapping):
+        raise SpecError(f'expected a table such as {{ kind = "vector" }}, got {spec!r}', key)
+    unknown = [entry for entry in spec if entry not in _ALLOWED]
+    if unknown:
+        raise SpecError(f"unknown key {unknown[0]!r}; allowed: {', '.join(_ALLOWED)}", key)
+    kind = spec.get("kind")
+    plain = kind.removeprefix("dual ") if isinstance(kind, str) else ""
+    type_ = type_of_kind(plain)
+    if type_ is None:
+        allowed = f"{' | '.join(KINDS)} | matrix n×m, each perhaps with 'dual '"
+        if plain == "quaternion":
+            allowed = (
+                "a convention: 'hamilton quaternion', or [conventions] quaternion = 'hamilton, scalar first'"
+            )
+        raise SpecError(f"kind is {kind!r}; expected {allowed}", key)
+    dual = plain != kind
+    for flag in _FLAGS:
+        if not isinstance(spec.get(flag, False), bool):
+            raise SpecError(f"{flag} is {spec[flag]!r}; expected true or false", key)
+    for flag, kinds in _FLAGGED.items():
+        if spec.get(flag) and plain not in kinds:
+            raise SpecError(f"{flag} is for a {' or a '.join(kinds)}, not for a {plain}", key)
+    if dual and plain == "transform":
+        raise SpecError("a transform is real; a dual rotation stands for the same motions", key)
+    return Declaration(
+        name,
+        type_.with_dual(dual),
+        _weight(key, index, spec.get("weight")),
+        constant=spec.get("constant", False),
+        unit=spec.get("unit", False),
+        rotation=plain == "rotation",
+        transform=plain == "transform",
+        symmetric=spec.get("symmetric", False),
+        diagonal=spec.get("diagonal", False),
+        coordinate=spec.get("coordinate", False),
+        uniform=spec.get("uniform", False),
+        independent=spec.get("independent", False),
+        indices=len(index),
+    )
+
+
+def arguments_of(key: str, declaration: Declaration, names: Any) -> Sequence[str]:
+    """What a symbol is said to be a function of."""
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+        raise SpecError(f"of is {names!r}; expected a list of symbols such as ['q', 't']", key)
+    bound = [flag for flag in (*_FLAGS, "rotation", "transform") if getattr(declaration, flag)]
+    if bound or declaration.type.dual or declaration.type.kind == "operator":
+        what = bound[0] if bound else f"a {declaration.type}"
+        raise SpecError(f"of is for real quantities whose values are free, not for {what}", key)
+    return names
+
+
+def aliases(key: str, spec: Mapping[str, Any]) -> Sequence[str]:
+    found = spec.get("aliases", ())
+    if not isinstance(found, list | tuple) or not all(isinstance(alias, str) for alias in found):
+        raise SpecError(f"aliases is {found!r}; expected a list of LaTeX names", key)
+    return found
+
+
+def _weight(key: str, index: Sequence[Linear], weight: Any) -> Weight:
+    """An integer, or a string such as "n+1" in the index letters of the key."""
+    if weight is None or (isinstance(weight, int) and not isinstance(weight, bool)):
+        return None if weight is None else Linear(weight)
+    letters = sorted(set().union(*(place.variables for place in index)))
+    value = None
+    if isinstance(weight, str):
+        try:
+            lines = parse(weight).lines
+            value = linear(lines[0][0], letters) if len(lines) == 1 and len(lines[0]) == 1 else None
+        except Fault:
+            value = None
+    if value is None:
+        of = f" or a string linear in {', '.join(letters)}" if letters else ""
+        raise SpecError(f"weight is {weight!r}; expected an integer{of}", key)
+    places = {}
+    for at, place in sorted(enumerate(index), key=lambda entry: abs(entry[1].constant), reverse=True):
+        for letter, coefficient in place.coefficients:
+            if coefficient == 1 and len(place.coefficients) == 1:
+                places[letter] = Linear.variable(f"@{at}") - place.constant
+    return value.substitute(places)

@@ -1,0 +1,201 @@
+"""How a symbol is spelled: its letter and scripts as they stand in the source; which names that may be."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from workbench.language.errors import Fault
+from workbench.language.integers import Linear
+from workbench.language.names import SCRIPTS, Name
+from workbench.language.syntax import Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled, Sum
+from workbench.language.vocabulary import SIGN_COMMANDS
+
+#: Indices, orders and exponents beyond this are refused.
+LARGEST_INTEGER = 1000
+
+#: The letters that are index places in a declared name.
+INDEX_LETTERS = frozenset("ijklmnp")
+
+#: Superscripts that mean the transpose.
+TRANSPOSES = frozenset({"T", "\\mathrm{T}", "\\mathsf{T}"})
+
+_CLOSING = {"(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
+
+#: A piece of a script: text, or an integer that may be an index.
+Piece = str | Linear
+
+#: A name and what stands in its index places.
+Named = tuple[Name, tuple[Linear, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Scripts:
+    """What surrounds a letter."""
+
+    left_sub: Node | None = None
+    left_sup: Node | None = None
+    sub: Node | None = None
+    sup: Node | None = None
+    primes: int = 0
+
+    def without_sup(self) -> Scripts:
+        return replace(self, sup=None)
+
+
+def variable_name(node: Node) -> str | None:
+    """k or k_1 as the name of an integer variable."""
+    match node:
+        case Leaf(kind="LETTER", text=text) if len(text) == 1:
+            return text
+        case Scripted(nucleus=Leaf(kind="LETTER", text=text), sub=sub, sup=None, primes=0, factorial=False):
+            while isinstance(sub, Group) and len(sub.parts) == 1:
+                sub = sub.parts[0]
+            if len(text) == 1 and isinstance(sub, Leaf) and sub.kind == "NUMBER" and sub.text.isdigit():
+                return f"{text}_{sub.text}" if len(sub.text) == 1 else f"{text}_{{{sub.text}}}"
+    return None
+
+
+def linear(node: Node, variables: Collection[str]) -> Linear | None:
+    """The node as an integer expression in the variables; None if it is something else."""
+    match node:
+        case Leaf(kind="NUMBER", text=text) if text.isdigit() and (text == "0" or text[0] != "0"):
+            if len(text) > 9 or int(text) > LARGEST_INTEGER:
+                raise Fault(f"the integer {text[:20]} is too large here; at most {LARGEST_INTEGER}", node.at)
+            return Linear(int(text))
+        case Group(parts=(part,)) | Bracket(kind="(", parts=(part,)):
+            return linear(part, variables)
+        case Sum():
+            total = Linear(0)
+            for sign, _, addend in node.addends:
+                value = linear(addend, variables)
+                if value is None:
+                    return None
+                total = total - value if sign == "-" else total + value
+            return total
+        case Product(items=(Leaf(kind="NUMBER") as factor, other)):
+            size, value = linear(factor, ()), linear(other, variables)
+            return None if size is None or value is None or value.is_number else value * int(size)
+    name = variable_name(node)
+    return Linear.variable(name) if name in variables else None
+
+
+@dataclass(frozen=True, slots=True)
+class Spelling:
+    """A letter as it is written, with its scripts in pieces: which of their integers are indices is open."""
+
+    letter: Name
+    scripts: tuple[tuple[str, tuple[Piece, ...]], ...]
+
+    @property
+    def places(self) -> list[Linear]:
+        return [piece for _, pieces in self.scripts for piece in pieces if isinstance(piece, Linear)]
+
+    def named(self, is_index: Sequence[bool]) -> Named:
+        """The name and its indices, where it is said for each place whether it is one."""
+        places, index, made = iter(is_index), [], {}
+        for field, pieces in self.scripts:
+            texts = [""]
+            for piece in pieces:
+                if isinstance(piece, Linear) and next(places):
+                    index.append(piece)
+                    texts.append("")
+                else:
+                    texts[-1] += str(piece)
+            made[field] = tuple(texts)
+        return replace(self.letter, **made), tuple(index)
+
+    def exchanged(self, texts: Mapping[str, str]) -> Spelling:
+        """The same with other letters and labels."""
+        scripts = (
+            (field, tuple(texts.get(p, p) if isinstance(p, str) else p for p in pieces))
+            for field, pieces in self.scripts
+        )
+        letter = texts.get(self.letter.letter, self.letter.letter)
+        return Spelling(replace(self.letter, letter=letter), tuple(scripts))
+
+    @property
+    def exact(self) -> Name:
+        """The name in which no integer is an index."""
+        return self.named([False] * len(self.places))[0]
+
+    def declared(self) -> Named:
+        """The name that a declaration spells so: letters stand for indices, numbers belong to the name."""
+        return self.named([not place.is_number for place in self.places])
+
+    def candidates(self) -> list[Named]:
+        """The names that may be meant, each with the indices it then has: the exact name first, then with
+        more and more of its integers as indices."""
+        count = len(self.places)
+        choices = sorted(range(2 ** min(count, 6)), key=lambda choice: (choice.bit_count(), choice))
+        return [self.named([bool(choice >> bit & 1) for bit in range(count)]) for choice in choices]
+
+    def __str__(self) -> str:
+        return str(self.exact)
+
+
+def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spelling | None:
+    """The spelling of a letter with what surrounds it; None if it is no name."""
+    found = []
+    for field in SCRIPTS:
+        node = getattr(scripts, field)
+        if node is not None:
+            pieces = _spell_script(node, variables)
+            if pieces is None:
+                return None
+            found.append((field, tuple(pieces)))
+    return Spelling(replace(letter, primes=scripts.primes), tuple(found))
+
+
+def spell_label(node: Node) -> str | None:
+    """A script that is a label, as names have it."""
+    pieces = _spell_script(node, ())
+    return None if pieces is None else "".join(map(str, pieces))
+
+
+def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
+    while isinstance(node, Group) and len(node.parts) == 1:
+        (node,) = node.parts
+    value = None if isinstance(node, Bracket) else linear(node, variables)
+    if value is not None:
+        return [value]
+    match node:
+        case Leaf(kind="FUNCTION", name=name):
+            return [" ".join(name if node.bare else (f"\\mathrm{{{letter}}}" for letter in name))]
+        case Leaf():
+            return [node.text]
+        case Styled():
+            inner = _spell_script(node.body, ())  # an upright n is a label
+            return None if inner is None else [node.style, "{", *inner, "}"]
+        case Group():
+            return _spell_list(node.parts, ",", variables)
+        case Bracket():
+            inner = _spell_list(node.parts, ",", variables)
+            return None if inner is None else [node.kind, *inner, _CLOSING[node.kind]]
+        case Product():
+            return _spell_list(node.items, " ", () if _is_word(node) else variables)
+        case Scripted(sub=None, sup=None, primes=primes, factorial=False):
+            inner = _spell_script(node.nucleus, ())
+            return None if inner is None else [*inner, "'" * primes]
+        case Scripted(sup=None, primes=0, factorial=False):
+            inner = _spell_list((node.nucleus, node.sub), "_{", variables)
+            return None if inner is None else [*inner, "}"]
+        case Infix(operator=operator):
+            return [SIGN_COMMANDS[operator]]
+    return None
+
+
+def _is_word(node: Product) -> bool:
+    """Whether the letters are a word such as rel, not indices in a row such as i j."""
+    letters = [item.text for item in node.items if isinstance(item, Leaf) and item.text.isalpha()]
+    return len(letters) == len(node.items) and not INDEX_LETTERS.issuperset(letters)
+
+
+def _spell_list(nodes: Sequence[Node], separator: str, variables: Collection[str]) -> list[Piece] | None:
+    pieces: list[Piece] = []
+    for place, node in enumerate(nodes):
+        inner = _spell_script(node, variables)
+        if inner is None:
+            return None
+        pieces += [separator, *inner] if place else inner
+    return pieces

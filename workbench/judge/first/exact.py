@@ -6,7 +6,7 @@ product throughout. Dual entries are `Dual` numbers over the ring. An operator �
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import partial
 from functools import reduce as fold
@@ -26,7 +26,6 @@ from workbench.algebra.matrices import (
     on_entries,
     product,
     real_part,
-    scale,
     skew,
     symmetric,
     trace,
@@ -35,8 +34,17 @@ from workbench.algebra.matrices import (
 )
 from workbench.judge.first.exact_algebra import ExactAlgebra
 from workbench.judge.first.exact_symbols import FreeSymbols, rank
+from workbench.judge.first.operators import (
+    Operator,
+    acted,
+    add_operators,
+    as_operator,
+    composed,
+    is_operator,
+    mapped,
+    scaled,
+)
 from workbench.judge.first.quaternions import conjugate, hamilton
-from workbench.judge.subject.angles import NO_ANGLE
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parameters
 from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector
@@ -59,8 +67,6 @@ from workbench.language.terms import (
     Zero,
 )
 from workbench.language.types import Type
-
-Operator = tuple[Matrix, ...]
 
 
 class ExactEngine:
@@ -96,12 +102,12 @@ class ExactEngine:
     def difference(self, relation: Relation) -> Matrix | Operator:
         left, right = self.value(relation.left), self.value(relation.right)
         if relation.left.type.kind == "operator" or relation.right.type.kind == "operator":
-            return _add_operators(_operator(left), _scale(self.ring.constant(-1), _operator(right)))
-        return add(left, _scale(self.ring.constant(-1), right))
+            return add_operators(as_operator(left), scaled(self.ring.constant(-1), as_operator(right)))
+        return add(left, scaled(self.ring.constant(-1), right))
 
     def parts(self, value: Matrix | Operator) -> list[Polynomial]:
         """All entries in reading order, real parts before dual parts."""
-        matrices = value if _is_operator(value) else (value,)
+        matrices = value if is_operator(value) else (value,)
         entries = [entry for matrix in matrices for row in matrix for entry in row]
         real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
         dual = [entry.du for entry in entries if isinstance(entry, Dual)]
@@ -178,7 +184,7 @@ class ExactEngine:
             square = product(transpose(base), base)
             return fold(product, [square] * (exponent // 2), self._algebra.diagonal(1, 1))
         if term.type.kind == "operator":
-            return fold(self._compose, [base] * exponent, (self._algebra.diagonal(1),))
+            return fold(partial(composed, self._algebra), [base] * exponent, (self._algebra.diagonal(1),))
         if term.type.kind == "quaternion":
             return fold(hamilton, [base] * exponent, self._algebra.diagonal(1, 4, 1))
         return fold(product, [base] * exponent, self._algebra.diagonal(1, len(base)))
@@ -197,23 +203,23 @@ class ExactEngine:
     def _add(self, term: Apply) -> Matrix | Operator:
         values = [self.value(a) for a in term.arguments]
         if term.type.kind == "operator":
-            return fold(_add_operators, map(_operator, values))
+            return fold(add_operators, map(as_operator, values))
         return fold(add, values)
 
     def _neg(self, term: Apply) -> Matrix | Operator:
-        return _scale(self.ring.constant(-1), self.value(term.arguments[0]))
+        return scaled(self.ring.constant(-1), self.value(term.arguments[0]))
 
     def _mul(self, term: Apply) -> Matrix | Operator:
         left, right = term.arguments
         a, b = self.value(left), self.value(right)
         if left.type.kind == "scalar":
-            return _scale(a[0][0], b)
+            return scaled(a[0][0], b)
         if right.type.kind == "scalar":
-            return _scale(b[0][0], a)
+            return scaled(b[0][0], a)
         if left.type.kind == "operator" and right.type.kind != "operator":
-            return self._act(a, b)
+            return acted(self._algebra, a, b)
         if "operator" in (left.type.kind, right.type.kind):
-            return self._compose(_operator(a), _operator(b))
+            return composed(self._algebra, as_operator(a), as_operator(b))
         if left.type.kind == "quaternion":
             return hamilton(a, b)
         if left.type.columns != right.type.rows:
@@ -221,37 +227,17 @@ class ExactEngine:
         return product(a, b)
 
     def _composition(self, term: Apply) -> Operator:
-        return self._compose(*(_operator(self.value(a)) for a in term.arguments))
-
-    def _compose(self, left: Operator, right: Operator) -> Operator:
-        """By D·A = Ȧ + A·D, applied once for each power of D on the left."""
-        total: Operator = (self._algebra.diagonal(0),)
-        shifted = right
-        for power, coefficient in enumerate(left):
-            if power:
-                rates = tuple(self._map(self.ring.derive, a) for a in shifted)
-                shifted = _add_operators((self._algebra.diagonal(0), *shifted), rates)
-            total = _add_operators(total, tuple(product(coefficient, a) for a in shifted))
-        return total
-
-    def _act(self, operator: Operator, value: Matrix) -> Matrix:
-        if len(value) != 3:
-            raise NotExact("an operator with 3×3 coefficients on a block matrix of other rows")
-        total = product(operator[0], value)
-        for coefficient in operator[1:]:
-            value = self._map(self.ring.derive, value)
-            total = add(total, product(coefficient, value))
-        return total
+        return composed(self._algebra, *(as_operator(self.value(a)) for a in term.arguments))
 
     def _div(self, term: Apply) -> Matrix | Operator:
         numerator, denominator = (self.value(a) for a in term.arguments)
-        return _scale(self._algebra.reciprocal(denominator[0][0]), numerator)
+        return scaled(self._algebra.reciprocal(denominator[0][0]), numerator)
 
     def _inverse(self, term: Apply) -> Matrix:
         value = self.value(term.arguments[0])
         if term.type.kind == "quaternion":
             square = product(transpose(value), value)
-            return _scale(self._algebra.reciprocal(square[0][0]), conjugate(value))
+            return scaled(self._algebra.reciprocal(square[0][0]), conjugate(value))
         return self._algebra.inverse(value)
 
     def _det(self, term: Apply) -> Matrix:
@@ -278,7 +264,8 @@ class ExactEngine:
         value = self.value(angle)[0][0]
         real = value.re if isinstance(value, Dual) else value
         cosine, sine = self.ring.one, self.ring.zero
-        for circle, count in self._multiples(self.ring.reduce(self._algebra.polynomial(real))):
+        circles = {circle: self._part_of(circle) for circle in self._circles}
+        for circle, count in self._free.multiples(self.ring.reduce(self._algebra.polynomial(real)), circles):
             c, s = self._free.circle(circle, count)
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
         if isinstance(value, Dual):
@@ -289,28 +276,6 @@ class ExactEngine:
         """The value of ω t, ‖x‖, … or the part of it that has a sine and cosine of its own."""
         ((value,),) = self.value(circle)
         return self.ring.reduce(self._algebra.polynomial(real_part(value)))
-
-    def _multiples(self, angle: Polynomial) -> Iterator[tuple[Term, int]]:
-        """The angles of which it is made up, each with how often."""
-        for circle in self._circles:
-            part, coefficients = self._part_of(circle), dict(angle.terms())
-            place, size = next(iter(part.terms()), ((), 1))
-            count = coefficients.get(place, 0) / size
-            if count != 0 and count.q == 1:
-                yield circle, int(count)
-                angle = angle - part * self.ring.constant(int(count))
-        for exponents, coefficient in angle.terms():
-            yield self._linear_angle(exponents, coefficient).symbol, int(coefficient)
-
-    def _linear_angle(self, exponents: tuple[int, ...], coefficient: Fraction) -> Parameter:
-        places = [i for i, e in enumerate(exponents) if e]
-        if len(places) == 1 and exponents[places[0]] == 1 and coefficient.q == 1:
-            name = self.ring.names[places[0]]
-            for parameter, known in self._named.items():
-                is_angle = Parameter(parameter.symbol, "circle", 0, 0) in self._named
-                if known == name and is_angle and parameter.part == "value" and parameter.order == 0:
-                    return parameter
-        raise NotExact(NO_ANGLE)
 
     def _exp(self, term: Apply) -> Matrix:
         """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: Rodrigues' formula; of any x̃ the same with
@@ -327,21 +292,21 @@ class ExactEngine:
         if turn is not None:
             angle, axis = turn
             cosine, sine = self._circle(angle)
-            return self._turned(term, cosine, _scale(sine, self.value(axis)), self.value(axis))
+            return self._turned(term, cosine, scaled(sine, self.value(axis)), self.value(axis))
         vector = turned_vector(argument, self._definitions)
         if vector is None:
             raise NotExact(NO_EXPONENT)
         length = apply("norm", vector)
         cosine, sine = self._circle(length)
         with self.ring.removable():
-            shrunk = _scale(self._algebra.reciprocal(self.value(length)[0][0]), self.value(vector))
-        return self._turned(term, cosine, _scale(sine, shrunk), shrunk)
+            shrunk = scaled(self._algebra.reciprocal(self.value(length)[0][0]), self.value(vector))
+        return self._turned(term, cosine, scaled(sine, shrunk), shrunk)
 
     def _turned(self, term: Apply, cosine: Entry, turning: Matrix, axis: Matrix) -> Matrix:
         if term.type.kind == "quaternion":
             return ((cosine,), *turning)
         twice = product(skew(flat(axis)), skew(flat(axis)))
-        turned = add(skew(flat(turning)), _scale(1 - cosine, twice))
+        turned = add(skew(flat(turning)), scaled(1 - cosine, twice))
         return add(self._algebra.diagonal(1), turned)
 
     def _divergence(self, term: Apply) -> Matrix:
@@ -359,7 +324,7 @@ class ExactEngine:
         for seed in seeds(by, self._definitions):
             name = self._free.place(seed.symbol, seed.order, seed.component)
             once = partial(self.ring.partial, name=name)
-            slopes.append(_scale(self.ring.constant(1 / seed.factor), self._map(once, value)))
+            slopes.append(scaled(self.ring.constant(1 / seed.factor), self._map(once, value)))
         if by.type.kind == "scalar":
             return slopes[0]
         return tuple(tuple(slope[i][0] for slope in slopes) for i in range(len(value)))
@@ -372,29 +337,10 @@ class ExactEngine:
         place = [str(generator) for generator in self._free.column(coordinates[0], "value", 0, 3)]
         return tuple(tuple(self.ring.partial(row[0], x) for x in place) for row in self.value(field))
 
-    def _map(self, function, value: Matrix | Operator) -> Matrix | Operator:
-        if _is_operator(value):
-            return tuple(self._algebra.map(function, matrix) for matrix in value)
-        return self._algebra.map(function, value)
-
-
-def _is_operator(value: Matrix | Operator) -> bool:
-    return isinstance(value[0][0], tuple)
-
-
-def _operator(value: Matrix | Operator) -> Operator:
-    return value if _is_operator(value) else (value,)
-
-
-def _add_operators(a: Operator, b: Operator) -> Operator:
-    longer, shorter = (a, b) if len(a) >= len(b) else (b, a)
-    return tuple(add(m, shorter[k]) if k < len(shorter) else m for k, m in enumerate(longer))
-
-
-def _scale(factor: Entry, value: Matrix | Operator) -> Matrix | Operator:
-    if _is_operator(value):
-        return tuple(scale(factor, matrix) for matrix in value)
-    return scale(factor, value)
+    def _map(
+        self, function: Callable[[Polynomial], Polynomial], value: Matrix | Operator
+    ) -> Matrix | Operator:
+        return mapped(self._algebra, function, value)
 
 
 def _unary(function):

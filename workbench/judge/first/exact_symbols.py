@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import partial
 from itertools import product as product_of
@@ -11,6 +11,8 @@ from workbench.algebra.differential_ring import Derivation, DifferentialRing, Po
 from workbench.algebra.dual import Dual
 from workbench.algebra.matrices import Matrix, cross, flat, matrix, product, skew
 from workbench.judge.first.quaternions import hamilton
+from workbench.judge.subject.angles import NO_ANGLE
+from workbench.judge.subject.inventory import NotExact
 from workbench.judge.subject.parameters import Parameter, components
 from workbench.judge.subject.slopes import coordinate_count, indices
 from workbench.language.terms import Symbol, Term
@@ -167,6 +169,28 @@ class FreeSymbols:
         keys = list(product_of(indices(among, degree), range(count)))
         part = f"slope{degree}" if degree else "value"
         return dict(zip(keys, self.column(symbol, part, 0, len(keys)), strict=False))
+
+    def multiples(self, angle: Polynomial, circles: Mapping[Term, Polynomial]) -> Iterator[tuple[Term, int]]:
+        """The angles of which it is made up, each with how often. circles: terms with a sine and cosine of
+        their own, and what they are."""
+        for circle, part in circles.items():
+            place, size = next(iter(part.terms()), ((), 1))
+            count = dict(angle.terms()).get(place, 0) / size
+            if count != 0 and count.q == 1:
+                yield circle, int(count)
+                angle = angle - part * self.ring.constant(int(count))
+        for exponents, coefficient in angle.terms():
+            yield self._linear_angle(exponents, coefficient).symbol, int(coefficient)
+
+    def _linear_angle(self, exponents: tuple[int, ...], coefficient: Fraction) -> Parameter:
+        places = [i for i, e in enumerate(exponents) if e]
+        if len(places) == 1 and exponents[places[0]] == 1 and coefficient.q == 1:
+            name = self.ring.names[places[0]]
+            for parameter, known in self._named.items():
+                is_angle = Parameter(parameter.symbol, "circle", 0, 0) in self._named
+                if known == name and is_angle and parameter.part == "value" and parameter.order == 0:
+                    return parameter
+        raise NotExact(NO_ANGLE)
 
     def circle(self, angle: Term, count: int) -> tuple[Polynomial, Polynomial]:
         """(cos, sin) of `count` times the angle, by the addition theorems."""

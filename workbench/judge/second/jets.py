@@ -8,10 +8,9 @@ prime, the rationals, floats or Drake's polynomials. A `Source` says what the sy
 from __future__ import annotations
 
 from collections.abc import Callable
-from fractions import Fraction
 from itertools import product
 from math import comb
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -30,20 +29,17 @@ from workbench.judge.second.components import (
     dot,
     entry,
     flat_components,
-    leibniz,
     matrix_shape,
     outer,
     product_of,
-    skew,
     stack,
-    turned,
 )
-from workbench.judge.second.jet_algebra import JetAlgebra, Ring
+from workbench.judge.second.jet_algebra import JetAlgebra
 from workbench.judge.second.quaternions import conjugated, quaternion_product
-from workbench.judge.second.tangents import changes, commuted, composed, pushed
-from workbench.judge.subject.angles import NO_ANGLE, angle_parts
+from workbench.judge.second.source import Source
+from workbench.judge.second.tangents import changes, commuted, composed
+from workbench.judge.second.turns import Turns
 from workbench.judge.subject.inventory import Lookup, NotExact
-from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector
 from workbench.judge.subject.slopes import Seed, indices, seeds
 from workbench.language.construct import apply
 from workbench.language.terms import (
@@ -61,29 +57,6 @@ from workbench.language.terms import (
 )
 
 
-class Source(Protocol):
-    """Where free symbols get their derivatives from."""
-
-    ring: Ring
-
-    def jet(self, symbol: Symbol, depth: int) -> Value: ...
-
-    def circle(self, angle: Term) -> tuple[Any, Any]:
-        """(cos, sin) of the angle at the instant."""
-
-    def circles(self) -> list[Term]:
-        """The terms other than symbols that have a circle, such as ω t."""
-
-    def moved(self, seed: Seed) -> Source:
-        """The same source with one component of a derivative moved by ε, over dual numbers."""
-
-    def slopes(self, function: Symbol, degree: int, count: int) -> list[Any]:
-        """The partial derivatives of a function `of` something, all those of a degree."""
-
-    def along(self, component: int) -> Source:
-        """The same source with the coordinate moved by ε along one axis, for div and curl."""
-
-
 class JetEngine:
     """Evaluates terms on a source."""
 
@@ -91,10 +64,11 @@ class JetEngine:
         self._source = source
         self._algebra = JetAlgebra(source.ring)
         self._definitions = definitions
+        self._turns = Turns(self, source, self._algebra, definitions)
         self._known: dict[Term, Value] = {}
         self._displaced: list[JetEngine] = []
         self._moved: dict[Seed, JetEngine] = {}
-        self._origin = self  # the engine that nothing is moved in
+        self.origin = self  # the engine that nothing is moved in
 
     def components(self, term: Term) -> list[Any]:
         """All components at the instant: an operator's coefficients by rising power of D, each in reading
@@ -215,13 +189,13 @@ class JetEngine:
         if term.type.kind == "quaternion":
             total = self._algebra.diagonal(4, 1, depth).map(lambda x: x[:, 0])
         else:
-            total = self._one(base.re[0].shape, depth)
+            total = self.one(base.re[0].shape, depth)
         times = {"scalar": np.multiply, "quaternion": quaternion_product}.get(term.type.kind, np.matmul)
         for _ in range(exponent):
             total = product_of(times, total, base)
         return total
 
-    def _one(self, shape: tuple[int, ...], depth: int) -> Value:
+    def one(self, shape: tuple[int, ...], depth: int) -> Value:
         """1, or the unit matrix."""
         return self._algebra.diagonal(shape[0], 1, depth) if shape else self._algebra.constant(1, 1, depth)
 
@@ -289,11 +263,11 @@ class JetEngine:
             case "norm":
                 return self._algebra.norm(self.value(arguments[0], depth))
             case "cos":
-                return self._circle(arguments[0], depth)[0]
+                return self._turns.circle(arguments[0], depth)[0]
             case "sin":
-                return self._circle(arguments[0], depth)[1]
+                return self._turns.circle(arguments[0], depth)[1]
             case "exp":
-                return self._exp(arguments[0], depth)
+                return self._turns.exp(arguments[0], depth)
             case "partial" | "total":
                 return self._partial(*arguments, depth)
             case "divergence":
@@ -339,110 +313,12 @@ class JetEngine:
         scalar, vector = values
         return stack([scalar, *(entry(vector, i) for i in range(3))])
 
-    def _circle(self, angle: Term, depth: int, factor: Fraction = Fraction(1)) -> tuple[Value, Value]:
-        """cos and sin of factor · angle by the addition theorems on the term; of a free angle by ċ = −s α̇,
-        ṡ = c α̇."""
-        match angle:
-            case Zero():
-                return self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
-            case Symbol():
-                body = self._definitions.lookup(angle)
-                if body is not None:
-                    return self._circle(body, depth, factor)
-                if factor.denominator == 1:
-                    return self._repeated(self._free_circle(angle, depth), int(factor), depth)
-            case Apply(head="re", arguments=(inner,)):
-                cosine, sine = self._circle(inner, depth, factor)
-                return Value(cosine.re), Value(sine.re)
-            case Apply(head="neg", arguments=(inner,)):
-                return self._circle(inner, depth, -factor)
-            case Apply(head="add"):
-                cosine, sine = self._circle(angle.arguments[0], depth, factor)
-                for argument in angle.arguments[1:]:
-                    cosine, sine = turned((cosine, sine), self._circle(argument, depth, factor))
-                return cosine, sine
-            case Apply(head="mul", arguments=(Number() as n, inner) | (inner, Number() as n)):
-                return self._circle(inner, depth, factor * n.value)
-            case Apply(head="div", arguments=(inner, Number() as n)):
-                return self._circle(inner, depth, factor / n.value)
-        value = self.value(angle, depth)
-        if value.du is not None and all(not x for x in np.ravel(value.re[0])):
-            cosine = Value(self._algebra.constant(1, 1, depth).re, [0 * x for x in value.du])
-            scale = self._algebra.constant(factor.numerator, factor.denominator, depth)
-            return cosine, product_of(np.multiply, scale, value)
-        if value.du is not None:
-            raise NotExact(NO_ANGLE)
-        total = self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
-        for part, coefficient in angle_parts(angle, self._definitions).items():
-            if coefficient == 0:
-                continue
-            total = turned(total, self._part_of_circle(part, factor * coefficient, depth))
-        return total
-
-    def _part_of_circle(self, angle: Term, factor: Fraction, depth: int) -> tuple[Value, Value]:
-        """cos and sin of factor · ω t and the like, from those of the part that has a circle of its own."""
-        for part in self._source.circles():
-            own = angle_parts(part, self._definitions)
-            if list(own) == [angle] and (factor / own[angle]).denominator == 1:
-                return self._repeated(self._free_circle(part, depth), int(factor / own[angle]), depth)
-        raise NotExact(NO_ANGLE)
-
-    def _repeated(self, once: tuple[Value, Value], count: int, depth: int) -> tuple[Value, Value]:
-        if count < 0:
-            once = (once[0], once[1].map(lambda x: -x))
-        total = self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)
-        for _ in range(abs(count)):
-            total = turned(total, once)
-        return total
-
-    def _free_circle(self, angle: Term, depth: int) -> tuple[Value, Value]:
-        """By ċ = −s α̇, ṡ = c α̇ from what the source says of the angle where nothing is moved."""
-        value = self.value(angle, depth)
-        step = value.re[0][()] - self._origin.value(angle, 0).re[0][()]
-        c, s = pushed(self._source.circle(angle), step, self._algebra.ring)
-        cosine, sine = [np.asarray(c, dtype=object)], [np.asarray(s, dtype=object)]
-        rate = value.re[1:]
-        for k in range(depth):
-            cosine.append(-leibniz(np.multiply, sine, rate[: k + 1])[k])
-            sine.append(leibniz(np.multiply, cosine[: k + 1], rate[: k + 1])[k])
-        if value.du is None:
-            return Value(cosine), Value(sine)
-        falling = [-x for x in leibniz(np.multiply, sine, value.du)]
-        return Value(cosine, falling), Value(sine, leibniz(np.multiply, cosine, value.du))
-
-    def _exp(self, argument: Term, depth: int) -> Value:
-        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u."""
-        turn = angle_and_axis(argument, self._definitions)
-        vector = None if turn is not None else turned_vector(argument, self._definitions)
-        if turn is not None:
-            cosine, sine = self._circle(turn[0], depth)
-            return self._turned(argument, cosine, sine, self.value(turn[1], depth))
-        if vector is not None:
-            length = apply("norm", vector)
-            cosine, sine = self._circle(length, depth)
-            axis = self._algebra.divide(self.value(vector, depth), self.value(length, depth))
-            return self._turned(argument, cosine, sine, axis)
-        value = self.value(argument, depth)
-        if value.du is None or any(bool(x != 0) for jet in value.re for x in jet.ravel()):
-            raise NotExact(NO_EXPONENT)
-        return Value(self._one(value.re[0].shape, depth).re, value.du)
-
-    def _turned(self, argument: Term, cosine: Value, sine: Value, axis: Value) -> Value:
-        """The rotation, or cos + u sin of a quaternion, about an axis of length 1."""
-        if argument.type.kind == "quaternion":
-            scaled = product_of(np.multiply, sine, axis)
-            return stack([cosine, *(entry(scaled, i) for i in range(3))])
-        versine = add(self._algebra.constant(1, 1, cosine.depth), cosine.map(lambda x: -x))
-        turned = product_of(np.multiply, cosine, self._algebra.diagonal(3, 1, cosine.depth))
-        turned = add(turned, product_of(np.multiply, sine, axis.map(skew)))
-        return add(turned, product_of(np.multiply, versine, product_of(outer, axis, axis)))
-
     def _function(self, function: Symbol, depth: int) -> Value:
         """f(q) by its Taylor series at q, which holds q's changes in time and along coordinates."""
         ring, arguments = self._algebra.ring, function.declaration.of
         values = [self.value(argument, depth) for argument in arguments]
         coordinates = [list(jet) for v in values for jet in zip(*(x.ravel() for x in v.re), strict=True)]
-        start = [x for a in arguments for x in self._origin.value(a, 0).re[0].ravel()]
+        start = [x for a in arguments for x in self.origin.value(a, 0).re[0].ravel()]
         shape, among = array_shape(function.type), len(coordinates)
         size = function.type.rows * function.type.columns
         degrees = range(depth + getattr(ring, "depth", 0) + 1)
@@ -463,7 +339,7 @@ class JetEngine:
     def _moved_by(self, seed: Seed) -> JetEngine:
         if seed not in self._moved:
             engine = self._moved[seed] = JetEngine(self._source.moved(seed), self._definitions)
-            engine._origin = self._origin
+            engine.origin = self.origin
         return self._moved[seed]
 
     def _gradient(self, field: Term, depth: int) -> list[Value]:

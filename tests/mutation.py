@@ -59,7 +59,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--again", action="store_true", help="only the survivors of the last run")
     options = parser.parse_args()
-    mutmut = ["mutmut", "run", "--max-children", "2"]
+    mutmut = ["mutmut", "run", "--max-children", "1"]
     if not STATISTICS.exists():
         subprocess.run([*mutmut, "no.such.mutant"], check=False, stderr=subprocess.DEVNULL)
     if not STATISTICS.exists():

@@ -1,6 +1,6 @@
 """The judge against values: definitions with shifted indices, and identities transformed and mutated.
 
-The evaluator shares nothing with the judge (see `values.py`): what is proved must hold at random points, and
+The evaluator shares nothing with the judge (see `tests/evaluator`): what is proved must hold at random points, and
 what is refuted must fail at one.
 """
 
@@ -12,8 +12,8 @@ from dataclasses import replace
 from random import Random
 
 import pytest
-from judge.series import NotRead
-from judge.values import World
+from evaluator.series import NotRead
+from evaluator.values import World
 
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable

@@ -14,10 +14,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from itertools import combinations, pairwise
 from itertools import product as iterate
-from math import comb, factorial
+from math import factorial
 from random import Random
 
-from judge.series import (
+from evaluator.curves import drawn
+from evaluator.operations import applied, counted
+from evaluator.series import (
     DIGITS,
     LENGTH,
     TOLERANCE,
@@ -29,21 +31,13 @@ from judge.series import (
     acted,
     added,
     added_up,
-    adjugate,
-    axial,
-    combined,
     constant,
-    determinant,
     dot,
     each,
-    exponential,
     hamilton,
     inverse,
     nothing,
     product,
-    scaled,
-    skew,
-    turned,
     unit,
 )
 from mpmath import mp, mpf
@@ -188,7 +182,7 @@ class World:
             rest = (mpf(0),) * (self._length - 2)
             self._drawn[name] = [[Series((self._curve().re[0], mpf(1), *rest))]]
         if name not in self._drawn:
-            self._drawn[name] = self._draw(symbol, name)
+            self._drawn[name] = drawn(symbol, self._curve, self._fixed.get(name))
         found = self._drawn[name]
         if symbol.declaration.coordinate and self._moved is not None:
             step = [[constant(0, int(i == self._moved))] for i in range(3)]
@@ -206,7 +200,7 @@ class World:
         """A random polynomial of what it is `of`, of degree 3."""
         columns = [self._symbol(argument, {}) for argument in symbol.declaration.of]
         places = [entry for column in columns for (entry,) in column]
-        rows, width = _size(symbol.type)
+        rows, width = symbol.type.rows, symbol.type.columns
         powers = [p for p in iterate(range(4), repeat=len(places)) if sum(p) <= 3]
         if name not in self._functions:
             self._functions[name] = [[(self._curve().re[0], p) for p in powers] for _ in range(rows * width)]
@@ -224,59 +218,6 @@ class World:
         flat = [value(terms) for terms in self._functions[name]]
         return [flat[i * width : (i + 1) * width] for i in range(rows)]
 
-    def _draw(self, symbol: Symbol, name: str) -> Matrix:
-        declaration, type_ = symbol.declaration, symbol.type
-
-        def curves(count: int) -> list[Series]:
-            drawn = [self._curve() for _ in range(count)]
-            values = self._fixed.get(name)
-            if values is not None:
-                drawn = [Series((mpf(v), *x.re[1:]), x.du) for v, x in zip(values, drawn, strict=True)]
-            return [constant(x.re[0]) for x in drawn] if declaration.constant else drawn
-
-        def column(entries: list[Series]) -> Matrix:
-            return [[x] for x in entries]
-
-        def normal(entries: list[Series]) -> list[Series]:
-            length = added_up(x * x for x in entries).root().inverse()
-            return [x * length for x in entries]
-
-        dual_unit = [[constant(0, 1)]]
-        if type_.kind == "quaternion" and declaration.unit:
-            q = curves(4)
-            if type_.dual:
-                q = [Series(x.re, y.re) for x, y in zip(q, curves(4), strict=True)]
-            return column(normal(q))
-        if declaration.unit:
-            u = column(normal(curves(3)))
-            if type_.dual:
-                u = added(u, product(dual_unit, product(skew(column(curves(3))), u)))
-            return u
-        if declaration.rotation or declaration.transform:
-            w, *v = normal(curves(4))
-            axis = skew(column(v))
-            turn = scaled(added(product([[w]], axis), product(axis, axis)), 2)
-            rotation = added(unit(3), turn)
-            if type_.dual:
-                moved = added(unit(3), product(dual_unit, skew(column(curves(3)))))
-                rotation = product(moved, rotation)
-            if declaration.transform:
-                rows = [[*row, p] for row, p in zip(rotation, curves(3), strict=True)]
-                return [*rows, [constant(0), constant(0), constant(0), constant(1)]]
-            return rotation
-        rows, columns = _size(type_)
-        flat = curves(rows * columns)
-        found = [flat[i * columns : (i + 1) * columns] for i in range(rows)]
-        if type_.dual:
-            flat = curves(rows * columns)
-            dual = [flat[i * columns : (i + 1) * columns] for i in range(rows)]
-            found = added(found, product(dual_unit, dual))
-        if declaration.symmetric:
-            found = added(found, turned(found))
-        if declaration.diagonal:
-            found = [[x if i == j else constant(0) for j, x in enumerate(r)] for i, r in enumerate(found)]
-        return found
-
     # terms
 
     def value(self, term: Term, at: Integers) -> Matrix | Operator:
@@ -289,11 +230,11 @@ class World:
             case Integer(value=value):
                 return [[constant(_integer(value, at))]]
             case Counting(name=name, arguments=arguments):
-                return [[constant(_count(name, [_integer(a, at) for a in arguments]))]]
+                return [[constant(counted(name, [_integer(a, at) for a in arguments]))]]
             case Zero():
-                return nothing(*_size(term.type))
+                return nothing(term.type.rows, term.type.columns)
             case Identity():
-                return unit(_size(term.type)[0])
+                return unit(term.type.rows)
             case DualUnit():
                 return [[constant(0, 1)]]
             case Symbol():
@@ -333,7 +274,7 @@ class World:
             bars = combinations(range(upper + len(names) - 1), len(names) - 1) if upper >= 0 else ()
             ends = [(-1, *bar, upper + len(names) - 1) for bar in bars]
             choices = [tuple(b - a - 1 for a, b in pairwise(end)) for end in ends]
-        total = nothing(*_size(term.type))
+        total = nothing(term.type.rows, term.type.columns)
         for choice in choices:
             addend = self.value(term.body, {**at, **dict(zip(names, choice, strict=True))})
             total = added(total, addend)
@@ -397,75 +338,7 @@ class World:
         if head in ("partial", "total"):
             return self._partial(*term.arguments, at)
         values = [self.value(argument, at) for argument in term.arguments]
-        match head, values:
-            case "add", _:
-                total = values[0]
-                for value in values[1:]:
-                    total = added(total, value)
-                return total
-            case "mul", [p, q] if term.arguments[0].type.kind == "quaternion" and len(q) == 4:
-                return hamilton(p, q)
-            case "mul", [first, second] if _combines(term):
-                return combined(first, second)
-            case "quaternion", [s, v]:
-                return [*s, *v]
-            case "scalar part", [q]:
-                return [q[0]]
-            case "vector part", [q]:
-                return q[1:]
-            case "conjugate", [q]:
-                return [q[0], *([-x] for (x,) in q[1:])]
-            case "inverse", [q] if term.type.kind == "quaternion":
-                return product([[dot(q, q)[0][0].inverse()]], [q[0], *([-x] for (x,) in q[1:])])
-            case "mul", [first, second]:
-                return first(second) if callable(first) else product(first, second)
-            case "neg", [x]:
-                return each(x, lambda entry: -entry)
-            case "div", [x, y]:
-                return product(inverse(y), x)
-            case "dot", [x, y]:
-                return dot(x, y)
-            case "cross", [x, y]:
-                return product(skew(x), y)
-            case "outer", [x, y]:
-                return product(x, turned(y))
-            case "triple", [x, y, z]:
-                return [[determinant(turned([[r[0] for r in v] for v in (x, y, z)]))]]
-            case "skew", [x]:
-                return skew(x)
-            case "vect", [x]:
-                return axial(x)
-            case "symmetric", [x]:
-                return scaled(added(x, turned(x)), mpf(1) / 2)
-            case "antisymmetric", [x]:
-                return scaled(added(x, scaled(turned(x), -1)), mpf(1) / 2)
-            case "transpose", [x]:
-                return turned(x)
-            case "inverse", [x]:
-                return inverse(x)
-            case "adjugate", [x]:
-                return adjugate(x)
-            case "det", [x]:
-                return [[determinant(x)]]
-            case "trace", [x]:
-                return [[added_up(x[i][i] for i in range(len(x)))]]
-            case "re", [x]:
-                return each(x, lambda entry: Series(entry.re))
-            case "du", [x]:
-                return each(x, lambda entry: Series(entry.du or (mpf(0),) * len(entry.re)))
-            case "norm", [x]:
-                return [[dot(x, x)[0][0].root()]]
-            case "root", [[[x]]]:
-                return [[x.root()]]
-            case "cos", [[[x]]]:
-                return [[x.circle()[0]]]
-            case "sin", [[[x]]]:
-                return [[x.circle()[1]]]
-            case "exp", [q] if term.type.kind == "quaternion":
-                return exponential(_from_the_left(q), [[constant(int(i == 0))] for i in range(4)])
-            case "exp", [x]:
-                return exponential(x)
-        raise NotRead(f"the operation {head}")
+        return applied(term, values)
 
     def _partial(self, body: Term, by: Term, at: Integers) -> Matrix:
         """∂b/∂x⁽ᵏ⁾ = Sₖ − Σ ∂b/∂x⁽ʲ⁾ tᵏ⁻ʲ/(k−j)! over j < k, where Sₖ is what b changes by if x is moved by
@@ -486,8 +359,8 @@ class World:
                 moved = each(self.value(body, at), lambda x: Series(x.du or (mpf(0),) * len(x.re)))
                 self._pushed = None
                 for j, known in enumerate(lower):
-                    power = tuple(mpf(int(i == k - j)) / factorial(k - j) for i in range(LENGTH))
-                    moved = added(moved, scaled_by(known, Series(tuple(-x for x in power))))
+                    back = Series(tuple(-mpf(int(i == k - j)) / factorial(k - j) for i in range(LENGTH)))
+                    moved = added(moved, product([[back]], known))
                 lower.append(moved)
             columns.append(lower[-1])
         if by.type.rows == 1:
@@ -508,44 +381,9 @@ class World:
         return [[g[2][1] - g[1][2]], [g[0][2] - g[2][0]], [g[1][0] - g[0][1]]]
 
 
-def scaled_by(matrix: Matrix, factor: Series) -> Matrix:
-    return each(matrix, lambda x: x * factor)
-
-
-def _from_the_left(q: Matrix) -> Matrix:
-    """The matrix of p ↦ q p, column by column."""
-    columns = [hamilton(q, [[constant(int(i == j))] for i in range(4)]) for j in range(4)]
-    return [[column[i][0] for column in columns] for i in range(4)]
-
-
 def _integer(value: Linear, at: Integers) -> int:
     return value.constant + sum(size * at[name] for name, size in value.coefficients)
 
 
-def _count(name: str, arguments: list[int]) -> int:
-    top, *parts = arguments
-    if top < 0:
-        raise NotRead("a factorial of a negative number")
-    if name == "factorial":
-        return factorial(top)
-    if name == "binomial":
-        return comb(top, parts[0]) if parts[0] >= 0 else 0
-    value = factorial(top)
-    for part in parts:
-        value //= factorial(part)
-    return value
-
-
 def _spelled(name: Name, index: list[int]) -> str:
     return name.shown(index)
-
-
-def _size(type_) -> tuple[int, int]:
-    return type_.rows, type_.columns
-
-
-def _combines(term: Apply) -> bool:
-    """Whether the matrix acts on the entries of a column of vectors or matrices."""
-    left, right = term.arguments
-    kinds = {left.type.kind, right.type.kind}
-    return not kinds & {"scalar", "operator", "quaternion"} and left.type.columns != right.type.rows

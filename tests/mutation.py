@@ -2,22 +2,40 @@
 
     uv run --group mutation python tests/mutation.py --sample 400
 
-Mutants that only change the wording of a message are left out. A mutant that no test notices is printed
-with its difference; one line a file says how many of the sample were killed.
+mutmut writes the mutants and finds which test calls which function. Each mutant of the sample then gets a
+process of its own, which runs the tests of its function, the short ones first, until one fails. A test that
+takes five times its processor time and ten seconds more does not end: that is a kill, too. Mutants that only
+change the wording of a message are left out. A mutant that no test notices is printed with its difference;
+one line a file says how many of the sample were killed.
 """
 
 import argparse
 import ast
+import difflib
 import json
+import os
 import random
+import resource
+import signal
 import subprocess
+import sys
+import time
+import tomllib
 from collections import Counter
+from itertools import accumulate
 from pathlib import Path
 
-ROOT = Path("mutants")
+import pytest
+
+ROOT = Path("mutants").resolve()
 
 #: Which test calls which function; mutmut writes it once all mutants are written, before it looks for a name.
 STATISTICS = ROOT / "mutmut-stats.json"
+
+#: What became of each mutant that was tried.
+RESULTS = ROOT / "results.json"
+
+MEGABYTES = 3000
 
 
 def functions(path):
@@ -45,50 +63,119 @@ def is_wording(original, mutant):
 
 
 def mutants_of(path):
+    """The difference that each mutant of a file makes, by its name."""
     found = dict(functions(path))
     module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
     for name, node in found.items():
         stem, number = name.split("__mutmut_")
-        if number != "orig" and not is_wording(found[f"{stem}__mutmut_orig"], node):
-            yield f"{module}.{name}"
+        original = found[f"{stem}__mutmut_orig"]
+        if number != "orig" and not is_wording(original, node):
+            yield f"{module}.{name}", (original, node)
+
+
+def difference(original, mutant):
+    lines = [ast.unparse(node).splitlines()[1:] for node in (original, mutant)]
+    changes = difflib.unified_diff(*lines, lineterm="", n=0)
+    return "\n".join(f"    {line}" for line in changes if not line.startswith(("---", "+++", "@@")))
+
+
+class Limits:
+    """Ends this process where a test takes far more processor time than it did without the mutant."""
+
+    def __init__(self, durations):
+        self.durations = durations
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item):
+        signal.setitimer(signal.ITIMER_PROF, 5 * self.durations.get(item.nodeid, 0) + 10)
+        try:
+            return (yield)
+        finally:
+            signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+def outcome(mutant, tests, durations, options):
+    """ "killed", "does not end", "survived" or what else happened, by the tests in a process of their own."""
+    process = os.fork()
+    if process:
+        _, status = os.waitpid(process, 0)
+        code = os.waitstatus_to_exitcode(status)
+        known = {0: "survived", 1: "killed", -signal.SIGPROF: "does not end"}
+        return known.get(code, f"ended with {code}")
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
+    resource.setrlimit(resource.RLIMIT_DATA, (MEGABYTES * 10**6, resource.RLIM_INFINITY))
+    os.environ["MUTANT_UNDER_TEST"] = mutant
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 1), os.dup2(nowhere, 2)
+    code = 0
+    for start, end in ((0, 20), (20, 100), (100, len(tests))):
+        if code == 0 and tests[start:end]:
+            code = pytest.main(["-x", *options, *tests[start:end]], plugins=[Limits(durations)])
+    os._exit(code)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sample", type=int, default=400, help="mutants, spread over all files")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--again", action="store_true", help="only the survivors of the last run")
+    parser.add_argument(
+        "--again", action="store_true", help="only those of the sample that survived last time"
+    )
+    parser.add_argument(
+        "--seconds", type=float, default=60, help="of tests for one mutant, the shortest first"
+    )
     options = parser.parse_args()
-    mutmut = ["mutmut", "run", "--max-children", "1"]
-    if not STATISTICS.exists():
-        subprocess.run([*mutmut, "no.such.mutant"], check=False, stderr=subprocess.DEVNULL)
+    subprocess.run(
+        ["mutmut", "run", "--max-children", "1", "no.such.mutant"], check=False, stderr=subprocess.DEVNULL
+    )
     if not STATISTICS.exists():
         raise SystemExit("mutmut did not find which test calls which function: see what it printed above")
     files = sorted(path.with_suffix("") for path in ROOT.glob("workbench/judge/*/*.py.meta"))
-    pool = [name for path in files for name in mutants_of(path)]
-    names = random.Random(options.seed).sample(pool, min(options.sample, len(pool)))
+    pool = {name: change for path in files for name, change in mutants_of(path)}
+    names = random.Random(options.seed).sample(sorted(pool), min(options.sample, len(pool)))
+    results = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
     if options.again:
-        names = [name for name in names if verdicts(files).get(name) != "killed"]
-    subprocess.run([*mutmut, *names], check=False)
-    results, total = verdicts(files), Counter()
-    for name in names:
-        if results[name] != "killed":
-            subprocess.run(["mutmut", "show", name], check=False)
+        names = [name for name in names if not is_killed(results[name])]
+    for name, result in tried(names, options.seconds):
+        results[name] = result
+        RESULTS.write_text(json.dumps(results))
+        if not is_killed(result):
+            print(f"{name}: {result}\n{difference(*pool[name])}", flush=True)
+    total = Counter()
     for path in files:
         module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
-        count = Counter(results[name] for name in names if name.startswith(module + "."))
+        count = Counter(is_killed(results[name]) for name in names if name.startswith(module + "."))
         total += count
-        print(f"{module:48}{count['killed']:5} of {count.total():4}")
-    print(f"{'all':48}{total['killed']:5} of {total.total():4}  ({len(pool)} mutants in all)")
+        print(f"{module:48}{count[True]:5} of {count.total():4}")
+    print(f"{'all':48}{total[True]:5} of {total.total():4}  ({len(pool)} mutants in all)")
 
 
-def verdicts(files):
-    """What became of each mutant that was tried: a test that fails or does not end has killed it."""
-    codes = {}
-    for path in files:
-        codes |= json.loads(path.with_name(path.name + ".meta").read_text())["exit_code_by_key"]
-    survived = (0, 5, 33, None)  # all passed, no test collected, no test calls it, not tried
-    return {name: "survived" if code in survived else "killed" for name, code in codes.items()}
+def is_killed(result):
+    return result in ("killed", "does not end")
+
+
+def tried(names, seconds):
+    """What becomes of each mutant by the tests of its function."""
+    statistics = json.loads(STATISTICS.read_text())
+    by_function, durations = statistics["tests_by_mangled_function_name"], statistics["duration_by_test"]
+    settings = tomllib.loads(Path("pyproject.toml").read_text())["tool"]["mutmut"]
+    os.chdir(ROOT)
+    sys.path.insert(0, str(ROOT))
+    os.environ["MUTANT_UNDER_TEST"] = ""
+    arguments = ["--rootdir=.", "--tb=no", *settings["pytest_add_cli_args"]]
+    selection = settings["pytest_add_cli_args_test_selection"]
+    if pytest.main(["--collect-only", "-qqq", *arguments, *selection]) != 0:  # imports all for the forks
+        raise SystemExit("the tests cannot be collected")
+    if ROOT not in Path(sys.modules["workbench"].__file__).parents:
+        raise SystemExit("the tests do not import the mutants")
+    for name in names:
+        known = sorted(by_function.get(name.partition("__mutmut_")[0], ()), key=durations.get)
+        until = accumulate((durations[test] for test in known), initial=0.0)
+        tests = [test for test, spent in zip(known, until, strict=False) if spent < seconds]
+        start = time.monotonic()
+        result = outcome(name, tests, durations, arguments) if tests else "no test calls it"
+        print(f"{time.monotonic() - start:6.1f} s  {len(tests):4} tests  {result:12}  {name}", flush=True)
+        yield name, result
 
 
 if __name__ == "__main__":

@@ -101,6 +101,7 @@ def outcome(mutant, tests, durations, options):
         _, status = os.waitpid(process, 0)
         code = os.waitstatus_to_exitcode(status)
         known = {0: "survived", 1: "killed", -signal.SIGPROF: "does not end"}
+        known |= {2: "killed", 4: "killed"}  # its tests cannot be collected any more
         return known.get(code, f"ended with {code}")
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_DATA, (MEGABYTES * 10**6, resource.RLIM_INFINITY))
@@ -112,6 +113,13 @@ def outcome(mutant, tests, durations, options):
         if code == 0 and tests[start:end]:
             code = pytest.main(["-x", *options, *tests[start:end]], plugins=[Limits(durations)])
     os._exit(code)
+
+
+def in_order(tests, durations):
+    """The short ones first; before them some that need no paper to be read."""
+    tests = sorted(tests, key=durations.get)
+    first = [test for test in tests if ".toml" not in test][:20]
+    return first + [test for test in tests if test not in first]
 
 
 def main():
@@ -169,7 +177,7 @@ def tried(names, seconds):
     if ROOT not in Path(sys.modules["workbench"].__file__).parents:
         raise SystemExit("the tests do not import the mutants")
     for name in names:
-        known = sorted(by_function.get(name.partition("__mutmut_")[0], ()), key=durations.get)
+        known = in_order(by_function.get(name.partition("__mutmut_")[0], ()), durations)
         until = accumulate((durations[test] for test in known), initial=0.0)
         tests = [test for test, spent in zip(known, until, strict=False) if spent < seconds]
         start = time.monotonic()

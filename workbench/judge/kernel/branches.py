@@ -29,7 +29,8 @@ _BRANCHES = {
     "arctan": r"-\frac{{\pi}}{{2}} < {} < \frac{{\pi}}{{2}}",
     "atan2": r"-\pi < {} \leq \pi",
 }
-_ELSEWHERE = {"arccos": -1, "arcsin": 2, "arctan": 2, "atan2": 4}  # an angle outside of the branch
+#: 24π + 0.60…: it, its half, third and quarter have the sines and cosines of an angle on every branch.
+_ELSEWHERE = 76
 
 
 class _Arc(NamedTuple):
@@ -62,7 +63,7 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
     branch = _BRANCHES[arc.head].format(to_latex(_divided(angle, arc.factor)))
     if not isinstance(angle, Symbol) or definitions.lookup(angle) is not None:
         return _unchecked(f"holds up to the branch: where {branch}")
-    value = _ELSEWHERE[arc.head] * arc.factor
+    value = _ELSEWHERE * arc.factor
     name = to_latex(angle)
     witness = Counterexample({name: (str(value),)}, (str(value),), (f"an angle with {branch}",))
     return replace(

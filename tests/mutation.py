@@ -12,6 +12,7 @@ one line a file says how many of the sample were killed.
 import argparse
 import ast
 import difflib
+import gc
 import json
 import os
 import random
@@ -22,7 +23,7 @@ import sys
 import time
 import tomllib
 from collections import Counter
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from pathlib import Path
 
 import pytest
@@ -63,56 +64,73 @@ def is_wording(original, mutant):
 
 
 def mutants_of(path):
-    """The difference that each mutant of a file makes, by its name."""
+    """The names of the mutants of a file."""
     found = dict(functions(path))
     module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
     for name, node in found.items():
         stem, number = name.split("__mutmut_")
         original = found[f"{stem}__mutmut_orig"]
         if number != "orig" and not is_wording(original, node):
-            yield f"{module}.{name}", (original, node)
+            yield f"{module}.{name}"
 
 
-def difference(original, mutant):
-    lines = [ast.unparse(node).splitlines()[1:] for node in (original, mutant)]
+def difference(mutant):
+    """The lines that a mutant changes."""
+    module, _, name = mutant.rpartition(".")
+    found = dict(functions(ROOT.joinpath(*module.split(".")).with_suffix(".py")))
+    original = found[f"{name.partition('__mutmut_')[0]}__mutmut_orig"]
+    lines = [ast.unparse(node).splitlines()[1:] for node in (original, found[name])]
     changes = difflib.unified_diff(*lines, lineterm="", n=0)
     return "\n".join(f"    {line}" for line in changes if not line.startswith(("---", "+++", "@@")))
 
 
-class Limits:
-    """Ends this process where a test takes far more processor time than it did without the mutant."""
+class Trials:
+    """Tries the mutants where pytest would run the tests that it has collected: each in a fork of this process."""
 
-    def __init__(self, durations):
-        self.durations = durations
+    def __init__(self, names, seconds, tell):
+        statistics = json.loads(STATISTICS.read_text())
+        self.by_function = statistics["tests_by_mangled_function_name"]
+        self.durations = statistics["duration_by_test"]
+        self.names, self.seconds, self.tell = names, seconds, tell
 
-    @pytest.hookimpl(wrapper=True)
-    def pytest_runtest_protocol(self, item):
-        signal.setitimer(signal.ITIMER_PROF, 5 * self.durations.get(item.nodeid, 0) + 10)
-        try:
-            return (yield)
-        finally:
-            signal.setitimer(signal.ITIMER_PROF, 0)
+    def pytest_runtestloop(self, session):
+        if ROOT not in Path(sys.modules["workbench"].__file__).parents:
+            raise SystemExit("the tests do not import the mutants")
+        items = {item.nodeid: item for item in session.items}
+        gc.freeze()  # nothing of it is garbage in a fork
+        if self.outcome("", [items[test] for test in list(items)[:20]]) != "survived":
+            raise SystemExit("tests fail without a mutant")
+        for name in self.names:
+            known = in_order(self.by_function.get(name.partition("__mutmut_")[0], ()), self.durations)
+            until = accumulate((self.durations[test] for test in known), initial=0.0)
+            tests = [test for test, spent in zip(known, until, strict=False) if spent < self.seconds]
+            start = time.monotonic()
+            result = self.outcome(name, [items[test] for test in tests]) if tests else "no test calls it"
+            print(f"{time.monotonic() - start:6.1f} s  {len(tests):4} tests  {result:12}  {name}", flush=True)
+            self.tell(name, result)
+        return True
 
+    def outcome(self, mutant, items):
+        """ "killed", "does not end", "survived" or what else happened, by the tests in a process of their own."""
+        process = os.fork()
+        if process:
+            _, status = os.waitpid(process, 0)
+            code = os.waitstatus_to_exitcode(status)
+            known = {0: "survived", 1: "killed", -signal.SIGPROF: "does not end"}
+            return known.get(code, f"ended with {code}")
+        signal.signal(signal.SIGPROF, signal.SIG_DFL)
+        resource.setrlimit(resource.RLIMIT_DATA, (MEGABYTES * 10**6, resource.RLIM_INFINITY))
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, 1), os.dup2(nowhere, 2)
+        os.environ["MUTANT_UNDER_TEST"] = mutant
+        for item, following in pairwise([*items, None]):
+            signal.setitimer(signal.ITIMER_PROF, 5 * self.durations[item.nodeid] + 10)
+            item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
+        os._exit(0)
 
-def outcome(mutant, tests, durations, options):
-    """ "killed", "does not end", "survived" or what else happened, by the tests in a process of their own."""
-    process = os.fork()
-    if process:
-        _, status = os.waitpid(process, 0)
-        code = os.waitstatus_to_exitcode(status)
-        known = {0: "survived", 1: "killed", -signal.SIGPROF: "does not end"}
-        known |= {2: "killed", 4: "killed"}  # its tests cannot be collected any more
-        return known.get(code, f"ended with {code}")
-    signal.signal(signal.SIGPROF, signal.SIG_DFL)
-    resource.setrlimit(resource.RLIMIT_DATA, (MEGABYTES * 10**6, resource.RLIM_INFINITY))
-    os.environ["MUTANT_UNDER_TEST"] = mutant
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, 1), os.dup2(nowhere, 2)
-    code = 0
-    for start, end in ((0, 20), (20, 100), (100, len(tests))):
-        if code == 0 and tests[start:end]:
-            code = pytest.main(["-x", *options, *tests[start:end]], plugins=[Limits(durations)])
-    os._exit(code)
+    def pytest_runtest_logreport(self, report):
+        if report.failed:
+            os._exit(1)
 
 
 def in_order(tests, durations):
@@ -130,7 +148,7 @@ def main():
         "--again", action="store_true", help="only those of the sample that survived last time"
     )
     parser.add_argument(
-        "--seconds", type=float, default=60, help="of tests for one mutant, the shortest first"
+        "--seconds", type=float, default=40, help="of tests for one mutant, the shortest first"
     )
     options = parser.parse_args()
     subprocess.run(
@@ -139,16 +157,30 @@ def main():
     if not STATISTICS.exists():
         raise SystemExit("mutmut did not find which test calls which function: see what it printed above")
     files = sorted(path.with_suffix("") for path in ROOT.glob("workbench/judge/*/*.py.meta"))
-    pool = {name: change for path in files for name, change in mutants_of(path)}
-    names = random.Random(options.seed).sample(sorted(pool), min(options.sample, len(pool)))
+    pool = sorted(name for path in files for name in mutants_of(path))
+    names = random.Random(options.seed).sample(pool, min(options.sample, len(pool)))
     results = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
     if options.again:
         names = [name for name in names if not is_killed(results[name])]
-    for name, result in tried(names, options.seconds):
+
+    def tell(name, result):
         results[name] = result
         RESULTS.write_text(json.dumps(results))
         if not is_killed(result):
-            print(f"{name}: {result}\n{difference(*pool[name])}", flush=True)
+            print(difference(name), flush=True)
+
+    settings = tomllib.loads(Path("pyproject.toml").read_text())["tool"]["mutmut"]
+    arguments = [*settings["pytest_add_cli_args"], *settings["pytest_add_cli_args_test_selection"]]
+    os.chdir(ROOT)
+    sys.path.insert(0, str(ROOT))
+    os.environ["MUTANT_UNDER_TEST"] = ""
+    if (
+        pytest.main(
+            ["--rootdir=.", "-p", "no:terminal", *arguments], plugins=[Trials(names, options.seconds, tell)]
+        )
+        != 0
+    ):
+        raise SystemExit("the tests cannot be collected")
     total = Counter()
     for path in files:
         module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
@@ -160,30 +192,6 @@ def main():
 
 def is_killed(result):
     return result in ("killed", "does not end")
-
-
-def tried(names, seconds):
-    """What becomes of each mutant by the tests of its function."""
-    statistics = json.loads(STATISTICS.read_text())
-    by_function, durations = statistics["tests_by_mangled_function_name"], statistics["duration_by_test"]
-    settings = tomllib.loads(Path("pyproject.toml").read_text())["tool"]["mutmut"]
-    os.chdir(ROOT)
-    sys.path.insert(0, str(ROOT))
-    os.environ["MUTANT_UNDER_TEST"] = ""
-    arguments = ["--rootdir=.", "--tb=no", *settings["pytest_add_cli_args"]]
-    selection = settings["pytest_add_cli_args_test_selection"]
-    if pytest.main(["--collect-only", "-qqq", *arguments, *selection]) != 0:  # imports all for the forks
-        raise SystemExit("the tests cannot be collected")
-    if ROOT not in Path(sys.modules["workbench"].__file__).parents:
-        raise SystemExit("the tests do not import the mutants")
-    for name in names:
-        known = in_order(by_function.get(name.partition("__mutmut_")[0], ()), durations)
-        until = accumulate((durations[test] for test in known), initial=0.0)
-        tests = [test for test, spent in zip(known, until, strict=False) if spent < seconds]
-        start = time.monotonic()
-        result = outcome(name, tests, durations, arguments) if tests else "no test calls it"
-        print(f"{time.monotonic() - start:6.1f} s  {len(tests):4} tests  {result:12}  {name}", flush=True)
-        yield name, result
 
 
 if __name__ == "__main__":

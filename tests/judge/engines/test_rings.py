@@ -1,0 +1,115 @@
+"""The rings of the second engine: the laws of rings, and what each of them is besides."""
+
+from fractions import Fraction
+from random import Random
+
+import pytest
+from judge.test_judge import TABLE
+
+from workbench.judge.second.rings import PRIME, RationalRing, Residue, ResidueRing
+from workbench.judge.second.sympy_ring import SympyRing
+from workbench.judge.second.tangents import Tangent, TangentRing
+from workbench.judge.subject.inventory import take_inventory
+from workbench.language.definitions import Definitions
+from workbench.language.reader import read
+
+
+def sympy_elements():
+    """Ratios of polynomials, some with a common denominator."""
+    (claim,) = read(r"f g = a \cdot b", TABLE)
+    ring = SympyRing(take_inventory([claim.left, claim.right], Definitions()))
+    symbols = list(ring.point.values())
+
+    def element(random):
+        x, y, z = (random.choice(symbols) for _ in range(3))
+        below = random.choice([ring.constant(3, 2), x, x + y, x + y, x * x + 1])
+        return ring.divide(x * y - random.randint(-2, 2) * z, below)
+
+    return ring, element
+
+
+def tangent_elements(base, entry):
+    ring = TangentRing(base)
+    return ring, lambda random: Tangent(ring, entry(random), entry(random))
+
+
+def rationals(random):
+    return Fraction(random.randint(-9, 9), random.randint(1, 5))
+
+
+RATIONALS = RationalRing(), rationals
+RESIDUES = ResidueRing(), ResidueRing().random
+TANGENTS = tangent_elements(*RATIONALS)
+RINGS = {
+    "rationals": RATIONALS,
+    "residues": RESIDUES,
+    "polynomials": sympy_elements(),
+    "tangents": TANGENTS,
+    "tangents over residues": tangent_elements(*RESIDUES),
+    "tangents of tangents": tangent_elements(*TANGENTS),
+}
+
+
+@pytest.mark.parametrize("name", RINGS)
+def test_the_laws_of_a_commutative_ring(name):
+    ring, element = RINGS[name]
+    random, zero, one = Random(7), ring.constant(0, 1), ring.constant(1, 1)
+    for _ in range(12):
+        x, y, z = (element(random) for _ in range(3))
+        assert (x + y) + z == x + (y + z) and x + y == y + x and x + zero == x
+        assert (x * y) * z == x * (y * z) and x * y == y * x and x * one == x
+        assert x * (y + z) == x * y + x * z and not x - x and x - y == x + -y
+        assert 2 * x == x + x and x * 3 == x + x + x and 1 - x == -(x - 1) and 0 + x == x + 0 == x
+        assert x * ring.constant(3, 4) == 3 * x * ring.constant(1, 4)
+        assert (x == y) == (not x - y) and x != x + 1 and x != x + one
+        assert bool(x * y) == bool(x * y - zero)
+
+
+@pytest.mark.parametrize("name", RINGS)
+def test_a_quotient_is_what_its_divisor_makes_the_dividend(name):
+    ring, element = RINGS[name]
+    random = Random(8)
+    for _ in range(12):
+        x, y = element(random), element(random)
+        y = y * y + 1  # with a value that is not 0
+        assert ring.divide(x, y) * y == x
+        assert ring.divide(ring.divide(x, y), y) * (y * y) == x
+        assert ring.divide(x * y, y) == x
+    with pytest.raises(ZeroDivisionError):
+        ring.divide(x, x - x)
+
+
+def test_residues_are_numbers_modulo_the_prime():
+    random = Random(9)
+    for _ in range(20):
+        x, y = random.randrange(-PRIME, PRIME), random.randrange(PRIME)
+        a, b = Residue(x), Residue(y)
+        assert (a + b).value == (x + y) % PRIME and (a - b).value == (x - y) % PRIME
+        assert (
+            (a * b).value == x * y % PRIME and (x - b).value == (x - y) % PRIME and (-b).value == -y % PRIME
+        )
+        assert a == x and a == x + PRIME and a != x + 1 and a != "x"
+    assert not Residue(PRIME) and Residue(PRIME + 1) and not Residue(0)
+    assert ResidueRing().constant(1, 3) * 3 == 1
+    assert all(ResidueRing().random(random) for _ in range(20))
+
+
+def test_a_tangent_is_a_change_along_a_line():
+    """p(h) = x(h) y(h) is quadratic in h, so its slope is (p(1) − p(−1))/2."""
+    ring, element = TANGENTS
+    random = Random(10)
+    for _ in range(20):
+        x, y = element(random), element(random)
+
+        def at(h, x=x, y=y):
+            return (x.value + h * x.slope) * (y.value + h * y.slope)
+
+        assert (x * y).value == at(0) and (x * y).slope == (at(1) - at(-1)) / 2
+        assert (2 - x).value == 2 - x.value and (2 - x).slope == -x.slope
+        root = ring.root(x * x) if x.value else None
+        assert root is None or root == x or root == -x
+    a, zero, one = Fraction(2, 3), Fraction(0), Fraction(1)
+    assert Tangent(ring, zero, one) and Tangent(ring, one, zero) and not Tangent(ring, zero, zero)
+    assert Tangent(ring, a, one) != Tangent(ring, a, zero) != Tangent(ring, one, zero)
+    assert Tangent(ring, a, zero) == a and Tangent(ring, a, one) != a
+    assert (ring.depth, TangentRing(ring).depth) == (1, 2)

@@ -1,0 +1,59 @@
+"""Equivalences and implications between zeros: decided by factors, told apart on lines."""
+
+from fractions import Fraction
+from random import Random
+
+import pytest
+from judge.test_judge import judged
+
+from workbench.judge.verdict import Outcome
+
+
+def product(roots, powers):
+    return " ".join(rf"(f - ({r}))^{n}" for r, n in zip(roots, powers, strict=True))
+
+
+@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("operator", ["=", r"\neq"])
+def test_polynomials_have_the_same_zeros_if_they_have_the_same_roots(seed, operator):
+    random = Random(seed)
+    roots = random.sample([-2003, -7, 0, 1, 5, 1009], random.randint(1, 3))
+    others = list(roots) if seed % 3 == 0 else random.sample([-2003, -7, 0, 1, 5, 1009], random.randint(1, 3))
+    left, right = (product(r, [random.randint(1, 2) for _ in r]) for r in (roots, others))
+    verdict = judged(rf"{left} {operator} 0 \Leftrightarrow {right} {operator} 0")
+    if set(roots) == set(others):
+        assert verdict.outcome == Outcome.PROVED
+        assert len(verdict.evidence) == 2
+    else:
+        assert verdict.outcome == Outcome.REFUTED
+        (value,) = verdict.counterexample.values["f"]
+        assert int(value) in set(roots) ^ set(others)
+    implied = judged(rf"{left} {operator} 0 \Rightarrow {right} {operator} 0")
+    holds = set(roots) <= set(others) if operator == "=" else set(others) <= set(roots)
+    assert (implied.outcome == Outcome.PROVED) == holds
+    assert (implied.outcome == Outcome.REFUTED) == (not holds)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("f + 1009 g = 0", "(f + 1009 g)(f + 2003 g - 4001) = 0"),
+        (r"a = \mathbf{0}", r"a \cdot (b - 1009 a) = 0"),
+        (r"2 f = 1009", r"(2 f - 1009)(3 f - 2003) = 0"),
+    ],
+)
+def test_zeros_are_looked_for_on_lines(left, right):
+    verdict = judged(rf"{left} \Leftrightarrow {right}")
+    assert verdict.outcome == Outcome.REFUTED
+    sides = [*verdict.counterexample.left, *verdict.counterexample.right]
+    assert all(Fraction(x) is not None for x in sides)
+    assert judged(rf"{left} \Rightarrow {right}").outcome != Outcome.REFUTED
+    assert judged(rf"{right} \Rightarrow {left}").outcome == Outcome.REFUTED
+
+
+def test_an_equation_and_an_inequation_are_not_compared():
+    verdict = judged(r"f = 0 \Leftrightarrow f - 1 \neq 0")
+    assert (verdict.outcome, verdict.reason) == (
+        Outcome.UNCHECKED,
+        "an equivalence between an equation and an inequation",
+    )

@@ -176,7 +176,8 @@ def main():
     os.environ["MUTANT_UNDER_TEST"] = ""
     if (
         pytest.main(
-            ["--rootdir=.", "-p", "no:terminal", *arguments], plugins=[Trials(names, options.seconds, tell)]
+            ["--rootdir=.", "-o", "addopts=", "-p", "no:terminal", *arguments],
+            plugins=[Trials(names, options.seconds, tell)],
         )
         != 0
     ):

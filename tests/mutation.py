@@ -3,7 +3,7 @@
     uv run --group mutation python tests/mutation.py --sample 400
 
 mutmut writes the mutants and finds which test calls which function. Each mutant of the sample then gets a
-process of its own, which runs the tests of its function, the short ones first, until one fails. A test that
+process of its own, which runs the tests of its function, those first that killed others, until one fails. A test that
 takes five times its processor time and ten seconds more does not end: that is a kill, too. Mutants that only
 change the wording of a message are left out. A mutant that no test notices is printed with its difference;
 one line a file says how many of the sample were killed.
@@ -35,6 +35,9 @@ STATISTICS = ROOT / "mutmut-stats.json"
 
 #: What became of each mutant that was tried.
 RESULTS = ROOT / "results.json"
+
+#: The test that killed the last mutant.
+KILLER = ROOT / "killer.txt"
 
 MEGABYTES = 3000
 
@@ -92,6 +95,7 @@ class Trials:
         self.by_function = statistics["tests_by_mangled_function_name"]
         self.durations = statistics["duration_by_test"]
         self.names, self.seconds, self.tell = names, seconds, tell
+        self.kills = Counter()
 
     def pytest_runtestloop(self, session):
         if ROOT not in Path(sys.modules["workbench"].__file__).parents:
@@ -101,7 +105,7 @@ class Trials:
         if self.outcome("", [items[test] for test in list(items)[:20]]) != "survived":
             raise SystemExit("tests fail without a mutant")
         for name in self.names:
-            known = in_order(self.by_function.get(name.partition("__mutmut_")[0], ()), self.durations)
+            known = sorted(self.by_function.get(name.partition("__mutmut_")[0], ()), key=self.place)
             until = accumulate((self.durations[test] for test in known), initial=0.0)
             tests = [test for test, spent in zip(known, until, strict=False) if spent < self.seconds]
             start = time.monotonic()
@@ -110,12 +114,18 @@ class Trials:
             self.tell(name, result)
         return True
 
+    def place(self, test):
+        """First those that have killed most, then the short ones."""
+        return -self.kills[test], self.durations[test]
+
     def outcome(self, mutant, items):
         """ "killed", "does not end", "survived" or what else happened, by the tests in a process of their own."""
         process = os.fork()
         if process:
             _, status = os.waitpid(process, 0)
             code = os.waitstatus_to_exitcode(status)
+            if code == 1:
+                self.kills[KILLER.read_text()] += 1
             known = {0: "survived", 1: "killed", -signal.SIGPROF: "does not end"}
             return known.get(code, f"ended with {code}")
         signal.signal(signal.SIGPROF, signal.SIG_DFL)
@@ -130,14 +140,8 @@ class Trials:
 
     def pytest_runtest_logreport(self, report):
         if report.failed:
+            KILLER.write_text(report.nodeid)
             os._exit(1)
-
-
-def in_order(tests, durations):
-    """The short ones first; before them some that need no paper to be read."""
-    tests = sorted(tests, key=durations.get)
-    first = [test for test in tests if ".toml" not in test][:20]
-    return first + [test for test in tests if test not in first]
 
 
 def main():

@@ -1,0 +1,105 @@
+"""What anyone knows to hold is proved by both engines, with its derivatives; with anything added it is refuted."""
+
+from dataclasses import replace
+
+import pytest
+from evaluator.identities import IDENTITIES, TABLE
+
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.verdict import Outcome
+from workbench.language.construct import apply, derivative, number, relation, symbol
+from workbench.language.definitions import Definitions
+from workbench.language.reader import read
+from workbench.language.symbols import SymbolTable
+from workbench.language.types import Declaration
+
+MORE = r"""
+\underline{T} \underline{T}^* = (\det \underline{T}) \mathbf{I}
+(\underline{T} \underline{S})^* = \underline{S}^* \underline{T}^*
+(\underline{T} \underline{S})^T = \underline{S}^T \underline{T}^T
+\det (\underline{T} \underline{S}) = \det \underline{T} \det \underline{S}
+\det \underline{T}^T = \det \underline{T}
+\operatorname{trace} (\underline{T} \underline{S}) = \operatorname{trace} (\underline{S} \underline{T})
+\operatorname{sym} \underline{T} + \operatorname{skew} \underline{T} = \underline{T}
+\operatorname{vect} \underline{T} \times \underline{a} = \operatorname{skew} \underline{T} \underline{a}
+(\underline{a}, \underline{b}, \underline{x}) = (\underline{x}, \underline{a}, \underline{b})
+(\underline{T} \underline{a}) \times (\underline{T} \underline{b}) = (\underline{T}^*)^T (\underline{a} \times \underline{b})
+\underline{a} \times (\underline{b} \times \underline{x}) = (\underline{a} \cdot \underline{x}) \underline{b} - (\underline{a} \cdot \underline{b}) \underline{x}
+(\underline{a} \otimes \underline{b}) \underline{x} = (\underline{b} \cdot \underline{x}) \underline{a}
+\underline{R}^T \underline{R} = \mathbf{I}
+\det \underline{R} = 1
+\underline{R} (\underline{a} \times \underline{b}) = (\underline{R} \underline{a}) \times (\underline{R} \underline{b})
+\dot{\underline{R}} \underline{R}^T = -\underline{R} \dot{\underline{R}}^T
+\underline{u} \cdot \underline{u} = 1
+\underline{u} \cdot \dot{\underline{u}} = 0 \underline{f}
+\operatorname{Re} (\underline{T} \underline{a}) = \operatorname{Re} \underline{T} \operatorname{Re} \underline{a}
+\operatorname{Du} (\underline{T} \underline{a}) = \operatorname{Re} \underline{T} \operatorname{Du} \underline{a} + \operatorname{Du} \underline{T} \operatorname{Re} \underline{a}
+\underline{a} = \operatorname{Re} \underline{a} + \varepsilon \operatorname{Du} \underline{a}
+\varepsilon \underline{a} = \varepsilon \operatorname{Re} \underline{a}
+\sin^2 \underline{\alpha} + \cos^2 \underline{\alpha} = 1
+\frac{d}{dt} \sin \underline{\alpha} = \dot{\underline{\alpha}} \cos \underline{\alpha}
+\operatorname{Du} \sin \underline{\alpha} = \operatorname{Du} \underline{\alpha} \cos \operatorname{Re} \underline{\alpha}
+\frac{d}{dt} (\underline{T} \underline{a}) = \dot{\underline{T}} \underline{a} + \underline{T} \dot{\underline{a}}
+\exp(\underline{\alpha} \tilde{\underline{u}}) = \mathbf{I} + \sin \underline{\alpha} \tilde{\underline{u}} + (1 - \cos \underline{\alpha}) \tilde{\underline{u}}^2
+\underline{q} \underline{q}^* \underline{p} = \underline{p} \underline{q} \underline{q}^*
+\underline{e}^* \underline{e} = 1
+(\dot{\underline{e}})^* \underline{e} = -\underline{e}^* \dot{\underline{e}}
+\operatorname{Vec} (\underline{e} \underline{a} \underline{e}^*) \times \operatorname{Vec} (\underline{e} \underline{b} \underline{e}^*) = \operatorname{Vec} (\underline{e} (\underline{a} \times \underline{b}) \underline{e}^*)
+\frac{d^3}{dt^3} (a \times b) = \dddot{a} \times b + 3 \ddot{a} \times \dot{b} + 3 \dot{a} \times \ddot{b} + a \times \dddot{b}
+\sum_{k=0}^{2} \binom{2}{k} f^k g^{2-k} = (f + g)^2
+(\mathbf{D}^2 + f \mathbf{D}) a = \ddot{a} + f \dot{a}
+\operatorname{div} (T \rho) = \operatorname{trace} T
+\operatorname{curl} (a \times \rho) = 2 a
+\operatorname{curl} (T \rho) = 2 \operatorname{vect} T
+\operatorname{div} (\rho^2 a) = 2 a \cdot \rho
+\operatorname{trace} T^* = \frac{1}{2} ((\operatorname{trace} T)^2 - \operatorname{trace} T^2)
+T^3 = (\operatorname{trace} T) T^2 - (\operatorname{trace} T^*) T + (\det T) \mathbf{I}
+(\|a\| b)^2 = a^2 b^2
+\|a\|^3 = a^2 \|a\|
+(\frac{f}{g})^2 g^2 = f^2
+\frac{1}{f} - \frac{1}{g} = \frac{g - f}{f g}
+""".strip().splitlines()
+
+BOTH = replace(
+    TABLE,
+    symbols=TABLE.symbols
+    | SymbolTable.build(
+        {
+            **{rf"\underline{{{x}}}": {"kind": "dual tensor"} for x in "TS"},
+            **{rf"\underline{{{x}}}": {"kind": "dual scalar"} for x in ("f", r"\alpha")},
+            r"\underline{x}": {"kind": "dual vector"},
+            r"\underline{p}": {"kind": "dual hamilton quaternion"},
+            r"\underline{R}": {"kind": "dual rotation"},
+            r"\underline{u}": {"kind": "dual vector", "unit": True},
+            r"\rho": {"kind": "vector", "coordinate": True},
+            **{x: {"kind": "vector", "uniform": True} for x in "ab"},
+            "T": {"kind": "tensor", "uniform": True},
+        }
+    ).symbols,
+)
+#: Neither proved nor refuted so far.
+LEFT = {r"\|\exp(\operatorname{quat}(0, a))\| = 1"}
+HOLDS = (Outcome.PROVED, Outcome.CONDITIONAL)  # where a denominator can vanish
+
+
+def judged(left, right, **setting):
+    return Judge(Definitions(), **setting).judge(relation("=", left, right))
+
+
+@pytest.mark.parametrize("latex", [x for x in (*IDENTITIES, *MORE) if x not in LEFT])
+def test_it_holds_and_nothing_may_be_added(latex):
+    (claim,) = read(latex, BOTH)
+    left, right = claim.left, claim.right
+    kind = left.type.with_dual(left.type.dual or right.type.dual)
+    added = apply("add", right, symbol(Declaration(r"\mathsf{z}", kind)))
+    found = judged(left, right)
+    assert found.outcome in HOLDS
+    assert {e.outcome for e in found.evidence} & {"residual is 0"}, found.evidence
+    if "^{-1}" not in latex:
+        assert judged(derivative(left, 1), derivative(right, 1)).outcome in HOLDS
+    wrong = judged(left, added)
+    assert wrong.outcome == Outcome.REFUTED
+    assert wrong.counterexample.left != wrong.counterexample.right
+    assert judged(left, right, second_engine=False).outcome not in HOLDS
+    double = judged(left, apply("mul", number(2), right)).outcome
+    assert (double in HOLDS) == (judged(left, apply("neg", right)).outcome in HOLDS)  # both sides are 0

@@ -84,7 +84,7 @@ class Series:
 
 
 def times(a: tuple[mpf, ...], b: tuple[mpf, ...]) -> tuple[mpf, ...]:
-    return tuple(sum((a[j] * b[k - j] for j in range(k + 1)), mpf(0)) for k in range(min(len(a), len(b))))
+    return tuple(mp.fdot(zip(a[: k + 1], b[k::-1], strict=True)) for k in range(min(len(a), len(b))))
 
 
 def _sums(a: tuple[mpf, ...], b: tuple[mpf, ...]) -> tuple[mpf, ...]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import product
 from random import Random
 
 import pytest
@@ -57,6 +58,16 @@ def aside() -> Iterator[Workers]:
         yield workers
 
 
+def said_by(
+    found: list[World], statement: Relation, instances: list[dict], outcome: Outcome
+) -> Iterator[bool | None]:
+    """What the worlds say of it, up to the first that agrees with a refutation."""
+    for world, n in product(found, instances):
+        yield (said := world.holds(statement, n))
+        if outcome == Outcome.REFUTED and said is False:
+            return
+
+
 def agreement(aside: Workers, judge: Judge, statement: Relation, orders: Orders | None = None) -> Found:
     """The outcome and its verdict; Wrong where values contradict it."""
     try:
@@ -67,7 +78,7 @@ def agreement(aside: Workers, judge: Judge, statement: Relation, orders: Orders 
         return "unchecked", None
     instances = list(orders.assignments()) if orders else [{}]
     try:
-        values = [world.holds(statement, n) for world in worlds(judge.definitions) for n in instances]
+        values = list(said_by(worlds(judge.definitions), statement, instances, verdict.outcome))
     except NotRead:
         return "not evaluated", verdict
     wrong = {

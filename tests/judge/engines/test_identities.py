@@ -9,6 +9,7 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome
 from workbench.language.construct import apply, derivative, number, relation, symbol
 from workbench.language.definitions import Definitions
+from workbench.language.names import Name
 from workbench.language.reader import read
 from workbench.language.symbols import SymbolTable
 from workbench.language.types import Declaration
@@ -91,7 +92,7 @@ def test_it_holds_and_nothing_may_be_added(latex):
     (claim,) = read(latex, BOTH)
     left, right = claim.left, claim.right
     kind = left.type.with_dual(left.type.dual or right.type.dual)
-    added = apply("add", right, symbol(Declaration(r"\mathsf{z}", kind)))
+    added = apply("add", right, symbol(Declaration(Name(r"\mathsf{z}"), kind)))
     found = judged(left, right)
     assert found.outcome in HOLDS
     assert {e.outcome for e in found.evidence} & {"residual is 0"}, found.evidence

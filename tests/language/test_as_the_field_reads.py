@@ -225,8 +225,8 @@ def test_a_circle_over_a_letter_is_a_part_of_its_name() -> None:
     ("formula", "feature"),
     [
         (r"\inf_a s = 0", "a bound that need not be reached"),
-        (r"a \mapsto b = 0", "a map is not read"),
-        (r"a = \{ b \mid s = 0 \}", "a set given by a condition"),
+        (r"a \mapsto b = 0", "a map is said by"),
+        (r"S \subset T", "a part of a set is not read"),
     ],
 )
 def test_what_is_not_read_is_named(formula: str, feature: str) -> None:

@@ -48,7 +48,6 @@ def test_edits_can_be_set(claims):
 
 #: Claims whose edits do not make the proved form letter by letter, and why.
 IN_OTHER_LETTERS = {
-    "34.size": "the print is a set; its matrix is proved under a name of ours",
     "68": "the print is a ≠; the difference of its sides is proved to be det Φ₄",
     "79": "the ρ of the decomposition, ρ_s in the proof, is not any vector",
     "97": "PQ is a word for ρ_Q − ρ_P, which is proved in its place",

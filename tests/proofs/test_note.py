@@ -26,6 +26,19 @@ def report():
     return paper, judge_paper(paper)
 
 
+def unfolded(page):
+    """What is seen of a page whose folds are closed; folds stand within folds."""
+    seen, depth = [], 0
+    for piece in re.split(r"(<details\b|</details>)", page):
+        if piece == "</details>":
+            depth -= 1
+        elif piece == "<details":
+            depth += 1
+        elif depth == 0:
+            seen.append(piece)
+    return "".join(seen)
+
+
 @pytest.mark.slow
 def test_the_errors_are_these(report):
     errata = document_of(*report).errata
@@ -37,7 +50,7 @@ def test_the_errors_are_these(report):
 def test_nothing_of_ours_stands_where_a_reader_looks(report):
     texts = render.render(*report)
     note = texts["erratum.tex"].split(r"\begin{document}")[1]
-    page = re.sub(r"<details.*?</details>|<[^>]*>", " ", texts["report.html"].split("<body>")[1])
+    page = re.sub(r"<[^>]*>", " ", unfolded(texts["report.html"].split("<body>")[1]))
     for text in (note, page):
         assert not re.search(r"U\+[0-9A-F]{4}|column \d|\b\d+\.(?:by13|det|adjugate|inverse|div)\b", text)
     assert "LaTeX source" not in page

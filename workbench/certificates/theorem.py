@@ -15,7 +15,9 @@ from workbench.language.terms import (
     Apply,
     Conjunction,
     Derivative,
+    Extremum,
     Implication,
+    Naming,
     Relation,
     Statement,
     Symbol,
@@ -177,7 +179,8 @@ def _relations(statement: Statement) -> Iterator[Relation]:
             for part in parts:
                 yield from _relations(part)
         case _:
-            raise NotCertified(f"an {type(statement).__name__.lower()}")
+            own = {Extremum: "a minimum or maximum", Naming: "a set or a map"}
+            raise NotCertified(own.get(type(statement), f"an {type(statement).__name__.lower()}"))
 
 
 def _conclude(made: Theorem, relation: Relation) -> None:

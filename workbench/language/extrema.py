@@ -6,25 +6,12 @@ from collections.abc import Iterator
 
 from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault
-from workbench.language.names import Name
-from workbench.language.ranges import kind_of_members, set_name
-from workbench.language.spelling import Scripts, spell
+from workbench.language.ranges import set_name
+from workbench.language.sets import Members, letter_name, letter_spelling, members_of
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import (
-    Chain,
-    Extremal,
-    Group,
-    Infix,
-    Leaf,
-    Node,
-    Product,
-    Scripted,
-    Styled,
-)
+from workbench.language.syntax import Chain, Extremal, Group, Infix, Node, Product
 from workbench.language.terms import Extremum, Symbol, Term
-from workbench.language.types import SCALAR, VECTOR, Declaration
-
-_KINDS = {"scalar": SCALAR, "vector": VECTOR, "unit vector": VECTOR}
+from workbench.language.types import SCALAR, VECTOR
 
 
 def is_extremal(side: Node) -> bool:
@@ -55,8 +42,8 @@ def _extremum(reader: Elaborator, side: Product, value: Term) -> Extremum:
         what = "minimum" if operator.least else "maximum"
         raise Fault(f"a {what} over what? write it under the sign, as in \\min_{{x \\in V_3}}", operator.at)
     table, letters = reader.table, []
-    for node, kind in _bound(operator.over):
-        symbol = _letter(table, reader, node, kind)
+    for node, members in _bound(operator.over):
+        symbol = _letter(table, reader, node, members)
         table = table if symbol.declaration.name in table.symbols else table.with_symbol(symbol.declaration)
         letters.append(symbol)
     inner = Elaborator(table, reader.variables)
@@ -64,60 +51,42 @@ def _extremum(reader: Elaborator, side: Product, value: Term) -> Extremum:
     return reader.build(side.at, Extremum.of, operator.least, tuple(letters), body, value)
 
 
-def _bound(over: Node) -> Iterator[tuple[Node, str | None]]:
-    """The letters under the sign, each with the kind of the members of its set; None where no set is said."""
+def _bound(over: Node) -> Iterator[tuple[Node, Members | None]]:
+    """The letters under the sign, each with its set; None where none is said."""
     waiting: list[Node] = []
     for part in over.parts if isinstance(over, Group) else (over,):
         if isinstance(part, Chain):
             if [sign for sign, _ in part.relations] != ["∈"]:
                 raise Fault("a condition under a minimum or maximum; expected letters and sets only", part.at)
             letter, domain = part.sides
-            kind = kind_of_members(domain)
-            if kind not in _KINDS:
-                name = set_name(domain)
-                raise Fault(
-                    f"a minimum or maximum over {name}; known: ℝ, V_3, and S^2 (unit vectors)", part.at
-                )
-            yield from ((node, kind) for node in (*waiting, letter))
+            members = members_of(domain)
+            if members is None or members.type not in (SCALAR, VECTOR):
+                known = "ℝ, V_3, and S^2 (unit vectors)"
+                raise Fault(f"a minimum or maximum over {set_name(domain)}; known: {known}", part.at)
+            yield from ((node, members) for node in (*waiting, letter))
             waiting = []
         else:
             waiting.append(part)
     yield from ((node, None) for node in waiting)
 
 
-def _letter(table: SymbolTable, reader: Elaborator, node: Node, kind: str | None) -> Symbol:
+def _letter(table: SymbolTable, reader: Elaborator, node: Node, members: Members | None) -> Symbol:
     """The letter as it is declared; one that is not is a constant of its set."""
-    name = _name(node)
-    if name not in table.symbols:
-        if kind is None:
+    name = letter_name(node)
+    if name is None or str(name) in reader.variables:
+        raise Fault("expected a letter, such as x, under a minimum or maximum", node.at)
+    if table.find(letter_spelling(node)) is None:
+        if members is None:
             raise Fault("over which set? expected a letter and its set, as in x \\in V_3", node.at)
-        if name is None or str(name) in reader.variables:
-            raise Fault("expected a letter, such as x, under a minimum or maximum", node.at)
-        declaration = Declaration(name, _KINDS[kind], constant=True, unit=kind == "unit vector")
+        declaration = members.letter(name)
         return Symbol(declaration.type, None, declaration)
     symbol = reader.term(node)
     if not isinstance(symbol, Symbol) or symbol.declaration.name in table.defined:
         raise Fault("a minimum or maximum is taken over letters that nothing defines", node.at)
     declaration = symbol.declaration
-    unit = kind == "unit vector" if kind is not None else declaration.unit
-    fits = declaration.type == _KINDS[kind] if kind is not None else declaration.type in (SCALAR, VECTOR)
-    if not fits or declaration.unit != unit or declaration.clock or declaration.of:
+    fits = declaration.type in (SCALAR, VECTOR) and not (declaration.clock or declaration.of)
+    if members is not None:
+        fits = fits and (declaration.type, declaration.unit) == (members.type, members.trait == "unit")
+    if not fits:
         raise Fault(f"{declaration.name} is declared as another thing than what varies here", node.at)
     return symbol
-
-
-def _name(node: Node) -> Name | None:
-    scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
-    if scripted.factorial or scripted.sup is not None:
-        return None
-    styles: list[str] = []
-    letter: Node = scripted.nucleus
-    while isinstance(letter, Styled) or (isinstance(letter, Group) and len(letter.parts) == 1):
-        if isinstance(letter, Styled):
-            styles.append(letter.style)
-        letter = letter.body if isinstance(letter, Styled) else letter.parts[0]
-    if not isinstance(letter, Leaf) or letter.kind != "LETTER":
-        return None
-    scripts = Scripts(sub=scripted.sub, primes=scripted.primes)
-    spelling = spell(Name.styled(styles, letter.text), scripts, ())
-    return None if spelling is None else spelling.exact

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import combinations
 from math import comb, factorial
 from typing import overload
@@ -32,6 +33,7 @@ from workbench.language.terms import (
     IllFormed,
     Implication,
     Integer,
+    Naming,
     Power,
     Relation,
     Statement,
@@ -75,6 +77,9 @@ class Instantiation:
                 return type(formula)(self.formula(formula.left), self.formula(formula.right))
             case Conjunction():
                 return Conjunction(tuple(self.formula(part) for part in formula.parts))
+            case Naming():
+                parts, given = (tuple(map(self.formula, s)) for s in (formula.parts, formula.given))
+                return replace(formula, terms=tuple(map(self.term, formula.terms)), parts=parts, given=given)
             case Extremum():
                 sides = self.term(formula.body), self.term(formula.value)
                 return Extremum.of(formula.least, formula.letters, *sides)

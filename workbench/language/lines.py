@@ -38,7 +38,8 @@ def whole_line(latex: str) -> Line:
 def split_lines(latex: str) -> list[Line]:
     """The lines of a formula that is one aligned or cases environment; any other formula is one line.
 
-    What stands behind the environment (such as ", n \\geq 1") belongs to each line.
+    What stands behind the environment (such as ", n \\geq 1") belongs to each line. A map f : A \\to B and
+    what f(x) is are one line.
     """
     tokenizer = Tokenizer(latex)
     tokens = tokenizer.legible()
@@ -65,6 +66,8 @@ def split_lines(latex: str) -> list[Line]:
                 break
         else:
             inside.append(token.start_pos)
+    if any(token == "→" for token in tokens):
+        return [whole_line(latex)]
     if not breaks or depth > 0 or not _LEFT_BRACE.fullmatch(latex[: tokens[0].start_pos]):
         return [whole_line(latex)]
     right = _RIGHT_NOTHING.match(latex, start)

@@ -23,6 +23,7 @@ from workbench.language.terms import (
     Identity,
     Implication,
     Integer,
+    Naming,
     Number,
     Power,
     Relation,
@@ -62,6 +63,8 @@ def to_latex(formula: Term | Statement) -> str:
             return _chain(parts)
         case Extremum():
             return _extremum(formula)
+        case Naming():
+            return formula.said
     return _print(formula).text
 
 

@@ -9,6 +9,7 @@ from workbench.language import construct
 from workbench.language.elaborate import Elaborator
 from workbench.language.errors import Fault, Misfit
 from workbench.language.extrema import extrema, is_extremal
+from workbench.language.namings import is_map, is_set, named_map, named_set, wants_value
 from workbench.language.ranges import Membership, Range, is_range, ranges_of, refuse_alone, require_member
 from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
@@ -78,6 +79,8 @@ def _rows_of(lines: Lines) -> list[list[Node]]:
             conditions = [clause for clause in rest if _is_condition(clause)]
             rows += [[*row, *conditions] for row in _rows_of(first)]
             rows += [[clause] for clause in rest if clause not in conditions]
+        elif rows and wants_value(rows[-1][-1]):
+            rows[-1] += line
         else:
             rows.append(list(line))
     return rows
@@ -159,7 +162,14 @@ class _Row:
         self.claims = own
 
     def statements(self, reader: Elaborator) -> list[Statement]:
-        claimed = [said for claim in self.claims for said in _statements(reader, claim)]
+        claimed, waiting = [], list(self.claims)
+        while waiting:
+            claim = waiting.pop(0)
+            if is_map(claim):
+                value = waiting.pop(0) if wants_value(claim) and waiting else None
+                claimed.append(named_map(reader, claim, value))
+            else:
+                claimed += _statements(reader, claim)
         if not self.conditions:
             return claimed
         if not claimed:
@@ -210,6 +220,8 @@ def _piecewise(reader: Elaborator, clause: Chain) -> list[Statement]:
 
 
 def _statement(reader: Elaborator, clause: Node) -> Statement:
+    if is_set(clause):
+        return named_set(reader, clause, _statement)
     match clause:
         case Conditional(statements=(left, right), signs=((sign, _),)):
             pair = _statement(reader, left), _statement(reader, right)

@@ -229,7 +229,20 @@ class Extremum:
         return Extremum(least, letters, body, value)
 
 
-Statement = Relation | Equivalence | Implication | Conjunction | Extremum
+@dataclass(frozen=True, slots=True)
+class Naming:
+    """A set or a map with a name. said: what of it, as LaTeX.   terms: what it is made of.   parts: what must
+    be true for it to be one.   given: what its members are supposed to satisfy.   undecided: what is not
+    looked at, if anything."""
+
+    said: str
+    terms: tuple[Term, ...]
+    parts: tuple[Statement, ...]
+    given: tuple[Statement, ...] = ()
+    undecided: str = ""
+
+
+Statement = Relation | Equivalence | Implication | Conjunction | Extremum | Naming
 
 
 @dataclass(frozen=True, slots=True)

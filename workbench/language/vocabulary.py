@@ -57,6 +57,11 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "geq": ("RELATION", "≥"),
     "ge": ("RELATION", "≥"),
     "in": ("RELATION", "∈"),
+    "colon": ("RELATION", ":"),
+    "to": ("RELATION", "→"),
+    "rightarrow": ("RELATION", "→"),
+    "mapsto": ("RELATION", "↦"),
+    "mid": ("COMMA", "|"),
     "forall": ("FORALL", "∀"),
     "Leftrightarrow": ("IMPLICATION", "⇔"),
     "Longleftrightarrow": ("IMPLICATION", "⇔"),
@@ -76,6 +81,7 @@ CHARACTERS = {
     ">": ("RELATION", ">"),
     ",": ("COMMA", ","),
     ";": ("COMMA", ";"),
+    ":": ("RELATION", ":"),
     "^": ("SUP", "^"),
     "_": ("SUB", "_"),
     "'": ("PRIME", "'"),
@@ -149,10 +155,8 @@ EXPECTED = {
         ("inf", "sup"),
         "a bound that need not be reached is not read; \\min and \\max are",
     ),
-    **dict.fromkeys(
-        ("mapsto", "to", "rightarrow", "colon"), "a map is not read; its values are, as in f(x) = …"
-    ),
-    **dict.fromkeys(("mid", "subset", "subseteq"), "a set given by a condition is not read"),
+    **dict.fromkeys(("leftrightarrow", "longleftrightarrow"), "a map goes one way: \\to"),
+    **dict.fromkeys(("subset", "subseteq"), "a part of a set is not read; its members are, as in x \\in V_3"),
     **dict.fromkeys(("leq", "le", "lt"), "a range is written n \\geq 1 or n = \\overline{1,5}"),
     "prime": "a prime is written '",
 }

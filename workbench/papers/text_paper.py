@@ -11,7 +11,16 @@ from pathlib import Path
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.names import Name
-from workbench.language.terms import Conjunction, Derivative, Extremum, Relation, Statement, Symbol, Term
+from workbench.language.terms import (
+    Conjunction,
+    Derivative,
+    Extremum,
+    Naming,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
@@ -280,6 +289,8 @@ def terms_of(statement: Statement) -> Iterator[Term]:
     elif isinstance(statement, Relation):
         yield from statement.left.walk()
         yield from statement.right.walk()
+    elif isinstance(statement, Naming):
+        yield from (part for term in statement.terms for part in term.walk())
     elif isinstance(statement, Extremum):
         yield from statement.body.walk()
         yield from statement.value.walk()

@@ -13,6 +13,7 @@ from workbench.report.places import Heirs, Place, joined, with_headings
 from workbench.report.prose import Run, formula, runs_of, text
 from workbench.report.residuals import residuals_svg
 from workbench.typeset.differences import difference
+from workbench.verify.on_motions import percent
 from workbench.verify.results import ClaimResult
 
 _PLACE_IN_SOURCE = re.compile(r"(?:cannot be read: )?line \d+, column \d+: ")
@@ -151,7 +152,6 @@ def _row(same: Sequence[Correction]) -> Row:
 def _correction(result: ClaimResult, places: Mapping[str, Place]) -> Correction:
     claim, mend = result.claim, result.claim.mend
     heading, anchor = places[claim.id]
-    line = result.on_motions.line
     return Correction(
         id=claim.id,
         anchor=anchor,
@@ -167,7 +167,18 @@ def _correction(result: ClaimResult, places: Mapping[str, Place]) -> Correction:
         example=tuple(runs_of(mend.example or "")),
         counterexample=against(result),
         picture=residuals_svg(result) if result.fault == "error" else None,
-        cost=line[0].upper() + line[1:] if result.on_motions.error else None,
+        cost=_cost(result),
+    )
+
+
+def _cost(result: ClaimResult) -> str | None:
+    """What the error comes to on a motion; of a sentence nothing, since what was evaluated is not printed."""
+    error = result.on_motions.error
+    if error is None or result.claim.quote:
+        return None
+    return (
+        f"On a simulated motion ({error.motion}, t = {error.time:g} s) the two sides differ by"
+        f" {percent(error.false)} of their size as printed, once corrected by less than {error.right:.0e}"
     )
 
 

@@ -29,6 +29,7 @@ from workbench.language.terms import (
     Extremum,
     IllFormed,
     Implication,
+    Naming,
     Relation,
     Statement,
     Symbol,
@@ -304,8 +305,8 @@ def _mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Stateme
             return of(statement)
         case Equivalence() | Implication():
             return type(statement)(_mapped(statement.left, of), _mapped(statement.right, of))
-        case Extremum():
-            raise NotExact("a minimum or maximum for all n at once")
+        case Extremum() | Naming():
+            raise NotExact("a minimum, a set or a map for all n at once")
     return Conjunction(tuple(_mapped(part, of) for part in statement.parts))
 
 
@@ -318,6 +319,9 @@ def _terms(statement: Statement) -> Iterator[Term]:
             yield from _terms(statement.right)
         case Extremum():
             yield from (statement.body, statement.value)
+        case Naming():
+            yield from statement.terms
+            yield from _all_terms((*statement.parts, *statement.given))
         case Conjunction():
             for part in statement.parts:
                 yield from _terms(part)

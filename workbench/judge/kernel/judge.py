@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from workbench.judge.kernel.branches import holds_arc, judge_branch
-from workbench.judge.kernel.case import Setting
+from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import OrderRanges, judge_family
@@ -15,8 +15,17 @@ from workbench.judge.kernel.zero_sets import judge_inequation, judge_zeros
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.language.construct import relation as equated
 from workbench.language.printer import to_latex
-from workbench.language.terms import Conjunction, Equivalence, Extremum, Implication, Relation, Statement
+from workbench.language.terms import (
+    Conjunction,
+    Equivalence,
+    Extremum,
+    Implication,
+    Naming,
+    Relation,
+    Statement,
+)
 
 
 @dataclass(frozen=True)
@@ -87,7 +96,24 @@ class Judge(Setting):
                 return self._implied(left, right, assume)
             case Extremum():
                 return judge_extremum(self, statement, assume, self._judge)
+            case Naming():
+                return self._named(statement, assume)
         raise NotExact("a statement of this form")
+
+    def _named(self, said: Naming, assume: tuple[Statement, ...]) -> Verdict:
+        """On a set or a map: a definition, if what makes it one is proved."""
+        for part in said.parts:
+            verdict = self._judge(part, assume)
+            if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
+                return verdict
+        if said.undecided:
+            return Verdict(Outcome.UNCHECKED, reason=said.undecided)
+        terms = [equated("=", term, term) for term in said.terms]
+        try:
+            Case(self, terms, (*assume, *said.given)).require_satisfiable()
+        except Unsatisfiable:
+            return Verdict(Outcome.UNCHECKED, reason="the set is empty: nothing satisfies its conditions")
+        return Verdict(Outcome.DEFINITION, evidence=(Evidence("sets and maps", "well-formed"),))
 
     def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
         """The claim under the premise at the instant. One that is false only if the premise does not last,

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from workbench.judge.subject.inventory import Lookup, NotExact, take_inventory
 from workbench.language.construct import derivative
 from workbench.language.construct import relation as equated
-from workbench.language.terms import Conjunction, Extremum, Relation, Statement, Term
+from workbench.language.terms import Conjunction, Extremum, Naming, Relation, Statement, Term
 
 
 class Unsatisfiable(ValueError):
@@ -54,6 +54,8 @@ def _sides(statement: Statement) -> Iterator[Term]:
                 yield from _sides(part)
         case Extremum():
             yield from (statement.body, statement.value)
+        case Naming():
+            yield from statement.terms
         case _:
             yield from _sides(statement.left)
             yield from _sides(statement.right)

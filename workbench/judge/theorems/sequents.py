@@ -18,7 +18,7 @@ from workbench.judge.theorems.goals import (
     Scope,
     Variable,
 )
-from workbench.language.terms import Extremum, Relation, Statement, Symbol, Term
+from workbench.language.terms import Extremum, Naming, Relation, Statement, Symbol, Term
 
 FORMULA = "formula"
 
@@ -132,6 +132,9 @@ def relations_of(statement: Statement) -> Iterator[Relation]:
     match statement:
         case Relation():
             yield statement
+        case Naming(parts=parts, given=given):
+            for part in (*parts, *given):
+                yield from relations_of(part)
         case Extremum(body=body, value=value):
             yield Relation("=", body, value)
         case _ if hasattr(statement, "parts"):

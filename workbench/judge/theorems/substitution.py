@@ -31,6 +31,7 @@ from workbench.language.terms import (
     Equivalence,
     Extremum,
     Implication,
+    Naming,
     Relation,
     Statement,
     Symbol,
@@ -112,6 +113,8 @@ class Substitution:
                 return Conjunction(tuple(self.statement(part, lasting) for part in parts))
             case Equivalence(left, right) | Implication(left, right):
                 return type(statement)(self.statement(left, lasting), self.statement(right, lasting))
+            case Naming():
+                raise GoalError("a set or a map within a goal")
             case Extremum(least, letters, body, value):
                 for letter in letters:
                     if letter.declaration.name in self.used or letter.declaration.name in self.terms:

@@ -1,0 +1,246 @@
+"""Sets and maps to which a formula gives a name.
+
+S = \\{ pattern \\mid conditions \\}
+f : A \\to B, f(x) = …   or   f : A \\to B, x \\mapsto …   or   x \\mapsto …
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from workbench.language.construct import relation
+from workbench.language.elaborate import Elaborator
+from workbench.language.errors import Fault, Misfit
+from workbench.language.integers import Linear
+from workbench.language.printer import to_latex
+from workbench.language.ranges import set_name
+from workbench.language.sets import Members, bound_letter, letter_name, letter_spelling, members_of
+from workbench.language.spelling import linear
+from workbench.language.syntax import Bracket, Chain, Node, Product, Scripted
+from workbench.language.terms import (
+    Apply,
+    Conjunction,
+    DualUnit,
+    IllFormed,
+    Implication,
+    Naming,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
+
+Read = Callable[[Elaborator, Node], Statement]
+
+_ARROWS = frozenset(":→↦")
+_OPEN_MAP = "a map is said by f : A \\to B and f(x) = …, or by x \\mapsto …"
+
+
+def is_map(clause: Node) -> bool:
+    return isinstance(clause, Chain) and any(sign in _ARROWS for sign, _ in clause.relations)
+
+
+def is_set(clause: Node) -> bool:
+    """Whether the clause is S = {… | …}."""
+    match clause:
+        case Chain(sides=(_, Bracket(kind="\\{", parts=(_, *conditions))), relations=(("=", _),)):
+            return any(isinstance(condition, Chain) for condition in conditions)
+    return False
+
+
+def wants_value(clause: Node) -> bool:
+    """Whether it is f : A → B, of which what follows says what f(x) is."""
+    return is_map(clause) and not any(sign == "↦" for sign, _ in clause.relations)
+
+
+def _signs(clause: Node) -> list[str]:
+    return [sign for sign, _ in clause.relations] if isinstance(clause, Chain) else []
+
+
+# maps
+
+
+def named_map(reader: Elaborator, clause: Chain, value: Node | None) -> Naming:
+    """A map: its values must be members of the second set. Raises Fault and Misfit."""
+    sides, signs = list(clause.sides), _signs(clause)
+    name = sides.pop(0) if signs[0] == ":" else None
+    begin = "" if name is None else f"{_shown(name)} : "
+    match signs[name is not None :], _signs(value):
+        case ["↦"], []:
+            return _rule(reader, begin, *sides)
+        case ["→"], ["="]:
+            argument, body = _argument(value.sides[0], name), value.sides[1]
+            middle = f", {_shown(name)}(", ") = "
+        case ["→"], ["↦"]:
+            argument, body = value.sides
+            middle = ", ", " \\mapsto "
+        case _:
+            raise Fault(_OPEN_MAP, clause.at)
+    domain, codomain = map(_known, sides)
+    bound = bound_letter(reader.table, argument, domain) if _is_new(reader, argument) else None
+    inner = reader if bound is None else Elaborator(bound[0], reader.variables)
+    point, image = inner.term(argument), _value(inner, body)
+    given = _conditions(domain, point, argument.at, seen=False)
+    parts = _implied(given, _conditions(codomain, image, body.at))
+    if name is not None and letter_name(name) in reader.table.functions and _signs(value) == ["="]:
+        parts.append(reader.build(value.at, relation, "=", inner.term(value.sides[0]), image))
+    said = to_latex(point).join(middle) + to_latex(image)
+    said = f"{begin}{domain.name} \\to {codomain.name}{said}"
+    return Naming(said, (point, image), tuple(parts), tuple(given))
+
+
+def _rule(reader: Elaborator, begin: str, argument: Node, body: Node) -> Naming:
+    """x ↦ …, of a declared symbol."""
+    if _is_new(reader, argument):
+        raise Fault("of which set? write f : A \\to B, x \\mapsto …", argument.at)
+    point, image = reader.term(argument), _value(reader, body)
+    return Naming(f"{begin}{to_latex(point)} \\mapsto {to_latex(image)}", (point, image), ())
+
+
+def _argument(applied: Node, name: Node | None) -> Node:
+    """x of f(x)."""
+    match applied:
+        case Product(items=(head, Bracket(kind="(", parts=(argument,)))) if _shown(head) == _shown(name):
+            return argument
+    raise Fault(_OPEN_MAP, applied.at)
+
+
+def _value(reader: Elaborator, body: Node) -> Term:
+    if isinstance(body, Bracket) and body.kind == "\\{" and any(isinstance(p, Chain) for p in body.parts):
+        raise Misfit(IllFormed("the values of the map are sets, and its codomain is none of sets"), body.at)
+    return reader.term(body)
+
+
+def _is_new(reader: Elaborator, node: Node) -> bool:
+    spelling = letter_spelling(node)
+    return spelling is not None and reader.table.find(spelling) is None
+
+
+def _shown(name: Node | None) -> str:
+    """The name of a map: a letter, or the inverse of one."""
+    power, plain = None, name
+    if isinstance(name, Scripted) and name.sup is not None:
+        power, plain = linear(name.sup, ()), Scripted(name.at, name.nucleus, name.sub, None, name.primes)
+    shown = None if plain is None else letter_name(plain)
+    if shown is None or power not in (None, Linear(-1)):
+        raise Fault("expected the name of a map, such as f", 0 if name is None else name.at)
+    return str(shown) if power is None else f"{shown}^{{-1}}"
+
+
+def _known(where: Node) -> Members:
+    members = members_of(where)
+    if members is None:
+        raise Fault(f"the set {set_name(where)} is not known here", where.at)
+    return members
+
+
+def _conditions(members: Members, term: Term, at: int, seen: bool = True) -> list[Relation]:
+    """What makes the term a member; without `seen`, nothing where that is not seen from the term."""
+    try:
+        return members.conditions(term)
+    except IllFormed as fault:
+        raise Misfit(fault, at) from None
+    except NotImplementedError as unseen:
+        if seen:
+            raise Fault(str(unseen), at) from None
+        return []
+
+
+# sets
+
+
+@dataclass
+class _Described:
+    """What stands between the braces, sorted: the pattern, its letters with their sets, other relations."""
+
+    pattern: Node
+    domains: list[tuple[Node, Members]] = field(default_factory=list)
+    held: list[Chain] = field(default_factory=list)
+
+    @staticmethod
+    def of(bracket: Bracket) -> _Described:
+        pattern, *rest = bracket.parts
+        described = _Described(pattern)
+        if isinstance(pattern, Chain):
+            if _signs(pattern) != ["∈"]:
+                message = "expected a member first, as in \\{ x \\in V_3 \\mid x \\cdot n = 0 \\}"
+                raise Fault(message, pattern.at)
+            described.pattern = pattern.sides[0]
+            rest = [pattern, *rest]
+        waiting: list[Node] = []
+        for part in rest:
+            if _signs(part) == ["∈"]:
+                members = _known(part.sides[1])
+                described.domains += [(node, members) for node in (*waiting, part.sides[0])]
+                waiting = []
+            elif isinstance(part, Chain):
+                described.held.append(part)
+            else:
+                waiting.append(part)
+        if waiting:
+            raise Fault("expected a set behind it, as in x \\in V_3", waiting[0].at)
+        return described
+
+
+def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
+    """A set by a pattern and what its letters are. What speaks of no letter must be true; a set that is known
+    must have just these members. Raises Fault and Misfit."""
+    name, bracket = clause.sides
+    described = _Described.of(bracket)
+    table, letters, sorts, others = reader.table, [], [], []
+    for node, members in described.domains:
+        bound = bound_letter(table, node, members)
+        if bound is None:
+            others.append((node, members))
+            continue
+        table, letter = bound
+        letters.append(letter)
+        sorts.append(f"{letter.declaration.name} \\in {members.name}")
+    inner = Elaborator(table, reader.variables)
+    member = inner.term(described.pattern)
+    said = [read(inner, part) for part in described.held]
+    for node, members in others:
+        said += _conditions(members, inner.term(node), node.at)
+    names = {letter.declaration.name for letter in letters}
+    given = [statement for statement in said if _speaks_of(statement, names)]
+    parts: list[Statement] = [statement for statement in said if statement not in given]
+    known, undecided = members_of(name), ""
+    if known is not None:
+        wanted = _conditions(known, member, described.pattern.at)
+        parts += _implied(given, wanted)
+        if member in letters:
+            parts += _implied(wanted, given)
+        elif given or not _is_general(member, letters):
+            undecided = f"whether all members of {known.name} are so is not decided"
+    title = set_name(name) if known is None else known.name
+    shown = ", ".join([*sorts, *map(to_latex, said)])
+    text = f"{title} = \\{{ {to_latex(member)} \\mid {shown} \\}}"
+    return Naming(text, (member,), tuple(parts), tuple(given), undecided)
+
+
+def _implied(given: Sequence[Statement], wanted: Sequence[Statement]) -> list[Statement]:
+    missing = [statement for statement in wanted if statement not in given]
+    if not given:
+        return missing
+    premise = given[0] if len(given) == 1 else Conjunction(tuple(given))
+    return [Implication(premise, statement) for statement in missing]
+
+
+def _is_general(member: Term, letters: Sequence[Symbol]) -> bool:
+    """Whether it is a + ε b with two letters, which every dual number or vector is."""
+    match member:
+        case Apply(head="add", arguments=(real, Apply(head="mul", arguments=(DualUnit(), dual)))):
+            return real != dual and real in letters and dual in letters
+    return False
+
+
+def _speaks_of(statement: Statement, names: set[str]) -> bool:
+    match statement:
+        case Relation():
+            terms = (statement.left, statement.right)
+        case Conjunction(parts=parts):
+            return any(_speaks_of(part, names) for part in parts)
+        case _:
+            return True
+    return any(isinstance(p, Symbol) and p.declaration.name in names for t in terms for p in t.walk())

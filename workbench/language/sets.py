@@ -1,0 +1,160 @@
+"""Sets: what kind their members are, and the equations that tell them from others of that kind.
+
+    \\mathbb{R}  V_3  L(V_3, V_3)  SO_3  \\mathfrak{so}_3  S^2  SE_3  \\mathcal{M}_{n \\times m}(\\mathbb{R})
+
+underlined for those with dual parts. A superscript ℝ, for functions of time, says nothing of an instant.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+
+from workbench.language.construct import apply, identity, number, relation, zero
+from workbench.language.errors import Fault
+from workbench.language.names import Name
+from workbench.language.ranges import set_name
+from workbench.language.spelling import Scripts, Spelling, spell
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled
+from workbench.language.terms import Apply, Block, IllFormed, Relation, Symbol, Term, Zero
+from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration, Type
+
+_STYLES = ("mathbf", "mathbb", "mathrm", "mathcal", "mathfrak", "mathsf", "boldsymbol", "underline")
+
+
+@dataclass(frozen=True)
+class Members:
+    """name: of the set.   type: of its members.   trait: "", rotation, skew, unit or displacement."""
+
+    name: str
+    type: Type
+    trait: str = ""
+
+    def conditions(self, term: Term) -> list[Relation]:
+        """The equations that make the term a member; none where its kind or declaration says so. Raises
+        IllFormed if it is of another kind, NotImplementedError for what is not seen to be made of R and p."""
+        if term.type.with_dual(False) != self.type.with_dual(False):
+            raise IllFormed(f"a member of {self.name} is a {self.type}; here it is a {term.type}")
+        found = []
+        if term.type.dual and not self.type.dual:
+            found.append(relation("=", apply("du", term), zero(term.type.with_dual(False))))
+        match self.trait:
+            case "rotation" if not (isinstance(term, Symbol) and term.declaration.rotation):
+                found.append(relation("=", apply("mul", term, apply("transpose", term)), identity()))
+                found.append(relation("=", apply("det", term), number(1)))
+            case "skew" if not (isinstance(term, Apply) and term.head in ("skew", "antisymmetric")):
+                found.append(relation("=", apply("transpose", term), apply("neg", term)))
+            case "unit" if not (isinstance(term, Symbol) and term.declaration.unit):
+                found.append(relation("=", apply("dot", term, term), number(1)))
+            case "displacement" if not (isinstance(term, Symbol) and term.declaration.transform):
+                found += replace(self, type=TENSOR, trait="rotation").conditions(_rotation_of(term))
+        return found
+
+    def letter(self, name: Name) -> Declaration:
+        """A letter for any one member."""
+        return Declaration(
+            name,
+            self.type,
+            constant=True,
+            unit=self.trait == "unit",
+            rotation=self.trait == "rotation",
+            transform=self.trait == "displacement",
+        )
+
+
+_KNOWN = {
+    "R": (SCALAR, ""),
+    "V_3": (VECTOR, ""),
+    "V": (VECTOR, ""),
+    "E_3": (VECTOR, ""),
+    "SO_3": (TENSOR, "rotation"),
+    "so_3": (TENSOR, "skew"),
+    "S_2": (VECTOR, "unit"),
+    "SE_3": (Type(4, 4), "displacement"),
+}
+
+
+def members_of(where: Node) -> Members | None:
+    """The members of the set; None for one that is not known. Raises Fault for what is no set."""
+    match where:
+        case Product(items=(Leaf() | Styled() | Scripted() as head, Bracket(kind="(", parts=parts))):
+            found = _of_family(head, parts)
+            if found is not None:
+                return found
+    name = set_name(where)
+    squeezed = name
+    for style in _STYLES:
+        squeezed = squeezed.replace(f"\\{style}", "")
+    squeezed = squeezed.replace("^{{R}}", "").translate(str.maketrans("^", "_", "{} "))
+    size = re.fullmatch(r"R_([1-9]\d?)(?:\\times([1-9]\d?))?", squeezed)
+    known = (Type(int(size[1]), int(size[2] or 1)), "") if size else _KNOWN.get(squeezed)
+    if known is None:
+        return None
+    type_, trait = known
+    shown = re.sub(r"^([A-Za-z]{2,})_\{(\d)\}$", r"\1(\2)", name)  # SO(3)
+    return Members(shown, type_.with_dual("\\underline" in name), trait)
+
+
+def _of_family(head: Node, parts: tuple[Node, ...]) -> Members | None:
+    """L(V, V), the linear maps of vectors, and M_{n×m}(ℝ)."""
+    letter = head.nucleus if isinstance(head, Scripted) else head
+    plain = letter
+    while isinstance(plain, Styled | Group):
+        plain = plain.body if isinstance(plain, Styled) else plain.parts[0]
+    inner = [members_of(part) for part in parts]
+    if None in inner or not isinstance(plain, Leaf):
+        return None
+    dual = inner[0].type.dual
+    if plain.text == "L" and [m.type.with_dual(False) for m in inner] == [VECTOR, VECTOR]:
+        return Members(f"L({inner[0].name}, {inner[1].name})", TENSOR.with_dual(dual))
+    match head:
+        case Scripted(sub=sub) if plain.text == "M" and len(inner) == 1 and inner[0].type.kind == "scalar":
+            match sub.parts[0] if isinstance(sub, Group) and len(sub.parts) == 1 else sub:
+                case Product(items=(Leaf(text=rows), Infix(operator="×"), Leaf(text=columns))):
+                    if rows.isdigit() and columns.isdigit() and 0 < int(rows) * int(columns) <= 100:
+                        name = f"\\mathcal{{M}}_{{{rows} \\times {columns}}}({inner[0].name})"
+                        return Members(name, Type(int(rows), int(columns)).with_dual(dual))
+    return None
+
+
+def _rotation_of(term: Term) -> Term:
+    match term:
+        case Block(entries=((rotation, _), (Zero(), last))) if last == number(1):
+            return rotation
+    raise NotImplementedError("a displacement that is not written as [R p; 0 1]")
+
+
+def bound_letter(table: SymbolTable, node: Node, members: Members) -> tuple[SymbolTable, Symbol] | None:
+    """The table with the letter as any member of the set; None if the node is no letter. Raises Fault for one
+    that a definition has."""
+    name = letter_name(node)
+    if name is None:
+        return None
+    if name in table.defined or name in table.constants:
+        raise Fault(f"{name} is defined, and cannot be any member of {members.name}", node.at)
+    declaration = members.letter(name)
+    return table.with_symbol(declaration), Symbol(declaration.type, None, declaration)
+
+
+def letter_name(node: Node) -> Name | None:
+    """The name of a letter with its fonts and its subscript; None for anything else."""
+    spelling = letter_spelling(node)
+    return None if spelling is None else spelling.exact
+
+
+def letter_spelling(node: Node) -> Spelling | None:
+    """A letter with its fonts and its subscript as it is written; None for anything else."""
+    scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
+    if scripted.factorial or scripted.sup is not None:
+        return None
+    styles: list[str] = []
+    letter: Node = scripted.nucleus
+    while isinstance(letter, Styled) or (isinstance(letter, Group) and len(letter.parts) == 1):
+        if isinstance(letter, Styled):
+            styles.append(letter.style)
+        letter = letter.body if isinstance(letter, Styled) else letter.parts[0]
+    if not isinstance(letter, Leaf) or letter.kind != "LETTER":
+        return None
+    scripts = Scripts(sub=scripted.sub, primes=scripted.primes)
+    return spell(Name.styled(styles, letter.text), scripts, ())

@@ -173,6 +173,9 @@ _TAKEN = frozenset(
         "value_at",
         "minv",
         "unique",
+        "now",
+        "agreed",
+        "still",
     ]
 )
 

@@ -39,6 +39,7 @@ LIBRARY = (
     "Time",
     "Refute",
     "Witness",
+    "Moment",
     "Instant",
 )
 

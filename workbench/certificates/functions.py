@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 from workbench.certificates import nodes
 from workbench.certificates.collector import Collector
-from workbench.certificates.nodes import APPLICATION, ATOM, Node, NotCertified, flag
+from workbench.certificates.nodes import APPLICATION, ATOM, Node, NotCertified, flag, single
 from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
 from workbench.language.terms import Apply, DualUnit, Number, Symbol, Term
+from workbench.language.types import SCALAR
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -23,12 +24,19 @@ def quotient(emitter: Collector, term: Apply) -> Node:
 
 
 def reciprocal(emitter: Collector, below: Term) -> Node:
-    """1/x as a scalar y with x • y ≡ 1."""
+    """1/x as a scalar y with x • y ≡ 1; of a dual number by that of its real part."""
     key = Apply(below.type, None, "reciprocal", (below,))
     if key not in emitter.helpers:
         value = emitter.term(below)
-        if value.dual or value.kind != "Scalar":
-            raise NotCertified("a reciprocal of a dual number")
+        if value.kind != "Scalar":
+            raise NotCertified("a reciprocal of anything but a number")
+        if value.dual:
+            y = reciprocal(emitter, part("re", below))
+            square = f"(Scale (Scale {y.deep} {y.deep}) (Du {value.deep}))"
+            deep = f"(Minus (Emb {y.deep}) (Scale Eps (Emb {square})))"
+            text = f"dual_over {value.at(ATOM)} {y.at(ATOM)}"
+            emitter.helpers[key] = Node(True, "Scalar", text, APPLICATION, deep)
+            return emitter.helpers[key]
         name, place = emitter.fresh("over"), emitter.place()
         made = emitter.helper(Node(False, "Scalar", name, ATOM, f"(Var false Scalar {place})"), "over", value)
         says = [(f"(Scale {value.deep} {made.deep})", nodes.number(1).deep)]
@@ -163,7 +171,37 @@ def _over_epsilon(argument: Term) -> Term | None:
 
 
 def norm(emitter: Collector, term: Apply) -> Node:
-    raise NotCertified("a norm")
+    """‖a‖ as a scalar n with n • n ≡ a · a, which may not be differentiated; of a dual vector by that of its
+    real part."""
+    if term not in emitter.helpers:
+        (inner,) = term.arguments
+        value = emitter.term(inner)
+        if value.kind != "Vector":
+            raise NotCertified("a norm of anything but a vector")
+        if value.dual:
+            real = Apply(SCALAR, None, "norm", (part("re", inner),))
+            n, y = norm(emitter, real), reciprocal(emitter, real)
+            product = f"(Dot (Re {value.deep}) (Du {value.deep}))"
+            deep = f"(Plus (Emb {n.deep}) (Scale Eps (Emb (Scale {y.deep} {product}))))"
+            text = f"dual_length {value.at(ATOM)} {n.at(ATOM)} {y.at(ATOM)}"
+            emitter.helpers[term] = Node(True, "Scalar", text, APPLICATION, deep)
+            return emitter.helpers[term]
+        if emitter.steps:
+            raise NotCertified("a norm after a quotient")
+        name = emitter.fresh("length")
+        made = emitter.helper(emitter.slot(False, "Scalar", name), "length", value)
+        square = nodes.raised(value, 2)
+        says = [(f"(Scale {made.deep} {made.deep})", square.deep)]
+        known = emitter.suppose(f"{name} • {name} ≡ {square.text}", f"{name}_is", says)
+        emitter.values.append(single(f"Rule {says[0][0]} {says[0][1]}", known))
+        emitter.read_back[name] = term
+        emitter.helpers[term] = made
+    return emitter.helpers[term]
+
+
+def part(head: str, term: Term) -> Term:
+    """The real or the dual part of a dual term."""
+    return Apply(term.type.with_dual(False), None, head, (term,))
 
 
 HEADS: dict[str, Callable[[Collector, Apply], Node]] = {

@@ -20,7 +20,7 @@ from workbench.language.terms import Equivalence, Implication, Relation, Stateme
 
 HEADER = """From Coq Require Import QArith List.
 From Kin Require Import Kin Poly Terms Certify Modulo Symbols Forms Facts Fraction Context Steps.
-From Kin Require Import Smooth Instant.
+From Kin Require Import Smooth Moment Instant.
 Import ListNotations.
 Open Scope Q_scope. Open Scope kin_scope.
 """

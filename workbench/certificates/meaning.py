@@ -123,6 +123,11 @@ class OfText:
                 )
             case "mscale":
                 return ("mul", *made())
+            case "over" | "length" | "cosine_of" | "sine_of" if arguments[0].head == "now":
+                word = {"length": "norm", "cosine_of": "cos", "sine_of": "sin"}.get(name, name)
+                return (word, self(arguments[1]))
+            case "dual_over" | "dual_length":
+                return self._by_its_real_part(name, *made())
             case "dual_cos" | "dual_sin":
                 return (name[5:], self(arguments[0]))
             case "rodrigues":
@@ -141,6 +146,13 @@ class OfText:
         if len(arguments) == 1:  # an operator on a value
             return applied(self(function), self(arguments[0]))
         raise Unread(f"the function {name}")
+
+    def _by_its_real_part(self, name: str, value: Any, *helpers: Any) -> Any:
+        over = ("over", ("re", value)), ("over", ("norm", ("re", value)))
+        wanted = (over[0],) if name == "dual_over" else (("norm", ("re", value)), over[1])
+        if helpers != wanted:
+            raise Unread(f"{name} of {helpers}")
+        return ("over" if name == "dual_over" else "norm", value)
 
 
 def applied(operator: Any, value: Any) -> Any:

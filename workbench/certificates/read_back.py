@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 _SIGNS = {"+": 50, "-": 50, "•": 40, "·": 40, "×": 40, "⊗": 40, "∘": 40, "@": 40, "⊕": 50, "⊚": 40}
-_TOKEN = re.compile(r"\s*(->|:=|=>|/\\|≡ε|[()+\-•·×⊗∘@⊕⊚≡:,#]|[A-Za-z_][\w']*|\d+)")
+_TOKEN = re.compile(r"\s*(<->|->|:=|=>|/\\|≡ε|[()+\-•·×⊗∘@⊕⊚≡:,#~]|[A-Za-z_][\w']*|\d+)")
 
 
 class Unread(ValueError):
@@ -53,7 +53,7 @@ class Expression:
         return self.head, 0
 
 
-class _Parser:
+class Parser:
     def __init__(self, text: str) -> None:
         self.tokens = _tokens(text)
         self.place = 0
@@ -119,7 +119,7 @@ def _tokens(text: str) -> list[str]:
 
 
 def expression(text: str) -> Expression:
-    parser = _Parser(text)
+    parser = Parser(text)
     made = parser.expression()
     if parser.peek():
         raise Unread(f"{parser.peek()} after the end of an expression")

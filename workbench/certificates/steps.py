@@ -1,4 +1,5 @@
-"""The exact steps of theorem claims: each equation that a goal's proof asks for, as a theorem of its own."""
+"""Theorem claims: as one theorem where the rules of their proof can be joined in Coq; else each equation that the
+proof asks for, as a theorem of its own."""
 
 from __future__ import annotations
 
@@ -10,8 +11,9 @@ from workbench.certificates.families import general
 from workbench.certificates.forms import Certificate
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import theorem
+from workbench.certificates.whole import whole
 from workbench.judge.theorems.goals import Atom, Scope
-from workbench.judge.theorems.proofs import Proven
+from workbench.judge.theorems.proofs import Proof, Proven
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import Obligation, Premise, Sequent
 from workbench.judge.verdict import Outcome
@@ -33,50 +35,66 @@ class Step:
         """What Coq is remembered to have said."""
         return coqc.recall(self.certificate.text) if self.certificate else None
 
+    @property
+    def certified(self) -> bool:
+        said = self.checked
+        return said is not None and said.expected and not self.misread
+
 
 @dataclass(frozen=True)
 class Steps:
-    """The steps of one theorem claim. The rules that join them are the judge's."""
+    """The steps of one theorem claim; `whole`: the theorem that says its goal, or why there is none. Where there is
+    one, its lemmas are the steps; else the rules that join them are the judge's."""
 
     claim: Claim
     steps: tuple[Step, ...]
+    whole: Step
+
+    @property
+    def asked(self) -> tuple[Step, ...]:
+        """What Coq is to check."""
+        return (self.whole,) if self.whole.certificate else self.steps
 
     @property
     def texts(self) -> list[str]:
-        return [step.certificate.text for step in self.steps if step.certificate]
+        return [step.certificate.text for step in self.asked if step.certificate]
+
+    @property
+    def is_one_theorem(self) -> bool:
+        return self.whole.certified
 
     @property
     def certified(self) -> list[Step]:
-        accepted = (step for step in self.steps if (said := step.checked) is not None and said.expected)
-        return [step for step in accepted if not step.misread]
+        return list(self.steps) if self.is_one_theorem else [step for step in self.steps if step.certified]
 
     @property
     def broken(self) -> bool:
         """Coq refuses one of them, or one does not say what its terms say."""
-        if any(step.misread for step in self.steps):
-            return True
-        said = [step.checked for step in self.steps]
-        return any(s is not None and not s.expected for s in said)
+        said = [(step.misread, step.checked) for step in self.asked]
+        return any(misread or (s is not None and not s.expected) for misread, s in said)
 
     @property
     def word(self) -> str:
         """Such as: steps certified, 3 of 4; not certified: a norm."""
+        count = f"steps certified, {len(self.certified)} of {len(self.steps)}"
+        if self.is_one_theorem:
+            return f"{count}; joined to one theorem"
         obstacle = next((f"; not certified: {step.obstacle}" for step in self.steps if step.obstacle), "")
-        return f"steps certified, {len(self.certified)} of {len(self.steps)}{obstacle}"
+        return f"{count}{obstacle or f'; not joined: {self.whole.obstacle}'}"
 
     @property
     def certification(self) -> Certification:
         """As a result tells it, beside the forms'."""
-        done = self.certified
+        done = [step for step in self.asked if step.certified]
         axioms = {name for step in done for name in step.checked.axioms}
         return Certification(
-            form="steps",
-            checked_by=f"Coq {coqc.version()}" if len(done) == len(self.steps) else None,
+            form="goal" if self.is_one_theorem else "steps",
+            checked_by=f"Coq {coqc.version()}" if len(self.certified) == len(self.steps) else None,
             axioms=tuple(sorted(axioms)),
             scope=None,
             statement="\n\n".join(t.statement for step in done for t in step.certificate.theorems) or None,
             premises_met=None,
-            obstacle=next((step.obstacle for step in self.steps if step.obstacle), None),
+            obstacle=next((step.obstacle for step in self.asked if step.obstacle), None),
             word=self.word,
         )
 
@@ -93,7 +111,21 @@ def steps_of(result: ClaimResult, theorems: Mapping[str, object]) -> Steps | Non
     given = tuple(Premise(Atom(statement), False) for statement in claim.supposed)
     sequent = Sequent(claim.goal.goal, Scope(notation.symbols, notation.definitions, {}), given)
     asked = [o for o in obligations(sequent, proven.proof) if not o.is_trivial]
-    return Steps(claim, tuple(_step(claim, o, i + 1) for i, o in enumerate(asked))) if asked else None
+    if not asked:
+        return None
+    return Steps(
+        claim,
+        tuple(_step(claim, o, i + 1) for i, o in enumerate(asked)),
+        _whole(claim, sequent.scope, proven.proof),
+    )
+
+
+def _whole(claim: Claim, scope: Scope, proof: Proof) -> Step:
+    try:
+        made = whole(claim, scope, proof)
+        return Step(made, misread=made.misread)
+    except NotCertified as obstacle:
+        return Step(None, str(obstacle))
 
 
 def all_steps(results: Sequence[ClaimResult], theorems: Mapping[str, object]) -> list[Steps]:

@@ -6,11 +6,12 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.certificates import blocks, nodes, operators, read_back
+from workbench.certificates import blocks, functions, nodes, operators, read_back
 from workbench.certificates.emitter import Emitter
 from workbench.certificates.meaning import OfTerm, OfText, applied
 from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, flag, single
 from workbench.language.definitions import Definitions, expand
+from workbench.judge.theorems.sequents import relations_of
 from workbench.language.terms import (
     Apply,
     Conjunction,
@@ -23,6 +24,7 @@ from workbench.language.terms import (
     Symbol,
     Term,
 )
+from workbench.language.types import SCALAR
 
 HEADER = """From Coq Require Import QArith List.
 From Kin Require Import Kin Poly Terms Certify Modulo Symbols Forms Facts Fraction Context Steps.
@@ -56,7 +58,7 @@ class Theorem:
             if symbol is None:
                 continue
             body = emitter.definitions.lookup(symbol)
-            faults += _differs(found[1], found[2], of_text, of_term(body))
+            faults += differs(found[1], found[2], of_text, of_term(body))
         for conclusion, relation in zip(self.conclusions, self.relations, strict=True):
             if "≡" not in conclusion:  # a matrix equation
                 _, _, _, left, right = read_back.expression(conclusion).arguments
@@ -68,7 +70,7 @@ class Theorem:
                 if "operator" in (relation.left.type.kind, relation.right.type.kind):
                     wanted = applied(wanted, ("probe",))
                     of_text.bound = {emitter.binders[0][0] if emitter.binders else "x": ("probe",)}
-                faults += _differs("the conclusion", text, of_text, wanted)
+                faults += differs("the conclusion", text, of_text, wanted)
         return faults
 
     @property
@@ -138,6 +140,7 @@ def theorem(
     for premise in premises:
         if premise.operator == "=" and _at_an_instant(premise, statement, definitions):
             raise NotCertified("an assumption that holds at one instant only")
+    norms_first(emitter, [s for r in (*premises, *relations_of(statement)) for s in (r.left, r.right)])
     while isinstance(statement, Implication):
         premises += _relations(statement.left)
         statement = statement.right
@@ -151,7 +154,15 @@ def theorem(
     return made
 
 
-def _differs(what: str, text: str, of_text: OfText, wanted: object) -> list[str]:
+def norms_first(emitter: Emitter, terms: Sequence[Term]) -> None:
+    """A norm is what a rule says of it, and rules stand before quotients."""
+    for part in (p for term in terms for p in term.walk()):
+        if isinstance(part, Apply) and part.head == "norm" and part.arguments[0].type.kind == "vector":
+            real = Apply(SCALAR, None, "norm", (functions.part("re", part.arguments[0]),))
+            emitter.term(real if part.type.dual else part)
+
+
+def differs(what: str, text: str, of_text: OfText, wanted: object) -> list[str]:
     read = read_back.expression(text)
     again = str(read)
     faults = (
@@ -229,6 +240,7 @@ def _suppose(emitter: Emitter, premise: Relation) -> None:
     value = emitter.term(rest[0])
     for other in rest[1:]:
         value = nodes.minus(value, emitter.term(other))
+    value = nodes.embedded(value, value.dual or symbol.type.dual)
     free = emitter.definitions.lookup(symbol) is None
     emitter.stands_for(emitter.symbol(symbol), value, f"({proof} {known})", by_definition=free)
 

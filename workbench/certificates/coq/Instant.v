@@ -1,11 +1,8 @@
-(** Equations and inequations between smooth functions at one instant (the definition is to be read where it occurs). *)
+(** Inequations at one instant: what differs just where something else does. *)
 From Coq Require Import QArith Reals Qreals Lra.
-From Kin Require Import Kin Smooth Time.
+From Kin Require Import Kin Smooth Time Moment.
 Open Scope Q_scope. Open Scope kin_scope.
 Notation K := smooth_functions.
-
-Definition instant := R.
-Definition equal_at (t : instant) {k} (x y : val K k) : Prop := every (fun f g : smooth => F f 0 t = F g 0 t) x y.
 
 Section Unequal.
 Variable t : instant.

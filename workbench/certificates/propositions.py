@@ -1,0 +1,234 @@
+"""Goals as propositions of Coq, about the motions of real bodies at an instant `now`.
+
+A letter of V₃ is a constant vector, one of V₃^ℝ a function of time; equations are those of the values at the
+instant (`equal_at now`), and 1/x, ‖x‖, cos x and sin x of letters are the numbers that they are there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+from workbench.certificates import nodes
+from workbench.certificates.collector import identifier
+from workbench.certificates.emitter import Emitter
+from workbench.certificates.nodes import APPLICATION, ATOM, KINDS, Node, NotCertified, flag
+from workbench.judge.theorems.goals import (
+    All,
+    AtLeast,
+    Atom,
+    Both,
+    Exists,
+    Goal,
+    Iff,
+    Implies,
+    Variable,
+)
+from workbench.language.construct import symbol
+from workbench.language.definitions import Definitions
+from workbench.language.terms import Apply, Conjunction, Number, Relation, Statement, Symbol, Term
+
+#: A proposition that is no part of another one, or one that needs no brackets where it is.
+_LOOSE, _TIGHT = 1, 0
+
+
+class Speaker(Emitter):
+    """Says terms of goals. `known`: what is supposed of each quantity (`rotation Q`) by the name of the proof."""
+
+    def __init__(self, definitions: Definitions) -> None:
+        super().__init__(definitions)
+        self.known: dict[str, str] = {}
+
+    @contextmanager
+    def within(self) -> Iterator[None]:
+        """The scope of a quantifier: its letters and what is defined of them."""
+        kept = dict(self._symbols), dict(self.read_back), set(self._names), dict(self.known)
+        try:
+            yield
+        finally:
+            self._symbols, self.read_back, self._names, self.known = kept
+            self._made = {}
+
+    def letter(self, variable: Variable, suffix: str = "") -> str:
+        """A name for a letter that a quantifier binds, from here to the end of its scope."""
+        name = self.fresh(identifier(symbol(variable.declaration)) + suffix)
+        self.call(symbol(variable.declaration), name)
+        return name
+
+    def call(self, letter: Symbol, name: str) -> None:
+        kind = KINDS.get(letter.type.kind)
+        if kind is None:
+            raise NotCertified(nodes.named(letter.type.kind))
+        self.put(letter, Node(letter.type.dual, kind, name, ATOM, "?"))
+        self.read_back[name] = letter
+        self._made = {}
+
+    def _apply(self, term: Apply) -> Node:
+        match term.head, term.arguments:
+            case "div", (above, below) if not isinstance(below, Number):
+                return nodes.times(self.over(below), self.term(above))
+            case "reciprocal", (below,):
+                return self.over(below)
+            case "norm", (inner,):
+                return self._length(self.term(inner))
+            case (("cos" | "sin"), (angle,)) if _is_letter(angle) and not angle.type.dual:
+                name = {"cos": "cosine_of", "sin": "sine_of"}[term.head]
+                return _number(f"{name} now {self.term(angle).at(ATOM)}")
+        return super()._apply(term)
+
+    def over(self, below: Term) -> Node:
+        value = self.term(below)
+        if value.kind != "Scalar":
+            raise NotCertified("a quotient by anything but a scalar")
+        if not value.dual:
+            return _number(f"over now {value.at(ATOM)}")
+        real = nodes.half("real_part", "Re", value)
+        text = f"dual_over {value.at(ATOM)} (over now {real.at(ATOM)})"
+        return Node(True, "Scalar", text, APPLICATION, "?")
+
+    def _length(self, value: Node) -> Node:
+        if value.kind != "Vector":
+            raise NotCertified("a norm of anything but a vector")
+        if not value.dual:
+            return _number(f"length now {value.at(ATOM)}")
+        size = self._length(nodes.half("real_part", "Re", value)).at(ATOM)
+        text = f"dual_length {value.at(ATOM)} {size} (over now {size})"
+        return Node(True, "Scalar", text, APPLICATION, "?")
+
+
+def _number(text: str) -> Node:
+    return Node(False, "Scalar", text, APPLICATION, "?")
+
+
+def _is_letter(term: Term) -> bool:
+    return isinstance(term, Symbol) and term.declaration.constant
+
+
+# letters and what they are
+
+
+def conditions(variable: Variable, name: str) -> list[str]:
+    """What a member of its set is, in the words of the library, in a fixed order."""
+    own = variable.declaration
+    dual, kind = own.type.dual, KINDS[own.type.kind]
+    said = []
+    if own.rotation:
+        said.append(f"{'dual_' if dual else ''}rotation {name}")
+    if own.unit:
+        said.append(f"unit_vector (K := K) (d := {flag(dual)}) {name}")
+    if own.constant:
+        said.append(f"constant (K := K) (d := {flag(dual)}) (k := {kind}) {name}")
+    return said
+
+
+def binder(variable: Variable, name: str) -> str:
+    if variable.argument is not None:
+        raise NotCertified("a map")
+    own = variable.declaration.type
+    if own.kind not in KINDS:
+        raise NotCertified(nodes.named(own.kind))
+    return f"({name} : {nodes.type_name(own.dual, KINDS[own.kind])})"
+
+
+# propositions
+
+
+def said(speaker: Speaker, goal: Goal) -> str:
+    """Raises NotCertified where the library has no words for it."""
+    return _said(speaker, goal)[0]
+
+
+def _said(speaker: Speaker, goal: Goal) -> tuple[str, int]:
+    match goal:
+        case Atom(statement):
+            return _all_of([(_relation(speaker, r), _TIGHT) for r in relations(statement)])
+        case AtLeast(left, right):
+            sides = speaker.term(left), speaker.term(right)
+            return f"at_least now {' '.join(s.at(ATOM) for s in sides)}", _TIGHT
+        case Both(parts):
+            return _all_of([_said(speaker, part) for part in parts])
+        case Implies(premise, conclusion, lasting):
+            if lasting:
+                raise NotCertified("a premise at all times")
+            return f"{_enclosed(_said(speaker, premise))} -> {_said(speaker, conclusion)[0]}", _LOOSE
+        case Iff(left, right):
+            sides = (_enclosed(_said(speaker, side)) for side in (left, right))
+            return " <-> ".join(sides), _LOOSE
+        case All(variables, body):
+            with _bound(speaker, variables) as (binders, supposed):
+                given = "".join(f"{one} -> " for one in supposed)
+                return f"forall {binders}, {given}{_said(speaker, body)[0]}", _LOOSE
+        case Exists(variables, body, unique):
+            with _bound(speaker, variables) as (binders, supposed):
+                names = [speaker.symbol(symbol(v.declaration)).text for v in variables]
+                parts = [(one, _TIGHT) for one in supposed]
+                parts.append(_said(speaker, body))
+                if unique:
+                    parts.append((only(speaker, variables, names, body), _LOOSE))
+                return f"exists {binders}, {_all_of(parts)[0]}", _LOOSE
+    raise NotCertified("a goal about every n")
+
+
+def only(speaker: Speaker, variables: Sequence[Variable], names: Sequence[str], body: Goal) -> str:
+    """That nothing else does: other members of which the body holds are those of these names."""
+    with _bound(speaker, variables, "'") as (binders, supposed):
+        others = [speaker.symbol(symbol(v.declaration)).text for v in variables]
+        given = "".join(f"{one} -> " for one in [*supposed, _enclosed(_said(speaker, body))])
+        same = [
+            (equal(v.declaration.type.dual, a, b), _TIGHT)
+            for v, a, b in zip(variables, others, names, strict=True)
+        ]
+        return f"forall {binders}, {given}{_all_of(same)[0]}"
+
+
+@contextmanager
+def _bound(
+    speaker: Speaker, variables: Sequence[Variable], suffix: str = ""
+) -> Iterator[tuple[str, list[str]]]:
+    """What stands behind the quantifier, and what is supposed of its letters."""
+    lines = len(speaker.statement)
+    with speaker.within():
+        names = [speaker.letter(v, suffix) for v in variables]
+        binders = " ".join(binder(v, n) for v, n in zip(variables, names, strict=True))
+        yield binders, [c for v, n in zip(variables, names, strict=True) for c in conditions(v, n)]
+    if len(speaker.statement) != lines:
+        raise NotCertified("a definition within a goal")
+
+
+def relations(statement: Statement) -> Iterator[Relation]:
+    match statement:
+        case Relation():
+            yield statement
+        case Conjunction(parts=parts):
+            for part in parts:
+                yield from relations(part)
+        case _:
+            raise NotCertified(f"an {type(statement).__name__.lower()} in a goal")
+
+
+def _relation(speaker: Speaker, one: Relation) -> str:
+    left, right = sides(speaker, one)
+    text = equal(left.dual, left.at(ATOM), right.at(ATOM))
+    return text if one.operator == "=" else f"~ {text}"
+
+
+def sides(speaker: Speaker, one: Relation) -> tuple[Node, ...]:
+    for side in (one.left, one.right):
+        if side.type.kind not in KINDS:
+            raise NotCertified(nodes.named(side.type.kind))
+    return nodes.together((speaker.term(one.left), speaker.term(one.right)))
+
+
+def equal(dual: bool, left: str, right: str) -> str:
+    return f"equal_at {'(d := true) ' if dual else ''}now {left} {right}"
+
+
+def _all_of(parts: Sequence[tuple[str, int]]) -> tuple[str, int]:
+    if len(parts) == 1:
+        return parts[0]
+    return " /\\ ".join(_enclosed(p) for p in parts), _LOOSE
+
+
+def _enclosed(part: tuple[str, int]) -> str:
+    text, level = part
+    return text if level == _TIGHT else f"({text})"

@@ -1,0 +1,257 @@
+"""Propositions read back: from the text of a goal to what it says, and where that is not what the goal says."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from workbench.certificates.meaning import OfTerm, OfText
+from workbench.certificates.propositions import binder, conditions, relations
+from workbench.certificates.read_back import Expression, Parser, Unread
+from workbench.judge.theorems.goals import All, AtLeast, Atom, Both, Exists, Goal, Iff, Implies, Variable
+from workbench.language.construct import symbol
+from workbench.language.terms import Relation, Term
+
+_SUPPOSED = ("rotation", "dual_rotation", "unit_vector", "constant")
+
+
+@dataclass(frozen=True)
+class Proposition:
+    """`forall`, `exists`, `->`, `<->`, `and`, `not`, `equal`, `at_least`, or `is` for what a letter is.
+
+    binders: as they are written. sides: of an equation, which is `dual` or not; or the words of an `is`."""
+
+    head: str
+    parts: tuple[Proposition, ...] = ()
+    binders: tuple[str, ...] = ()
+    sides: tuple[Expression, ...] = ()
+    dual: bool = False
+    words: str = ""
+
+    def __str__(self) -> str:
+        match self.head:
+            case "forall" | "exists":
+                return f"{self.head} {' '.join(self.binders)}, {self.parts[0]}"
+            case "->":
+                return f"{self.parts[0].within()} -> {self.parts[1]}"
+            case "<->":
+                return " <-> ".join(p.within() for p in self.parts)
+            case "and":
+                return " /\\ ".join(p.within() for p in self.parts)
+            case "not":
+                return f"~ {self.parts[0]}"
+            case "is":
+                return self.words
+        word = "equal_at" if self.head == "equal" else self.head
+        return f"{word} {'(d := true) ' if self.dual else ''}now {' '.join(s.at(0) for s in self.sides)}"
+
+    def within(self) -> str:
+        loose = self.head in ("forall", "exists", "->", "<->", "and")
+        return f"({self})" if loose else str(self)
+
+
+class _Reader(Parser):
+    def proposition(self) -> Proposition:
+        if self.peek() in ("forall", "exists"):
+            quantifier, binders = self.take(), []
+            while self.peek() == "(":
+                binders.append(self._binder())
+            self.take(",")
+            return Proposition(quantifier, (self.proposition(),), tuple(binders))
+        left = self._conjunction()
+        if self.peek() == "->":
+            self.take()
+            return Proposition("->", (left, self.proposition()))
+        if self.peek() == "<->":
+            self.take()
+            return Proposition("<->", (left, self._conjunction()))
+        return left
+
+    def _conjunction(self) -> Proposition:
+        parts = [self._unit()]
+        while self.peek() == "/\\":
+            self.take()
+            parts.append(self._unit())
+        return parts[0] if len(parts) == 1 else Proposition("and", tuple(parts))
+
+    def _unit(self) -> Proposition:
+        match word := self.take():
+            case "(":
+                inner = self.proposition()
+                self.take(")")
+                return inner
+            case "~":
+                return Proposition("not", (self._unit(),))
+            case "equal_at" | "at_least":
+                dual = self._given("d", "true")
+                self.take("now")
+                head = "equal" if word == "equal_at" else word
+                return Proposition(head, sides=(self.atom(), self.atom()), dual=dual)
+            case _ if word in _SUPPOSED:
+                words = [word]
+                while self.peek() == "(":
+                    _, name, _, value, _ = (self.take() for _ in range(5))
+                    words.append(f"({name} := {value})")
+                return Proposition("is", words=" ".join([*words, self.take()]))
+        raise Unread(f"expected a proposition, got {word}")
+
+    def _given(self, name: str, value: str) -> bool:
+        if self.peek() != "(" or self.tokens[self.place + 1 : self.place + 3] != [name, ":="]:
+            return False
+        for expected in ("(", name, ":=", value, ")"):
+            self.take(expected)
+        return True
+
+    def _binder(self) -> str:
+        self.take("(")
+        name = self.take()
+        self.take(":")
+        type_ = [self.take()]
+        while self.peek() != ")":
+            type_.append(self.take())
+        self.take(")")
+        return f"({name} : {' '.join(type_)})"
+
+
+def proposition(text: str) -> Proposition:
+    """Raises Unread outside of the emitted subset."""
+    reader = _Reader(text)
+    made = reader.proposition()
+    if reader.peek():
+        raise Unread(f"{reader.peek()} after the end of a proposition")
+    return made
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Where a proposition does not say what a goal says. names: what each name of the text stands for."""
+
+    of_term: OfTerm
+    names: Mapping[str, Term]
+
+    def faults(self, said: Proposition, goal: Goal) -> Iterator[str]:
+        match goal, said.head:
+            case Atom(statement), _:
+                one = list(relations(statement))
+                parts = said.parts if len(one) > 1 and said.head == "and" else (said,)
+                yield from self._each(parts, one, Comparison._relation)
+            case AtLeast(left, right), "at_least":
+                yield from self._sides(said, left, right)
+            case Both(parts), "and":
+                yield from self._each(said.parts, parts, Comparison.faults)
+            case Implies(premise, conclusion, False), "->":
+                yield from self._each(said.parts, (premise, conclusion), Comparison.faults)
+            case Iff(left, right), "<->":
+                yield from self._each(said.parts, (left, right), Comparison.faults)
+            case All(variables, body), "forall":
+                yield from self._all(said, variables, body)
+            case Exists(variables, body, unique), "exists":
+                yield from self._exists(said, variables, body, unique)
+            case _:
+                yield f"{said.head} stands for {type(goal).__name__}"
+
+    def _each(self, said: Sequence[Proposition], wanted: Sequence, faults) -> Iterator[str]:
+        if len(said) != len(wanted):
+            yield f"{len(said)} parts stand for {len(wanted)}"
+            return
+        for one, goal in zip(said, wanted, strict=True):
+            yield from faults(self, one, goal)
+
+    def _bound(
+        self, said: Proposition, variables: Sequence[Variable]
+    ) -> tuple[Comparison, list[str], list[str]]:
+        """Inside of the quantifier; the names; what the letters are to be."""
+        names = [text.split()[0].removeprefix("(") for text in said.binders]
+        letters = {n: symbol(v.declaration) for n, v in zip(names, variables, strict=False)}
+        wanted = [c for n, v in zip(names, variables, strict=False) for c in conditions(v, n)]
+        return replace(self, names={**self.names, **letters}), names, wanted
+
+    def _binders(
+        self, said: Proposition, variables: Sequence[Variable], names: Sequence[str]
+    ) -> Iterator[str]:
+        wanted = tuple(binder(v, n) for v, n in zip(variables, names, strict=False))
+        if said.binders != wanted or len(variables) != len(names) or len(set(names)) != len(names):
+            yield f"{' '.join(said.binders)} stands for {', '.join(v.name for v in variables)}"
+
+    def _all(self, said: Proposition, variables: Sequence[Variable], body: Goal) -> Iterator[str]:
+        inside, names, wanted = self._bound(said, variables)
+        yield from self._binders(said, variables, names)
+        inner = said.parts[0]
+        for one in wanted:
+            if inner.head != "->" or inner.parts[0] != Proposition("is", words=one):
+                yield f"{one} is not supposed"
+                return
+            inner = inner.parts[1]
+        yield from inside.faults(inner, body)
+
+    def _exists(
+        self, said: Proposition, variables: Sequence[Variable], body: Goal, unique: bool
+    ) -> Iterator[str]:
+        inside, names, wanted = self._bound(said, variables)
+        yield from self._binders(said, variables, names)
+        inner = said.parts[0]
+        parts = list(inner.parts) if inner.head == "and" else [inner]
+        if [p.words for p in parts[: len(wanted)]] != wanted or len(parts) != len(wanted) + 1 + unique:
+            yield f"{', '.join(wanted)} is not what is said of {', '.join(names)}"
+            return
+        yield from inside.faults(parts[len(wanted)], body)
+        if unique:
+            yield from self._only(parts[-1], variables, names, body)
+
+    def _only(
+        self, said: Proposition, variables: Sequence[Variable], names: Sequence[str], body: Goal
+    ) -> Iterator[str]:
+        if said.head != "forall":
+            yield "nothing says that there are no others"
+            return
+        inside, others, wanted = self._bound(said, variables)
+        yield from self._binders(said, variables, others)
+        inner = said.parts[0]
+        for one in wanted:
+            if inner.head != "->" or inner.parts[0] != Proposition("is", words=one):
+                yield f"{one} is not supposed"
+                return
+            inner = inner.parts[1]
+        if inner.head != "->":
+            yield "nothing is supposed of others"
+            return
+        yield from inside.faults(inner.parts[0], body)
+        last = inner.parts[1]
+        same = tuple(
+            Proposition("equal", sides=(Expression(a), Expression(b)), dual=v.declaration.type.dual)
+            for a, b, v in zip(others, names, variables, strict=False)
+        )
+        if last != (same[0] if len(same) == 1 else Proposition("and", same)) or set(others) & set(names):
+            yield f"{last} does not say that others are the same"
+
+    def _relation(self, said: Proposition, one: Relation) -> Iterator[str]:
+        inner = said
+        if one.operator == "≠":
+            if said.head != "not":
+                yield f"{said} denies nothing"
+                return
+            (inner,) = said.parts
+        if inner.head != "equal" or inner.dual != (one.left.type.dual or one.right.type.dual):
+            yield f"{said} is no such equation"
+            return
+        yield from self._sides(inner, one.left, one.right)
+
+    def _sides(self, said: Proposition, left: Term, right: Term) -> Iterator[str]:
+        of_text = OfText(self.names, self.of_term)
+        for text, term in zip(said.sides, (left, right), strict=True):
+            meant, wanted = of_text(text), self.of_term(term)
+            if meant != wanted:
+                yield f"{text} says {meant}, the term {wanted}"
+
+
+def faults(text: str, goal: Goal, of_term: OfTerm, names: Mapping[str, Term]) -> list[str]:
+    """Where the text, read again, does not say what the goal says, or is not the text again."""
+    read = proposition(text)
+    found = [] if str(read) == text else [f"{text} is written again as {read}"]
+    return found + list(Comparison(of_term, names).faults(read, goal))
+
+
+def supposed_of(words: str) -> str:
+    """The name of which a supposition speaks."""
+    return re.split(r"[ )]", words)[-1]

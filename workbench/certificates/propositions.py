@@ -33,7 +33,7 @@ _LOOSE, _TIGHT = 1, 0
 
 
 class Speaker(Emitter):
-    """Says terms of goals. `known`: what is supposed of each quantity (`rotation Q`) by the name of the proof."""
+    """Says terms of goals. `known`: the proofs of what is supposed of quantities, such as `rotation Q`."""
 
     def __init__(self, definitions: Definitions) -> None:
         super().__init__(definitions)

@@ -1,4 +1,4 @@
-"""Propositions read back: from the text of a goal to what it says, and where that is not what the goal says."""
+"""Propositions read back: what the text of a goal says, and where that is not what the goal says."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Theorem claims: as one theorem where the rules of their proof can be joined in Coq; else each equation that the
-proof asks for, as a theorem of its own."""
+"""Theorem claims: as one theorem where the rules of their proof can be joined in Coq; else each equation that
+the proof asks for, as a theorem of its own."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ class Step:
 
 @dataclass(frozen=True)
 class Steps:
-    """The steps of one theorem claim; `whole`: the theorem that says its goal, or why there is none. Where there is
-    one, its lemmas are the steps; else the rules that join them are the judge's."""
+    """The steps of one theorem claim; `whole`: the theorem that says its goal, or why there is none. Its
+    lemmas are the steps; without it the rules that join them are the judge's."""
 
     claim: Claim
     steps: tuple[Step, ...]

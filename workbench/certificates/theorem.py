@@ -10,8 +10,8 @@ from workbench.certificates import blocks, functions, nodes, operators, read_bac
 from workbench.certificates.emitter import Emitter
 from workbench.certificates.meaning import OfTerm, OfText, applied
 from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, flag, single
-from workbench.language.definitions import Definitions, expand
 from workbench.judge.theorems.sequents import relations_of
+from workbench.language.definitions import Definitions, expand
 from workbench.language.terms import (
     Apply,
     Conjunction,

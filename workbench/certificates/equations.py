@@ -1,0 +1,179 @@
+"""Equations of a goal: shown by a lemma, for letters that have the values of terms."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import replace
+
+from workbench.certificates.lemmas import only_now, premises_of, restored, without_derivatives
+from workbench.certificates.nodes import ATOM, KINDS, NotCertified
+from workbench.certificates.places import Alias, Place, as_given, belongs, flattened, has
+from workbench.certificates.propositions import said
+from workbench.certificates.script import Script
+from workbench.certificates.theorem import Theorem, theorem
+from workbench.judge.theorems.goals import Atom, Variable
+from workbench.judge.theorems.members import read_members
+from workbench.judge.theorems.substitution import Substitution
+from workbench.language.construct import relation, symbol
+from workbench.language.terms import Apply, Relation, Term
+
+
+class Equations(Script):
+    """Writes the proofs of equations."""
+
+    def _equations(self, at: Place, using: tuple[int, ...] | None) -> list[tuple[Relation, str]]:
+        """What may be supposed of equations, each with its proof."""
+        found = []
+        for place, known in enumerate(at.known):
+            if using is None or place in using:
+                with suppress(NotCertified):
+                    found += flattened(known.goal, known.proof)
+        return [(one, proof) for one, proof in found if one.operator == "="]
+
+    def _prove(self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]]) -> None:
+        """The goal is this equation."""
+        if one.operator != "=":
+            raise NotCertified("an inequation to be shown by computing")
+        used = [a for a in at.aliases if any(has(a, side, at) for side in (one.left, one.right))]
+        if given:
+            also = [
+                a
+                for a in at.aliases
+                if a in used or any(has(a, s, at) for r, _ in given for s in (r.left, r.right))
+            ]
+            self._by_lemma(at, one, [*given, *map(as_given, also)])
+            return
+        left, right = (self._unaliased(at, side) for side in (one.left, one.right))
+        if not used:
+            self._by_lemma(at, one, ())
+            return
+        dual = one.left.type.dual or one.right.type.dual
+        self._by_way_of(left, right, dual)
+        for new in (
+            relation("=", one.left, left),
+            relation("=", left, right),
+            relation("=", right, one.right),
+        ):
+            with self.part():
+                if new.left == left and new.right == right:
+                    self._by_lemma(at, new, ())
+                else:
+                    self._by_lemma(at, new, [as_given(a) for a in used], plain=True)
+
+    def _unaliased(self, at: Place, term: Term) -> Term:
+        for alias in reversed(at.aliases):
+            term = Substitution({alias.letter: alias.term}, at.scope.definitions).term(term)
+        return term
+
+    def _by_lemma(
+        self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]], plain: bool = False
+    ) -> None:
+        """plain: whatever the symbols are."""
+        if one.left == one.right:
+            self.tell("exact (same_at now _).")
+            return
+        if not given and not any(only_now(side) for side in (one.left, one.right)):
+            lemma, stand = self._step(at, one, ()), {}
+            use = " ".join([lemma.name, "K", *self._arguments(lemma, stand, [], False)])
+            self.tell(f"exact (always now ({use})).")
+            return
+        bare, stand = without_derivatives([one, *(r for r, _ in given)], at.scope.definitions, plain)
+        lemma = self._step(at, bare[0], bare[1:])
+        arguments = self._arguments(lemma, stand, [proof for _, proof in given], True)
+        self.tell(f"refine ({lemma.name}_now K (at_instant now) {' '.join(arguments)}); nonzero.")
+        self.at_instant.add(lemma.name)
+
+    def _step(self, at: Place, one: Relation, premises: Sequence[Relation]) -> Theorem:
+        """The lemma that says so."""
+        lemma = theorem(f"step_{len(self.lemmas) + 1}", one, premises, at.scope.definitions)
+        same = next((x for x in self.lemmas if x.text == lemma.text.replace(lemma.name, x.name)), None)
+        if same is None:
+            self.lemmas.append(lemma)
+        return same or lemma
+
+    def _arguments(self, lemma: Theorem, stand: dict[Term, Term], proofs: list[str], now: bool) -> list[str]:
+        """What the lemma is about here, and the proofs of what it supposes."""
+        own, speaker, given = lemma.emitter, self.speaker, []
+        for name, type_ in own.binders:
+            if name not in own.holes:
+                term = own.read_back.get(name)
+                if term is None:
+                    raise NotCertified("an equation of operators")
+                given.append(self._node(restored(term, stand), type_.startswith("dual_")))
+                continue
+            what, _, of = type_.rpartition(" ")
+            known = speaker.known.get(f"{what} {speaker.term(restored(own.read_back[of], stand)).at(ATOM)}")
+            if known is None:
+                raise NotCertified(f"what is not known to be a {what.split()[0]}")
+            given.append(known)
+        for name, text in premises_of(own):
+            if text.startswith("turn "):
+                given.append(self._turning(own.read_back[text.split()[-1]].arguments[0], stand, now))
+            elif text.startswith("reciprocal "):
+                given.append("(over_is now _ _)")
+            elif name.startswith("length"):
+                given.append("(length_is now _)")
+            elif proofs:
+                given.append(proofs.pop(0))
+            else:
+                raise NotCertified("a premise of a step that nothing shows")
+        return given
+
+    def _turning(self, angle: Term, stand: dict[Term, Term], now: bool) -> str:
+        """That cosine and sine are such."""
+        angle = restored(angle, stand)
+        cosine = self.text(Apply(angle.type, None, "cos", (angle,)))
+        if cosine.startswith("(cosine_of"):
+            return f"(turn_of now {self.text(angle)})"
+        names = (n for n in self.speaker.introduced if n in self.speaker.holes)
+        lines = zip(names, (x for x in self.top if x.endswith("->")), strict=False)
+        known = next((name for name, line in lines if f" {cosine} " in line), None)
+        if known is None:
+            raise NotCertified("an angle that the goal does not mention")
+        return f"(turned_now K (at_instant now) _ _ _ {known})" if now else known
+
+    def _valued(
+        self, at: Place, variables: Sequence[Variable], members: dict[str, str]
+    ) -> tuple[Place, list[Alias]]:
+        """Letters that have the values of these members."""
+        terms = read_members(at.scope, variables, members)
+        made = []
+        for variable, term in terms.items():
+            made.append(self._alias(at, variable, term))
+        return replace(at, aliases=(*at.aliases, *made)), made
+
+    def _alias(self, at: Place, variable: Variable, term: Term) -> Alias:
+        own = variable.declaration
+        if not own.constant or own.type.kind not in KINDS:
+            raise NotCertified("a witness that is a function of time")
+        dual = own.type.dual
+        value = self._node(term, dual)
+        shown = []
+        for one in belongs(variable, term):
+            name = self.fresh("member")
+            self.tell(f"assert ({name} : {said(self.speaker, Atom(one))}).")
+            with self.part():
+                self._prove(at, one, self._equations(at, None))
+            shown.append(name)
+        name = self._letter(variable)
+        known, holds = [f"{name}_constant"], f"{name}_is"
+        lemma = "value"
+        if own.rotation:
+            lemma = "value_dual_rotation" if dual else "value_rotation"
+            known.append(f"{name}_{'dual_' if dual else ''}rotation")
+        elif own.unit:
+            if dual:
+                raise NotCertified("a dual unit vector as a witness")
+            lemma = "value_unit"
+            known.append(f"{name}_unit_vector")
+        pattern = known[0] if len(known) == 1 else f"[{' '.join(known)}]"
+        self.tell(f"destruct ({lemma} now {' '.join([value, *shown])}) as [{name} [{pattern} {holds}]].")
+        return Alias(variable, term, holds)
+
+    def _offer(self, made: Sequence[Alias]) -> None:
+        names = [self.text(symbol(a.letter.declaration)) for a in made]
+        self.tell(f"exists {', '.join(names)}.")
+        for a, name in zip(made, names, strict=True):
+            for hypothesis in self._supposed([a.letter], [name]):
+                self.tell(f"split; [exact {hypothesis}|].")

@@ -1,0 +1,165 @@
+"""What follows from equations that are known: the same expression of both of their sides."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from workbench.certificates.equations import Equations
+from workbench.certificates.nodes import NotCertified
+from workbench.certificates.places import Place, flattened, same
+from workbench.certificates.propositions import conditions, said
+from workbench.judge.theorems.goals import All, Atom, Both, Implies, Variable
+from workbench.judge.theorems.members import read_members, same_letter
+from workbench.judge.theorems.proofs import Follows, Kernel, Proof, Use
+from workbench.judge.theorems.sequents import kind_of
+from workbench.judge.theorems.substitution import Substitution
+from workbench.language.construct import relation, symbol
+from workbench.language.reader import read_term
+from workbench.language.terms import Relation, Symbol, Term, Zero
+from workbench.language.types import Declaration
+
+
+class Following(Equations):
+    """Writes the proofs of what follows from premises."""
+
+    def show(self, at: Place, proof: Proof) -> None:
+        raise NotImplementedError
+
+    def _follows(self, at: Place, one: Relation, proof: Follows) -> None:
+        lefts, rights, shown = {}, {}, []
+        for letter, use in proof.uses.items():
+            at, said_, known = self._instance(at, use)
+            kind = said_.left.type.with_dual(said_.left.type.dual or said_.right.type.dual)
+            variable = Variable(Declaration(letter, kind))
+            lefts[variable], rights[variable] = said_.left, said_.right
+            shown.append((variable, said_, known))
+        scope = at.scope.with_variables(lefts)
+        image = read_term(proof.expression, scope.table, at.scope.integers)
+        first, last = (Substitution(x, scope.definitions)._term(image, False) for x in (lefts, rights))
+        dual = one.left.type.dual or one.right.type.dual or first.type.dual or last.type.dual
+        self._by_way_of(first, last, dual)
+        with self.part():
+            self._real(relation("=", one.left, first), dual)
+            self._prove(at, relation("=", one.left, first), ())
+        with self.part():
+            self._real(relation("=", first, last), dual)
+            self._alike(at, image, shown)
+        with self.part():
+            self._real(relation("=", last, one.right), dual)
+            self._prove(at, relation("=", last, one.right), ())
+
+    def _real(self, one: Relation, dual: bool) -> None:
+        """An equation of real quantities among dual ones."""
+        if dual and not (one.left.type.dual or one.right.type.dual):
+            x, y = (self._node(side, False) for side in (one.left, one.right))
+            self.tell(f"refine (embedded_at now (x := {x}) (y := {y}) _).")
+
+    def _alike(self, at: Place, image: Term, shown: Sequence[tuple[Variable, Relation, str]]) -> None:
+        """The same expression of what is equal."""
+        if isinstance(image, Symbol) and len(shown) == 1:
+            self.tell(f"exact {shown[0][2]}.")
+            return
+        scope = at.scope.definitions
+        there = {v: Variable(replace(v.declaration, name=f"{v.name}\\_there")) for v, _, _ in shown}
+        ends = []
+        for variables, side in ((dict(zip(there, there, strict=True)), "left"), (there, "right")):
+            for v, said_, _ in shown:
+                node = self._node(getattr(said_, side), v.declaration.type.dual)
+                self.speaker.call(symbol(variables[v].declaration), node)
+            ends.append(
+                Substitution({v: symbol(w.declaration) for v, w in variables.items()}, scope)._term(
+                    image, False
+                )
+            )
+        given = [
+            (relation("=", symbol(v.declaration), symbol(there[v].declaration)), known)
+            for v, _, known in shown
+        ]
+        pairs = [(v, side) for v, said_, _ in shown for side in (said_.left, said_.right)]
+        if all(v.declaration.type.dual == side.type.dual and not isinstance(side, Zero) for v, side in pairs):
+            self._by_lemma(at, relation("=", *ends), given, plain=True)
+            return
+        # a real quantity stands for a dual one, or a 0, of which the judge leaves nothing
+        dual = any(end.type.dual for end in ends)
+        before, after = (
+            [
+                (
+                    relation(
+                        "=",
+                        symbol(there[v].declaration if side == "right" else v.declaration),
+                        getattr(r, side),
+                    ),
+                    same(v),
+                )
+                for v, r, _ in shown
+            ]
+            for side in ("left", "right")
+        )
+        first, last = (
+            Substitution({v: getattr(r, side) for v, r, _ in shown}, scope)._term(image, False)
+            for side in ("left", "right")
+        )
+        self._by_way_of(*ends, dual)
+        for new, known in (
+            (relation("=", first, ends[0]), before),
+            (relation("=", *ends), given),
+            (relation("=", ends[1], last), after),
+        ):
+            with self.part():
+                self._by_lemma(at, new, known, plain=True)
+
+    def _instance(self, at: Place, use: Use) -> tuple[Place, Relation, str]:
+        """The equation that a premise says for these values, and its proof."""
+        known = at.known[use.premise]
+        goal, proof, given = known.goal, known.proof, dict(use.at)
+        while not isinstance(goal, Atom):
+            match goal:
+                case All(variables, body):
+                    taken = {
+                        k: given.pop(k) for k in list(given) if any(same_letter(k, v.name) for v in variables)
+                    }
+                    terms = read_members(at.scope, variables, taken)
+                    new, said_ = {}, []
+                    for variable, term in terms.items():
+                        at, new[variable] = self._member(at, variable, term)
+                        name = self._node(new[variable], variable.declaration.type.dual)
+                        said_.append(name)
+                    for variable, name in zip(variables, list(said_), strict=True):
+                        for one in conditions(variable, name):
+                            if one not in self.speaker.known:
+                                raise NotCertified("an instance that is not known to be in its set")
+                            said_.append(self.speaker.known[one])
+                    proof = f"({' '.join([proof, *said_])})"
+                    goal = Substitution(new, at.scope.definitions).goal(body)
+                case Implies(premise, conclusion, False):
+                    same = next((k.proof for k in at.known if k.goal == premise), None)
+                    if same is None:
+                        same = self.fresh("met")
+                        self.tell(f"assert ({same} : {said(self.speaker, premise)}).")
+                        with self.part():
+                            self.show(at.of(premise), Kernel())
+                    goal, proof = conclusion, f"({proof} {same})"
+                case Both():
+                    break
+                case _:
+                    raise NotCertified(f"{kind_of(goal)} in a premise")
+        found = flattened(goal, proof)
+        one, proof = found[use.part] if len(found) > 1 else found[0]
+        if use.back:
+            return at, relation("=", one.right, one.left), f"(back_at now {proof})"
+        return at, one, proof
+
+    def _member(self, at: Place, variable: Variable, term: Term) -> tuple[Place, Term]:
+        """The term, or a letter with its value if a constant is asked for and the term is none."""
+        if not variable.declaration.constant:
+            return at, term
+        if isinstance(term, Symbol) and all(
+            c in self.speaker.known for c in conditions(variable, self.text(term))
+        ):
+            return at, term
+        own = Variable(
+            replace(variable.declaration, name=f"{variable.name}_{{{self.fresh('at').partition('_')[2]}}}")
+        )
+        alias = self._alias(at, own, term)
+        return replace(at, aliases=(*at.aliases, alias)), symbol(own.declaration)

@@ -1,0 +1,121 @@
+"""Steps as lemmas about any differential ring, and about what agrees at an instant."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from workbench.certificates.emitter import Emitter
+from workbench.certificates.nodes import NotCertified
+from workbench.certificates.read_back import expression
+from workbench.certificates.theorem import Theorem
+from workbench.language.construct import rebuild, relation, symbol
+from workbench.language.definitions import Definitions
+from workbench.language.terms import Apply, Derivative, Number, Relation, Symbol, Term, TimeOperator
+from workbench.language.types import Declaration
+
+
+def at_an_instant(lemma: Theorem) -> str:
+    """The lemma for what agrees in some respect: its premises and its conclusion are that they agree."""
+    own = lemma.emitter
+    binders = " ".join(f"({name} : {type_})" for name, type_ in own.binders)
+    lines = [_agreeing(line) for line in own.statement]
+    given = []
+    for name, type_ in own.binders:
+        if name not in own.holes:
+            given.append(name)
+            continue
+        word = ("dual_" if "(d := true)" in type_ else "") + type_.split()[0]
+        given.append(f"({word}_now K agreed {'_ _' if 'constant' in word else f'_ {name}'})")
+    (said_,) = lemma.conclusions
+    return "\n  ".join(
+        [
+            f"Theorem {lemma.name}_now (K : diff_ring) (agreed : agreement K) {binders} :",
+            *lines,
+            f"{_agreeing(said_)}.",
+            f"Proof. vm_cast_no_check (@{lemma.name} (still agreed) {' '.join(given)}). Qed.\n",
+        ]
+    )
+
+
+def _agreeing(line: str) -> str:
+    if line.startswith("let "):
+        return line
+    if line.startswith(("turn ", "reciprocal ")):
+        word, _, rest = line.partition(" ")
+        return f"@{word} (still agreed) {rest}"
+    text, arrow = line.removesuffix(" ->"), " ->" if line.endswith(" ->") else ""
+    dual = "(d := true) " if "≡ε" in text else ""
+    both = " ".join(expression(side).at(0) for side in re.split(r" (?:≡ε|≡) ", text))
+    return f"equal_in agreed {dual}{both}{arrow}"
+
+
+def premises_of(own: Emitter) -> Iterator[tuple[str, str]]:
+    """The names and the texts of what is supposed before the conclusion."""
+    texts = [line.removesuffix(" ->") for line in own.statement if line.endswith("->")]
+    return zip((n for n in own.introduced if n in own.holes), texts, strict=True)
+
+
+def only_now(term: Term) -> bool:
+    """Whether it has words that are about the instant."""
+    return any(
+        isinstance(part, Apply)
+        and (
+            part.head in ("norm", "reciprocal")
+            or (part.head == "div" and not isinstance(part.arguments[1], Number))
+            or (
+                part.head in ("cos", "sin")
+                and part.arguments[0].type.kind == "scalar"
+                and getattr(part.arguments[0], "declaration", None) is not None
+                and part.arguments[0].declaration.constant
+            )
+        )
+        for part in term.walk()
+    )
+
+
+def without_derivatives(
+    said_: Sequence[Relation], definitions: Definitions, plain: bool
+) -> tuple[list[Relation], dict[Term, Term]]:
+    """The equations with a symbol for each derivative, or a plain one for each symbol, too; and what these
+    stand for."""
+    stand: dict[Term, Term] = {}
+
+    def other(term: Term, declaration: Declaration) -> Term:
+        known = next((s for s, t in stand.items() if t == term), None)
+        if known is None:
+            known = symbol(declaration)
+            stand[known] = term
+        return known
+
+    def bare(term: Term) -> Term:
+        if isinstance(term, TimeOperator):
+            raise NotCertified("an operator at an instant")
+        if isinstance(term, Derivative) or (plain and _special(term)):
+            return other(term, Declaration(f"q_{len(stand) + 1}", term.type))
+        if isinstance(term, Symbol) and term.declaration.constant:
+            return other(term, replace(term.declaration, name=f"c_{len(stand) + 1}", constant=False))
+        if isinstance(term, Symbol):
+            body = definitions.lookup(term)
+            new = None if body is None else bare(body)
+            return term if new == body else new
+        return rebuild(term, [bare(c) for c in term.children]) if term.children else term
+
+    return [relation(r.operator, bare(r.left), bare(r.right)) for r in said_], stand
+
+
+def restored(term: Term, stand: dict[Term, Term]) -> Term:
+    if term in stand:
+        return stand[term]
+    if isinstance(term, Apply):
+        return replace(term, arguments=tuple(restored(c, stand) for c in term.arguments))
+    return rebuild(term, [restored(c, stand) for c in term.children]) if term.children else term
+
+
+def _special(term: Term) -> bool:
+    """What is more than any quantity of its kind, or comes with premises of its own."""
+    if isinstance(term, Apply) and term.head in ("cos", "sin", "exp"):
+        return True
+    own = term.declaration if isinstance(term, Symbol) else None
+    return own is not None and (own.rotation or own.unit or own.constant)

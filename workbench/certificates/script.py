@@ -1,0 +1,83 @@
+"""The script of a proof: what Coq is told, with what names for letters and terms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+from workbench.certificates import nodes
+from workbench.certificates.nodes import ATOM, NotCertified
+from workbench.certificates.propositions import Speaker, binder, conditions
+from workbench.certificates.theorem import Theorem
+from workbench.judge.theorems.goals import Variable
+from workbench.language.terms import Term
+
+
+class Script:
+    """`lines`: the proof; `lemmas`: the steps that it uses."""
+
+    def __init__(self, speaker: Speaker) -> None:
+        self.speaker = speaker
+        self.lemmas: list[Theorem] = []
+        self.lines: list[str] = []
+        self.top, speaker.statement = speaker.statement, []
+        self._binders = list(speaker.binders)
+        self.at_instant: set[str] = set()  # names of lemmas that are used of an instant
+        self._fresh = 0
+
+    def tell(self, line: str) -> None:
+        """What the texts before have defined is defined first."""
+        for made in self.speaker.statement:
+            if not made.startswith("let "):
+                raise NotCertified("an inverse or an angle that the goal does not mention")
+            name, meaning = made.removeprefix("let ").removesuffix(" in").split(" := ", 1)
+            self.lines.append(f"pose ({name} := {meaning}).")
+        self.speaker.statement.clear()
+        if self.speaker.binders != self._binders:
+            new = [n for n, _ in self.speaker.binders if n not in dict(self._binders)]
+            raise NotCertified(f"a proof about {', '.join(new)}, of which the goal does not speak")
+        self.lines.append(line)
+
+    def fresh(self, stem: str) -> str:
+        self._fresh += 1
+        return f"{stem}_{self._fresh}"
+
+    @contextmanager
+    def part(self) -> Iterator[None]:
+        self.tell("{")
+        with self.speaker.within():
+            yield
+        self.tell("}")
+
+    def _letter(self, variable: Variable, suffix: str = "") -> str:
+        name = self.speaker.letter(variable, suffix)
+        for one, hypothesis in zip(
+            conditions(variable, name), self._supposed([variable], [name]), strict=True
+        ):
+            self.speaker.known[one] = hypothesis
+        binder(variable, name)
+        return name
+
+    def _supposed(self, variables: Sequence[Variable], names: Sequence[str]) -> list[str]:
+        """The names of what is supposed of letters."""
+        return [
+            f"{name}_{one.split()[0]}"
+            for v, name in zip(variables, names, strict=True)
+            for one in conditions(v, name)
+        ]
+
+    def _node(self, term: Term, dual: bool) -> str:
+        """The term as an argument, of its type over the smooth functions."""
+        node = self.speaker.term(term)
+        node = nodes.embedded(node, node.dual or dual)
+        if node.level == ATOM:
+            return node.text
+        return f"({node.text} : {node.type})"
+
+    def text(self, term: Term) -> str:
+        return self.speaker.term(term).at(ATOM)
+
+    def _by_way_of(self, one: Term, two: Term, dual: bool) -> None:
+        """Three equations for one: up to the first of these terms, up to the second, and on."""
+        middle = " ".join(f"(then_at now (y := {self._node(term, dual)}) _" for term in (one, two))
+        self.tell(f"refine {middle} _)).")

@@ -10,11 +10,13 @@ from workbench.certificates.nodes import NotCertified
 from workbench.certificates.places import Place, flattened, same
 from workbench.certificates.propositions import conditions, said
 from workbench.judge.theorems.goals import All, Atom, Both, Implies, Variable
-from workbench.judge.theorems.members import read_members, same_letter
+from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.proofs import Follows, Kernel, Proof, Use
 from workbench.judge.theorems.sequents import kind_of
 from workbench.judge.theorems.substitution import Substitution
 from workbench.language.construct import relation, symbol
+from workbench.language.declarations import read_key
+from workbench.language.names import Name
 from workbench.language.reader import read_term
 from workbench.language.terms import Relation, Symbol, Term, Zero
 from workbench.language.types import Declaration
@@ -31,7 +33,7 @@ class Following(Equations):
         for letter, use in proof.uses.items():
             at, said_, known = self._instance(at, use)
             kind = said_.left.type.with_dual(said_.left.type.dual or said_.right.type.dual)
-            variable = Variable(Declaration(letter, kind))
+            variable = Variable(Declaration(read_key(letter)[0], kind))
             lefts[variable], rights[variable] = said_.left, said_.right
             shown.append((variable, said_, known))
         scope = at.scope.with_variables(lefts)
@@ -61,7 +63,7 @@ class Following(Equations):
             self.tell(f"exact {shown[0][2]}.")
             return
         scope = at.scope.definitions
-        there = {v: Variable(replace(v.declaration, name=f"{v.name}\\_there")) for v, _, _ in shown}
+        there = {v: Variable(replace(v.declaration, name=Name(self.fresh("there")))) for v, _, _ in shown}
         ends = []
         for variables, side in ((dict(zip(there, there, strict=True)), "left"), (there, "right")):
             for v, said_, _ in shown:
@@ -117,7 +119,9 @@ class Following(Equations):
             match goal:
                 case All(variables, body):
                     taken = {
-                        k: given.pop(k) for k in list(given) if any(same_letter(k, v.name) for v in variables)
+                        k: given.pop(k)
+                        for k in list(given)
+                        if read_key(k)[0] in {v.letter for v in variables}
                     }
                     terms = read_members(at.scope, variables, taken)
                     new, said_ = {}, []
@@ -158,8 +162,6 @@ class Following(Equations):
             c in self.speaker.known for c in conditions(variable, self.text(term))
         ):
             return at, term
-        own = Variable(
-            replace(variable.declaration, name=f"{variable.name}_{{{self.fresh('at').partition('_')[2]}}}")
-        )
+        own = Variable(replace(variable.declaration, name=Name(self.fresh("at"))))
         alias = self._alias(at, own, term)
         return replace(at, aliases=(*at.aliases, alias)), symbol(own.declaration)

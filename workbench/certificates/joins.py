@@ -45,6 +45,7 @@ from workbench.judge.theorems.proofs import (
 )
 from workbench.judge.theorems.sequents import kind_of
 from workbench.language.construct import apply, power, relation, symbol, zero
+from workbench.language.declarations import read_key
 from workbench.language.terms import Relation, Zero
 from workbench.language.types import SCALAR, VECTOR, Declaration
 
@@ -142,7 +143,9 @@ class Joiner(Following):
                 self.show(at.given(Atom(relation(sign, one.left, one.right)), name), own)
 
     def _pointwise(self, at: Place, one: Relation, letter: str, then: Proof) -> None:
-        variable = Variable(Declaration(letter, VECTOR.with_dual(one.left.type.dual), constant=True))
+        variable = Variable(
+            Declaration(read_key(letter)[0], VECTOR.with_dual(one.left.type.dual), constant=True)
+        )
         vector = symbol(variable.declaration)
         name = self._letter(variable)
         rule, head, order = (

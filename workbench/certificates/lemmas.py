@@ -12,6 +12,7 @@ from workbench.certificates.read_back import expression
 from workbench.certificates.theorem import Theorem
 from workbench.language.construct import rebuild, relation, symbol
 from workbench.language.definitions import Definitions
+from workbench.language.names import Name
 from workbench.language.terms import Apply, Derivative, Number, Relation, Symbol, Term, TimeOperator
 from workbench.language.types import Declaration
 
@@ -93,9 +94,9 @@ def without_derivatives(
         if isinstance(term, TimeOperator):
             raise NotCertified("an operator at an instant")
         if isinstance(term, Derivative) or (plain and _special(term)):
-            return other(term, Declaration(f"q_{len(stand) + 1}", term.type))
+            return other(term, Declaration(Name(f"q_{len(stand) + 1}"), term.type))
         if isinstance(term, Symbol) and term.declaration.constant:
-            return other(term, replace(term.declaration, name=f"c_{len(stand) + 1}", constant=False))
+            return other(term, replace(term.declaration, name=Name(f"c_{len(stand) + 1}"), constant=False))
         if isinstance(term, Symbol):
             body = definitions.lookup(term)
             new = None if body is None else bare(body)

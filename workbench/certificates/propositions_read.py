@@ -172,7 +172,7 @@ class Comparison:
     ) -> Iterator[str]:
         wanted = tuple(binder(v, n) for v, n in zip(variables, names, strict=False))
         if said.binders != wanted or len(variables) != len(names) or len(set(names)) != len(names):
-            yield f"{' '.join(said.binders)} stands for {', '.join(v.name for v in variables)}"
+            yield f"{' '.join(said.binders)} stands for {', '.join(v.letter.letter for v in variables)}"
 
     def _all(self, said: Proposition, variables: Sequence[Variable], body: Goal) -> Iterator[str]:
         inside, names, wanted = self._bound(said, variables)

@@ -1,9 +1,14 @@
 """The certificates of the chapter's forms, for all tests beside."""
 
+from contextlib import suppress
 from functools import cache
 
 from workbench.certificates.forms import certificate, forms_of
 from workbench.certificates.nodes import NotCertified
+from workbench.certificates.whole import whole
+from workbench.judge.theorems.goals import Scope
+from workbench.judge.theorems.proofs import Proven
+from workbench.judge.verdict import Outcome
 from workbench.papers import find_paper
 
 
@@ -27,3 +32,19 @@ def one(claim_id, name="printed"):
         f for c in find_paper("chapter").claims if c.id == claim_id for f in forms_of(c) if f.name == name
     ]
     return certificate(form, every=form.claim.orders is not None)
+
+
+@cache
+def whole_theorems():
+    """Of each theorem claim that is joined to one theorem: that theorem, by the claim's id."""
+    paper = find_paper("chapter")
+    found = {}
+    for claim in paper.claims:
+        proven = paper.theorems.get(claim.theorem or "")
+        if claim.goal is None or not isinstance(proven, Proven) or proven.proof is None:
+            continue
+        if claim.expected == Outcome.PROVED:
+            with suppress(NotCertified):
+                scope = Scope(claim.notation.symbols, claim.notation.definitions, {})
+                (found[claim.id],) = whole(claim, scope, proven.proof).theorems
+    return found

@@ -1,12 +1,18 @@
 """What Coq says of the certificates; skipped where there is no coqc."""
 
+from dataclasses import replace
+
 import pytest
 from click.testing import CliRunner
 
-from tests.certificates.emitted import one
+from tests.certificates.emitted import one, whole_theorems
+from tests.proofs.tampering import made_false, with_a_changed_conclusion
 from workbench.certificates import coqc
+from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty
+from workbench.certificates.whole import whole
 from workbench.cli.commands import main
+from workbench.judge.theorems.goals import Scope
 from workbench.papers import find_paper
 
 pytestmark = [
@@ -105,3 +111,57 @@ def test_what_is_written_by_hand_rests_on_no_axioms_and_an_omitted_proof_is_seen
     assert coqc.check(coqc.with_assumptions(start + omitted), remember=False).axioms == ("omitted",)
     with pytest.raises(coqc.CoqFault):
         coqc.with_assumptions("Definition x := 1.")
+
+
+@pytest.mark.parametrize("name", ["76.definition", "92.origin", "Remark7.translations"])
+def test_a_goal_is_one_theorem(name):
+    (text,) = goal_texts(name)
+    said = coqc.check(text, remember=False)
+    assert said.accepted, said.fault
+    assert said.axioms
+    assert said.expected
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("76.definition", "(b · (S_' @ a)))", "(b · (u_T @ a)))"),
+        (
+            "76.definition",
+            "exists (S_' : dual_tensor K), constant",
+            "exists (S_' : dual_tensor K), ~ constant",
+        ),
+        ("92.origin", "(D (rho + R @ r)) v)", "(D (R @ r)) v)"),
+        ("92.origin", "(rho + R @ r) (zero : vector K) -> ", ""),
+        ("Remark7.translations", "embed v))", "embed u))"),
+    ],
+)
+def test_a_goal_that_says_something_else_is_refused(name, old, new):
+    (text,) = goal_texts(name)
+    start, mark, statement = text.partition("Theorem claim_")
+    assert old in statement
+    assert not coqc.check(start + mark + statement.replace(old, new, 1), remember=False).accepted
+
+
+@pytest.mark.parametrize("name", list(whole_theorems()))
+def test_a_false_goal_with_a_proof_of_its_own_is_refused(name):
+    """The proof is written anew for the goal with a conclusion that is false."""
+    (claim,) = [c for c in find_paper("chapter").claims if c.id == name]
+    changed = list(with_a_changed_conclusion(claim.goal.goal, made_false))
+    assert changed
+    for goal in changed[:: max(1, len(changed) // 3)]:
+        for text in goal_texts(name, goal):
+            assert not coqc.check(text, remember=False).accepted
+
+
+def goal_texts(name, goal=None):
+    """The certificate of a claim's goal, or of another goal by its proof; nothing if none can be written."""
+    paper = find_paper("chapter")
+    (claim,) = [c for c in paper.claims if c.id == name]
+    if goal is not None:
+        claim = replace(claim, goal=replace(claim.goal, goal=goal))
+    scope = Scope(claim.notation.symbols, claim.notation.definitions, {})
+    try:
+        return [whole(claim, scope, paper.theorems[claim.theorem].proof).text]
+    except NotCertified:
+        return []

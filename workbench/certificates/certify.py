@@ -12,6 +12,7 @@ from workbench.certificates.forms import Certificate, Form, certificate, forms_o
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import Steps, all_steps
+from workbench.certificates.theorem import HEADER
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.verify.results import Certification, ClaimResult
 
@@ -125,7 +126,14 @@ def checked_all(
     certificates: Sequence[Certified], progress: Callable[[object], None] = lambda done: None
 ) -> list[Certified]:
     """Each certificate put before Coq, on all cores."""
-    coqc.library()
+    texts = [
+        each.certificate.text
+        for each in certificates
+        if each.certificate and each.certificate.header == HEADER
+    ]  # what several rest on together is what each rests on only where that is nothing
+    motions = [each.certificate.motions for each in certificates if each.certificate]
+    _together(texts)
+    _together([m.text for m in motions if m], alike=True)
 
     def one(each: Certified) -> Certified:
         done = _with(each, coqc.check)
@@ -136,9 +144,17 @@ def checked_all(
         return list(pool.map(one, certificates))
 
 
+def _together(texts: Sequence[str], alike: bool = False) -> None:
+    """Put before Coq in batches. What is not accepted so is then put before Coq by itself."""
+    coqc.library()
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        list(pool.map(lambda batch: coqc.check_together(batch, alike), coqc.in_batches(texts)))
+
+
 def check_steps(all_: Sequence[Steps], progress: Callable[[object], None] = lambda done: None) -> None:
     """The steps of all theorem claims put before Coq, on all cores; what it says is remembered."""
-    coqc.library()
+    certificates = [step.certificate for steps in all_ for step in steps.asked if step.certificate]
+    _together([c.text for c in certificates if c.header == HEADER])
 
     def one(text: str) -> None:
         progress(coqc.check(text))

@@ -13,8 +13,9 @@ import shutil
 import signal
 import subprocess
 import tempfile
-from collections.abc import Iterable
-from dataclasses import asdict, dataclass
+import threading
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass, replace
 from functools import cache
 from importlib import resources
 from pathlib import Path
@@ -39,6 +40,7 @@ LIBRARY = (
     "Time",
     "Refute",
     "Witness",
+    "Duals",
     "Moment",
     "Instant",
 )
@@ -55,6 +57,9 @@ REALS = frozenset(
 
 #: No certificate may take longer, in processor time.
 SECONDS = 60
+
+#: How many certificates Coq checks in one run, at most.
+TOGETHER = 8
 
 #: How a process ends that has used up its time: by a signal, or by what the shell makes of one.
 _STOPPED = frozenset(code for sign in (signal.SIGXCPU, signal.SIGKILL) for code in (-sign, 128 + sign))
@@ -154,7 +159,6 @@ def _note(text: str) -> Path:
 
 def check(text: str, remember: bool = True) -> Checked:
     """Whether Coq accepts the certificate, and what its theorems rest on."""
-    note = _note(text)
     if remember and (known := recall(text)) is not None:
         return known
     compiled = library()
@@ -169,11 +173,56 @@ def check(text: str, remember: bool = True) -> Checked:
         accepted, _axioms(made.stdout), "" if accepted else _first_error(made.stderr), round(seconds, 2)
     )
     if remember:
-        note.parent.mkdir(parents=True, exist_ok=True)
-        draft = note.with_name(f".{note.name}-{os.getpid()}")
-        draft.write_text(json.dumps(asdict(result)), encoding="utf-8")
-        os.replace(draft, note)
+        _remember(text, result)
     return result
+
+
+def _remember(text: str, result: Checked) -> None:
+    note = _note(text)
+    note.parent.mkdir(parents=True, exist_ok=True)
+    draft = note.with_name(f".{note.name}-{os.getpid()}-{threading.get_ident()}")
+    draft.write_text(json.dumps(asdict(result)), encoding="utf-8")
+    os.replace(draft, note)
+
+
+def check_together(texts: Sequence[str], alike: bool = False) -> None:
+    """Certificates that begin with the same header in one run of Coq, which takes half a second to begin and
+    one to print what theorems rest on. That is remembered of each, if it is nothing; or if they are `alike`
+    in that it is expected. If Coq refuses one of them, nothing is remembered."""
+    header = _header(texts[0])
+    parts = [
+        f"Module m{place}.\n{_theorems(text)}\nEnd m{place}.\n" for place, text in enumerate(texts, start=1)
+    ]
+    names = [f"@m{place}.{_last(text)}" for place, text in enumerate(texts, start=1)]
+    every = f"Definition all_of_them := ({', '.join(names)}).\nPrint Assumptions all_of_them.\n"
+    said = check("\n".join([header, *parts, every]), remember=False)
+    if said.accepted and (said.expected if alike else not said.axioms):
+        for text in texts:
+            _remember(text, replace(said, seconds=round(said.seconds / len(texts), 2)))
+
+
+def in_batches(texts: Iterable[str]) -> list[list[str]]:
+    """What can be checked together and is not yet known: what imports the same, in small numbers."""
+    alike: dict[str, list[str]] = {}
+    for text in dict.fromkeys(texts):
+        if recall(text) is None:
+            alike.setdefault(_header(text), []).append(text)
+    return [many[i : i + TOGETHER] for many in alike.values() for i in range(0, len(many), TOGETHER)]
+
+
+def _header(text: str) -> str:
+    """Its lines before the first theorem, without the comment."""
+    lines = text.partition("\nTheorem ")[0].splitlines()
+    return "\n".join(line for line in lines if not line.startswith("(*"))
+
+
+def _theorems(text: str) -> str:
+    return text[text.index("\nTheorem ") :].rpartition("Print Assumptions ")[0]
+
+
+def _last(text: str) -> str:
+    """What it prints the assumptions of."""
+    return text.rpartition("Print Assumptions ")[2].strip().removesuffix(".")
 
 
 def _run(file: Path, compiled: Path) -> tuple[subprocess.CompletedProcess[str], float]:

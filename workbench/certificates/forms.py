@@ -15,6 +15,9 @@ from workbench.language.instances import instantiate
 from workbench.language.terms import IllFormed, Relation
 from workbench.papers.model import Claim, Formula
 
+#: What is needed where a dual quantity is divided by, or has a length.
+DUALS = "From Kin Require Import Duals."
+
 FORMS = ("printed", "reading", "corrected")
 
 
@@ -58,9 +61,9 @@ class Certificate:
         if len(names) > 1:  # printing what one rests on takes a second, whatever it is
             last = f"{names[0]}_each"
             together = f"Definition {last} := ({', '.join(f'@{name}' for name in names)})."
-        return "\n".join(
-            [about, self.header, *(t.text for t in self.theorems), together, f"Print Assumptions {last}.", ""]
-        )
+        texts = [t.text for t in self.theorems]
+        more = [DUALS] if any("dual_over" in text or "dual_length" in text for text in texts) else []
+        return "\n".join([about, *more, self.header, *texts, together, f"Print Assumptions {last}.", ""])
 
 
 def _said(form: Form) -> str:

@@ -22,9 +22,3 @@ Definition rodrigues {O : ops} (c s : val O Scalar) (u : val O Vector) : val O T
   ident + s • skew u + (sub (num 1) c) • (skew u ∘ skew u).
 (** exp(ε X) = I + ε X, since (ε X)² = 0. *)
 Definition exp_eps {O : ops} (x : val O Tensor) : val (dual_ops O) Tensor := ident + @scale (dual_ops O) Tensor eps (embed x).
-(** 1/x of a dual number x, where y is that of its real part; the length of a dual vector, where n is that of its
-    real part and y = 1/n. *)
-Definition dual_over {K : diff_ring} (x : dual_scalar K) (y : scalar K) : dual_scalar K :=
-  embed y - eps • embed (y • y • (dual_part x : scalar K)).
-Definition dual_length {K : diff_ring} (u : dual_vector K) (n y : scalar K) : dual_scalar K :=
-  embed n + eps • embed (y • ((real_part u : vector K) · (dual_part u : vector K))).

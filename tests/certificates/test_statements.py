@@ -109,7 +109,7 @@ def test_a_name_of_coq_is_spelt_otherwise():
         (r"T T = T", {"T": {"kind": "transform"}}, "a block matrix that nothing defines"),
         (r"T a = a", {"T": {"kind": "tensor", "symmetric": True}, "a": "vector"}, "a symmetric tensor"),
         (r"\dot{x} = t x", {"x": "scalar"}, "the time t"),
-        (r"\|a\| = \|b\|", {"a": "vector", "b": "vector"}, "a norm"),
+        (r"\|a\| = \frac{d}{dt} \|b\|", {"a": "vector", "b": "vector"}, "the derivative of a norm"),
         (r"a \cdot b \neq 0", {"a": "vector", "b": "vector"}, "an inequation to be proved"),
     ],
 )
@@ -161,3 +161,10 @@ def test_a_premise_at_an_instant_says_nothing_of_derivatives(premise):
     with pytest.raises(NotCertified, match="one instant"):
         theorem("t", claim.printed.statement, (supposed,), claim.notation.definitions)
     theorem("t", supposed, (supposed,), claim.notation.definitions)
+
+
+def test_a_norm_is_a_premise():
+    claim = check(r"\|a\| \|a\| = a \cdot a", symbols={"a": "vector"}).result.claim
+    made = theorem("t", claim.printed.statement, (), claim.notation.definitions)
+    assert "length • length ≡ square a ->" in made.statement
+    assert made.read_back_faults() == []

@@ -6,7 +6,7 @@ from workbench.certificates import families, functions, nodes, operators, suppos
 from workbench.certificates.collector import Collector, Origin
 from workbench.certificates.fields import curl, divergence
 from workbench.certificates.nodes import KINDS, Node, NotCertified
-from workbench.language.definitions import Definitions
+from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import count
 from workbench.language.terms import (
     Apply,
@@ -84,7 +84,12 @@ class Emitter(Collector):
             case Derivative():
                 if not term.order.is_number:
                     return families.of_symbolic_order(self, term)
-                return nodes.derivative(self.term(term.body), int(term.order))
+                value = self.term(term.body)
+                if any(h.head == "norm" for h in self.helpers if isinstance(h, Apply)):
+                    full = expand(term.body, self.definitions)
+                    if any(isinstance(p, Apply) and p.head == "norm" for p in full.walk()):
+                        raise NotCertified("the derivative of a norm")
+                return nodes.derivative(value, int(term.order))
             case Power():
                 if not term.exponent.is_number:
                     raise NotCertified("a power of symbolic exponent")

@@ -281,7 +281,7 @@ def _eliminated(tops: list[PolyElement], supposed: list[PolyElement], ring: Symp
             [q.compose(x, value) if q.degree(x) > 0 else q for q in group]
             for group in (tops, supposed, divisors)
         )
-        supposed = [q for q in supposed if q]
+        supposed, divisors = ([q for q in group if q] for group in (supposed, divisors))
     return [top.rem(divisors) if divisors else top for top in tops]
 
 

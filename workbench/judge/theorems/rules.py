@@ -288,7 +288,7 @@ def _instance(sequent: Sequent, use: Use):
                         lasting = lasting and (moves or sequent.lasts)
                         known = sequent.at_all_times() if moves else sequent
                         by = use.members
-                        by = by.get(variable.name, Kernel()) if isinstance(by, Mapping) else by
+                        by = by.get(str(variable.letter), Kernel()) if isinstance(by, Mapping) else by
                         yield from obligations(known.of(Both(tuple(own))), by)
                 goal = put_in(sequent, variables, taken, body)
             case AllFrom(integer, least, body):

@@ -13,12 +13,21 @@ from workbench.papers.model import PaperError
 from workbench.papers.notation import FUNCTIONS, HAMILTON, notation_of
 from workbench.papers.toml_file import TomlFile
 
-_SCRIPT = r"(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\\[A-Za-z]+|[A-Za-z0-9])"
 _STYLE = r"(?:\\(?:bar|vec|mathbf|boldsymbol|mathsf|underline|mathrm|hat)\s*)"
+_SCRIPT = (
+    rf"(?:\{{[^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)*\}}|{_STYLE}\{{[A-Za-z]+\}}|{_STYLE}[A-Za-z](?![A-Za-z])"
+    r"|\\[A-Za-z]+(?![A-Za-z{])|[A-Za-z0-9])"
+)
 _CORE = rf"(?:{_STYLE}\{{\s*\\?[A-Za-z]+\s*\}}|{_STYLE}?\\?[A-Za-z])"
 _SEEN_FROM = re.compile(rf"\{{\}}\s*\^\s*(?P<F>{_SCRIPT})\s*(?P<core>{_CORE})(?:\s*\^\s*(?P<G>{_SCRIPT}))?")
 _RATE_IN = re.compile(rf"\{{\}}\s*\^\s*(?P<F>{_SCRIPT})\s*(?:d(?![A-Za-z])|\\frac\s*\{{?\s*d)")
 _BETWEEN = re.compile(rf"(?P<core>{_CORE})\s*\^\s*\{{\s*(?P<P>[^{{}}/]+?)\s*/\s*(?P<O>[^{{}}/]+?)\s*\}}")
+_JOINED = re.compile(rf"(?P<core>{_CORE})\s*\^\s*\{{\s*(?P<O>[A-Z])\s*(?P<P>[A-Z])\s*\}}")
+_BOLD = r"\\(?:mathbf|boldsymbol)"
+_AXIS = re.compile(
+    rf"(?:(?P<outer>{_BOLD})\s*\{{\s*)?\\hat\s*\{{?\s*(?:(?P<inner>{_BOLD})\s*\{{?\s*)?(?P<letter>[a-z])\}}*"
+    r"\s*_\s*\{?\s*(?P<axis>[xyz123])(?![A-Za-z0-9])"
+)
 _LABELS = re.compile(r"\{\}\s*[_^]|/")
 _UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
 _BRACKET = re.compile(
@@ -204,17 +213,40 @@ def _frames(formulas: str) -> Iterator[Proposal]:
     for match in _BETWEEN.finditer(formulas):
         points.update((_label(match["P"]), _label(match["O"])))
         spelled["points"][f"'{match['core'].strip()}^{{P/O}}'"] = '"to P from O"'
+    for match in _JOINED.finditer(formulas):
+        points.update((match["P"], match["O"]))
+        spelled["points"][f"'{match['core'].strip()}^{{OP}}'"] = '"to P from O"'
     if not seen and not rates:
         return
     base = Counter(rates or [_label(match["F"]) for match in seen]).most_common(1)[0][0]
     names = [name for name in frames if name != base]
-    entries = {"base": f"'{base}'", "names": _list(names), "dot": f"'{base}'", **spelled["frames"]}
+    axes = _axes(formulas, [base, *names])
+    entries = {"base": f"'{base}'", "names": _list(names), "dot": f"'{base}'", **spelled["frames"], **axes}
     question = "Do scripts on the left name frames, and is {}^F ω^G that of G in F?"
     yield Proposal("frames", entries, "labels on the left", question, _LABELS, stands=True)
     if points:
         entries = {"names": _list(list(points)), **spelled["points"]}
-        question = "Do the labels of positions, velocities and accelerations name points?"
+        question = (
+            "Do the labels of positions, velocities and accelerations name points, and is r^{OP} from O?"
+        )
         yield Proposal("points", entries, "labels of points", question, _LABELS, stands=True)
+
+
+def _axes(formulas: str, frames: Sequence[str]) -> dict[str, str]:
+    """The triads that are written with the letter of a frame: \\hat{b}_x, \\hat{b}_y, \\hat{b}_z of B."""
+    found: dict[tuple[str, str], set[str]] = {}
+    for match in _AXIS.finditer(formulas):
+        font = match["inner"] or match["outer"] or ""
+        found.setdefault((match["letter"], font), set()).add(match["axis"])
+    by_frame = {}
+    for (letter, font), axes in found.items():
+        frame = next((name for name in frames if name.strip("{}")[-1:] == letter.upper()), None)
+        triad = next((triad for triad in ("xyz", "123") if set(triad) <= axes), None)
+        if frame is not None and triad is not None:
+            core = f"{font}{{{letter}}}" if font else letter
+            by_frame[frame] = _list([f"\\hat{{{core}}}_{axis}" for axis in triad])
+    rows = ", ".join(f"'{frame}' = {triad}" for frame, triad in by_frame.items())
+    return {"axes": f"{{ {rows} }}"} if rows else {}
 
 
 def _meaning(core: str) -> tuple[str, str] | None:

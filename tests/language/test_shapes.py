@@ -139,3 +139,50 @@ def test_a_product_with_the_unit_tensor_is_no_multiple_of_it() -> None:
 def test_what_is_read_prints_back(formula: str) -> None:
     (statement,) = read(formula, TABLE)
     assert read(to_latex(statement), TABLE) == (statement,)
+
+
+@pytest.mark.parametrize(
+    ("formula", "holds"),
+    [
+        (r"0_{6\times 1} + u = u", True),
+        (r"W - W = 0_{6\times 6}", True),
+        (r"\mathbf{I}_6 W = W", True),
+        (r"\mathbf{I}_{3\times 3} A = A \mathbf{I}_3", True),
+        (r"\begin{bmatrix} x \\ 0_{3\times 1} \end{bmatrix} + u = u + \begin{bmatrix} x \\ \mathbf{0} \end{bmatrix}", True),
+        (r"\begin{bmatrix} A & x \\ 0_{1\times3} & 1 \end{bmatrix} \begin{bmatrix} y \\ 1 \end{bmatrix} = \begin{bmatrix} A y + x \\ 1 \end{bmatrix}", True),
+        (r"\begin{bmatrix} A & x \\ 0_3 & 1 \end{bmatrix} \begin{bmatrix} y \\ 1 \end{bmatrix} = \begin{bmatrix} A y \\ 1 \end{bmatrix}", False),
+    ],
+)  # fmt: skip
+def test_zeros_and_unit_tensors_of_a_printed_size(formula: str, holds: bool) -> None:
+    assert check(formula, KINDS | {"u": "matrix 6×1", "W": "matrix 6×6"}).holds == holds
+
+
+@pytest.mark.parametrize(
+    "member", [r"u \in \mathbb{R}^6", r"W \in \mathbb{R}^{6\times 6}", r"x \in \mathbb{R}^3"]
+)
+def test_members_of_real_columns_and_matrices(member: str) -> None:
+    kinds = KINDS | {"u": "matrix 6×1", "W": "matrix 6×6"}
+    assert check(f"A = A + 0_{{3\\times 3}}, {member}", kinds).holds
+    with pytest.raises(Exception, match="is a"):
+        check(f"A = A + 0_{{3\\times 3}}, {member.replace('6', '5').replace('^3', '^4')}", kinds)
+
+
+TRIPLE = r"\begin{{vmatrix}} {} & {} & {} \\ p & q & r \\ s & t_1 & u \end{{vmatrix}}"
+SCALARS = dict.fromkeys(("p", "q", "r", "s", "t_1", "u"), "scalar")
+FRAME = (r"\begin{bmatrix}1\\0\\0\end{bmatrix}", r"\begin{bmatrix}0\\1\\0\end{bmatrix}", r"\begin{bmatrix}0\\0\\1\end{bmatrix}")  # fmt: skip
+PRODUCT = r"\begin{bmatrix} p \\ q \\ r \end{bmatrix} \times \begin{bmatrix} s \\ t_1 \\ u \end{bmatrix}"
+
+
+@pytest.mark.parametrize(
+    ("formula", "holds"),
+    [
+        (f"{PRODUCT} = {TRIPLE.format(*FRAME)}", True),
+        (f"{PRODUCT} = -{TRIPLE.format(*FRAME)}", False),
+        (f"{TRIPLE.format('A x', 'A y', 'A x')} = A {TRIPLE.format('x', 'y', 'x')}", True),
+        (r"\det \begin{bmatrix} p & x & s \\ q & y & t_1 \\ r & x & u \end{bmatrix} = -" + TRIPLE.format("x", "y", "x"), True),
+        (r"\det \begin{bmatrix} p & q & r \\ x & y & x \\ s & t_1 & u \end{bmatrix} = -" + TRIPLE.format("x", "y", "x"), True),
+        (r"x \cdot " + TRIPLE.format(*FRAME) + " = " + TRIPLE.format(*(rf"(x \cdot {axis})" for axis in FRAME)), True),
+    ],
+)  # fmt: skip
+def test_a_determinant_of_vectors_is_their_combination_by_cofactors(formula: str, holds: bool) -> None:
+    assert check(formula, KINDS | SCALARS).holds == holds

@@ -15,7 +15,7 @@ TEXTS = Path(__file__).parents[2] / "proofs" / "texts"
 
 #: What a text writes, and the kinds that its symbols have: by typeface, by words, by what makes formulas fit.
 KINDS = [
-    (r"$$ \hat{n}_x \times \hat{n}_y = \hat{n}_z $$", {r"\hat{n}_{x}": "vector", r"\hat{n}_{z}": "vector"}),
+    (r"$$ \hat{n}_x \times \hat{n}_y = \hat{n}_w $$", {r"\hat{n}_{x}": "vector", r"\hat{n}_{w}": "vector"}),
     (r"$$ a \times b = c $$", dict.fromkeys("abc", "vector")),
     (r"$$ R a \times b = c $$", {"R": "tensor", "a": "vector", "b": "vector"}),
     (r"$$ \dot{\boldsymbol{R}} = \boldsymbol{ω} \boldsymbol{R} $$", {r"\boldsymbol{\omega}": "tensor"}),

@@ -159,6 +159,18 @@ STEPS = [
     (r"a = \begin{cases} b & c \\ d & e \end{cases}", [r"a = \begin{cases} b & c \\ d & e \end{cases}"]),
     (r"\underbrace{a}_{x} = \mathclap{b}\,. ", ["a = b"]),
     (r"\mbox{\boldmath $\omega$} := \mathbfit{r}", [r"\boldsymbol{\omega} := \boldsymbol{r}"]),
+    (r"v = ^A R_B \, ^B u + \hspace{0em}^C w", [r"v = {}^A R_B \, {}^B u + {}^C w"]),
+    (r"(^A x)\,^2 = x \!^{-1} \frac{^N d x}{dt}^T", [r"({}^A x)\,^2 = x \!^{-1} \frac{{}^N d x}{dt}^T"]),
+    (r"{\rm v} = {\bf R u}", [r"\mathrm{v} = \mathbf{R u}"]),
+    (r"\text{v} \in \textrm{SO}(3), \text{v} = a", [r"\mathrm{v} = a,\mathrm{v} \in\mathrm{SO}(3)"]),
+    (r"a \overset{(1)}{=} b \stackrel{\text{by 2}}{=} c", ["a =b", "b =c"]),
+    (r"a \overset{?}{=} b", [r"a \overset{?}{=} b"]),
+    (r"\begin{aligned} a &=& b \\ &=& c \end{aligned}", ["a = b", "b =c"]),
+    (r"a = b \rightarrow c = d", [r"a = b \Rightarrow c = d"]),
+    (r"f: x \to y", [r"f: x \to y"]),
+    (r"\begin{matrix} a = b \\ c = d \end{matrix}", ["a = b", "c = d"]),
+    (r"\begin{matrix} a = b & c = d \end{matrix}", [r"\begin{matrix} a = b & c = d \end{matrix}"]),
+    (r"\displaylines{a = b \\ c = d}", ["a = b", "c = d"]),
 ]  # fmt: skip
 
 
@@ -327,3 +339,60 @@ def test_ten_displays_of_the_texts_are_false_and_five_garbled() -> None:
             elif claim.fault is not None:
                 garbled.add(place)
     assert len(false) >= 10 and len(garbled - false) >= 5
+
+
+SAID = r"""
+%! workbench: symbols.'a' = { kind = "vector" }
+%! workbench: symbols.'b' = { kind = "vector" }
+%! workbench: symbols.'r' = { kind = "vector" }
+%! workbench: symbols.'\theta' = { kind = "scalar" }
+%! workbench: symbols.'p' = { kind = "scalar" }
+%! workbench: symbols.'F' = { kind = "tensor" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("formulas", "verdict", "why"),
+    [
+        (r"\[ a = r \times b \] \[ a \cdot b = 0 \]", "unchecked", "holds with what the text says of a (L8)"),
+        (r"\[ a = r \times b \] \[ a \cdot r = p \] \[ a \cdot a = 0 \]", "refuted", None),
+        (r"\[ a = r \times b \] \[ a = p r \] \[ a \cdot b = 0 \]", "unchecked", "false for a free a (L8')"),
+        (r"\[ a = r \times b \] \[ r = p b \] \[ a = 0 a \]", "unchecked", "holds with what the text says of"),
+        (r"\[ a = F b \] \[ b = F a \] \[ a \cdot b = 0 \]", "unchecked", "false for a free"),
+        (r"\[ a \cdot b = \|a\| \|b\| \cos \theta \]", "unchecked", "says what \\theta is"),
+        (r"\[ \sin^2 \theta = \cos \theta \]", "refuted", None),
+        (r"\[ a \times b \neq b \times a \]", "unchecked", "always, or in general"),
+        (r"\[ r \times (a + b) = r \times a + r \times a \]", "refuted", None),
+    ],
+)  # fmt: skip
+def test_what_a_text_says_of_its_symbols_elsewhere_is_no_falsehood(
+    tmp_path: Path, formulas: str, verdict: str, why: str | None
+) -> None:
+    path = tmp_path / "p.tex"
+    path.write_text(SAID + formulas)
+    last = json.loads(run("check", str(path), "--no-proposals", "--json").stdout)["claims"][-1]
+    assert last["verdict"] == verdict
+    assert why is None or why in last["reason"]
+
+
+FRAMED = """
+source = "p.tex"
+frames = { base = "N", names = ["A", "B"], dot = "N", '{}^F R^G' = "rotation to F from G" }
+symbols = { 'q' = { kind = "scalar" } }
+"""
+TURN = r"\begin{bmatrix} \cos q & -\sin q & 0 \\ \sin q & \cos q & 0 \\ 0 & 0 & 1 \end{bmatrix}"
+
+
+@pytest.mark.parametrize(
+    ("formula", "verdict"),
+    [
+        (rf"{{}}^A R^B = {TURN}", "unchecked"),
+        (r"{}^A R^N = {}^A R^B {}^B R^N", "proved"),
+        (r"{}^A R^N = {}^A R^B {}^N R^B", "refuted"),
+    ],
+)
+def test_a_formula_may_say_what_frames_leave_open(tmp_path: Path, formula: str, verdict: str) -> None:
+    (tmp_path / "p.tex").write_text(rf"\[ {formula} \]")
+    (tmp_path / "p.toml").write_text(FRAMED)
+    (claim,) = json.loads(run("check", str(tmp_path / "p.toml"), "--no-proposals", "--json").stdout)["claims"]
+    assert claim["verdict"] == verdict

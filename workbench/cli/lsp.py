@@ -143,7 +143,7 @@ def _publish(server: LanguageServer, file: Path, diagnostics: list[Diagnostic]) 
 
 
 #: What is no fault and waits for its author.
-_HINTS = ("states a law", "which nothing defines", "unknown symbol")
+_HINTS = ("states a law", "which nothing defines", "a definition makes it", "unknown symbol")
 
 
 def _diagnostic(server: LanguageServer, finding: Finding, result: ClaimResult | None) -> Diagnostic:

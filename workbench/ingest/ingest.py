@@ -13,11 +13,10 @@ from workbench.ingest.features import feature_of
 from workbench.ingest.kinds import Guess, Guesser, Outcome, Prose
 from workbench.ingest.proposals import Proposal, ground_of, loads, proposals_for, words_of
 from workbench.ingest.questions import questions_of
-from workbench.language.definitions import Definitions
 from workbench.language.terms import Relation, Statement, Symbol
 from workbench.papers.model import PaperError
+from workbench.papers.said import stated
 from workbench.papers.steps import Step, steps_of
-from workbench.papers.text_paper import stated
 from workbench.papers.texts import Display, Text, read_text
 
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
@@ -202,7 +201,7 @@ def _definitions(formulas: list[Formula]) -> list[Proposed]:
         if len(statements) != 1 or not isinstance(statements[0], Relation):
             continue
         name = _lone_left(statements[0])
-        if name is None or name in found or stated(statements[0], Definitions()) is None:
+        if name is None or name in found or stated(statements[0]) is None:
             continue
         sure = ":=" in formula.latex
         words = _DEFINES.search(formula.display.before)

@@ -28,7 +28,9 @@ _AXIS = re.compile(
     rf"(?:(?P<outer>{_BOLD})\s*\{{\s*)?\\hat\s*\{{?\s*(?:(?P<inner>{_BOLD})\s*\{{?\s*)?(?P<letter>[a-z])\}}*"
     r"\s*_\s*\{?\s*(?P<axis>[xyz123])(?![A-Za-z0-9])"
 )
-_LABELS = re.compile(r"\{\}\s*[_^]|/")
+#: The frame in which the others move, where the text names none.
+_NOWHERE = "O"
+_LABELS = re.compile(r"\{\}\s*[_^]|/|\\hat")
 _UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
 _BRACKET = re.compile(
     r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
@@ -216,11 +218,13 @@ def _frames(formulas: str) -> Iterator[Proposal]:
     for match in _JOINED.finditer(formulas):
         points.update((match["P"], match["O"]))
         spelled["points"][f"'{match['core'].strip()}^{{OP}}'"] = '"to P from O"'
-    if not seen and not rates:
+    triads = _triads(formulas)
+    if not (seen or rates or triads):
         return
-    base = Counter(rates or [_label(match["F"]) for match in seen]).most_common(1)[0][0]
+    labels = Counter(rates or [_label(match["F"]) for match in seen])
+    base = labels.most_common(1)[0][0] if labels else _NOWHERE
     names = [name for name in frames if name != base]
-    axes = _axes(formulas, [base, *names])
+    axes = _axes(triads, base, names)
     entries = {"base": f"'{base}'", "names": _list(names), "dot": f"'{base}'", **spelled["frames"], **axes}
     question = "Do scripts on the left name frames, and is {}^F ω^G that of G in F?"
     yield Proposal("frames", entries, "labels on the left", question, _LABELS, stands=True)
@@ -232,21 +236,31 @@ def _frames(formulas: str) -> Iterator[Proposal]:
         yield Proposal("points", entries, "labels of points", question, _LABELS, stands=True)
 
 
-def _axes(formulas: str, frames: Sequence[str]) -> dict[str, str]:
-    """The triads that are written with the letter of a frame: \\hat{b}_x, \\hat{b}_y, \\hat{b}_z of B."""
+def _triads(formulas: str) -> dict[str, tuple[str, str]]:
+    """\\hat{b}_x, \\hat{b}_y, \\hat{b}_z: by their letter, its font and the three indices."""
     found: dict[tuple[str, str], set[str]] = {}
     for match in _AXIS.finditer(formulas):
         font = match["inner"] or match["outer"] or ""
         found.setdefault((match["letter"], font), set()).add(match["axis"])
-    by_frame = {}
-    for (letter, font), axes in found.items():
-        frame = next((name for name in frames if name.strip("{}")[-1:] == letter.upper()), None)
-        triad = next((triad for triad in ("xyz", "123") if set(triad) <= axes), None)
-        if frame is not None and triad is not None:
-            core = f"{font}{{{letter}}}" if font else letter
-            by_frame[frame] = _list([f"\\hat{{{core}}}_{axis}" for axis in triad])
-    rows = ", ".join(f"'{frame}' = {triad}" for frame, triad in by_frame.items())
-    return {"axes": f"{{ {rows} }}"} if rows else {}
+    return {
+        letter: (font, triad)
+        for (letter, font), axes in found.items()
+        for triad in ("xyz", "123")
+        if set(triad) <= axes
+    }
+
+
+def _axes(triads: Mapping[str, tuple[str, str]], base: str, names: list[str]) -> dict[str, str]:
+    """The triads as the axes of frames: of B, or of one more frame, for the letter b."""
+    rows = []
+    for letter, (font, indices) in triads.items():
+        frame = next((name for name in [base, *names] if name.strip("{}")[-1:] == letter.upper()), None)
+        if frame is None:
+            frame = letter.upper()
+            names.append(frame)
+        core = f"{font}{{{letter}}}" if font else letter
+        rows.append(f"'{frame}' = " + _list([f"\\hat{{{core}}}_{axis}" for axis in indices]))
+    return {"axes": f"{{ {', '.join(rows)} }}"} if rows else {}
 
 
 def _meaning(core: str) -> tuple[str, str] | None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from workbench.language import construct
 from workbench.language.declarations import key_spelling
+from workbench.language.determinants import of_vectors
 from workbench.language.errors import Fault, Misfit, SpecError
 from workbench.language.integers import Linear
 from workbench.language.letters import letter, raised
@@ -311,6 +312,8 @@ class _Row:
             return self.of_two(leaf, place)
         if head == "root":
             return self.root(leaf, place)
+        if head == "det" and item is leaf and (found := of_vectors(self.scope, self.items[place + 1])):
+            return _Factor(found, leaf.at, place + 2, item)
         argument, end = self.argument(head, leaf, place + 1)
         if head == "skew" and argument.type.kind == "tensor":
             head = "antisymmetric"

@@ -272,6 +272,8 @@ class Tokenizer:
         else:
             known = ", ".join(sorted(MATRICES | LINES | {"array"}))
             raise Fault(f"unknown environment {name}; known: {known}", at)
+        if side == "begin" and name == "vmatrix":
+            self.emit("FUNCTION", "\\det", at)
         if side == "begin":
             self.push(f"\\begin{{{name}}}", at, "matrix" if is_matrix else "lines")
             self.emit("BEGIN_MATRIX" if is_matrix else "BEGIN_LINES", name, at)

@@ -119,7 +119,9 @@ BRACKETS = {
     "\\lVert": ("\\|", 1),
     "\\rVert": ("\\|", -1),
 }
-MATRICES = frozenset({"matrix", "bmatrix", "pmatrix", "smallmatrix", "bsmallmatrix", "psmallmatrix"})
+MATRICES = frozenset(
+    {"matrix", "bmatrix", "pmatrix", "smallmatrix", "bsmallmatrix", "psmallmatrix", "vmatrix"}
+)
 LINES = frozenset({"cases", "aligned", "align", "align*", "gathered", "split"})
 
 #: Signs without a meaning of their own: a paper says in [notation] what they are.

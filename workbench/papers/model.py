@@ -16,8 +16,9 @@ if TYPE_CHECKING:
     from workbench.judge.theorems.proofs import Proven
     from workbench.judge.verdict import Verdict
     from workbench.language.definitions import Definitions
+    from workbench.language.names import Name
     from workbench.language.symbols import SymbolTable
-    from workbench.language.terms import Statement, Symbol
+    from workbench.language.terms import Definition, Statement, Symbol
 
 
 #: A proof for the goal of the claim that names it; or an argument, which is its own statement.
@@ -138,7 +139,8 @@ class Mend:
 class Notation:
     """What the formulas of one file are written in. `motion`: symbol → its name on Drake's motions.
     `on_motions`: claim → what is looked at there, where that is not the claim's own formula. `words`:
-    functions that a text writes without their backslash."""
+    functions that a text writes without their backslash. `framed`: symbols that [frames] and [points]
+    define."""
 
     symbols: SymbolTable
     definitions: Definitions
@@ -146,6 +148,18 @@ class Notation:
     robot: Robot | None = None
     on_motions: Mapping[str, OnMotions] = field(default_factory=dict)
     words: frozenset[str] = frozenset()
+    framed: frozenset[Name] = frozenset()
+
+
+@dataclass(frozen=True)
+class Said:
+    """What the claim `place` of a text says of the symbol `name`, perhaps as a definition. `alone`: whether
+    no claim before it says something of the symbol, too."""
+
+    name: str
+    place: str
+    definition: Definition | None
+    alone: bool
 
 
 @dataclass(frozen=True)
@@ -159,7 +173,7 @@ class Claim:
     claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps before it in
     its chain, `skip` why its author leaves it out, `unread` why its model
     expects no verdict, `states` the symbol that it may define, `guessed` its
-    symbols whose kinds nobody has confirmed.
+    symbols whose kinds nobody has confirmed, `rests` what earlier claims say of its symbols.
     """
 
     id: str
@@ -191,6 +205,7 @@ class Claim:
     unread: str | None = None
     states: str | None = None
     guessed: tuple[str, ...] = ()
+    rests: tuple[Said, ...] = ()
 
     @property
     def expected(self) -> Outcome:

@@ -49,6 +49,7 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     )
     table = _spellings(files, table)
     table, definitions = framed([*files, *scopes], table)
+    made_by_frames = frozenset(definition.declaration.name for definition in definitions)
     for file, key, body in _in_scope(files, scopes):
         definition, table = _definition(file, key, body, table)
         definitions.append(definition)
@@ -59,7 +60,7 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     tied = ties(bound, Definitions(definitions))
     known = Definitions([*definitions, *tied])
     notation = Notation(table, known, bound, robots[-1] if robots else None)
-    notation = replace(notation, words=_words(files))
+    notation = replace(notation, words=_words(files), framed=made_by_frames)
     return replace(notation, on_motions=dict(f for file in files for f in formulas(file, notation)))
 
 

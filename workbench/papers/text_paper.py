@@ -8,23 +8,13 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.names import Name
-from workbench.language.terms import (
-    Conjunction,
-    Derivative,
-    Extremum,
-    Naming,
-    Relation,
-    Statement,
-    Symbol,
-    Term,
-)
+from workbench.language.terms import Symbol
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.orders import Orders, orders_within
+from workbench.papers.said import stated, terms_of, with_said
 from workbench.papers.steps import Step, steps_of
 from workbench.papers.text_model import Entry, TextModel, names_of
 from workbench.papers.texts import Display, Text, Token, spelled
@@ -78,7 +68,7 @@ def text_paper(
         doi,
         paths,
         notations[0][1],
-        tuple(claims),
+        tuple(with_said(claims)),
         citation=citation or {},
         text=text,
         faults=(*model.faults, *faults),
@@ -229,7 +219,7 @@ def _claim(placed: Placed, entries: Sequence[Entry] | None, guessed: Sequence[st
         span=span,
         chain=placed.chain,
         guessed=_used(printed, step.tokens, guessed),
-        states=printed.statement and stated(printed.statement, placed.notation.definitions),
+        states=printed.statement and stated(printed.statement, placed.notation),
     )
     for table in tables:
         claim = _with_keys(claim, table)
@@ -280,23 +270,6 @@ def _used(printed: Formula, tokens: Sequence[Token], guessed: Sequence[str]) -> 
     used = {str(term.declaration.name) for term in terms_of(printed.statement) if isinstance(term, Symbol)}
     used |= {f"\\{call.name}" for token in tokens if token.call for call in token.call.chain()}
     return tuple(name for name in guessed if name in used or name.startswith("["))
-
-
-def terms_of(statement: Statement) -> Iterator[Term]:
-    if isinstance(statement, Conjunction):
-        for part in statement.parts:
-            yield from terms_of(part)
-    elif isinstance(statement, Relation):
-        yield from statement.left.walk()
-        yield from statement.right.walk()
-    elif isinstance(statement, Naming):
-        yield from (part for term in statement.terms for part in term.walk())
-    elif isinstance(statement, Extremum):
-        yield from statement.body.walk()
-        yield from statement.value.walk()
-    else:
-        yield from terms_of(statement.left)
-        yield from terms_of(statement.right)
 
 
 def _orders(tables: Sequence) -> Orders | None:
@@ -373,29 +346,3 @@ def _span(tokens: Sequence[Token]) -> Span:
     first = min(tokens, key=lambda token: token.start)
     last = max(tokens, key=lambda token: token.end)
     return Span(first.source.path, *first.source.place(first.start), *last.source.place(last.end))
-
-
-def stated(statement: Statement, definitions: Definitions) -> str | None:
-    """The symbol, or its highest derivative, that stands alone on one side, occurs nowhere else, and has no
-    definition: what the formula may say of it is no identity."""
-    if not isinstance(statement, Relation) or statement.operator != "=":
-        return None
-    for one, other in ((statement.left, statement.right), (statement.right, statement.left)):
-        symbol, order = _derived(one)
-        if symbol is None or symbol.declaration.name in _defined(definitions):
-            continue
-        if not any(_derived(term) == (symbol, order) for term in other.walk()):
-            return str(symbol.declaration.name)
-    return None
-
-
-def _derived(term: Term) -> tuple[Symbol | None, object]:
-    if isinstance(term, Symbol):
-        return term, 0
-    if isinstance(term, Derivative) and isinstance(term.body, Symbol):
-        return term.body, term.order
-    return None, 0
-
-
-def _defined(definitions: Definitions) -> set[Name]:
-    return {definition.declaration.name for definition in definitions}

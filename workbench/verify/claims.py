@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cache
 from types import MappingProxyType
@@ -18,6 +19,8 @@ from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.proofs import False_, Kernel, Proven
 from workbench.judge.theorems.prove import Lemmas, prove
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
+from workbench.language.definitions import Definitions
+from workbench.language.terms import Relation
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Theorem
 from workbench.papers.selection import select_claims
 from workbench.verify.memory import Keys, Memory
@@ -157,11 +160,37 @@ class ClaimJudge:
         verdict = self._verdict(claim, claim.printed, claim.hypothesis)
         if verdict.outcome is Outcome.REFUTED and claim.states is not None:
             return Verdict(Outcome.UNCHECKED, reason=_states(claim.states), read_back=verdict.read_back)
+        is_open = verdict.outcome is Outcome.REFUTED and claim.corrected is None
+        if is_open and (why := self._left_open(claim)) is not None:
+            return Verdict(Outcome.UNCHECKED, reason=why, read_back=verdict.read_back)
         if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
             return Verdict(
                 Outcome.UNCHECKED, reason=_as_guessed(verdict, claim.guessed), read_back=verdict.read_back
             )
         return verdict
+
+    def _left_open(self, claim: Claim) -> str | None:
+        """Why a refuted formula of a text may be true all the same: of what the text says of its symbols
+        elsewhere, the model defines nothing. One that is false with that, too, and clearly so, is false."""
+        statement = claim.printed.statement
+        if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
+            return "the sides are equal in places: are they said to differ always, or in general?"
+        if not claim.rests:
+            return None
+        definitions = [said.definition for said in claim.rests if said.definition is not None]
+        under = None
+        if len(definitions) == len(claim.rests):
+            known = Definitions([*claim.notation.definitions, *definitions])
+            with suppress(Unsatisfiable, RecursionError):
+                judge = Judge(known, **self.options)
+                under = _undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
+        shown = ", ".join(f"{said.name} ({said.place})" for said in claim.rests)
+        if under is not None and under.outcome is Outcome.PROVED:
+            return f"holds with what the text says of {shown}; a definition makes it proved"
+        is_clear = all(said.alone for said in claim.rests)
+        if under is not None and under.outcome is Outcome.REFUTED and is_clear:
+            return None
+        return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
 
     def _proof(self, claim: Claim) -> Verdict:
         """On the goal, by its proof; without one, by the judge of formulas alone."""

@@ -1,0 +1,162 @@
+"""What a text says of its own symbols: a formula that has one alone on a side may be its definition.
+
+A formula that contradicts what the text says of its symbols elsewhere is no falsehood as long as the model
+does not say which of them are defined so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from workbench.language.definitions import Definitions
+from workbench.language.names import Name
+from workbench.language.terms import (
+    Apply,
+    Conjunction,
+    Definition,
+    Derivative,
+    Extremum,
+    IllFormed,
+    Naming,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
+from workbench.language.types import Declaration
+from workbench.papers.model import Claim, Notation, Said
+
+_ROUND = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
+
+
+def terms_of(statement: Statement) -> Iterator[Term]:
+    if isinstance(statement, Conjunction):
+        for part in statement.parts:
+            yield from terms_of(part)
+    elif isinstance(statement, Relation):
+        yield from statement.left.walk()
+        yield from statement.right.walk()
+    elif isinstance(statement, Naming):
+        yield from (part for term in statement.terms for part in term.walk())
+    elif isinstance(statement, Extremum):
+        yield from statement.body.walk()
+        yield from statement.value.walk()
+    else:
+        yield from terms_of(statement.left)
+        yield from terms_of(statement.right)
+
+
+def stated(statement: Statement, notation: Notation | None = None) -> str | None:
+    """The symbol that the formula may say something of: one that stands alone on a side, or its highest
+    derivative, occurs nowhere else, and has no definition; one that frames give, where the other side holds
+    something that they do not; an angle that occurs once."""
+    found = _stated(statement, notation)
+    return None if found is None else str(found[0].declaration.name)
+
+
+def with_said(claims: Sequence[Claim]) -> list[Claim]:
+    """The claims, each with what earlier ones say of the symbols that it uses."""
+    said: dict[Declaration, Said] = {}
+    made = []
+    for claim in claims:
+        statement, notation = claim.printed.statement, claim.notation
+        if statement is None:
+            made.append(claim)
+            continue
+        made.append(replace(claim, rests=_rests(statement, notation.definitions, said)))
+        if (found := _stated(statement, notation)) is not None:
+            symbol, definition = found
+            of = [symbol.declaration] if symbol.declaration.name not in notation.framed else []
+            for declaration in of or _free([symbol], notation.definitions):
+                is_alone = declaration not in said
+                said[declaration] = Said(str(symbol.declaration.name), claim.id, definition, is_alone)
+    return made
+
+
+def _rests(statement: Statement, definitions: Definitions, said: dict[Declaration, Said]) -> tuple[Said, ...]:
+    """What is said of the symbols in the statement, and of those in these definitions."""
+    found: dict[Declaration, Said] = {}
+    waiting = _free(terms_of(statement), definitions)
+    while waiting:
+        declaration = waiting.pop()
+        if declaration in found or declaration not in said:
+            continue
+        found[declaration] = said[declaration]
+        if (definition := found[declaration].definition) is not None:
+            waiting |= _free([definition.body], definitions)
+    return tuple(sorted(set(found.values()), key=lambda each: (each.place, each.name)))
+
+
+def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, Definition | None] | None:
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return None
+    definitions = Definitions() if notation is None else notation.definitions
+    known = {definition.declaration.name for definition in definitions}
+    framed = frozenset() if notation is None else notation.framed
+    for one, other in ((statement.left, statement.right), (statement.right, statement.left)):
+        symbol, order = _derived(one)
+        if symbol is None or any(_derived(term) == (symbol, order) for term in other.walk()):
+            continue
+        if symbol.declaration.name in framed:
+            bodies = (each.body for each in definitions if each.declaration.name in framed)
+            if _free([other], definitions) - _free(bodies, definitions):
+                return symbol, None
+        elif symbol.declaration.name not in known:
+            return symbol, None if order else _definition(symbol, other)
+    angle = _only_angle(statement, known)
+    return None if angle is None else (angle, None)
+
+
+def _definition(symbol: Symbol, body: Term) -> Definition | None:
+    """The symbol as the body; None for one of which more is declared than its kind."""
+    declaration = symbol.declaration
+    plain = Declaration(declaration.name, declaration.type, declaration.weight)
+    uses_itself = any(isinstance(part, Symbol) and part.declaration == declaration for part in body.walk())
+    if declaration != plain or symbol.index or uses_itself or body.type != declaration.type:
+        return None
+    return Definition(declaration, (), (), body)
+
+
+def _only_angle(statement: Statement, known: set[Name]) -> Symbol | None:
+    """An angle that occurs once, and of which the sine or the like says what it is."""
+    terms = list(terms_of(statement))
+    symbols = [term for term in terms if isinstance(term, Symbol)]
+    for term in terms:
+        if isinstance(term, Apply) and term.head in _ROUND and isinstance(term.arguments[0], Symbol):
+            (angle,) = term.arguments
+            if symbols.count(angle) == 1 and angle.declaration.name not in known:
+                return angle
+    return None
+
+
+def _derived(term: Term) -> tuple[Symbol | None, object]:
+    if isinstance(term, Symbol):
+        return term, 0
+    if isinstance(term, Derivative) and isinstance(term.body, Symbol):
+        return term.body, term.order
+    return None, 0
+
+
+def _free(terms: Iterable[Term], definitions: Definitions) -> set[Declaration]:
+    """The declarations of the symbols that nothing defines, in the terms and in what defines others."""
+    found: set[Declaration] = set()
+    seen: set[Symbol] = set()
+    waiting = list(terms)
+    while waiting:
+        for part in waiting.pop().walk():
+            if isinstance(part, Symbol) and part not in seen:
+                seen.add(part)
+                body = _body(part, definitions)
+                if body is None:
+                    found.add(part.declaration)
+                else:
+                    waiting.append(body)
+    return found
+
+
+def _body(symbol: Symbol, definitions: Definitions) -> Term | None:
+    try:
+        return definitions.lookup(symbol)
+    except IllFormed:
+        return None

@@ -136,8 +136,8 @@ class Case:
         if not self.assumptions.equations:
             return point
         point = dict(point)
-        for generator, value in reversed(self.solved.solved):
-            point[self.exact.parameter_of(generator)] = self.exact.at(value, point)
+        for pivot in reversed(self.solved.solved):
+            point[self.exact.parameter_of(pivot.generator)] = self.exact.at(pivot.value, point)
         return point
 
     @cached_property

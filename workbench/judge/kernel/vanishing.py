@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import NamedTuple
 
 from flint import fmpq
 
@@ -57,6 +58,14 @@ def _positive(p: Polynomial) -> bool:
     return constant and even
 
 
+class Pivot(NamedTuple):
+    """A generator, its place in the ring, and what it is where the equations hold."""
+
+    place: int
+    generator: Polynomial
+    value: Polynomial
+
+
 @dataclass
 class Equations:
     """The zeros of some polynomials: those that are solved for one of their generators, and the rest.
@@ -65,7 +74,7 @@ class Equations:
     that everywhere. By a polynomial without such x is divided: that finds some consequences and invents none.
     """
 
-    solved: list[tuple[Polynomial, Polynomial]]
+    solved: list[Pivot]
     rest: list[Polynomial]
 
     def imply(self, p: Polynomial, normal: Callable[[Polynomial], Polynomial]) -> bool:
@@ -75,48 +84,61 @@ class Equations:
         return p == 0 or self._remainder(normal(p * p)) == 0
 
     def _remainder(self, p: Polynomial) -> Polynomial:
-        for generator, value in self.solved:
-            p = _replaced(p, generator, value)
+        spread = _Spread(p)
+        for pivot in self.solved:
+            spread = spread.replaced(pivot)
+        p = spread.polynomial
         for divisor in self.rest:
             p = divmod(p, divisor)[1]
         return p
 
 
+class _Spread:
+    """A polynomial and the places of the generators in it: most are put into polynomials without them."""
+
+    def __init__(self, polynomial: Polynomial) -> None:
+        self.polynomial = polynomial
+        self.places = {place for place, degree in enumerate(polynomial.degrees()) if degree}
+
+    def replaced(self, pivot: Pivot) -> _Spread:
+        if pivot.place not in self.places:
+            return self
+        context = self.polynomial.context()
+        images = list(context.gens())
+        images[pivot.place] = pivot.value
+        return _Spread(self.polynomial.compose(*images, ctx=context))
+
+
 def solve(engine: ExactEngine, equations: Sequence[Relation]) -> Equations:
     """The equations' residuals, solved one after the other as far as possible."""
-    pending = [p for e in equations for p in engine.residuals(e) if p != 0]
-    found = Equations([], [])
+    pending = [_Spread(p) for e in equations for p in engine.residuals(e) if p != 0]
+    solved: list[Pivot] = []
+    rest: list[_Spread] = []
     while pending:
-        p = pending.pop(0)
-        pivot = _pivot(engine, p)
+        first = pending.pop(0)
+        pivot = _pivot(engine, first.polynomial)
         if pivot is None:
-            found.rest.append(p)
+            rest.append(first)
             continue
-        generator, value = pivot
-        found.solved.append(pivot)
-        pending = [q for q in (_replaced(q, generator, value) for q in pending) if q != 0]
-        found.rest = [_replaced(q, generator, value) for q in found.rest]
-    return found
+        solved.append(pivot)
+        pending, rest = (
+            [q for q in (p.replaced(pivot) for p in group) if q.polynomial != 0] for group in (pending, rest)
+        )
+    return Equations(solved, [p.polynomial for p in rest])
 
 
-def _pivot(engine: ExactEngine, p: Polynomial) -> tuple[Polynomial, Polynomial] | None:
+def _pivot(engine: ExactEngine, p: Polynomial) -> Pivot | None:
     squared = engine.ring.squared
     for exponents, coefficient in p.terms():
         places = [place for place, e in enumerate(exponents) if e]
         if len(places) != 1 or exponents[places[0]] != 1:
             continue
-        generator = p.context().gens()[places[0]]
         if engine.ring.names[places[0]] in squared or p.degrees()[places[0]] != 1:
             continue
         if p.derivative(places[0]).is_constant():
-            return generator, generator - p / coefficient
+            generator = p.context().gens()[places[0]]
+            return Pivot(places[0], generator, generator - p / coefficient)
     return None
-
-
-def _replaced(p: Polynomial, generator: Polynomial, value: Polynomial) -> Polynomial:
-    context = p.context()
-    images = [value if g == generator else g for g in context.gens()]
-    return p.compose(*images, ctx=context)
 
 
 def points_on(

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import gcd, isqrt, lcm
-from typing import Any
+from typing import Any, TypeAlias
 
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource
@@ -22,6 +22,8 @@ from workbench.judge.second.sympy_gate import (
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter, parameters
 from workbench.language.terms import Relation
+
+Spread: TypeAlias = "tuple[PolyElement, set[int]]"
 
 #: What this engine is called in the evidence.
 METHOD = "SymPy PolyRing on Python integers"
@@ -156,8 +158,7 @@ class SympyRing:
         """The remainder by the relations, which are a Gröbner basis (see `differential_ring.py`): squares are
         rewritten from the highest rank down."""
         for place in sorted(self._squares):
-            if any(powers[place] > 1 for powers in p):
-                p = _with_square(p, place, self._squares[place].set_ring(p.ring))
+            p = _rewritten(p, place, 2, self._squares[place].set_ring(p.ring))
         return p
 
     def tops(self, values: Sequence[Any]) -> list[PolyElement]:
@@ -226,19 +227,21 @@ class SympyRing:
         return bases if len(self._root_squares) + more <= self._roots else [(square, 1)]
 
 
-def _with_square(p: PolyElement, place: int, square: PolyElement) -> PolyElement:
-    """p with x² replaced by the square, x being the indeterminate at that place."""
+def _rewritten(p: PolyElement, place: int, power: int, value: PolyElement) -> PolyElement:
+    """p with each x^power replaced by the value, x being the indeterminate at that place."""
+    if not any(powers[place] >= power for powers in p):
+        return p
     parts: dict[int, dict[tuple[int, ...], Any]] = {0: {}}
     for powers, coefficient in p.items():
-        if powers[place] > 1:
-            half, odd = divmod(powers[place], 2)
-            powers = (*powers[:place], odd, *powers[place + 1 :])
-            parts.setdefault(half, {})[powers] = coefficient
+        if powers[place] >= power:
+            times, left = divmod(powers[place], power)
+            powers = (*powers[:place], left, *powers[place + 1 :])
+            parts.setdefault(times, {})[powers] = coefficient
         else:
             parts[0][powers] = coefficient
     total = p.ring.zero
-    for half in range(max(parts), -1, -1):
-        total = total * square + p.new(parts.get(half, ()))
+    for times in range(max(parts), -1, -1):
+        total = total * value + p.new(parts.get(times, ()))
     return total
 
 
@@ -265,24 +268,41 @@ def recheck(
 def _eliminated(tops: list[PolyElement], supposed: list[PolyElement], ring: SympyRing) -> list[PolyElement]:
     """The polynomials where the supposed ones vanish. A supposed one that is linear in an indeterminate, with
     a number as coefficient, is solved for it and put in; by the others the result is divided."""
-    generators = ring.rationals.gens
-    relations = ring.over_rationals(ring.relations)
-    bound = {x for relation in relations for x in generators if relation.degree(x) > 0}
-    supposed, divisors = list(supposed), []
-    while supposed:
-        p = supposed.pop()
-        solvable = (x for x in generators if x not in bound and p.degree(x) == 1 and p.diff(x).is_ground)
-        x = next(solvable, None)
-        if x is None:
-            divisors.append(p)
+    bound = {place for r in ring.relations for powers in r for place, power in enumerate(powers) if power}
+    pending, divisors, rests = _spread(supposed), [], _spread(tops)
+    while pending:
+        p, holds = pending.pop()
+        place = _solvable(p, bound)
+        if place is None:
+            divisors.append((p, holds))
             continue
-        value = x - p.quo_ground(p.diff(x).LC)
-        tops, supposed, divisors = (
-            [q.compose(x, value) if q.degree(x) > 0 else q for q in group]
-            for group in (tops, supposed, divisors)
-        )
-        supposed, divisors = ([q for q in group if q] for group in (supposed, divisors))
-    return [top.rem(divisors) if divisors else top for top in tops]
+        x = ring.rationals.gens[place]
+        value = x - p.quo_ground(p.coeff(x))
+        pending, divisors, rests = (_with_value(group, place, value) for group in (pending, divisors, rests))
+        pending, divisors = ([pair for pair in group if pair[0]] for group in (pending, divisors))
+    by = [p for p, _ in divisors]
+    return [p.rem(by) if by else p for p, _ in rests]
+
+
+def _spread(polynomials: Iterable[PolyElement]) -> list[Spread]:
+    """Each with the places of the indeterminates in it: most are put into polynomials without them."""
+    return [
+        (p, {place for place, powers in enumerate(zip(*p, strict=True)) if any(powers)}) for p in polynomials
+    ]
+
+
+def _with_value(group: Iterable[Spread], place: int, value: PolyElement) -> list[Spread]:
+    found: list[Spread] = []
+    for p, places in group:
+        found += _spread([_rewritten(p, place, 1, value)]) if place in places else [(p, places)]
+    return found
+
+
+def _solvable(p: PolyElement, bound: Collection[int]) -> int | None:
+    """The place of the first indeterminate, not a bound one, that p holds in no other term than c · x."""
+    alone = (powers.index(1) for powers in p if sum(powers) == 1)
+    free = (place for place in alone if place not in bound)
+    return min((place for place in free if sum(powers[place] > 0 for powers in p) == 1), default=None)
 
 
 def recheck_division(

@@ -2,6 +2,7 @@
 it" is said only where that is proved."""
 
 from fractions import Fraction
+from itertools import permutations
 from random import Random
 
 import pytest
@@ -113,6 +114,13 @@ def test_a_root_is_a_root():
     assert field.generator * field.generator * field.generator == 2
     assert field.generator != 1 and float(field.generator) == pytest.approx(2 ** (1 / 3))
     assert (field.generator * 0).rational() == 0 and field.generator.rational() is None
+
+
+@pytest.mark.parametrize("assume", list(permutations(["f^2 g = g^3", "f = g"])), ids="; ".join)
+def test_an_equation_that_the_others_make_empty_says_nothing_more(assume):
+    """f² g = g³ is solved for nothing, and 0 = 0 where f = g: no engine divides by it then."""
+    assert judged("f a = g a", assume).outcome == Outcome.PROVED
+    assert judged("f a = 2 g a", assume).outcome == Outcome.REFUTED
 
 
 def test_how_numbers_are_written():

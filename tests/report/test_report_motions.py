@@ -54,7 +54,7 @@ def texts(tmp_path_factory):
 
 def test_an_error_has_its_cost_and_its_picture_with_words(texts):
     page, note = texts["report.html"], texts["erratum.tex"]
-    cost = "the two sides differ by 200"
+    cost = "the sides differ by 200"
     assert cost in page and cost in note
     svg, *again = re.findall(r'<svg class="residuals".*?</svg>', page, re.DOTALL)
     assert 'role="img"' in svg and 'aria-label="Equation 7 on two cyl' in svg and "<title" in svg

@@ -20,6 +20,7 @@ _PLACE_IN_SOURCE = re.compile(r"(?:cannot be read: )?line \d+, column \d+: ")
 _OTHERS = "Others."
 #: A longer sentence is not quoted where it is corrected.
 _LONG_QUOTE = 400
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 @dataclass(frozen=True)
@@ -176,9 +177,12 @@ def _cost(result: ClaimResult) -> str | None:
     error = result.on_motions.error
     if error is None or result.claim.quote:
         return None
+    factor, exponent = f"{error.right:.0e}".split("e")
+    bound = f"{'' if factor == '1' else factor + '·'}10{str(int(exponent)).translate(_RAISED)}"
+    time = f"{error.time:g}".replace("-", "−")
     return (
-        f"On a simulated motion ({error.motion}, t = {error.time:g} s) the two sides differ by"
-        f" {percent(error.false)} of their size as printed, once corrected by less than {error.right:.0e}"
+        f"On a simulated motion ({error.motion}, t = {time} s) the sides differ by {percent(error.false)}"
+        f" as printed, by less than {bound} as corrected"
     )
 
 

@@ -3,33 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
+from workbench.language.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
 from workbench.language.names import Name
 from workbench.language.notations import Notation
 from workbench.language.scope import Scope
-from workbench.language.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
+from workbench.language.spelling import INDEX_LETTERS, Scripts, linear, spell
 from workbench.language.symbols import may_be_label
 from workbench.language.syntax import (
     Accented,
     Bracket,
     Group,
-    Infix,
     Leaf,
     Node,
-    Product,
     Scripted,
     Styled,
     Sum,
 )
 from workbench.language.terms import Derivative, IllFormed, Symbol, Term, Zero
-from workbench.language.types import CLOCK, TENSOR, VECTOR, Type
-
-_UNITS = ("\\mathbf{I}", "\\underline{\\mathbf{I}}")
-_COUNTING = ("C", "\\mathbf{C}", "\\mathrm{C}")
+from workbench.language.types import CLOCK, TENSOR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
 Lettered = tuple[Term, Node | None]
@@ -61,9 +56,9 @@ class _Lettering:
             case Leaf(kind="LETTER" | "MARK"):
                 return self.symbol(node, styles, scripts)
             case Leaf(kind="NUMBER") if styles and (
-                found := self.constant(Name.styled(styles, node.text), scripts)
+                found := constant(self.scope.table, Name.styled(styles, node.text), scripts)
             ):
-                return found
+                return self.meant(found, node, scripts), found.sup
             case Leaf(kind="NUMBER", text="0") if styles or scripts.sub is not None:
                 return self.zero(scripts), scripts.sup
             case Styled() if self.scope.table.notations.accents(node.style):
@@ -107,28 +102,29 @@ class _Lettering:
         return (term if sup is None else raised(self.scope, term, sup)), outer.sup
 
     def symbol(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Lettered:
-        """The declared symbol, with the superscript as part of the name if there is such a name."""
-        scope, letter = self.scope, Name.styled(styles, leaf.text)
-        plain = not (styles or scripts.primes or scripts.left_sub or scripts.left_sup)
-        if plain and leaf.kind == "LETTER":
-            variable = variable_name(Scripted(leaf.at, leaf, scripts.sub) if scripts.sub else leaf)
-            if variable in scope.variables:
-                return scope.integer_variable(variable, leaf.at), scripts.sup
-        for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())):
-            spelling = spell(letter, tried, scope.variables)
-            if spelling is None:
-                continue
-            if self.bracket is not None and (found := scope.table.find(spelling, function=True)) is not None:
-                return self.function(leaf, *found), sup
-            if (found := scope.table.find(spelling)) is not None:
-                return scope.build(leaf.at, construct.symbol, *found), sup
-        found = self.primed(leaf, styles, scripts)
-        found = found or self.constant(letter, scripts) or self.builtin(letter.base, scripts, leaf.at)
-        if found is not None:
-            return found
-        if leaf.kind == "MARK":
+        """The term of a letter, with the superscript as part of the name if there is such a name."""
+        scope = self.scope
+        found = meaning(scope.table, scope.variables, leaf, styles, scripts, self.bracket is not None)
+        if found is None and leaf.kind == "MARK":
             raise Fault(f"{leaf.text} cannot stand here", leaf.at)
-        raise Fault(self.unknown(letter, scripts), leaf.at)
+        if found is None:
+            raise Fault(self.unknown(Name.styled(styles, leaf.text), scripts), leaf.at)
+        term = self.meant(found, leaf, scripts)
+        for _ in range(found.primes):
+            term = notated(scope, leaf.at, scope.table.notations.primes(), term, "the prime")
+        return term, found.sup
+
+    def meant(self, found: Meaning, leaf: Leaf, scripts: Scripts) -> Term:
+        match found.what:
+            case str() as variable:
+                return self.scope.integer_variable(variable, leaf.at)
+            case Declaration() as declaration if found.takes_bracket:
+                return self.function(leaf, declaration, found.index)
+            case Declaration() as declaration:
+                return self.scope.build(leaf.at, construct.symbol, declaration, found.index)
+            case Notation() as entry:
+                return self.scope.term(entry.filled({}))
+        return self.built_in(found.what, scripts, leaf.at)
 
     def function(self, leaf: Leaf, declaration, index) -> Term:
         self.takes_bracket = True
@@ -150,57 +146,29 @@ class _Lettering:
             entries = self.scope.table.notations.accents(node.style)
             return notated(self.scope, node.at, entries, term, node.style), sup
 
-    def primed(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Lettered | None:
-        """x', where that is no name, as the paper explains a prime."""
-        entries = self.scope.table.notations.primes()
-        if not scripts.primes or not entries:
-            return None
-        term, sup = self.symbol(leaf, styles, replace(scripts, primes=scripts.primes - 1))
-        return notated(self.scope, leaf.at, entries, term, "the prime"), sup
-
-    def constant(self, letter: Name, scripts: Scripts) -> Lettered | None:
-        """A name that stands for a term in the paper's own notation."""
-        if not self.scope.table.constants:
-            return None
-        for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())):
-            spelling = spell(letter, tried, ())
-            if spelling is not None and (entry := self.scope.table.constants.get(spelling.exact)) is not None:
-                return self.scope.term(entry.filled({})), sup
-        return None
-
-    def builtin(self, base: str, scripts: Scripts, at: int) -> Lettered | None:
-        """I, ε, D, e^x and C_n^k, where the paper declares no symbol of that name."""
-        if scripts.left_sub is not None or scripts.left_sup is not None or scripts.primes:
-            return None
-        if base in _COUNTING and scripts.sub is not None and scripts.sup is not None:
-            if self.scope.table.has_letter(base):
-                raise Fault(
-                    f"{base} is a symbol too; write the number of combinations as \\binom{{n}}{{k}}", at
-                )
-            return self.scope.combinations(scripts.sub, scripts.sup), None
-        size, _ = _size(scripts.sub)
-        if scripts.sub is not None and (size is None or size.rows != size.columns):
-            return None
-        if base in _UNITS:
-            return construct.identity(size or TENSOR), scripts.sup
-        if size is not None:
-            return None
-        match base:
+    def built_in(self, name: Name, scripts: Scripts, at: int) -> Term:
+        """I, ε, D, t, e^x and C_n^k."""
+        match name.base:
+            case "\\mathbf{I}" | "\\underline{\\mathbf{I}}":
+                return construct.identity(size_below(scripts.sub)[0] or TENSOR)
             case "\\varepsilon":
-                return construct.dual_unit(), scripts.sup
+                return construct.dual_unit()
             case "t":
-                return construct.symbol(CLOCK), scripts.sup
+                return construct.symbol(CLOCK)
             case "\\mathbf{D}":
-                return construct.time_operator(), scripts.sup
-            case "e" | "\\mathrm{e}" if scripts.sup is not None:
-                return self.scope.apply(scripts.sup.at, "exp", self.scope.term(scripts.sup)), None
-        return None
+                return construct.time_operator()
+        if name in EXPONENTIALS:
+            return self.scope.apply(scripts.sup.at, "exp", self.scope.term(scripts.sup))
+        if self.scope.table.has_letter(name.base):
+            what = "write the number of combinations as \\binom{n}{k}"
+            raise Fault(f"{name} is a symbol too; {what}", at)
+        return self.scope.combinations(scripts.sub, scripts.sup)
 
     def zero(self, scripts: Scripts) -> Term:
         """𝟎 is the zero vector; 𝟎_{3×3} is the zero tensor. Beside other terms 𝟎 and 𝟎₃ take their kind."""
         if scripts.sub is None:
             return construct.zero(VECTOR)
-        size, is_square = _size(scripts.sub)
+        size, is_square = size_below(scripts.sub)
         if size is None or (is_square and size != TENSOR):
             raise Fault("expected the shape of the zero, such as 6\\times 6 or 6\\times 1", scripts.sub.at)
         return construct.zero(VECTOR if is_square else size)
@@ -262,23 +230,6 @@ def _refuse_label(term: Term, sup: Node) -> None:
     is_number = isinstance(inner, Leaf) and inner.kind == "NUMBER" and inner.text.isdigit()
     if is_number and isinstance(term, Symbol) and may_be_label(term, int(inner.text)):
         raise Fault(f"the power {inner.text}, or the label of a frame? bracket what the power is of", sup.at)
-
-
-def _size(sub: Node | None) -> tuple[Type | None, bool]:
-    """What 3×1 or a single 3 says below a zero or a unit tensor, and whether it is a single number."""
-    inner = sub.parts[0] if isinstance(sub, Group) and len(sub.parts) == 1 else sub
-    match inner:
-        case Product(
-            items=(Leaf(kind="NUMBER") as rows, Infix(operator="×"), Leaf(kind="NUMBER") as columns)
-        ):
-            sizes = (rows.text, columns.text)
-        case Leaf(kind="NUMBER"):
-            sizes = (inner.text, inner.text)
-        case _:
-            return None, False
-    if not all(size.isdecimal() and 0 < int(size) < 100 for size in sizes):
-        return None, False
-    return Type(int(sizes[0]), int(sizes[1])), isinstance(inner, Leaf)
 
 
 def _is_upright_t(node: Node) -> bool:

@@ -10,7 +10,7 @@ from workbench.language.names import Name
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Node, parse
 from workbench.repair.trees.integers import bound_variables
-from workbench.repair.trees.letters import meaning, occurrences
+from workbench.repair.trees.letters import meaning_of, occurrences
 from workbench.repair.trees.marks import Mark, marked
 from workbench.repair.trees.nodes import latex_of
 
@@ -21,15 +21,15 @@ def as_printed(latex: str, printed: str, table: SymbolTable, integers: Collectio
         lines, shown = parse(latex), parse(printed)
     except Fault:
         return latex
-    spelled: dict[Name, dict[str, Node]] = {}  # by name: the letters that stand for it in print
+    spelled: dict[Name | str, dict[str, Node]] = {}  # by name: the letters that stand for it in print
     for found in occurrences(shown):
-        name = meaning(found, table, frozenset(integers) | bound_variables(shown))
-        if name is not None and not found.styles:
-            spelled.setdefault(name, {}).setdefault(latex_of(found.node), found.node)
+        meant = meaning_of(found, table, frozenset(integers) | bound_variables(shown))
+        if meant is not None and not found.styles:
+            spelled.setdefault(meant.name, {}).setdefault(latex_of(found.node), found.node)
     marks = []
     for found in occurrences(lines):
-        name = meaning(found, table, frozenset(integers) | bound_variables(lines))
-        forms = spelled.get(name, {}) if name is not None and not found.styles else {}
+        meant = meaning_of(found, table, frozenset(integers) | bound_variables(lines))
+        forms = spelled.get(meant.name, {}) if meant is not None and not found.styles else {}
         if forms and latex_of(found.node) not in forms:
             marks.append(Mark(found.node, next(iter(forms.values())), 0, "mark", ""))
     return latex_of(marked(marks, lines)) if marks else latex

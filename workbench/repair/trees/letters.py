@@ -6,8 +6,9 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.language.errors import Fault
+from workbench.language.meanings import Meaning, meaning
 from workbench.language.names import Name
-from workbench.language.spelling import Scripts, linear, spell, variable_name
+from workbench.language.spelling import Scripts, linear
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Accented,
@@ -38,8 +39,6 @@ _ALIKE = (
     ("\\tau", "t"),
     ("\\mu", "u"),
 )
-_BUILT_IN = frozenset(("\\mathbf{I}", "\\underline{\\mathbf{I}}", "\\varepsilon", "\\mathbf{D}"))
-_COUNTING = frozenset(("C", "\\mathbf{C}", "\\mathrm{C}"))
 _OF_TIME = frozenset(("d", "t"))
 
 
@@ -61,15 +60,11 @@ class Occurrence:
 
     @property
     def letter(self) -> Name:
-        return self.letter_of(self.node)
+        return Name.styled((*self.styles, *_styles(self.node)), self.text)
 
     @property
     def base(self) -> str:
         return self.letter.base
-
-    def letter_of(self, node: Node) -> Name:
-        """The letter with another one in the place of the node."""
-        return Name.styled((*self.styles, *_styles(node)), letter_of(node).text)
 
 
 def _styles(node: Node) -> tuple[str, ...]:
@@ -144,35 +139,13 @@ def is_rate(fraction: Fraction) -> bool:
     return all(isinstance(head, Leaf) and head.text == "d" for head in heads)
 
 
-def is_known(
+def meaning_of(
     found: Occurrence, table: SymbolTable, integers: Collection[str], node: Node | None = None
-) -> bool:
-    """Whether the paper has the letter, or has one if `node` stood in its place."""
-    return meaning(found, table, integers, node) is not None
-
-
-def meaning(
-    found: Occurrence, table: SymbolTable, integers: Collection[str], node: Node | None = None
-) -> Name | None:
-    """The name under which the paper has the letter, or what it would be with `node` in its place."""
-    letter = found.letter_of(node or found.node)
-    base = letter.base
-    if base in _BUILT_IN or (base in _COUNTING and found.scripts.sub) or (base == "e" and found.scripts.sup):
-        return letter
-    if base == "t" or variable_name(_plain(base, found)) in integers:
-        return letter
-    for scripts in (found.scripts, found.scripts.without_sup()):
-        spelling = spell(letter, scripts, integers)
-        if spelling is not None:
-            symbol = table.find(spelling) or (table.find(spelling, True) if found.bracket else None)
-            if symbol is not None:
-                return symbol[0].name
-    return None
-
-
-def _plain(base: str, found: Occurrence) -> Node:
-    leaf = Leaf(0, "LETTER", base)
-    return Scripted(0, leaf, found.scripts.sub) if found.scripts.sub is not None else leaf
+) -> Meaning | None:
+    """What the letter means in the paper, or would with `node` in its place."""
+    node = node or found.node
+    styles = (*found.styles, *_styles(node))
+    return meaning(table, integers, letter_of(node), styles, found.scripts, found.bracket is not None)
 
 
 def other_letters(
@@ -184,16 +157,17 @@ def other_letters(
     letter = letter_of(first.node)
     names = [letter.text, other_case(letter.text)]
     names += [other for group in _ALIKE if letter.text in group for other in group if other not in names]
-    seen: set[tuple[Name | None, ...]] = set()
+    seen: set[tuple[Name | str, ...]] = set()
     for text in names:
         plain = Leaf(letter.at, "LETTER", text)
         for font in (plain, *(Styled(letter.at, font, plain) for font in FONTS)):
             for new in (font, Styled(letter.at, "\\underline", font)):
                 if latex_of(new) == latex_of(first.node):
                     continue
-                meant = tuple(meaning(one, table, integers, new) for one in found)
-                if None not in meant and meant not in seen:
-                    seen.add(meant)
+                meant = [meaning_of(one, table, integers, new) for one in found]
+                known_as = tuple(one.name for one in meant if one is not None)
+                if None not in meant and known_as not in seen:
+                    seen.add(known_as)
                     said = f"${latex_of(first.node)}$ should be ${latex_of(new)}$ throughout"
                     if len(found) == 1:
                         said = said.removesuffix(" throughout")
@@ -214,6 +188,6 @@ def has_readable_sup(found: Occurrence, table: SymbolTable, integers: Collection
             return True
     except Fault:
         return True
-    spelling = spell(found.letter, found.scripts, integers)
     signed = latex_of(inner).lstrip("{").startswith("-")
-    return signed or isinstance(inner, Chain) or (spelling is not None and table.find(spelling) is not None)
+    named = meaning_of(found, table, integers)
+    return signed or isinstance(inner, Chain) or (named is not None and named.sup is None)

@@ -13,7 +13,7 @@ from workbench.language.syntax import Bracket, Group, Leaf, Lines, Product, Scri
 from workbench.language.types import VECTOR
 from workbench.repair.trees.garbled import Found, changes_of, letters_of_clauses
 from workbench.repair.trees.integers import bound_variables
-from workbench.repair.trees.letters import Occurrence, is_known, meaning, other_letters
+from workbench.repair.trees.letters import Occurrence, meaning_of, other_letters
 from workbench.repair.trees.marks import Mark, marked
 from workbench.repair.trees.nodes import below, latex_of
 
@@ -23,7 +23,8 @@ MOST = 24
 
 def arrows(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
     """PQ for the vector between P and Q, where the paper has the places of both, as r_P and r_Q."""
-    strange = {id(f.node): f.text for f in letters_of_clauses(lines) if not is_known(f, table, integers)}
+    letters = letters_of_clauses(lines)
+    strange = {id(f.node): f.text for f in letters if meaning_of(f, table, integers) is None}
     found: list[Found] = []
     for part in below(lines):
         if not (isinstance(part, Product) and len(part.items) > 1):
@@ -65,7 +66,7 @@ def known_letters(lines: Lines, table: SymbolTable, integers: frozenset[str]) ->
     known = integers | bound_variables(lines)
     strange: dict[str, list[Occurrence]] = {}
     for found in letters_of_clauses(lines):
-        if not is_known(found, table, known):
+        if meaning_of(found, table, known) is None:
             left = latex_of(found.left) if found.left is not None else ""
             strange.setdefault(f"{left} {found.base}", []).append(found)
     if not strange:
@@ -90,7 +91,7 @@ def _known_forms(
     for change in (_swapped, _without_left):
         marks = [mark for one in found for mark in change(one, lines)[1]]
         moved = [change(one, lines)[0] for one in found]
-        if all(is_known(one, table, integers) for one in moved):
+        if None not in [meaning_of(one, table, integers) for one in moved]:
             yield marks, 1
         for more, cost in other_letters(moved, table, integers):
             yield [*marks, *more], cost + 1
@@ -165,7 +166,8 @@ def arguments(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> lis
     for found in letters_of_clauses(lines):
         if found.bracket is None:
             continue
-        formals = table.formals.get(meaning(found, table, known), ())
+        meant = meaning_of(found, table, known)
+        formals = () if meant is None else table.formals.get(meant.name, ())
         given = found.bracket.parts
         if len(formals) != len(given) + 1:
             continue

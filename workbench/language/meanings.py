@@ -1,0 +1,110 @@
+"""What a letter with its scripts means in a paper: a symbol, an integer, what [notation] says, or what every
+formula has."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+
+from workbench.language.integers import Linear
+from workbench.language.names import Name
+from workbench.language.notations import Notation
+from workbench.language.spelling import Scripts, spell, variable_name
+from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import Group, Infix, Leaf, Node, Product, Scripted
+from workbench.language.types import CLOCK, Declaration, Type
+
+_UNITS = frozenset((Name("I", ("\\mathbf",)), Name("I", ("\\underline", "\\mathbf"))))
+_PLAIN = frozenset((Name("\\varepsilon"), Name("D", ("\\mathbf",)), CLOCK.name))
+#: e^x and C_n^k.
+EXPONENTIALS = frozenset((Name("e"), Name("e", ("\\mathrm",))))
+_COMBINATIONS = frozenset((Name("C"), Name("C", ("\\mathbf",)), Name("C", ("\\mathrm",))))
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """what: an integer variable, a symbol of the paper, an entry of [notation], or a name that every formula
+    has.   sup: the superscript, where it is no part of that.   takes_bracket: it is a function.
+    primes: how many of the primes are no part of the name, but signs that [notation] explains."""
+
+    what: str | Declaration | Notation | Name
+    sup: Node | None
+    index: tuple[Linear, ...] = ()
+    takes_bracket: bool = False
+    primes: int = 0
+
+    @property
+    def name(self) -> Name | str:
+        """What tells it from all others but the members of its family."""
+        match self.what:
+            case Declaration(name=name) | Notation(key=name):
+                return name
+        return self.what
+
+
+def meaning(
+    table: SymbolTable,
+    variables: Collection[str],
+    leaf: Leaf,
+    styles: tuple[str, ...],
+    scripts: Scripts,
+    has_bracket: bool = False,
+) -> Meaning | None:
+    """The meaning of a letter; None where it has none here. The superscript belongs to the name if there is
+    such a name."""
+    if leaf.kind == "LETTER" and not (styles or scripts.primes or scripts.left_sub or scripts.left_sup):
+        variable = variable_name(Scripted(leaf.at, leaf, scripts.sub) if scripts.sub else leaf)
+        if variable in variables:
+            return Meaning(variable, scripts.sup)
+    letter = Name.styled(styles, leaf.text)
+    for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())):
+        spelling = spell(letter, tried, variables)
+        if spelling is None:
+            continue
+        if has_bracket and (found := table.find(spelling, function=True)) is not None:
+            return Meaning(found[0], sup, found[1], takes_bracket=True)
+        if (found := table.find(spelling)) is not None:
+            return Meaning(found[0], sup, found[1])
+    if scripts.primes and table.notations.primes():
+        fewer = replace(scripts, primes=scripts.primes - 1)
+        if (found := meaning(table, variables, leaf, styles, fewer, has_bracket)) is not None:
+            return replace(found, primes=found.primes + 1)
+    return constant(table, letter, scripts) or _built_in(letter, scripts)
+
+
+def constant(table: SymbolTable, letter: Name, scripts: Scripts) -> Meaning | None:
+    """A name that stands for a term in the paper's own notation."""
+    for sup, tried in ((None, scripts), (scripts.sup, scripts.without_sup())) if table.constants else ():
+        spelling = spell(letter, tried, ())
+        if spelling is not None and (entry := table.constants.get(spelling.exact)) is not None:
+            return Meaning(entry, sup)
+    return None
+
+
+def _built_in(letter: Name, scripts: Scripts) -> Meaning | None:
+    if scripts.left_sub is not None or scripts.left_sup is not None or scripts.primes:
+        return None
+    sub, sup = scripts.sub, scripts.sup
+    size, _ = size_below(sub)
+    if (sub is None and letter in _PLAIN | _UNITS) or (size and size.is_square and letter in _UNITS):
+        return Meaning(letter, sup)
+    if sup is not None and letter in (EXPONENTIALS if sub is None else _COMBINATIONS):
+        return Meaning(letter, None)
+    return None
+
+
+def size_below(sub: Node | None) -> tuple[Type | None, bool]:
+    """What 3×1 or a single 3 says below a zero or a unit tensor, and whether it is a single number."""
+    inner = sub.parts[0] if isinstance(sub, Group) and len(sub.parts) == 1 else sub
+    match inner:
+        case Product(
+            items=(Leaf(kind="NUMBER") as rows, Infix(operator="×"), Leaf(kind="NUMBER") as columns)
+        ):
+            sizes = (rows.text, columns.text)
+        case Leaf(kind="NUMBER"):
+            sizes = (inner.text, inner.text)
+        case _:
+            return None, False
+    if not all(size.isdecimal() and 0 < int(size) < 100 for size in sizes):
+        return None, False
+    return Type(int(sizes[0]), int(sizes[1])), isinstance(inner, Leaf)

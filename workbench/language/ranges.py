@@ -151,9 +151,7 @@ def refuse_alone(members: Sequence[Node]) -> None:
 
 def require_member(term: Term, where: Node, at: int) -> None:
     """Raises Fault for a set that is not known, and for a term that is not declared to be in it."""
-    name = set_name(where)
-    letter, _, dimension = _STYLE.sub("", _OF_TIME.sub("", name)).replace("^", "_").partition("_")
-    kind = _SETS.get((letter, dimension))
+    name, kind = set_name(where), kind_of_members(where)
     if kind is None:
         raise Fault(f"the set {name} is not known here; declare what its members are in [symbols]", where.at)
     dual = "dual " if "\\underline" in name else ""

@@ -147,7 +147,7 @@ def test_what_was_judged_before_an_interruption_is_not_judged_again(tmp_path: Pa
 def test_a_watched_paper_is_judged_again_when_it_changes(tmp_path: Path) -> None:
     papers(tmp_path)
     code = "from workbench.cli.commands import main; main()"
-    call = [sys.executable, "-uc", code, "check", "--watch", "two.tex", "--no-motions"]
+    call = [sys.executable, "-uc", code, "check", "--watch", "--jobs", "2", "two.tex", "--no-motions"]
     environment = {**os.environ, "WORKBENCH_CACHE": str(tmp_path / "cache")}
     with subprocess.Popen(call, cwd=tmp_path, stdout=subprocess.PIPE, text=True, env=environment) as process:
         try:

@@ -70,7 +70,7 @@ def check(
 
         if json_out is not None or form in ("json", "sarif") or scheduler:
             raise Unusable("--watch prints text, github or rdjsonl, and judges here")
-        watch_files(files, form, **engines)
+        watch_files(files, form, jobs, **engines)
         return
     from workbench.papers import PaperError, load_paper
 

@@ -21,6 +21,7 @@ _PAUSE = 100
 def watch_files(
     files: Sequence[Path],
     form: str,
+    jobs: int | None = None,
     seconds: float | None = None,
     megabytes: float | None = None,
     cache: bool = True,
@@ -37,7 +38,7 @@ def watch_files(
         waiting = list(dict.fromkeys(files))
         while True:
             for file in waiting:
-                known[file] = _judged(file, form, known.get(file), budget, memory, engines)
+                known[file] = _judged(file, form, known.get(file), jobs, budget, memory, engines)
             parts = {path.resolve(): file for file, paths in known.items() for path in paths}
             folders = {path.parent for path in parts}
             changes = next(watch(*folders, step=_PAUSE, recursive=False, raise_interrupt=True), None)
@@ -48,7 +49,13 @@ def watch_files(
 
 
 def _judged(
-    file: Path, form: str, before: list[Path] | None, budget: Any, memory: Any, engines: dict[str, bool]
+    file: Path,
+    form: str,
+    before: list[Path] | None,
+    jobs: int | None,
+    budget: Any,
+    memory: Any,
+    engines: dict[str, bool],
 ) -> list[Path]:
     """Judges a file; the paths that it stands on."""
     from workbench.cli.printed import print_judged
@@ -58,7 +65,7 @@ def _judged(
     start = monotonic()
     try:
         paper = load_paper(file, faults=[])
-        results = judge_paper(paper, budget=budget, memory=memory, **engines)
+        results = judge_paper(paper, jobs=jobs, budget=budget, memory=memory, **engines)
     except PaperError as error:
         click.echo(f"Error: {error}", err=True)
         return before or [file, file.with_suffix(".toml")]

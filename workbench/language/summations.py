@@ -17,7 +17,8 @@ def summation(scope: Scope, node: Summation, body: Callable[[], Term]) -> Term:
     """Σ_{k=a}^{b} or Σ_{k₁+k₂=k} of the body, which is read with the variables in scope."""
     lower = node.lower.parts[0] if isinstance(node.lower, Group) and node.lower.parts else node.lower
     if not isinstance(lower, Chain) or [sign for sign, _ in lower.relations] != ["="]:
-        raise Fault("expected the bounds of the sum, as in \\sum_{k=0}^{n}", node.at)
+        what = "a sum without bounds is not read; " if node.upper is None else ""
+        raise Fault(f"{what}expected the bounds of the sum, as in \\sum_{{k=0}}^{{n}}", node.at)
     left, right = lower.sides
     single = variable_name(left)
     if single is not None:

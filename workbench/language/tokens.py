@@ -154,6 +154,8 @@ class Tokenizer:
             self.joining(WORDS[word], word, at)
         elif plain.isalpha() and text.startswith("\\mathrm"):
             self.label(plain, at)
+        elif plain in EXPECTED:
+            self.refused = self.refused or Fault(f"{text}: {EXPECTED[plain]}", at)
         elif plain:
             raise Fault(f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}", at)
 

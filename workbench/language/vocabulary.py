@@ -161,6 +161,12 @@ EXPECTED = {
     **dict.fromkeys(("subset", "subseteq"), "a part of a set is not read; its members are, as in x \\in V_3"),
     **dict.fromkeys(("leq", "le", "lt"), "a range is written n \\geq 1 or n = \\overline{1,5}"),
     "prime": "a prime is written '",
+    **dict.fromkeys(("approx", "simeq", "sim", "cong", "doteq", "propto"), "an approximation is not read"),
+    **dict.fromkeys(("log", "ln", "Log"), "logarithms are not read; what they are the inverse of is, \\exp"),
+    **dict.fromkeys(("int", "iint", "iiint", "oint"), "integrals are not read; their derivatives are"),
+    **dict.fromkeys(("lim", "limsup", "liminf"), "limits are not read"),
+    **dict.fromkeys(("prod", "bigcup", "bigoplus"), "products over an index are not read"),
+    **dict.fromkeys(("leqslant", "ll", "gg", "geqslant"), "inequalities are not read"),
 }
 
 ENDS_A_FACTOR = frozenset(

@@ -288,11 +288,12 @@ def judge_paper(
     paper: Paper,
     select: Sequence[str] = (),
     progress: Callable[[ClaimResult], None] = lambda result: None,
+    jobs: int | None = None,
     **options: bool | Budget | Memory | None,
 ) -> list[ClaimResult]:
     """The results of the selected claims, in reading order; `progress` sees each as soon as it is there.
     options: those of PaperJudge."""
-    return _judged(PaperJudge(paper, **options), select_claims(paper.claims, select), progress)
+    return _judged(PaperJudge(paper, **options), select_claims(paper.claims, select), progress, jobs)
 
 
 def judge_claims(claims: Sequence[Claim], **options: bool | Budget | Memory | None) -> list[ClaimResult]:
@@ -304,10 +305,11 @@ def _judged(
     judge: ClaimJudge,
     claims: Sequence[Claim],
     progress: Callable[[ClaimResult], None] = lambda result: None,
+    jobs: int | None = None,
 ) -> list[ClaimResult]:
     results = []
     try:
-        for result in judge.results(claims):
+        for result in judge.results(claims, jobs):
             results.append(result)
             progress(result)
     finally:

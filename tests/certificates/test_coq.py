@@ -1,5 +1,6 @@
 """What Coq says of the certificates; skipped where there is no coqc."""
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -7,13 +8,19 @@ from click.testing import CliRunner
 
 from tests.certificates.emitted import one, whole_theorems
 from tests.proofs.tampering import made_false, with_a_changed_conclusion
+from workbench import check
 from workbench.certificates import coqc
+from workbench.certificates.forms import Certificate
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty
+from workbench.certificates.steps import steps_of
+from workbench.certificates.theorem import theorem
 from workbench.certificates.whole import whole
 from workbench.cli.commands import main
 from workbench.judge.theorems.goals import Scope
+from workbench.judge.verdict import Outcome, Verdict
 from workbench.papers import find_paper
+from workbench.verify.claims import ClaimResult
 
 pytestmark = [
     pytest.mark.slow,  # compiling the library takes half a minute
@@ -165,3 +172,62 @@ def goal_texts(name, goal=None):
         return [whole(claim, scope, paper.theorems[claim.theorem].proof).text]
     except NotCertified:
         return []
+
+
+NORM = {"a": "vector", "b": "vector"}
+
+
+@pytest.mark.parametrize(
+    ("formula", "accepted"),
+    [
+        (r"\|a\|^2 \|b\|^2 = (a \times b)^2 + (a \cdot b)^2", True),
+        (r"\frac{a \cdot a}{\|a\|} = \|a\|", True),
+        (r"\|a\|^2 \|b\|^2 = (a \times b)^2 - (a \cdot b)^2", False),
+        (r"\|a\| \|b\| = a \cdot b", False),
+        (r"\frac{a \cdot b}{\|a\|} = \|b\|", False),
+    ],
+)
+def test_norms_are_roots_and_nothing_more(formula, accepted):
+    claim = check(formula, symbols=NORM).result.claim
+    made = theorem("t", claim.printed.statement, (), claim.notation.definitions)
+    assert made.read_back_faults() == []
+    said = coqc.check(Certificate(None, (made,)).text, remember=False)
+    assert said.accepted == accepted, said.fault
+    assert not accepted or said.axioms == ()
+
+
+def step_texts(name):
+    paper = find_paper("chapter")
+    (claim,) = [c for c in paper.claims if c.id == name]
+    result = ClaimResult(claim, Verdict(Outcome.PROVED), None, None, Outcome.PROVED, True)
+    return [step.certificate.text for step in steps_of(result, paper.theorems).steps if step.certificate]
+
+
+def test_a_family_of_rotations_is_supposed_to_be_one_and_each_member_is_another():
+    last = r"(\S+ m \(S m\)) ∘ transpose \(\1\) ≡ε \(ident : dual_tensor K\)\.\n"
+    text = next(t for t in step_texts("117") if re.search(last, t))
+    assert "forall i0 i1 : nat, dual_rotation" in text
+    assert coqc.check(text, remember=False).accepted
+    said = re.search(last, text)[0]
+    changed = said.replace("m (S m)) ≡", "(S m) m) ≡")
+    assert changed != said
+    assert not coqc.check(text.replace(said, changed), remember=False).accepted
+
+
+def test_certificates_checked_together_are_remembered_only_if_all_are_accepted(tmp_path, monkeypatch):
+    compiled = coqc.library()
+    monkeypatch.setattr(coqc, "memory", lambda: tmp_path)
+    monkeypatch.setattr(coqc, "library", lambda: compiled)
+    right, other = one("58.det").text, one("3.Phi_2").text
+    wrong = right.replace("≡ - square", "≡ square")
+    axiom = right.replace(
+        "Proof.\n", "Proof.\n  admit.\nAdmitted.\nTheorem again : True.\nProof. exact I. Qed.\n(*", 1
+    )
+    axiom = axiom.replace("Qed.\n\n", "Qed. *)\n\n").replace("Qed.\nPrint", "Qed. *)\nPrint")
+    for bad in (wrong, axiom):
+        coqc.check_together([right, bad, other])
+        assert [coqc.recall(text) for text in (right, bad, other)] == [None, None, None]
+    assert coqc.in_batches([right, right, other]) == [[right, other]]
+    coqc.check_together([right, other])
+    assert all(coqc.recall(text).expected for text in (right, other))
+    assert coqc.in_batches([right, other]) == []

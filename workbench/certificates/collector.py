@@ -218,6 +218,7 @@ class Collector:
         self.integers: dict[str, str] = {}  # integer variables of the statement
         self.orders: dict = {}  # derivatives of symbolic order
         self.coordinate: Node | None = None
+        self.several = False  # whether families of several indices are taken
         self._places = 1000
         self._symbols: dict[Symbol, Node] = {}
         self._names: set[str] = set(_TAKEN)
@@ -302,6 +303,7 @@ class Collector:
             if isinstance(part, Symbol) and all(i.is_number for i in part.index):
                 self.symbol(part)
         inner = type(self)(self.definitions)
+        inner.several = self.several
         inner._symbols = dict(self._symbols)
         inner._names, inner.families = self._names, self.families
         inner.integers = {variable: self.fresh("i")}

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from workbench.certificates import nodes
+from workbench.certificates import nodes, suppositions
 from workbench.certificates.collector import Collector, spelled
 from workbench.certificates.nodes import APPLICATION, Node, NotCertified
 from workbench.language.construct import symbol as make_symbol
@@ -89,7 +89,7 @@ def _terms(statement: Statement) -> Iterator[Term]:
 def member(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> Node:
     """A member of a family whose index holds an integer variable."""
     if len(symbol.index) != 1:
-        raise NotCertified("a family of several symbolic indices")
+        return _of_several(emitter, symbol, kind, body)
     own = [d for d in emitter.definitions if d.declaration == symbol.declaration]
     recurrence = next((d for d in own if not d.index[0].is_number and _mentions(d.body, d)), None)
     number = numeral(emitter, symbol.index[0])
@@ -116,6 +116,43 @@ def member(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> 
         emitter.binders.append((name, f"nat -> {nodes.type_name(symbol.type.dual, kind)}"))
     emitter.read_back[f"{name} {number}"] = symbol
     return emitter.slot(symbol.type.dual, kind, f"{name} {number}", APPLICATION)
+
+
+def _of_several(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> Node:
+    """A member of a free family of several indices, such as ᵐR₍ₘ₊₁₎, in a step of a proof."""
+    if (
+        not emitter.several
+        or body is not None
+        or any(d.declaration == symbol.declaration for d in emitter.definitions)
+    ):
+        raise NotCertified("a family of several symbolic indices")
+    name = _free_family(emitter, symbol, kind)
+    numbers = [str(i.constant) if i.is_number else numeral(emitter, i) for i in symbol.index]
+    text = " ".join([name, *numbers])
+    emitter.read_back[text] = symbol
+    node = emitter.slot(symbol.type.dual, kind, text, APPLICATION)
+    if symbol.declaration.rotation:
+        suppositions.rotation(emitter, node, f"({name}_rotation {' '.join(numbers)})")
+    return node
+
+
+def _free_family(emitter: Collector, symbol: Symbol, kind: str) -> str:
+    declaration = symbol.declaration
+    if declaration.unit or declaration.constant:
+        raise NotCertified("a family of units or constants")
+    if declaration not in emitter.families:
+        name = emitter.fresh(_family_name(emitter, symbol))
+        emitter.families[declaration] = name
+        places = [f"i{place}" for place, _ in enumerate(symbol.index)]
+        type_ = nodes.type_name(symbol.type.dual, kind)
+        emitter.binders.append((name, "nat -> " * len(places) + type_))
+        if declaration.rotation:
+            word = "dual_rotation" if symbol.type.dual else "rotation"
+            member_ = " ".join([name, *places])
+            emitter.binders.append(
+                (f"{name}_rotation", f"forall {' '.join(places)} : nat, {word} ({member_})")
+            )
+    return emitter.families[declaration]
 
 
 def numeral(emitter: Collector, index: Linear) -> str:
@@ -162,6 +199,8 @@ def _recursion(emitter: Collector, symbol: Symbol, own: list[Definition], step: 
             and not all(i.is_number for i in part.index)
         ):
             others = [d for d in emitter.definitions if d.declaration == part.declaration]
+            if not others and len(part.index) > 1 and emitter.several:
+                _free_family(emitter, part, nodes.KINDS[part.type.kind])
             rule = next((d for d in others if not d.index[0].is_number and _mentions(d.body, d)), None)
             if rule is not None:
                 _recursion(emitter, part, others, rule, nodes.KINDS[part.type.kind])

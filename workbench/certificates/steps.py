@@ -143,7 +143,7 @@ def _step(claim: Claim, obligation: Obligation, number: int) -> Step:
             except NotCertified as obstacle:
                 if str(obstacle) != "no integer variable":
                     raise
-        made = theorem(name, statement, supposed, definitions, integers)
+        made = theorem(name, statement, supposed, definitions, integers, several=True)
     except (NotCertified, IllFormed) as obstacle:
         return Step(None, str(obstacle))
     written = Certificate(None, (made,), title=f"{claim.id}, {obligation.rule}")

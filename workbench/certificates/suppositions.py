@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from workbench.certificates import nodes
 from workbench.certificates.collector import Collector
-from workbench.certificates.nodes import Node, flag, single
+from workbench.certificates.nodes import ATOM, Node, flag, single
 from workbench.language.terms import Symbol
 
 
@@ -14,7 +14,7 @@ def variable(emitter: Collector, symbol: Symbol, kind: str, name: str) -> Node:
     said = [word for word in ("rotation", "unit", "constant") if getattr(declaration, word)]
     node = emitter.variable(dual, kind, name, " ".join(said) or "free")
     if declaration.rotation:
-        _rotation(emitter, node)
+        rotation(emitter, node)
     if declaration.unit:
         _unit(emitter, node, declaration.constant)
     elif declaration.constant:
@@ -34,21 +34,23 @@ def index(node: Node) -> str:
     return node.deep.split()[-1].rstrip(")")
 
 
-def _rotation(emitter: Collector, node: Node) -> None:
+def rotation(emitter: Collector, node: Node, known: str | None = None) -> None:
+    """known: the proof that it is one, if that is supposed already."""
     says = [
         (f"(Prod {node.deep} (Transpose {node.deep}))", nodes.identity(node.dual).deep),
         (f"(Det {node.deep})", nodes.number(1, node.dual).deep),
     ]
     if not node.dual:
-        known = supposed(emitter, node, "rotation", says)
-        spin = emitter.slot(False, "Vector", f"(spin {node.text})")
+        known = known or supposed(emitter, node, "rotation", says)
+        spin = emitter.slot(False, "Vector", f"(spin {node.at(ATOM)})")
         places = f"{index(node)} {index(spin)}"
         emitter.facts.append(f"(@rotation_at_ok K here {places} {known} eq_refl)")
         return
-    known = supposed(emitter, node, "dual_rotation", says)
-    real = emitter.slot(False, "Tensor", f"(real_part {node.text} : tensor K)")
-    spin = emitter.slot(False, "Vector", f"(spin (real_part {node.text} : tensor K))")
-    moved = emitter.slot(False, "Vector", f"(shift {node.text})")
+    known = known or supposed(emitter, node, "dual_rotation", says)
+    text = node.at(ATOM)
+    real = emitter.slot(False, "Tensor", f"(real_part {text} : tensor K)")
+    spin = emitter.slot(False, "Vector", f"(spin (real_part {text} : tensor K))")
+    moved = emitter.slot(False, "Vector", f"(shift {text})")
     places = " ".join(map(index, (node, real, spin, moved)))
     emitter.facts.append(f"(@dual_rotation_at_ok K here {places} {known} eq_refl eq_refl eq_refl)")
 

@@ -130,9 +130,12 @@ def theorem(
     definitions: Definitions,
     integers: Sequence[str] = (),
     slots: Sequence[tuple[bool, str, str]] = (),
+    several: bool = False,
 ) -> Theorem:
-    """Raises NotCertified with the first obstacle. slots: symbols before those of the statement."""
+    """Raises NotCertified with the first obstacle. slots: symbols before those of the statement. several:
+    families of several indices are taken, too, of which it is not shown that there are any."""
     emitter = Emitter(definitions, slots)
+    emitter.several = several
     for variable in integers:
         emitter.integers[variable] = emitter.fresh(variable)
     made = Theorem(name, emitter, source=(statement, assume, integers))

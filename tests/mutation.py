@@ -152,20 +152,26 @@ def main():
         "--again", action="store_true", help="only those of the sample that survived last time"
     )
     parser.add_argument(
-        "--seconds", type=float, default=40, help="of tests for one mutant, the shortest first"
+        "--seconds",
+        type=float,
+        default=40,
+        help="of tests for one mutant; what survives them may be tried again with more",
     )
+    parser.add_argument("--more", action="store_true", help="only those of the sample that were never tried")
+    parser.add_argument("--as-written", action="store_true", help="the mutants and tests of the last run")
     options = parser.parse_args()
-    subprocess.run(
-        ["mutmut", "run", "--max-children", "1", "no.such.mutant"], check=False, stderr=subprocess.DEVNULL
-    )
+    if not options.as_written:
+        command = ["mutmut", "run", "--max-children", "1", "no.such.mutant"]
+        subprocess.run(command, check=False, stderr=subprocess.DEVNULL)
     if not STATISTICS.exists():
         raise SystemExit("mutmut did not find which test calls which function: see what it printed above")
     files = sorted(path.with_suffix("") for path in ROOT.glob("workbench/judge/*/*.py.meta"))
     pool = sorted(name for path in files for name in mutants_of(path))
-    names = random.Random(options.seed).sample(pool, min(options.sample, len(pool)))
+    sample = random.Random(options.seed).sample(pool, min(options.sample, len(pool)))
     results = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
-    if options.again:
-        names = [name for name in names if not is_killed(results[name])]
+    left = [name for name in sample if name in results and not is_killed(results[name])]
+    new = [name for name in sample if name not in results]
+    names = left if options.again else new if options.more else sample
 
     def tell(name, result):
         results[name] = result
@@ -178,18 +184,13 @@ def main():
     os.chdir(ROOT)
     sys.path.insert(0, str(ROOT))
     os.environ["MUTANT_UNDER_TEST"] = ""
-    if (
-        pytest.main(
-            ["--rootdir=.", "-o", "addopts=", "-p", "no:terminal", *arguments],
-            plugins=[Trials(names, options.seconds, tell)],
-        )
-        != 0
-    ):
+    quiet = ["--rootdir=.", "-o", "addopts=", "-p", "no:terminal"]
+    if pytest.main([*quiet, *arguments], plugins=[Trials(names, options.seconds, tell)]) != 0:
         raise SystemExit("the tests cannot be collected")
     total = Counter()
     for path in files:
         module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
-        count = Counter(is_killed(results[name]) for name in names if name.startswith(module + "."))
+        count = Counter(is_killed(results[name]) for name in sample if name.startswith(module + "."))
         total += count
         print(f"{module:48}{count[True]:5} of {count.total():4}")
     print(f"{'all':48}{total[True]:5} of {total.total():4}  ({len(pool)} mutants in all)")

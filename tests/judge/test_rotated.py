@@ -4,6 +4,7 @@ rewritten has the same values at points, and what is false or undefined stays so
 import re
 
 import pytest
+from evaluator.identities import TABLE as BOTH
 from judge.test_judge import TABLE, judged
 
 from workbench.judge.evidence.points import trials
@@ -160,3 +161,30 @@ def test_a_singular_block_makes_it_conditional():
     latex = r"\begin{bmatrix} T & 0 \\ S & T \end{bmatrix}^{-1} = \begin{bmatrix} T^{-1} & 0 \\ -T^{-1} S T^{-1} & T^{-1} \end{bmatrix}"
     assert judged(latex).outcome == Outcome.CONDITIONAL
     assert judged(latex, [r"\det T \neq 0"]).outcome == Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("latex", "degree"),
+    [
+        ("T", 1),
+        ("R", 2),
+        ("R^T", 2),
+        ("R T R^T", 5),
+        ("(R T R^T)^3", 15),
+        ("R a", 3),
+        ("R a + b", 3),
+        ("a + R T b", 4),
+        (r"\det T", 3),
+        (r"\det (R T)", 9),
+        ("T^{-1}", 3),
+        ("T^*", 2),
+        ("(R T)^*", 6),
+        (r"\det (\underline{a} \otimes \underline{b})", 12),
+        (r"(\underline{a} \otimes \underline{b})^*", 8),
+        (r"R a \cdot R b", 6),
+        ("f T", 2),
+    ],
+)
+def test_the_degree_of_a_term(latex, degree):
+    (claim,) = read(f"{latex} = {latex}", BOTH)
+    assert rotated._Frame(Definitions()).degree(claim.left) == degree

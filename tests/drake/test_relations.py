@@ -67,7 +67,8 @@ def test_every_binding_of_a_chain_is_free_or_defined_once():
     for name, data in DEFINED:
         assert names_in(data) <= standing, name
         standing.add(name)
-    blocks_and_directions = {"X_WB", "X_WA", "X_AB", "u1_W", "u2_A", "u2_W"}
+    blocks_and_directions = {"X_WB", "X_WA", "X_AB", "u1_W", "u2_A", "u2_W", "V_WB", "V_WB_B", "A_WB"}
+    blocks_and_directions |= {"q_WA", "q_AB", "q_WB"}
     third_body_and_origin = {n for n in BINDINGS if "C" in n or n.endswith("3")} | {"p_W0", "dual_u3_W"}
     shown = {b.name for b in BINDINGS.values()} - blocks_and_directions - third_body_and_origin
     assert shown == standing

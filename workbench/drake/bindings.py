@@ -33,7 +33,7 @@ class Binding:
 
 
 VECTOR, TENSOR, DUAL_SCALAR, DUAL_VECTOR, DUAL_TENSOR = (3,), (3, 3), (2,), (2, 3), (2, 3, 3)
-POSE = (4, 4)
+POSE, SPATIAL, QUATERNION = (4, 4), (6,), (4,)
 
 BODY_BINDINGS = (
     Binding("R_WB", TENSOR, 0, "rotation of B in W; the chapter's R"),
@@ -48,6 +48,9 @@ BODY_BINDINGS = (
     Binding("w_WB", VECTOR, 1, "angular velocity; ω"),
     Binding("w_WB_B", VECTOR, 1, "angular velocity, expressed in B"),
     Binding("alpha_WB", VECTOR, 2, "angular acceleration; ε of Eq. (9)"),
+    Binding("V_WB", SPATIAL, 1, "spatial velocity (ω; v of Bo)"),
+    Binding("V_WB_B", SPATIAL, 1, "spatial velocity (ω; v of Bo), expressed in B: the body's twist"),
+    Binding("A_WB", SPATIAL, 2, "spatial acceleration (α; a of Bo)"),
     Binding("v_WBo", VECTOR, 1, "velocity of Bo"),
     Binding("v_WP", VECTOR, 1, "velocity of P; v of Eq. (2)"),
     Binding("v_WQ", VECTOR, 1, "velocity of Q; v_Q of Eq. (2)"),
@@ -87,6 +90,9 @@ RELATIVE_BINDINGS = (
 CYLINDER_BINDINGS = (
     Binding("theta1", (), 0, "angle of the first joint; α₁"),
     Binding("theta2", (), 0, "angle of the second joint; α₂"),
+    Binding("q_WA", QUATERNION, 0, "rotation of A in W as a quaternion, scalar first"),
+    Binding("q_AB", QUATERNION, 0, "rotation of B in A as a quaternion"),
+    Binding("q_WB", QUATERNION, 0, "rotation of B in W as a quaternion"),
     Binding("d1", (), 0, "displacement along the first joint"),
     Binding("d2", (), 0, "displacement along the second joint"),
     Binding("dual_theta1", DUAL_SCALAR, 0, "θ₁ + ε d₁; dual angle of Eq. (137)"),

@@ -10,6 +10,7 @@ from typing import Any
 
 HOMES = {
     "pydrake.autodiffutils": ("AutoDiffXd", "ExtractGradient", "ExtractValue"),
+    "pydrake.common.eigen_geometry": ("AngleAxis_",),
     "pydrake.geometry": ("Cylinder", "MeshcatAnimation", "Rgba", "Sphere"),
     "pydrake.math": ("RigidTransform", "RigidTransform_", "RotationMatrix", "RotationMatrix_"),
     "pydrake.multibody.math": ("SpatialAcceleration", "SpatialVelocity", "SpatialVelocity_"),

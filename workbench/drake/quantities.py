@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from workbench.drake.gate import AngleAxis_, AutoDiffXd, Expression
 from workbench.drake.plants import CylindricalAxis
 
 P_BO_P_B = np.array([0.5, -0.25, 1.0])
@@ -23,6 +24,7 @@ Quantities = dict[str, Any]
 def body_quantities(X_WB: Any, V_WB: Any, A_WB: Any) -> Quantities:
     """Of B in W, from its RigidTransform, SpatialVelocity and SpatialAcceleration in W."""
     R_WB, p_WBo, w_WB = X_WB.rotation().matrix(), X_WB.translation(), V_WB.rotational()
+    R_BW = X_WB.rotation().inverse()
     V_WB0, A_WB0 = V_WB.Shift(-p_WBo), A_WB.Shift(-p_WBo, w_WB)
     p_WP, p_WQ = X_WB @ P_BO_P_B, X_WB @ P_BO_Q_B
     V_WP, V_WQ = V_WB.Shift(p_WP - p_WBo), V_WB.Shift(p_WQ - p_WBo)
@@ -38,8 +40,11 @@ def body_quantities(X_WB: Any, V_WB: Any, A_WB: Any) -> Quantities:
         "p_QP_B": P_BO_P_B - P_BO_Q_B,
         "p_PQ_W": p_WQ - p_WP,
         "w_WB": w_WB,
-        "w_WB_B": X_WB.rotation().inverse() @ w_WB,
+        "w_WB_B": R_BW @ w_WB,
         "alpha_WB": A_WB.rotational(),
+        "V_WB": V_WB.get_coeffs(),
+        "V_WB_B": np.concatenate([R_BW @ V_WB.rotational(), R_BW @ V_WB.translational()]),
+        "A_WB": A_WB.get_coeffs(),
         "v_WBo": V_WB.translational(),
         "v_WP": V_WP.translational(),
         "v_WQ": V_WQ.translational(),
@@ -91,7 +96,11 @@ def cylinder_quantities(
     u1_W, u2_A = (np.array(axis.direction, dtype=float) for axis in axes[:2])
     point1_W, point2_A = (np.array(axis.point, dtype=float) for axis in axes[:2])
     u2_W = X_WA.rotation() @ u2_A
+    q_WA, q_AB = _turn(theta1, u1_W), _turn(theta2, u2_A)
     return {
+        "q_WA": q_WA.wxyz(),
+        "q_AB": q_AB.wxyz(),
+        "q_WB": q_WA.multiply(q_AB).wxyz(),
         "theta1": theta1,
         "theta2": theta2,
         "d1": d1,
@@ -105,6 +114,12 @@ def cylinder_quantities(
         "dual_u2_A": line(u2_A, point2_A),
         "dual_u2_W": line(u2_W, point2_W),
     }
+
+
+def _turn(angle: Any, axis: np.ndarray) -> Any:
+    """Drake's quaternion of a turn; bodies of a chain have their parents' axes where the angles are 0."""
+    scalar = next(kind for kind in (Expression, AutoDiffXd, float) if isinstance(angle, kind))
+    return AngleAxis_[scalar](angle=angle, axis=axis / np.linalg.norm(axis)).quaternion()
 
 
 def third_body_quantities(

@@ -41,6 +41,8 @@ def in_rotated_frame(judged: Relation, definitions: Lookup) -> Relation | None:
 class _Frame:
     def __init__(self, definitions: Lookup) -> None:
         self._definitions = definitions
+        self._degrees: dict[Term, int] = {}
+        self._words: dict[Term, Word] = {}
 
     def turns(self, letter: Term) -> bool:
         """Whether the letter is a free rotation or the transpose of one."""
@@ -54,6 +56,11 @@ class _Frame:
 
     def degree(self, term: Term) -> int:
         """In the indeterminates, where an entry of a rotation has the degree 2."""
+        if term not in self._degrees:
+            self._degrees[term] = self._degree(term)
+        return self._degrees[term]
+
+    def _degree(self, term: Term) -> int:
         inner = [self.degree(child) for child in term.children]
         match term:
             case Symbol():
@@ -68,6 +75,11 @@ class _Frame:
 
     def word(self, term: Term) -> Word:
         """The factors of a tensor or vector, rotations as far out as they go; of anything else itself."""
+        if term not in self._words:
+            self._words[term] = self._word(term)
+        return self._words[term]
+
+    def _word(self, term: Term) -> Word:
         if term.type.kind not in ("tensor", "vector"):
             return [self._other(term)]
         match term:

@@ -82,17 +82,16 @@ def _parts(argument: Apply, definitions: Lookup) -> Iterable[tuple[Term, Fractio
         return ()  # the inventory says so
 
 
-def _arguments(terms: Iterable[Term], definitions: Lookup, seen: set[Symbol]) -> Iterator[Apply]:
+def _arguments(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> Iterator[Apply]:
     """The sines, cosines and exponentials, in definitions too."""
     for term in terms:
-        for part in term.walk():
-            if isinstance(part, Apply) and part.head in ("sin", "cos", "exp"):
-                yield part
-            elif isinstance(part, Symbol) and part not in seen:
-                seen.add(part)
-                body = definitions.lookup(part)
-                if body is not None:
-                    yield from _arguments([body], definitions, seen)
+        if term in seen:
+            continue
+        seen.add(term)
+        if isinstance(term, Apply) and term.head in ("sin", "cos", "exp"):
+            yield term
+        body = definitions.lookup(term) if isinstance(term, Symbol) else None
+        yield from _arguments(term.children if body is None else (body, *term.children), definitions, seen)
 
 
 def _sum(term: Term, definitions: Lookup) -> Sum:

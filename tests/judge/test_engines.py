@@ -63,6 +63,40 @@ def test_both_engines_give_the_same_value(kind, dual):
     assert compared >= 30
 
 
+class Fractions(RationalRing):
+    """The rationals without Python's integers."""
+
+    def constant(self, numerator, denominator):
+        return Fraction(numerator, denominator)
+
+    def divide(self, a, b):
+        return Fraction(a) / Fraction(b)
+
+    def random(self, random):
+        return Fraction(super().random(random))
+
+
+@pytest.mark.parametrize("dual", [False, True])
+@pytest.mark.parametrize("kind", KINDS)
+def test_whole_numbers_stay_python_s_however_large(kind, dual):
+    """NumPy's own integers would overflow unseen."""
+    compared, largest = 0, 0
+    for seed in range(30):
+        term = random_term(Random(f"whole{kind}{dual}{seed}"), kind, depth=2, dual=dual)
+        term = term if kind == "operator" else derivative(term, 1)
+        inventory, found = take_inventory([term], FREE), []
+        for ring in (RationalRing((-(10**11), 1, 10**11 + 1)), Fractions((-(10**11), 1, 10**11 + 1))):
+            point = sample(inventory, ring, Random(seed), lambda _: True)
+            try:
+                found.append(JetEngine(PointSource(ring, point), FREE).components(term))
+            except (ZeroDivisionError, NotExact):
+                continue
+        if len(found) == 2:
+            assert found[0] == found[1] and {type(x) for x in found[0]} <= {int, Fraction}
+            compared, largest = compared + 1, max(largest, *map(abs, found[0]))
+    assert compared >= 10 and largest > 2**64
+
+
 @pytest.mark.parametrize("kind", ("scalar", "vector", "tensor"))
 def test_leibniz_rule_in_both_engines(kind):
     products = {"scalar": ("mul", "scalar", "scalar"), "vector": ("cross", "vector", "vector")}

@@ -76,7 +76,7 @@ def leibniz(f: Callable, a: Jet, b: Jet) -> Jet:
         for j in range(k + 1):
             addend = f(a[j], b[k - j])
             addend = addend if comb(k, j) == 1 else addend * comb(k, j)
-            total = addend if total is None else np.add(total, addend)
+            total = addend if total is None else total + addend  # np.add would make NumPy's integers of two
         result.append(np.asarray(total, dtype=object))
     return result
 

@@ -81,26 +81,30 @@ class ResidueRing:
 
 
 class RationalRing:
-    """The rationals, for counterexamples that a person can check."""
+    """The rationals, for counterexamples that a person can check; whole ones are Python's integers."""
 
     def __init__(self, entries: tuple[int, ...] = (-1, 0, 1)) -> None:
         self._entries = entries
 
-    def constant(self, numerator: int, denominator: int) -> Fraction:
-        return Fraction(numerator, denominator)
+    def constant(self, numerator: int, denominator: int) -> Fraction | int:
+        return _whole(Fraction(numerator, denominator))
 
-    def divide(self, a: Fraction, b: Fraction) -> Fraction:
-        return Fraction(a) / b
+    def divide(self, a: Fraction | int, b: Fraction | int) -> Fraction | int:
+        return _whole(Fraction(a) / b)
 
-    def root(self, square: Fraction) -> Fraction:
+    def root(self, square: Fraction | int) -> Fraction | int:
         square = Fraction(square)
         p, q = isqrt(max(square.numerator, 0)), isqrt(square.denominator)
         if Fraction(p * p, q * q) != square:
             raise NotExact(f"{square} has no rational root")
-        return Fraction(p, q)
+        return _whole(Fraction(p, q))
 
-    def random(self, random: Random) -> Fraction:
-        return Fraction(random.choice(self._entries))
+    def random(self, random: Random) -> int:
+        return random.choice(self._entries)
+
+
+def _whole(value: Fraction) -> Fraction | int:
+    return value.numerator if value.denominator == 1 else value
 
 
 class FloatRing:

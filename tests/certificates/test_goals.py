@@ -4,9 +4,11 @@ import re
 from itertools import pairwise
 
 import pytest
+from click.testing import CliRunner
 
 from tests.certificates.emitted import whole_theorems
 from workbench.certificates.read_back import Unread
+from workbench.cli.commands import main
 
 JOINED = whole_theorems()
 
@@ -119,3 +121,11 @@ def test_a_goal_and_its_theorem():
         f"(forall ({other} : dual_tensor K), {tensor} {other} -> {holds(other)} -> "
         f"equal_at (d := true) now {other} {one})"
     )
+
+
+def test_the_command_writes_the_goals(tmp_path):
+    done = CliRunner().invoke(main, ["certify", "76.definition", "--out", str(tmp_path)])
+    assert done.exit_code == 0, done.output
+    text = (tmp_path / "claim_76_definition_goal.v").read_text("utf-8")
+    assert JOINED["76.definition"].statement in text
+    assert "Theorem step_1 (K : diff_ring)" in text

@@ -13,6 +13,7 @@ from workbench.cli.options import Defect, Unusable, paper_option, reports_faults
 
 if TYPE_CHECKING:
     from workbench.certificates.certify import Certified
+    from workbench.certificates.forms import Certificate
     from workbench.papers import Paper
 
 
@@ -43,7 +44,7 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     made = [written(form, verdict) for form, _, verdict in exact_forms(results)]
     steps = all_steps(results, paper.theorems)
     if out is not None:
-        _write(out, made)
+        _write(out, made, [s.whole.certificate for s in steps if s.whole.certificate])
     if asked:
         with progress_bar(len(made) + sum(len(s.texts) for s in steps), "checking") as advance:
             try:
@@ -61,6 +62,12 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     done = [c for c in made if c.certified]
     asked_for = f", {len(done)} certified{_times(done)}" if asked else ""
     terminal.print(f"{len(made)} exact forms, {len(certified)} written{asked_for}", markup=False)
+    if steps:
+        whole = sum(s.is_one_theorem for s in steps)
+        counts = f"{sum(len(s.certified) for s in steps)} of {sum(len(s.steps) for s in steps)} steps"
+        terminal.print(
+            f"{len(steps)} theorem claims, {whole} as one theorem; {counts} certified", markup=False
+        )
     for path in by_hand:
         said = ": refused" if path.name in refused else ": certified" if asked else ""
         terminal.print(f"{path.name}, written by hand{said}", markup=False)
@@ -92,7 +99,7 @@ def _accepted(path: Path) -> bool:
         raise Defect(f"{path}: {fault}") from None
 
 
-def _write(out: Path, made: Sequence) -> None:
+def _write(out: Path, made: Sequence[Certified], goals: Sequence[Certificate]) -> None:
     from workbench.certificates import coqc
 
     try:
@@ -104,5 +111,7 @@ def _write(out: Path, made: Sequence) -> None:
                 (out / f"{each.form.identifier}.v").write_text(each.certificate.text, encoding="utf-8")
                 if (motions := each.certificate.motions) is not None:
                     (out / f"{each.form.identifier}_premises.v").write_text(motions.text, encoding="utf-8")
+        for goal in goals:
+            (out / f"{goal.theorems[0].name}_goal.v").write_text(goal.text, encoding="utf-8")
     except OSError as error:
         raise Unusable(f"{out}: the certificates cannot be written: {error.strerror or error}") from None

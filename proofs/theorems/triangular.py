@@ -9,6 +9,17 @@ from __future__ import annotations
 from proofs.theorems.leibniz import leibniz_rule
 from workbench.judge.theorems.arguments import Step, argue
 from workbench.judge.theorems.formula_steps import Letters
+from workbench.judge.theorems.proofs import (
+    Follows,
+    Given,
+    Have,
+    Induction,
+    Kernel,
+    Pascal,
+    Proven,
+    Termwise,
+    Use,
+)
 from workbench.judge.verdict import Verdict
 
 _MOTION = Letters(
@@ -37,11 +48,6 @@ _INVARIANTS = Letters(
         r"\mathbf{T}": r"(v, \tilde{\omega})",
     },
 )
-
-
-def twist_derivatives_from_accelerations() -> Verdict:
-    """(116) for every n ≥ 1, by Leibniz' rule for Ṙ = ω̃ R and ρ̇ = ω̃ ρ + v."""
-    return argue(_every_order(), scope="all n")
 
 
 def accelerations_from_twist_derivatives() -> Verdict:
@@ -110,11 +116,55 @@ def _every_order() -> list[Step]:
     ]
 
 
+_FIRST = r"\begin{bmatrix} \mathbf{0} & \mathbf{I} \end{bmatrix}"  # of M: the rows of Ψ
+
+
+def _product(order: str) -> str:
+    return rf"{_FIRST} (\frac{{d^{{{order}}}}}{{dt^{{{order}}}}} [\mathsf{{X}}] \mathsf{{M}}_k)"
+
+
+_SUMS = rf"\forall n \geq 0 : {_FIRST} \mathsf{{M}}_{{n+1}} = \sum_{{k=0}}^n C_n^k ({_product('n-k')})"
+_PARTS = (
+    r"\forall n \geq 1 : \mathsf{M}_n = \begin{bmatrix} 0 & \mathbf{0} \\ \mathbf{a}_n & \Phi_n \end{bmatrix}"
+)
+_ADDENDS = rf"\forall k \geq 1 : \forall j \geq 0 : {_product('j')} = \tilde{{\omega}}^{{(j)}} \Psi_k"
+_OF_ORDER_N = r"\sum_{k=1}^{n-1} C_{n-1}^k \tilde{\omega}^{(n-1-k)} \Psi_k"
+_THE_SAME = rf"\sum_{{k=1}}^{{n-1}} C_{{n-1}}^k ({_product('n-1-k')})"
+_WITH_THE_FIRST = rf"\sum_{{k=0}}^{{n-1}} C_{{n-1}}^k ({_product('n-1-k')})"
+
+#: Mₙ₊₁ = Σ C(n, k) X⁽ⁿ⁻ᵏ⁾ Mₖ by Pascal's rule, M₀ being the unit matrix; X⁽ʲ⁾ Mₖ has ω̃⁽ʲ⁾ Ψₖ for k ≥ 1.
+_BY_PASCAL = Have(
+    _SUMS,
+    Pascal(_product("j"), step=r"\dot{Y} + Y \mathsf{X}"),
+    Have(
+        _PARTS,
+        Induction(step=Follows(r"\dot{Y} + Y \mathsf{X}", Y=Use(-1))),
+        Have(
+            _ADDENDS,
+            Given(Follows(rf"{_FIRST} (\frac{{d^j}}{{dt^j}} [\mathsf{{X}}] Y)", Y=Use(1, {"n": "k"}))),
+            Have(
+                rf"\forall n \geq 1 : {_THE_SAME} = {_OF_ORDER_N}",
+                Given(Termwise("k", Follows("C_{k+j}^k Y", Y=Use(2, {"k": "k", "j": "j"})))),
+                Have(
+                    rf"\forall n \geq 0 : \mathbf{{T}}^{{(n)}} = {_product('n').replace('k', '0')}",
+                    Kernel(using=()),
+                    Given(
+                        Follows(
+                            rf"Z + Y - {_WITH_THE_FIRST} + {_FIRST} (U - \mathsf{{M}}_n) + {_THE_SAME} - V",
+                            Z=Use(4, {"n": "n-1"}),
+                            Y=Use(0, {"n": "n-1"}, back=True),
+                            U=Use(1, {"n": "n"}),
+                            V=Use(3, {"n": "n"}),
+                        )
+                    ),
+                ),
+            ),
+        ),
+    ),
+)
+
 #: Name in the claim files → proof.
 THEOREMS = {
-    proof.__name__: proof
-    for proof in (
-        twist_derivatives_from_accelerations,
-        accelerations_from_twist_derivatives,
-    )
+    "twist_derivatives_from_accelerations": Proven(_BY_PASCAL),
+    "accelerations_from_twist_derivatives": accelerations_from_twist_derivatives,
 }

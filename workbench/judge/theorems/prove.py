@@ -9,6 +9,7 @@ from typing import TypeAlias
 from workbench.judge.kernel.families import SAME_TERM
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
+from workbench.judge.theorems.forms import Form, forms
 from workbench.judge.theorems.goals import (
     All,
     AllFrom,
@@ -22,7 +23,6 @@ from workbench.judge.theorems.goals import (
     Scope,
 )
 from workbench.judge.theorems.members import read_members
-from workbench.judge.theorems.operators import with_operators_applied
 from workbench.judge.theorems.proofs import (
     Against,
     At,
@@ -39,19 +39,18 @@ from workbench.judge.theorems.proofs import (
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent, relations_of
 from workbench.judge.theorems.substitution import Substitution, at_integer
-from workbench.judge.theorems.sums import without_sums
-from workbench.judge.theorems.tidy import is_same_sum, tidy
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.construct import number, relation
-from workbench.language.definitions import expand
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.instances import free_integers
 from workbench.language.printer import to_latex
-from workbench.language.terms import IllFormed, Relation, Statement
+from workbench.language.terms import IllFormed, Statement
 
 #: Verdicts of one judge on equations, by what is claimed, what is supposed and the integers with their least
 #: values.
 Lemmas: TypeAlias = "dict[tuple[Statement, tuple[Statement, ...], tuple[tuple[str, int], ...]], Verdict]"
+
+_SHOWN = (Outcome.PROVED, Outcome.DEFINITION)
 
 #: How many members of a family are looked at one by one, beside the proof for all of them.
 _MEMBERS = 3
@@ -137,7 +136,7 @@ class _Prover:
                     found.append(Evidence(f"goal, {obligation.rule}", "both sides are the same term"))
                 continue
             verdict = self._judge(obligation)
-            if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
+            if verdict.outcome not in _SHOWN:
                 only = len(asked) == 1 and verdict.outcome == Outcome.REFUTED and isinstance(proof, Kernel)
                 if only and _only_for_all(sequent.goal):
                     return verdict
@@ -150,15 +149,17 @@ class _Prover:
     def _judge(self, obligation: Obligation) -> Verdict:
         used = _integers(obligation)
         try:
-            forms = list(_simpler(obligation, used))
-            if used and any(is_same_sum(form) for form in forms):
+            simpler = list(forms(obligation.statement, self.judge, used))
+            if used and any(form.is_same_sum and form.holds_from(used) for form in simpler):
                 return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
             verdict = self._judged(obligation.statement, obligation, used)
-            if verdict.outcome in (Outcome.REFUTED, Outcome.DEFINITION) or _is_for_all(verdict, used):
+            if verdict.outcome == Outcome.REFUTED or _is_for_all(verdict, used):
                 return verdict
-            if obligation.rule != FORMULA and any(is_same_sum(form) for form in forms):
+            looked_at = _MEMBERS if verdict.outcome in _SHOWN else 0
+            simpler = [form for form in simpler if form.holds_from(used, looked_at)]
+            if obligation.rule != FORMULA and any(form.is_same_sum for form in simpler):
                 return Verdict(Outcome.PROVED, evidence=(*verdict.evidence, SAME_ADDENDS))
-            return self._one_of(forms, obligation, used) or _for_some_only(verdict)
+            return self._one_of(simpler, obligation, used) or _for_some_only(verdict)
         except Unsatisfiable:
             reason = "its premises contradict each other, or no example of them was found"
             return Verdict(Outcome.UNCHECKED, reason=reason)
@@ -170,11 +171,11 @@ class _Prover:
             self.lemmas[asked] = self.judge.judge(statement, obligation.assume, orders=orders)
         return self.lemmas[asked]
 
-    def _one_of(self, forms: Sequence[Relation], obligation: Obligation, used: Mapping) -> Verdict | None:
+    def _one_of(self, simpler: Sequence[Form], obligation: Obligation, used: Mapping) -> Verdict | None:
         """The proof, if there is one, of a form that is left when operators and sums are taken away."""
-        for form in forms:
-            left = _integers(replace(obligation, statement=form))
-            verdict = self._judged(form, obligation, left)
+        for form in simpler:
+            left = _integers(replace(obligation, statement=form.equation))
+            verdict = self._judged(form.equation, obligation, left)
             if _is_for_all(verdict, left):
                 return replace(verdict, scope="all") if used else verdict
         return None
@@ -242,25 +243,12 @@ class _Prover:
         raise NotShown(f"the two are not seen to differ ({'; '.join(reasons)})")
 
 
-def _simpler(obligation: Obligation, used: Mapping[str, int]) -> Iterator[Relation]:
-    """The equation with sums taken away; then with operators applied too, and definitions written out."""
-    statement, definitions = obligation.statement, obligation.scope.definitions
-    if not isinstance(statement, Relation) or statement.operator != "=":
-        return
-    whole = relation("=", expand(statement.left, definitions), expand(statement.right, definitions))
-    applied = (with_operators_applied(form, definitions) for form in (statement, whole))
-    for form in (statement, *applied):
-        rest = tidy(without_sums(tidy(form), used))
-        if rest != statement:
-            yield rest
-
-
 def _is_for_all(verdict: Verdict, used: Mapping[str, int]) -> bool:
-    return verdict.outcome == Outcome.PROVED and (not used or (verdict.scope or "").startswith("all"))
+    return verdict.outcome in _SHOWN and (not used or (verdict.scope or "").startswith("all"))
 
 
 def _for_some_only(verdict: Verdict) -> Verdict:
-    if verdict.outcome != Outcome.PROVED:
+    if verdict.outcome not in _SHOWN:
         return verdict
     return replace(verdict, outcome=Outcome.UNCHECKED, reason=f"shown for {verdict.scope} only")
 

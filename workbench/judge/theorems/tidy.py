@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from itertools import dropwhile, pairwise
 
 from workbench.language.construct import apply, derivative, rebuild, relation
 from workbench.language.terms import Apply, Derivative, Identity, Relation, Term, Zero
@@ -81,8 +82,10 @@ def _product(left: Term, right: Term) -> Term:
 
 
 def _associates(*factors: Term) -> bool:
-    """Tensors, with scalars before them and perhaps a vector behind."""
-    kinds = [factor.type.kind for factor in factors]
-    tensors = [kind for kind in kinds if kind != "scalar"]
-    in_front = kinds == ["scalar"] * (len(kinds) - len(tensors)) + tensors
-    return in_front and bool(tensors) and tensors[:-1] == ["tensor"] * (len(tensors) - 1)
+    """Tensors, or matrices that fit, with scalars before them and perhaps a vector behind."""
+    types = [factor.type for factor in factors]
+    rest = list(dropwhile(lambda type_: type_.kind == "scalar", types))
+    if not rest or any(type_.kind not in ("tensor", "matrix") for type_ in rest[:-1]):
+        return False
+    in_reach = rest[-1].kind in ("tensor", "matrix", "vector")
+    return in_reach and all(one.columns == other.rows for one, other in pairwise(rest))

@@ -1,0 +1,83 @@
+"""Simpler forms of an equation for all n: without sums, operators applied, definitions written out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from workbench.judge.kernel.in_force import InstanceJudge, exceptions, rewritten
+from workbench.judge.theorems.operators import with_operators_applied
+from workbench.judge.theorems.sums import without_sums
+from workbench.judge.theorems.tidy import is_same_sum, tidy
+from workbench.language.construct import relation
+from workbench.language.definitions import Definitions, expand
+from workbench.language.instances import free_integers
+from workbench.language.terms import BigSum, Relation, Statement, Symbol, Term
+
+
+@dataclass(frozen=True)
+class Form:
+    """An equation that says the same for all integers from `since` on, where its definitions are in force."""
+
+    equation: Relation
+    since: Mapping[str, int]
+
+    @property
+    def is_same_sum(self) -> bool:
+        return is_same_sum(self.equation)
+
+    def holds_from(self, least: Mapping[str, int], looked_at: int = 0) -> bool:
+        """Whether for all integers from `least` on; but for so many of one integer, looked at one by one."""
+        looked_at = looked_at if len(least) == 1 else 0
+        return all(self.since.get(name, 0) <= value + looked_at for name, value in least.items())
+
+
+def forms(statement: Statement, judge: InstanceJudge, least: Mapping[str, int]) -> Iterator[Form]:
+    """The equation with sums taken away; then with operators applied too, and definitions written out.
+
+    least: the least value of each integer."""
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return
+    definitions = judge.definitions
+    whole = relation("=", expand(statement.left, definitions), expand(statement.right, definitions))
+    applied = (with_operators_applied(form, definitions) for form in (statement, whole))
+    since = _since(statement, judge)
+    for form, begin in ((statement, {}), *((form, since) for form in applied)):
+        if begin is None:
+            continue
+        rest = tidy(without_sums(tidy(form), least))
+        if rest != statement:
+            yield Form(rest, begin)
+
+
+def _since(equation: Relation, judge: InstanceJudge) -> Mapping[str, int] | None:
+    """From which integers on what is written out is what the definitions say; None where an addend of a sum
+    is apart."""
+    sides = (equation.left, equation.right)
+    start = exceptions(judge).start(rewritten(sides, judge.definitions))
+    free = frozenset().union(*map(free_integers, sides))
+    lowest = _lower_bounds(sides, judge.definitions)
+    bound = {name for name in start if name not in free or name in lowest}
+    if any(start[name] > lowest.get(name, 0) for name in bound):
+        return None
+    return {name: value for name, value in start.items() if name in free}
+
+
+def _lower_bounds(terms: tuple[Term, ...], definitions: Definitions) -> dict[str, int]:
+    """The letters of all sums, all the way down, with the least of the values that each takes."""
+    waiting: list[Term] = list(terms)
+    seen: set[Term] = set()
+    lowest: dict[str, int] = {}
+    while waiting:
+        term = waiting.pop()
+        if term in seen:
+            continue
+        seen.add(term)
+        waiting += term.children
+        if isinstance(term, Symbol) and (body := definitions.lookup(term)) is not None:
+            waiting.append(body)
+        if isinstance(term, BigSum):
+            lower = 0 if term.lower is None or not term.lower.is_number else int(term.lower)
+            for name in term.variables:
+                lowest[name] = min(lower, lowest.get(name, lower))
+    return lowest

@@ -10,11 +10,12 @@ from workbench.judge.kernel.branches import holds_arc, judge_branch
 from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.extrema import judge_extremum
-from workbench.judge.kernel.families import OrderRanges, judge_family
+from workbench.judge.kernel.families import SAME_TERM, OrderRanges, judge_family
 from workbench.judge.kernel.zero_sets import judge_inequation, judge_zeros
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.language.construct import apply, zero
 from workbench.language.construct import relation as equated
 from workbench.language.printer import to_latex
 from workbench.language.terms import (
@@ -81,7 +82,7 @@ class Judge(Setting):
     def _judge_form(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
         match statement:
             case Conjunction(parts=parts):
-                return _together([self._judge(part, assume) for part in parts])
+                return self._of_parts(parts, assume)
             case Relation() if holds_arc(statement):
                 return judge_branch(statement, self.definitions, lambda said: self._judge(said, assume))
             case Relation(operator="="):
@@ -99,6 +100,22 @@ class Judge(Setting):
             case Naming():
                 return self._named(statement, assume)
         raise NotExact("a statement of this form")
+
+    def _of_parts(self, parts: Sequence[Statement], assume: tuple[Statement, ...]) -> Verdict:
+        """On a chain or a system: that on its parts which say something. Of one whose sides are the same term
+        it is seen that they are defined, and the evidence tells."""
+        judged = [(part, self._judge(part, assume)) for part in parts]
+        if all(verdict.reason == SAME_TERM for _, verdict in judged):
+            return judged[0][1]
+        verdicts, idle = [], []
+        for part, verdict in judged:
+            if verdict.reason == SAME_TERM and isinstance(part, Relation):
+                nothing = apply("add", part.left, apply("neg", part.right))
+                verdict = self._judge(equated("=", nothing, zero(part.left.type)), assume)
+                idle.append(Evidence("trivial part", SAME_TERM, {"formula": to_latex(part)}))
+            verdicts.append(verdict)
+        verdict = _together(verdicts)
+        return replace(verdict, evidence=(*verdict.evidence, *idle))
 
     def _named(self, said: Naming, assume: tuple[Statement, ...]) -> Verdict:
         """On a set or a map: a definition, if what makes it one is proved."""

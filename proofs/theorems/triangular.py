@@ -1,13 +1,9 @@
 """Section 6, (114)–(116) and Theorem 10: derivatives of the twist and acceleration invariants, each from the
-others, for every order.
-
-F and h stand for R⁽ⁿ⁾ and ρ⁽ⁿ⁾ for some n ≥ 1, as free functions: what holds for them holds for every n.
-"""
+others, for every order."""
 
 from __future__ import annotations
 
-from proofs.theorems.leibniz import leibniz_rule
-from workbench.judge.theorems.arguments import Step, argue
+from workbench.judge.theorems.arguments import argue
 from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.theorems.proofs import (
     Follows,
@@ -21,13 +17,6 @@ from workbench.judge.theorems.proofs import (
     Use,
 )
 from workbench.judge.verdict import Verdict
-
-_MOTION = Letters(
-    {name: {"kind": "vector"} for name in (r"\rho", "h", "y")}
-    | {name: {"kind": "tensor"} for name in "FGA"}
-    | {"R": {"kind": "rotation"}},
-    {r"\omega": r"\operatorname{vect}(\dot{R} R^T)", "v": r"\dot{\rho} - \omega \times \rho"},
-)
 
 #: Ψₙ = (aₙ, Φₙ) and T = (v, ω̃) by (20) and (39), for free v and ω.
 _INVARIANTS = Letters(
@@ -51,10 +40,16 @@ _INVARIANTS = Letters(
 
 
 def accelerations_from_twist_derivatives() -> Verdict:
-    """Theorem 10: Ψₙ is T⁽ⁿ⁻¹⁾ plus what Ψ₁, …, Ψₙ₋₁ give, for every n ≥ 1."""
+    """Theorem 10, beside (116) for every n: what Ψₙ is made of, order by order."""
     return argue(
         [
-            *_every_order(),
+            _INVARIANTS.step(
+                "n = 1 is T = Ψ₁; for n = 1 … 6 Ψₙ is T⁽ⁿ⁻¹⁾ and what Ψ₁, …, Ψₙ₋₁ and lower derivatives give",
+                r"\mathbf{T}^{(n-1)} = \Psi_n - \sum_{k=1}^{n-1} C_{n-1}^k \tilde{\omega}^{(n-1-k)} \Psi_k",
+                r"\Psi_n = P_n \mathbf{T}",
+                but_not=r"\mathbf{T}^{(n-1)} = \Psi_n - \sum_{k=1}^{n-1} \tilde{\omega}^{(n-1-k)} \Psi_k",
+                orders={"n": range(1, 7)},
+            ),
             _INVARIANTS.step(
                 "what is added to T⁽ⁿ⁻¹⁾ holds lower derivatives only: a change x of v⁽ⁿ⁻¹⁾ alone changes"
                 " aₙ by x",
@@ -73,47 +68,6 @@ def accelerations_from_twist_derivatives() -> Verdict:
         ],
         scope="all n",
     )
-
-
-def _every_order() -> list[Step]:
-    twist = r"(\dot{F} R^T)"
-    return [
-        _MOTION.step(
-            "Φₙ = F Rᵀ and aₙ = h − Φₙ ρ have the recurrence (20), whatever functions F and h are",
-            rf"{twist} = \frac{{d}}{{dt}}(F R^T) + (F R^T) \tilde{{\omega}}",
-            r"\dot{h} - \dot{F} R^T \rho = \frac{d}{dt}(h - F R^T \rho) + (F R^T) v",
-            but_not=rf"{twist} = \frac{{d}}{{dt}}(F R^T) + \tilde{{\omega}} (F R^T)",
-        ),
-        _MOTION.step(
-            "Ṙ = ω̃ R and ρ̇ = ω̃ ρ + v: so R⁽ⁿ⁾ = (ω̃ R)⁽ⁿ⁻¹⁾ and ρ⁽ⁿ⁾ = (ω̃ ρ + v)⁽ⁿ⁻¹⁾",
-            r"\dot{R} = \tilde{\omega} R",
-            r"\dot{\rho} = \tilde{\omega} \rho + v",
-            but_not=r"\dot{R} = R \tilde{\omega}",
-        ),
-        *leibniz_rule(),
-        _MOTION.step(
-            "each term ω̃⁽ᵐ⁾ R⁽ᵏ⁾ Rᵀ of the sum is ω̃⁽ᵐ⁾ Φₖ, each ω̃⁽ᵐ⁾ ρ⁽ᵏ⁾ less its part in Φₙ ρ is"
-            " ω̃⁽ᵐ⁾ aₖ; for k = 0 these are ω̃⁽ⁿ⁻¹⁾ and 0",
-            r"A h - (A F) R^T \rho = A (h - F R^T \rho)",
-            r"A R R^T = A",
-            r"A \rho - (A R) R^T \rho = 0",
-            but_not=r"A h - (A F) R^T \rho = A h",
-        ),
-        _MOTION.step(
-            "each term A Dᵏ of Pₙ has (D ∘ A) y = (A y)˙ with y = v⁽ᵏ⁾, and the same for ω̃: Pₙ₊₁ v = (Pₙ"
-            " v)˙ + Pₙ(ω̃) v = ȧₙ + Φₙ v",
-            r"(\mathbf{D} \circ A) y = \frac{d}{dt}(A y)",
-            r"(\mathbf{D} \circ A) G = \frac{d}{dt}(A G)",
-            but_not=r"(\mathbf{D} \circ A) y = A \dot{y}",
-        ),
-        _INVARIANTS.step(
-            "n = 1 is T = Ψ₁; for n = 1 … 6 both lines of (116) are what (20) gives",
-            r"\mathbf{T}^{(n-1)} = \Psi_n - \sum_{k=1}^{n-1} C_{n-1}^k \tilde{\omega}^{(n-1-k)} \Psi_k",
-            r"\Psi_n = P_n \mathbf{T}",
-            but_not=r"\mathbf{T}^{(n-1)} = \Psi_n - \sum_{k=1}^{n-1} \tilde{\omega}^{(n-1-k)} \Psi_k",
-            orders={"n": range(1, 7)},
-        ),
-    ]
 
 
 _FIRST = r"\begin{bmatrix} \mathbf{0} & \mathbf{I} \end{bmatrix}"  # of M: the rows of Ψ

@@ -264,3 +264,20 @@ def test_cases_and_lemmas():
     assert outcome(r"a \times b = b \times a", false).outcome == Outcome.UNCHECKED
     parts = Each(Kernel(), Kernel())
     assert outcome(r"a + b = b + a ; a \times b = b \times a", parts).outcome == Outcome.UNCHECKED
+
+
+def test_members_of_a_set_are_shown_letter_by_letter():
+    """That T is a rotation is a premise; of R the judge knows it."""
+    premise = r"T T^T = \mathbf{I} \wedge \det T = 1 \Rightarrow \det (R T) = 1"
+    product = r"\forall P, Q \in SO_3 : \det (P Q) = 1"
+    is_one = Each(Follows("Y", Y=Use(1)), Follows("Y", Y=Use(1, part=1)))
+    is_none = Each(Follows("Y", Y=Use(1, part=1)), Follows("Y", Y=Use(1)))
+
+    def of(values, **members):
+        use = Use(0, values, members=members)
+        return outcome(premise, Have(product, Kernel(), Given(Follows("Y", Y=use)))).outcome
+
+    assert of({"P": "R", "Q": "T"}, Q=is_one) == Outcome.PROVED
+    assert of({"P": "R", "Q": "T"}, Q=is_none) == Outcome.UNCHECKED
+    assert of({"P": "R", "Q": "T"}, P=is_one) == Outcome.PROVED  # of T by the judge, from the premise
+    assert of({"P": "R", "Q": "2 T"}, Q=is_one) == Outcome.UNCHECKED

@@ -60,8 +60,8 @@ def test_no_theorem_survives_a_false_formula(name, monkeypatch):
     assert THEOREMS[name]().outcome == Outcome.UNCHECKED
 
 
-@pytest.mark.parametrize("damaged", range(4))
-@pytest.mark.parametrize("name", ["exponential_is_onto", "twist_derivatives_from_accelerations"])
+@pytest.mark.parametrize("damaged", range(3))
+@pytest.mark.parametrize("name", ["exponential_is_onto", "accelerations_from_twist_derivatives"])
 def test_each_step_counts(name, damaged, monkeypatch):
     with_steps(
         monkeypatch,
@@ -70,7 +70,7 @@ def test_each_step_counts(name, damaged, monkeypatch):
     assert THEOREMS[name]().outcome == Outcome.UNCHECKED
 
 
-@pytest.mark.parametrize("name", ["exponential_is_onto", "twist_derivatives_from_accelerations"])
+@pytest.mark.parametrize("name", ["exponential_is_onto", "accelerations_from_twist_derivatives"])
 def test_a_control_that_holds_is_noticed(name, monkeypatch):
     with_steps(monkeypatch, lambda number, formulas, but_not: (formulas, formulas[0]))
     verdict = THEOREMS[name]()

@@ -7,23 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from workbench import papers
 from workbench.budget import Budget
-from workbench.cli.terminal import claim_lines
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.lines import Line, split_lines, whole_line
 from workbench.language.symbols import SymbolTable
-from workbench.papers import (
-    Claim,
-    Formula,
-    Notation,
-    Orders,
-    Paper,
-    find_paper,
-    installed_notation,
-    load_notation,
-)
+from workbench.papers import Claim, Formula, Notation, Orders, Paper
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
@@ -72,6 +63,8 @@ class Checked:
         return repair(self.result.claim, limits)
 
     def __str__(self) -> str:
+        from workbench.cli.terminal import claim_lines
+
         return "\n".join(str(line) for line in claim_lines(self.result, with_expectation=False))
 
     __repr__ = __str__
@@ -169,12 +162,12 @@ def _notation(
         name: {"kind": spec} if isinstance(spec, str) else spec for name, spec in (symbols or {}).items()
     }
     if notation is not None:
-        return extended(load_notation(notation), specs)
+        return extended(papers.load_notation(notation), specs)
     if paper is None and at is None and symbols is not None:
         return extended(Notation(SymbolTable(), Definitions(), {}), specs)
     if paper is None and at is None:
-        return extended(installed_notation(), specs)
-    paper = paper if isinstance(paper, Paper) else find_paper(paper)
+        return extended(papers.installed_notation(), specs)
+    paper = paper if isinstance(paper, Paper) else papers.find_paper(paper)
     return extended(paper.notation if at is None else _notation_at(paper, at), specs)
 
 

@@ -41,6 +41,8 @@ def split_lines(latex: str) -> list[Line]:
     What stands behind the environment (such as ", n \\geq 1") belongs to each line. A map f : A \\to B and
     what f(x) is are one line.
     """
+    if r"\\" not in latex:
+        return [whole_line(latex)]
     tokenizer = Tokenizer(latex)
     tokens = tokenizer.legible()
     kept = {token.start_pos for token in join_lines(tokens)}

@@ -103,7 +103,7 @@ class Spelling:
                 else:
                     texts[-1] += str(piece)
             made[field] = tuple(texts)
-        return replace(self.letter, **made), tuple(index)
+        return replace(self.letter, **made) if made else self.letter, tuple(index)
 
     def exchanged(self, texts: Mapping[str, str]) -> Spelling:
         """The same with other letters and labels."""
@@ -144,7 +144,8 @@ def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spellin
             if pieces is None:
                 return None
             found.append((field, tuple(pieces)))
-    return Spelling(replace(letter, primes=scripts.primes), tuple(found))
+    primed = replace(letter, primes=scripts.primes) if scripts.primes != letter.primes else letter
+    return Spelling(primed, tuple(found))
 
 
 def spell_label(node: Node) -> str | None:

@@ -27,6 +27,7 @@ from workbench.language.vocabulary import (
 
 _OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
 
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
 _OPENS = frozenset({"OPEN", "LBRACE", "BEGIN_MATRIX", "BEGIN_LINES"})
 _CLOSES = frozenset({"CLOSE", "RBRACE", "END_MATRIX", "END_LINES"})
 
@@ -309,15 +310,16 @@ def _marks(tokens: list[Token]) -> list[Token]:
     """A sign that stands alone in a script is a mark: q^+, [x]_\\times, x^{\\wedge}."""
     marked = []
     for place, token in enumerate(tokens):
-        before = [t.type for t in tokens[max(place - 2, 0) : place]]
-        closes = tokens[place + 1].type == "RBRACE" if place + 1 < len(tokens) else False
-        alone = before[-1:] in (["SUP"], ["SUB"]) or (
-            before in (["SUP", "LBRACE"], ["SUB", "LBRACE"]) and closes
-        )
-        if token == "*" and token.type == "MARK" and before[-1:] and before[-1] in ENDS_A_FACTOR:
-            token = Token("INFIX", "*", start_pos=token.start_pos)
-        elif token.type in ("INFIX", "SIGN") and alone:
-            token = Token("MARK", str(token), start_pos=token.start_pos)
+        if token.type in ("INFIX", "SIGN", "MARK"):
+            before = [t.type for t in tokens[max(place - 2, 0) : place]]
+            closes = place + 1 < len(tokens) and tokens[place + 1].type == "RBRACE"
+            alone = before[-1:] in (["SUP"], ["SUB"]) or (
+                before in (["SUP", "LBRACE"], ["SUB", "LBRACE"]) and closes
+            )
+            if token == "*" and token.type == "MARK" and before[-1:] and before[-1] in ENDS_A_FACTOR:
+                token = Token.new_borrow_pos("INFIX", "*", token)
+            elif token.type != "MARK" and alone:
+                token = Token.new_borrow_pos("MARK", str(token), token)
         marked.append(token)
     return marked
 
@@ -374,7 +376,5 @@ def _takes_addends(tokens: list[Token]) -> bool:
 
 
 def _refuse_control_characters(text: str) -> None:
-    for at, character in enumerate(text):
-        code = ord(character)
-        if (code < 32 and character not in "\t\r\n") or 0x7F <= code < 0xA0 or 0xD800 <= code < 0xE000:
-            raise Fault(f"the character U+{code:04X} cannot stand in a formula", at)
+    if found := _CONTROL.search(text):
+        raise Fault(f"the character U+{ord(found[0]):04X} cannot stand in a formula", found.start())

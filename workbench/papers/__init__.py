@@ -1,15 +1,25 @@
-"""Paper files: the claims of a paper, its symbols and its definitions, as TOML says them."""
+"""Paper files: the claims of a paper, its symbols and its definitions, as TOML says them.
 
-from workbench.papers.load import (
-    find_paper,
-    installed_notation,
-    load_installed,
-    load_notation,
-    load_paper,
-    merge,
-)
+What loads them, with all that a claim file can say, comes on first use: a single formula needs none of it.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from workbench.papers.model import Claim, Formula, InstalledPaper, Notation, Paper, PaperError
 from workbench.papers.orders import Orders
+
+if TYPE_CHECKING:
+    from workbench.papers.load import (
+        find_paper,
+        installed_notation,
+        load_installed,
+        load_notation,
+        load_paper,
+        merge,
+    )
 
 __all__ = [
     "Claim",
@@ -26,3 +36,9 @@ __all__ = [
     "load_paper",
     "merge",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    if name in __all__:
+        return getattr(import_module("workbench.papers.load"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -6,18 +6,14 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
-from functools import cache
+from functools import cached_property
 from types import MappingProxyType
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
-from workbench.judge.theorems.goals import Scope
-from workbench.judge.theorems.proofs import False_, Kernel, Proven
-from workbench.judge.theorems.prove import Lemmas, prove
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.terms import Relation
@@ -26,6 +22,9 @@ from workbench.papers.selection import select_claims
 from workbench.verify.memory import Keys, Memory
 from workbench.verify.results import FORMS, ClaimResult
 from workbench.verify.witnesses import Witnesses
+
+if TYPE_CHECKING:
+    from workbench.verify.theorems import TheoremJudge
 
 #: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
@@ -57,13 +56,11 @@ class ClaimJudge:
         budget: Budget | None = None,
         memory: Memory | None = None,
     ) -> None:
-        self.theorems = theorems
+        self._theorems = theorems
         self.options = {"second_engine": second_engine}
         self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[int, Judge] = {}
-        self._lemmas: dict[int, Lemmas] = {}  # by notation, as the judges
-        self._theorem = cache(lambda name: theorems[name]())  # several claims can rest on one
         self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
         self._memory = memory
@@ -139,6 +136,8 @@ class ClaimJudge:
 
     def _prepare(self) -> None:
         _load_engines()
+        if any(claim.goal is not None for claim in self._waiting):
+            _ = self._of_theorems
         if self._witnesses:
             for claim in self._waiting:
                 self._witnesses.prepare(claim)
@@ -152,8 +151,7 @@ class ClaimJudge:
 
     def _printed(self, claim: Claim) -> Verdict:
         if claim.goal is not None or claim.theorem is not None:
-            shown = self._proof if claim.goal is not None else self._argument
-            verdict = _undisturbed(lambda: shown(claim))
+            verdict = _undisturbed(lambda: self._of_theorems.verdict(claim))
             return self._seen(verdict, claim, claim.printed, claim.hypothesis)
         if claim.skip is not None:
             return Verdict(Outcome.UNCHECKED, reason=f"left out: {claim.skip}")
@@ -192,35 +190,11 @@ class ClaimJudge:
             return None
         return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
 
-    def _proof(self, claim: Claim) -> Verdict:
-        """On the goal, by its proof; without one, by the judge of formulas alone."""
-        proven = Proven(None, False_()) if claim.corrected is not None else Proven(Kernel())
-        if claim.theorem is not None:
-            proven = self.theorems[claim.theorem]
-            if not isinstance(proven, Proven):
-                return Verdict(
-                    Outcome.UNCHECKED, reason=f"{claim.theorem} is an argument, and no proof of a goal"
-                )
-        notation = claim.notation
-        return prove(
-            claim.goal.goal,
-            Scope(notation.symbols, notation.definitions, {}),
-            self._judge(notation),
-            proven,
-            assume=claim.supposed,
-            bare=claim.goal.bare if claim.hypothesis is not None else None,
-            lemmas=self._lemmas.setdefault(id(notation), {}),
-        )
+    @cached_property
+    def _of_theorems(self) -> TheoremJudge:
+        from workbench.verify.theorems import TheoremJudge
 
-    def _argument(self, claim: Claim) -> Verdict:
-        """What the steps of an argument support: they are checked, and what joins them is prose."""
-        name = claim.theorem
-        if isinstance(self.theorems[name], Proven):
-            return Verdict(Outcome.UNCHECKED, reason=f"{name} proves a goal, and the claim has none")
-        verdict = self._theorem(name)
-        if verdict.outcome == Outcome.UNCHECKED:
-            return verdict
-        return replace(verdict, outcome=Outcome.ARGUED, scope=None, reason=claim.argued)
+        return TheoremJudge(self._theorems, self._judge)
 
     def _verdict(self, claim: Claim, formula: Formula, hypothesis: Formula | None) -> Verdict:
         if formula.ill_formed is not None:

@@ -145,9 +145,16 @@ class Keys:
         self._proofs = {name: sha256(text.encode()).hexdigest() for name, text in proofs.items()}
         self._ground = repr((code, versions, sys.version_info[:2], sorted(options.items())))
         self._reaches: dict[int, _Reach] = {}
+        self._last: tuple[Claim, str] | None = None  # its forms are asked for one after the other
 
     def of(self, claim: Claim, form: str) -> str:
         """The key of the verdict on one form of a claim."""
+        if self._last is None or self._last[0] is not claim:
+            self._last = claim, self._all_of(claim)
+        return sha256(f"{form}\n{self._last[1]}".encode()).hexdigest()
+
+    def _all_of(self, claim: Claim) -> str:
+        """What the verdicts on all its forms depend on."""
         said = {f.name: getattr(claim, f.name) for f in fields(claim) if f.name not in _COSMETIC}
         reach = self._reach(claim.notation)
         said["on motions"] = claim.notation.on_motions.get(claim.id)
@@ -155,7 +162,7 @@ class Keys:
             reached: Any = reach.of(said)
         else:  # its proof may speak of any symbol
             reached = reach.of(said), reach.whole, self._proofs.get(claim.theorem or "")
-        return sha256(repr((form, said, reached, self._ground)).encode()).hexdigest()
+        return sha256(repr((said, reached, self._ground)).encode()).hexdigest()
 
     def of_bindings(self, notation: Notation) -> str:
         """The key of the agreement of a notation's bindings with its definitions, on motions that agree

@@ -8,8 +8,6 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, TypeAlias
 
 from workbench.judge.evidence.motion_source import Bindings, Motion, bindings_of
-from workbench.judge.theorems.goals import atoms
-from workbench.judge.theorems.said import said
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.terms import Relation, Statement
 from workbench.papers.model import Claim, Formula, Notation, OnMotions, PaperError
@@ -137,6 +135,8 @@ class Witnesses:
 def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Saying]:
     """The equations of a form of the claim: its own, or those of its goal, or those of its argument."""
     if form is claim.printed and claim.goal is not None:
+        from workbench.judge.theorems.said import said
+
         for part in said(claim.goal.goal):
             yield part.statement, (*claim.supposed, *part.premises), part
         return
@@ -150,6 +150,7 @@ def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Say
 def _of_motion(claim: Claim) -> bool:
     """Whether the claim's goal speaks of what is bound."""
     from workbench.judge.evidence.motion_check import relations
+    from workbench.judge.theorems.goals import atoms
 
     sides = [side for s in atoms(claim.goal.goal) for r in relations(s) for side in (r.left, r.right)]
     bound = {symbol.declaration.name for symbol in claim.notation.motion}

@@ -1,0 +1,235 @@
+"""One [[claim]] of a paper file: its keys read and held against each other, its formulas read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers, read_goal
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.lines import Line, split_lines
+from workbench.language.printer import to_latex
+from workbench.language.reader import read_formula
+from workbench.language.terms import Conjunction, Statement
+from workbench.papers.formulas import WORDS, FormulaReader
+from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
+from workbench.papers.model import Claim, Formula, Notation, Stated, Theorem
+from workbench.papers.orders import Orders
+from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml_places import KeyPath
+
+_FORMULA_KEYS = ("printed", "formula", "goal", "reading", "corrected", "hypothesis", "assume", "orders")
+_CLAIM_KEYS = (
+    *("id", "equation", "section", *_FORMULA_KEYS, "inherits"),
+    *("statement", "theorem", "argued", *MEND_KEYS, "note"),
+)
+_ID = re.compile(r"[\w.+*'-]{1,80}")
+_HYPOTHESIS = re.compile(r"\\hypothesis\s*\\Rightarrow")
+_QUOTE = re.compile(r"“[^“”]+”")
+_CONTRADICTIONS = (
+    ("theorem", "reading"),
+    ("theorem", "assume"),
+    ("goal", "reading"),
+    ("goal", "formula"),
+    ("goal", "argued"),
+    ("corrected", "hypothesis"),
+)
+
+
+@dataclass
+class ClaimTable:
+    """The claim table at `path`. section: where it does not name one.   owners: id → id of the table it comes
+    from, of all claims so far."""
+
+    toml: TomlFile
+    path: KeyPath
+    notation: Notation
+    section: str | None
+    owners: dict[str, str]
+    theorems: Mapping[str, Theorem]
+
+    def claims(self) -> list[Claim]:
+        toml = self.toml
+        toml.allow_keys(self.path, _CLAIM_KEYS)
+        name = self._required("id")
+        if _ID.fullmatch(name) is None:
+            message = f"id: expected letters, digits and . _ - + * ' without blanks, got {name!r}"
+            raise toml.error_at_value((*self.path, "id"), message)
+        self._refuse_contradictions()
+        printed, quote = self._printed()
+        formula = self._text("formula")
+        claim = Claim(
+            id=name,
+            printed=Formula(printed or formula or ""),
+            ours=not printed and formula is not None,
+            quote=quote,
+            fault=fault_of(toml, self.path),
+            mend=mend_of(toml, self.path, printed or quote or formula or ""),
+            argued=self._text("argued"),
+            notation=self.notation,
+            equation=self._text("equation"),
+            section=self._text("section") or self.section,
+            orders=self._orders(),
+            note=toml.value((*self.path, "note"), str, ""),
+            inherits=toml.texts((*self.path, "inherits")),
+            statement=self._text("statement"),
+            theorem=self._text("theorem"),
+            file=toml.path,
+            line=toml.places.of_key(self.path)[0],
+        )
+        special = claim.theorem is not None or self._text("goal") is not None
+        claims = [self._theorem(claim)] if special else self._lines(claim)
+        for part in claims:
+            if part.id in self.owners:
+                raise toml.error_at_value((*self.path, "id"), f"id {part.id!r} is used twice")
+            self.owners[part.id] = name
+        return claims
+
+    def _printed(self) -> tuple[str | None, str | None]:
+        """What is printed: a formula, or a sentence, which stands in quotation marks “ ”."""
+        text = self._text("printed")
+        if text is None or not text.startswith("“"):
+            if text is not None and self._text("formula") is not None:
+                message = (
+                    "formula: ours stands for a printed sentence; beside a printed formula it has no use"
+                )
+                raise self.toml.error_at_key((*self.path, "formula"), message)
+            return text, None
+        if _QUOTE.fullmatch(text) is None:
+            raise self.toml.error_at_value((*self.path, "printed"), "printed: expected one sentence, “…”")
+        return None, text
+
+    def _theorem(self, claim: Claim) -> Claim:
+        self._required("statement")
+        if claim.theorem is not None and claim.theorem not in self.theorems:
+            known = ", ".join(sorted(self.theorems)) or "none is installed for this file"
+            message = f"theorem: no proof called {claim.theorem!r} (known: {known})"
+            raise self.toml.error_at_value((*self.path, "theorem"), message)
+        reader = self._reader(claim)
+        goal = self._goal(claim)
+        printed = self._said(
+            claim, set(claim.orders.variables if claim.orders else ()) | bound_integers(goal and goal.goal)
+        )
+        if goal is not None:
+            self._refuse_other_goal(goal, printed)
+        elif claim.theorem is not None and claim.argued is None:
+            message = "a theorem needs a goal, or else `argued`: why no rule ties its steps to one"
+            raise self.toml.error_at_key((*self.path, "theorem"), message)
+        return replace(
+            claim,
+            goal=goal,
+            said=() if goal else tuple(printed),
+            corrected=reader.intended("corrected"),
+            hypothesis=self._condition(reader, goal),
+            assume=reader.intended_list("assume"),
+        )
+
+    def _said(self, claim: Claim, integers: Collection[str]) -> list[Statement]:
+        """What is printed beside a goal or an argument, which must make sense."""
+        try:
+            lines = split_lines(claim.printed.latex) if claim.printed.latex else ()
+            table = self.notation.symbols
+            return [s for line in lines for s in read_formula(line.latex, table, integers).statements]
+        except (ReadError, IllFormedAt) as error:
+            raise self.toml.error_at_value((*self.path, "printed"), f"printed: {error}") from None
+
+    def _goal(self, claim: Claim) -> Stated | None:
+        text = self._text("goal")
+        if text is None:
+            return None
+        scope = Scope(self.notation.symbols, self.notation.definitions, {})
+        hypothesis = self._text("hypothesis")
+        if (hypothesis is None) != (_HYPOTHESIS.search(text) is None):
+            message = (
+                "goal: expected `\\hypothesis \\Rightarrow` in it if there is a hypothesis, and only then"
+            )
+            raise self.toml.error_at_value((*self.path, "goal"), message)
+        said = text.replace("\\printed", claim.printed.latex)
+        try:
+            bare = read_goal(_HYPOTHESIS.sub("", said), scope)
+            return Stated(text, read_goal(said.replace("\\hypothesis", hypothesis or ""), scope), bare)
+        except (GoalError, ReadError, IllFormedAt) as error:
+            raise self.toml.error_at_value((*self.path, "goal"), f"goal: {error}") from None
+
+    def _refuse_other_goal(self, goal: Stated, said: Sequence[Statement]) -> None:
+        """What is printed must be a part of the goal: else the goal could be another one."""
+        parts = [part for statement in atoms(goal.goal) for part in (statement, *_parts(statement))]
+        for statement in said:
+            if statement not in parts:
+                message = f"goal: the printed formula {to_latex(statement)} is no part of it"
+                raise self.toml.error_at_value((*self.path, "goal"), message)
+
+    def _condition(self, reader: FormulaReader, goal: Stated | None) -> Formula | None:
+        """The hypothesis: read within its goal; of an argument, a formula or words, \\text{…}."""
+        text = self._text("hypothesis")
+        if text is not None and (goal is not None or WORDS.fullmatch(text)):
+            return Formula(text)
+        return reader.intended("hypothesis")
+
+    def _lines(self, claim: Claim) -> list[Claim]:
+        """The claim, or one claim for each line of its printed formula."""
+        if not claim.printed.latex:
+            self._required("formula" if claim.quote is not None else "printed")
+        lines = split_lines(claim.printed.latex)
+        readings = self._matching("reading", lines)
+        corrections = self._matching("corrected", lines)
+        claims = []
+        for number, line in enumerate(lines):
+            printed, reader = self._reader(claim).printed(line, excused=readings is not None)
+            reading = None
+            if readings is not None:
+                reading, reader = reader.reading(readings[number])
+            claims.append(
+                replace(
+                    claim,
+                    id=claim.id if len(lines) == 1 else f"{claim.id}.{number + 1}",
+                    printed=printed,
+                    reading=reading,
+                    corrected=corrections and reader.intended("corrected", corrections[number]),
+                    hypothesis=reader.intended("hypothesis"),
+                    assume=reader.intended_list("assume"),
+                    orders=reader.orders,
+                )
+            )
+        return claims
+
+    def _matching(self, key: str, lines: Sequence[Line]) -> list[Line] | None:
+        text = self._text(key)
+        if text is None:
+            return None
+        found = split_lines(text)
+        if len(found) != len(lines):
+            message = f"{key}: expected {len(lines)} lines, as printed has, got {len(found)}"
+            raise self.toml.error_at_value((*self.path, key), message)
+        return found
+
+    def _reader(self, claim: Claim) -> FormulaReader:
+        return FormulaReader(self.toml, self.path, self.notation, claim.orders)
+
+    def _orders(self) -> Orders | None:
+        text = self._text("orders")
+        try:
+            return None if text is None else Orders.parse(text)
+        except ValueError as error:
+            raise self.toml.error_at_value((*self.path, "orders"), str(error)) from None
+
+    def _refuse_contradictions(self) -> None:
+        table = self.toml.value(self.path, dict)
+        for one, other in _CONTRADICTIONS:
+            if one in table and other in table and not ("goal" in table and other == "assume"):
+                message = f"{other!r} and {one!r} exclude each other"
+                raise self.toml.error_at_key((*self.path, other), message)
+
+    def _text(self, key: str) -> str | None:
+        return self.toml.text((*self.path, key))
+
+    def _required(self, key: str) -> str:
+        text = self._text(key)
+        if text is None:
+            raise self.toml.error_at_key(self.path, f"missing key {key!r}")
+        return text
+
+
+def _parts(statement: Statement) -> Sequence[Statement]:
+    return statement.parts if isinstance(statement, Conjunction) else ()

@@ -233,9 +233,10 @@ def is_orthogonal(T: Array, tolerance: float = 0.0) -> bool:
     T Tᵀ − I may be off by it, those of the dual part by it times max(1, the largest in Du T).
     """
     dual = T if isinstance(T, Dual) else Dual(T)
-    defect = dual @ transpose(dual) - identity()
+    product = dual @ transpose(dual)
     if tolerance == 0:
-        return defect == 0 and determinant(dual) == 1
+        return product - identity() == 0 and determinant(dual) == 1
+    defect = product - np.eye(3)
     length = np.maximum(1.0, np.abs(dual.du).max(axis=(-2, -1)))[..., None, None]
     is_close = np.abs(defect.re) <= tolerance, np.abs(defect.du) <= tolerance * length
     return bool(np.all(is_close[0]) and np.all(is_close[1]) and np.all(determinant(dual).re > 0))

@@ -162,6 +162,10 @@ class TestKnown:
         (r"\min_{x \in V_3} \|m + w \times x\| = \operatorname{Du} |w + \varepsilon m|", Outcome.REFUTED),
         (r"\min_{x \in V_3} \|x\|^3 = 0", Outcome.UNCHECKED),
         (r"\max_{x \in V_3} \|x\| = f", Outcome.UNCHECKED),
+        (
+            r"\min_{x \in \mathbb{R}} \|f^2 u + x u \times a\| = f (f + 1) - f",
+            Outcome.UNCHECKED,
+        ),  # seen to be ≥ 0?
         (r"\min_{x \in S^2} (x \cdot a)^2 = 0", Outcome.UNCHECKED),
         (r"\min_{b \in V_3} \dot{b}^2 = 0", Outcome.UNCHECKED),  # b moves
         (r"\min_{x \in V_3} \|a_x + x\| = 0", Outcome.UNCHECKED),  # a at x, or another vector?

@@ -322,8 +322,6 @@ class World:
                 return lambda x: product(factor, inside(x))
             case Apply(head="mul" | "compose", arguments=(left, right)):
                 outer, inner = self._acting(left, at), self._acting(right, at)
-                if right.type.kind == "scalar":  # P f is f P: the chapter writes operators before factors
-                    raise NotRead("an operator times a scalar")
                 return lambda x: outer(inner(x))
         raise NotRead(f"the operator {term}")
 

@@ -57,3 +57,11 @@ def test_an_equation_and_an_inequation_are_not_compared():
         Outcome.UNCHECKED,
         "an equivalence between an equation and an inequation",
     )
+
+
+def test_what_holds_only_while_its_premise_lasts_asks_which_is_meant():
+    verdict = judged(r"f = 1 \Rightarrow \dot{f} = 0")
+    assert verdict.outcome == Outcome.UNCHECKED
+    assert verdict.reason.startswith("false if the condition holds at one instant only")
+    assert judged(r"f = 1 \Rightarrow \dot{f} = g").outcome == Outcome.REFUTED
+    assert judged(r"f = 1 \Rightarrow f g = g").outcome == Outcome.PROVED

@@ -127,9 +127,6 @@ class JetEngine:
                 if left.type.kind == "scalar":
                     factor = self.value(left, depth)
                     return tuple(product_of(np.multiply, factor, v) for v in self.operator(right, depth))
-                if right.type.kind == "scalar":
-                    factor = self.value(right, depth)
-                    return tuple(product_of(np.multiply, factor, v) for v in self.operator(left, depth))
                 return self._compose(self.operator(left, depth), self._operator_for(right), depth)
         raise NotExact(f"no operator value for {type(term).__name__}")
 

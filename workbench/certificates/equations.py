@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from workbench.certificates.lemmas import only_now, premises_of, restored, without_derivatives
+from workbench.certificates.lemmas import only_now, restored, without_derivatives
 from workbench.certificates.nodes import ATOM, KINDS, NotCertified
 from workbench.certificates.places import Alias, Place, as_given, belongs, flattened, has
 from workbench.certificates.propositions import said
@@ -107,7 +107,7 @@ class Equations(Script):
             if known is None:
                 raise NotCertified(f"what is not known to be a {what.split()[0]}")
             given.append(known)
-        for name, text in premises_of(own):
+        for name, text in own.premises:
             if text.startswith("turn "):
                 given.append(self._turning(own.read_back[text.split()[-1]].arguments[0], stand, now))
             elif text.startswith("reciprocal "):

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.certificates.emitter import Emitter
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.read_back import expression
 from workbench.certificates.theorem import Theorem
@@ -50,12 +49,6 @@ def _agreeing(line: str) -> str:
     dual = "(d := true) " if "≡ε" in text else ""
     both = " ".join(expression(side).at(0) for side in re.split(r" (?:≡ε|≡) ", text))
     return f"equal_in agreed {dual}{both}{arrow}"
-
-
-def premises_of(own: Emitter) -> Iterator[tuple[str, str]]:
-    """The names and the texts of what is supposed before the conclusion."""
-    texts = [line.removesuffix(" ->") for line in own.statement if line.endswith("->")]
-    return zip((n for n in own.introduced if n in own.holes), texts, strict=True)
 
 
 def only_now(term: Term) -> bool:

@@ -177,12 +177,10 @@ class Comparison:
     def _all(self, said: Proposition, variables: Sequence[Variable], body: Goal) -> Iterator[str]:
         inside, names, wanted = self._bound(said, variables)
         yield from self._binders(said, variables, names)
-        inner = said.parts[0]
-        for one in wanted:
-            if inner.head != "->" or inner.parts[0] != Proposition("is", words=one):
-                yield f"{one} is not supposed"
-                return
-            inner = inner.parts[1]
+        inner = _after(wanted, said.parts[0])
+        if inner is None:
+            yield f"{', '.join(wanted)} is not what is supposed of {', '.join(names)}"
+            return
         yield from inside.faults(inner, body)
 
     def _exists(
@@ -207,14 +205,9 @@ class Comparison:
             return
         inside, others, wanted = self._bound(said, variables)
         yield from self._binders(said, variables, others)
-        inner = said.parts[0]
-        for one in wanted:
-            if inner.head != "->" or inner.parts[0] != Proposition("is", words=one):
-                yield f"{one} is not supposed"
-                return
-            inner = inner.parts[1]
-        if inner.head != "->":
-            yield "nothing is supposed of others"
+        inner = _after(wanted, said.parts[0])
+        if inner is None or inner.head != "->":
+            yield f"{', '.join(wanted)} is not what is supposed of {', '.join(others)}"
             return
         yield from inside.faults(inner.parts[0], body)
         last = inner.parts[1]
@@ -243,6 +236,15 @@ class Comparison:
             meant, wanted = of_text(text), self.of_term(term)
             if meant != wanted:
                 yield f"{text} says {meant}, the term {wanted}"
+
+
+def _after(wanted: Sequence[str], said: Proposition) -> Proposition | None:
+    """What follows where these are supposed first; None if they are not."""
+    for one in wanted:
+        if said.head != "->" or said.parts[0] != Proposition("is", words=one):
+            return None
+        said = said.parts[1]
+    return said
 
 
 def faults(text: str, goal: Goal, of_term: OfTerm, names: Mapping[str, Term]) -> list[str]:

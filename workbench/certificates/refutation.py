@@ -132,8 +132,7 @@ class Denied:
     def _suppositions(self) -> Iterator[tuple[str, str]]:
         emitter = self.made.emitter
         yield from ((name, text) for name, text in emitter.binders if name in emitter.holes)
-        texts = [line.removesuffix(" ->") for line in emitter.statement if line.endswith("->")]
-        yield from zip((n for n in emitter.introduced if n in emitter.holes), texts, strict=True)
+        yield from emitter.premises
 
     def _shown(self, name: str) -> str:
         known = f"known{len(self._late())}"

@@ -34,12 +34,11 @@ from workbench.language.terms import (
     Zero,
     is_accented_symbol,
 )
-from workbench.language.vocabulary import SIGN_COMMANDS
+from workbench.language.vocabulary import written
 
 # How tightly a text holds together.
 _SUM, _INFIX, _PRODUCT, _FACTOR, _ATOM = range(5)
 
-_DOTS = {1: "\\dot", 2: "\\ddot", 3: "\\dddot", 4: "\\ddddot"}
 _ZEROS = {"scalar": "0", "vector": "\\mathbf{0}", "tensor": "\\mathbf{0}_{3 \\times 3}"}
 _ZEROS["covector"] = "\\mathbf{0}_{1 \\times 3}"
 
@@ -231,8 +230,8 @@ def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> _Text | None:
             return _Text(_accented(term, accents), level, "symbol")
         case Apply(head="skew", arguments=(body,)):
             return _under_accents(body, (*accents, "\\tilde"))
-        case Derivative(order=Linear(constant=order, coefficients=())) if order in _DOTS:
-            return _under_accents(term.body, (*accents, _DOTS[order]))
+        case Derivative(order=Linear(constant=order, coefficients=())) if 1 <= order <= 4:
+            return _under_accents(term.body, (*accents, written("ACCENT", str(order))))
     return None
 
 
@@ -268,7 +267,7 @@ def _apply(term: Apply) -> _Text:
         left, right = map(_print, arguments)
         if left.end == "function" and (arguments[1].type.dual or _ends_in_gradient(arguments[0])):
             left = _Text(_bracket(left.text), _ATOM)
-        return _infix(SIGN_COMMANDS[operator.sign], left, right)
+        return _infix(written("INFIX", operator.sign), left, right)
     match head:
         case "add":
             return _add(arguments)

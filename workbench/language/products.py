@@ -9,10 +9,11 @@ from workbench.language import construct
 from workbench.language.declarations import key_spelling
 from workbench.language.determinants import of_vectors
 from workbench.language.errors import Fault, Misfit, SpecError
+from workbench.language.infixes import infix
 from workbench.language.integers import Linear
 from workbench.language.letters import letter, raised
-from workbench.language.operators import GRADIENTS, OF_ANGLES, OF_TENSORS, QUOTIENTS, SIGNS, word_of
-from workbench.language.quotients import Rate, quotient, rate
+from workbench.language.operators import GRADIENTS, OF_ANGLES, OF_TENSORS, word_of
+from workbench.language.quotients import Rate, quotient, rate, slope, value_of
 from workbench.language.scope import Scope
 from workbench.language.spelling import Scripts, linear
 from workbench.language.summations import summation
@@ -41,7 +42,6 @@ from workbench.language.terms import (
     is_accented_symbol,
     is_rate,
 )
-from workbench.language.vocabulary import OWN_SIGNS
 
 _DIFFERENTIATE = GRADIENTS | {"d/dt", "the operator"}
 
@@ -70,7 +70,7 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
     while signs and _is_vect_of_product(rows[0], operands, signs[0]):
         inside = scope.apply(signs[0].at, "mul", *operands[0].children, operands.pop(1))
         operands[0] = scope.apply(signs.pop(0).at, "vect", inside)
-    return _infix(scope, operands, signs)
+    return infix(scope, operands, signs)
 
 
 def _refuse_reach(row: _Row, sign: Infix, operand: Term) -> None:
@@ -87,49 +87,6 @@ def _is_vect_of_product(row: Sequence[Node], operands: Sequence[Term], sign: Inf
     unbracketed = isinstance(row[0], Leaf) and row[0].text == "vect" and not isinstance(row[1], Bracket)
     is_vect = isinstance(operands[0], Apply) and operands[0].head == "vect"
     return unbracketed and is_vect and sign.operator == "·" and operands[1].type.kind == "tensor"
-
-
-def _infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
-    """a · b, a × b, a ⊗ b, P ∘ Q from left to right, where another order could not mean something else."""
-    result = operands[0]
-    heads = set()
-    for sign, operand in zip(signs, operands[1:], strict=True):
-        if sign.operator in OWN_SIGNS:
-            result = _own_sign(scope, sign, result, operand)
-            if result.type.kind != "quaternion":
-                heads.add("cross")
-            if "cross" in heads and len([o for o in operands if o.type.kind != "scalar"]) > 2:
-                raise Fault("several products without brackets are ambiguous", signs[-1].at)
-            continue
-        head = SIGNS[sign.operator]
-        if head == "dot" and not (result.type.is_column and operand.type.is_column):
-            head = "mul"
-        head = _beside_quaternion(sign, result, operand) or head
-        heads.add(head)
-        factors = [o for o in operands if o.type.kind != "scalar"]
-        if heads & {"dot", "cross", "outer"} and len(factors) > 2:
-            raise Fault("several products without brackets are ambiguous", signs[-1].at)
-        result = scope.apply(sign.at, head, result, operand)
-    return result
-
-
-def _own_sign(scope: Scope, sign: Infix, left: Term, right: Term) -> Term:
-    """a ∧ b, as the paper's [notation] explains it."""
-    for entry in scope.table.notations.signs(sign.operator):
-        terms = dict(zip(entry.sign[1:], (left, right), strict=True))
-        if entry.fits(terms):
-            return scope.term(entry.filled(terms))
-    raise Fault(f"{sign.operator} of a {left.type} and a {right.type}: {OWN_SIGNS[sign.operator]}", sign.at)
-
-
-def _beside_quaternion(sign: Infix, left: Term, right: Term) -> str | None:
-    """The product of quaternions is also written ⊗ or ∘; a dot may be that of columns of four."""
-    kinds = [left.type.kind, right.type.kind]
-    if "quaternion" not in kinds or "scalar" in kinds:
-        return None
-    if sign.operator == "·":
-        raise Fault("the product of quaternions, or the scalar product of two columns of four?", sign.at)
-    return "mul" if sign.operator in "⊗∘" else None
 
 
 @dataclass(slots=True)
@@ -317,7 +274,7 @@ class _Row:
         argument, end = self.argument(head, leaf, place + 1)
         if head == "skew" and argument.type.kind == "tensor":
             head = "antisymmetric"
-        term = self.scope.build(leaf.at, _value_of, head, argument)
+        term = self.scope.build(leaf.at, value_of, head, argument)
         if isinstance(item, Scripted):
             exponent = None if item.sup is None else linear(item.sup, self.scope.variables)
             if item.sub is not None or item.primes or item.factorial or exponent is None:
@@ -374,12 +331,10 @@ class _Row:
                 raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
         return self.multiply(run), end
 
-    # d/dt
-
     def derivative(self, place: int, found: Rate) -> _Factor:
         scope, item = self.scope, self.items[place]
         if found.by:
-            return self.differentiated(place, found, lambda body: self.slope(item.at, found, body))
+            return self.differentiated(place, found, lambda body: slope(scope, item.at, found, body, product))
         orders = [
             scope.integer(o) if o is not None else Linear(1) for o in (found.order_above, found.order_below)
         ]
@@ -420,37 +375,9 @@ class _Row:
             raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
         return _Factor(rate(factor.term), item.at, factor.end, item)
 
-    def slope(self, at: int, found: Rate, body: Term) -> Term:
-        """∂/∂x of the body as often as it is said."""
-        scope = self.scope
-
-        def count(order: Node | None) -> int:
-            number = Linear(1) if order is None else scope.integer(order)
-            if not number.is_number or int(number) < 1:
-                raise Fault(f"a partial derivative of the order {number}", order.at)
-            return int(number)
-
-        orders, above = [count(order) for _, order in found.by], count(found.order_above)
-        if above != sum(orders):
-            raise Misfit(IllFormed(f"a derivative of order {above} above and {sum(orders)} below"), at)
-        for (variable, _), order in zip(reversed(found.by), reversed(orders), strict=True):
-            by = product(scope, variable)
-            for _ in range(order):
-                body = scope.partial(at, found.head, body, by)
-        return body
-
 
 def _has_left_scripts(node: Node) -> bool:
     return isinstance(node, Scripted) and isinstance(node.nucleus, Group) and not node.nucleus.parts
-
-
-def _value_of(head: str, argument: Term) -> Term:
-    """The function's value; tan, cot, sec and csc are quotients of sines and cosines."""
-    if head not in QUOTIENTS:
-        return construct.apply(head, argument)
-    top, bottom = QUOTIENTS[head]
-    numerator = construct.number(1) if top is None else construct.apply(top, argument)
-    return construct.apply("div", numerator, construct.apply(bottom, argument))
 
 
 def _is_function(node: Node) -> bool:

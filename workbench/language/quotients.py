@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction as Rational
 from typing import NamedTuple
 
 from workbench.language import construct
-from workbench.language.errors import Fault
+from workbench.language.errors import Fault, Misfit
+from workbench.language.integers import Linear
 from workbench.language.names import Name
+from workbench.language.operators import QUOTIENTS
 from workbench.language.scope import Scope
 from workbench.language.syntax import Fraction, Group, Leaf, Node, Product, Scripted, Styled, Sum
-from workbench.language.terms import Number, Term, Zero
+from workbench.language.terms import IllFormed, Number, Term, Zero
 
 _PARTIAL = "\\partial"
 
@@ -114,6 +117,36 @@ def quotient(scope: Scope, fraction: Fraction) -> Term:
     if isinstance(denominator, Zero):
         raise Fault("division by zero", fraction.denominator.at)
     return scope.apply(fraction.at, "div", numerator, denominator)
+
+
+def value_of(head: str, argument: Term) -> Term:
+    """The function's value; tan, cot, sec and csc are quotients of sines and cosines."""
+    if head not in QUOTIENTS:
+        return construct.apply(head, argument)
+    top, bottom = QUOTIENTS[head]
+    numerator = construct.number(1) if top is None else construct.apply(top, argument)
+    return construct.apply("div", numerator, construct.apply(bottom, argument))
+
+
+def slope(
+    scope: Scope, at: int, found: Rate, body: Term, read: Callable[[Scope, Sequence[Node]], Term]
+) -> Term:
+    """∂/∂x of the body as often as it is said. read: makes the term of what stands behind a lower ∂."""
+
+    def count(order: Node | None) -> int:
+        number = Linear(1) if order is None else scope.integer(order)
+        if not number.is_number or int(number) < 1:
+            raise Fault(f"a partial derivative of the order {number}", order.at)
+        return int(number)
+
+    orders, above = [count(order) for _, order in found.by], count(found.order_above)
+    if above != sum(orders):
+        raise Misfit(IllFormed(f"a derivative of order {above} above and {sum(orders)} below"), at)
+    for (variable, _), order in zip(reversed(found.by), reversed(orders), strict=True):
+        by = read(scope, variable)
+        for _ in range(order):
+            body = scope.partial(at, found.head, body, by)
+    return body
 
 
 def _is_numeral(fraction: Fraction) -> bool:

@@ -9,7 +9,7 @@ from workbench.language.errors import Fault
 from workbench.language.integers import Linear
 from workbench.language.names import SCRIPTS, Name
 from workbench.language.syntax import Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled, Sum
-from workbench.language.vocabulary import SIGN_COMMANDS
+from workbench.language.vocabulary import CLOSING, written
 
 #: Indices, orders and exponents beyond this are refused.
 LARGEST_INTEGER = 1000
@@ -19,8 +19,6 @@ INDEX_LETTERS = frozenset("ijklmnp")
 
 #: Superscripts that mean the transpose.
 TRANSPOSES = frozenset({"T", "\\mathrm{T}", "\\mathsf{T}"})
-
-_CLOSING = {"(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
 
 #: A piece of a script: text, or an integer that may be an index.
 Piece = str | Linear
@@ -172,7 +170,7 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
             return _spell_list(node.parts, ",", variables)
         case Bracket():
             inner = _spell_list(node.parts, ",", variables)
-            return None if inner is None else [node.kind, *inner, _CLOSING[node.kind]]
+            return None if inner is None else [node.kind, *inner, CLOSING[node.kind]]
         case Product():
             return _spell_list(node.items, " ", () if _is_word(node) else variables)
         case Scripted(sub=None, sup=None, primes=primes, factorial=False):
@@ -182,7 +180,7 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
             inner = _spell_list((node.nucleus, node.sub), "_{", variables)
             return None if inner is None else [*inner, "}"]
         case Infix(operator=operator):
-            return [SIGN_COMMANDS[operator]]
+            return [written("INFIX", operator)]
     return None
 
 

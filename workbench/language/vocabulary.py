@@ -88,6 +88,9 @@ CHARACTERS = {
     "!": ("BANG", "!"),
     "*": ("MARK", "*"),
 }
+_WRITTEN = {token: f"\\{name}" for name, token in reversed(COMMANDS.items())} | {
+    token: character for character, token in CHARACTERS.items()
+}
 #: Greek letters as Unicode has them.
 CHARACTERS |= {
     chr(code): ("LETTER", f"\\{name}")
@@ -119,6 +122,8 @@ BRACKETS = {
     "\\lVert": ("\\|", 1),
     "\\rVert": ("\\|", -1),
 }
+CLOSING = {kind: text for text, (kind, side) in reversed(BRACKETS.items()) if side < 1}
+
 MATRICES = frozenset(
     {"matrix", "bmatrix", "pmatrix", "smallmatrix", "bsmallmatrix", "psmallmatrix", "vmatrix"}
 )
@@ -130,11 +135,6 @@ OWN_SIGNS = {
     **dict.fromkeys("∨⊕⊖⊙⊞⊟*", "a sign that [notation] does not explain"),
     ".": "a full stop inside a formula, which [notation] does not explain as a product",
 }
-
-#: Sign → how it is written.
-SIGN_COMMANDS = {
-    value: f"\\{name}" for name, (kind, value) in reversed(COMMANDS.items()) if kind == "INFIX"
-} | {"*": "*", ".": "."}
 
 #: Words that join statements; behind a GIVEN stand the conditions of what is before it, or behind its THEN.
 WORDS = {
@@ -174,3 +174,8 @@ ENDS_A_FACTOR = frozenset(
 )
 #: A line that ends with one of these, or is followed by one, goes on.
 GOES_ON = frozenset({"RELATION", "INFIX", "IMPLICATION"})
+
+
+def written(kind: str, value: str) -> str:
+    """How a token is written: \\times for the INFIX ×."""
+    return _WRITTEN.get((kind, value), value)

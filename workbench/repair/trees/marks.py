@@ -8,13 +8,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from workbench.language.operators import OPERATORS
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Accented, Group, Infix, Leaf, Node, Product, Scripted, Styled, Summation
-from workbench.language.vocabulary import SIGN_COMMANDS
+from workbench.language.vocabulary import written
 from workbench.repair.trees.nodes import below, children, exchanged, latex_of
 
-_INFIXES = {OPERATORS[head].sign: SIGN_COMMANDS[OPERATORS[head].sign] for head in ("dot", "cross", "outer")}
+_INFIXES = {sign: written("INFIX", sign) for sign in "·×⊗"}
 _MOST_DOTS = 4
 FONTS = ("\\boldsymbol", "\\mathbf", "\\mathrm", "\\mathcal", "\\mathbb")
 

@@ -17,6 +17,7 @@ from workbench.language.syntax import (
     Bracket,
     Chain,
     Conditional,
+    Extremal,
     Fraction,
     Given,
     Group,
@@ -32,13 +33,7 @@ from workbench.language.syntax import (
     Sum,
     Summation,
 )
-from workbench.language.vocabulary import SIGN_COMMANDS
-
-_ACCENTS = {"1": "\\dot", "2": "\\ddot", "3": "\\dddot", "4": "\\ddddot"}
-_RELATIONS = {"=": "=", "≠": "\\neq", "≥": "\\geq", ">": ">", "∈": "\\in"}
-_IMPLICATIONS = {"⇔": "\\Leftrightarrow", "⇒": "\\Rightarrow", "⇐": "\\text{ if }"}
-_CLOSING = {"(": ")", "[": "]", "\\{": "\\}", "\\langle": "\\rangle", "|": "|", "\\|": "\\|"}
-_MARKS = {"T": "T", "*": "*", "∞": "\\infty"}
+from workbench.language.vocabulary import CLOSING, written
 
 
 def below(node: Node) -> Iterator[Node]:
@@ -125,7 +120,7 @@ def latex_of(node: Node) -> str:
         case Leaf(kind="FUNCTION", text=head):
             return command_of(head)
         case Leaf(kind="MARK", text=text):
-            return _MARKS.get(text) or SIGN_COMMANDS.get(text, text)
+            return text if text == "T" else written("MARK", text)
         case Leaf(text=text):
             return text
         case Group(parts=(Styled() | Leaf() | Group() as inner,)):
@@ -137,8 +132,8 @@ def latex_of(node: Node) -> str:
         case Bracket(kind=kind, parts=parts):
             inside = ", ".join(map(latex_of, parts))
             if any(isinstance(part, Fraction | Matrix | Summation) for part in below(node)):
-                return f"\\left{kind} {inside} \\right{_CLOSING[kind]}"
-            return f"{kind} {inside} {_CLOSING[kind]}" if kind[1:] else f"{kind}{inside}{_CLOSING[kind]}"
+                return f"\\left{kind} {inside} \\right{CLOSING[kind]}"
+            return f"{kind} {inside} {CLOSING[kind]}" if kind[1:] else f"{kind}{inside}{CLOSING[kind]}"
         case Styled(style=style, body=body):
             return f"{style}{_argument(body)}"
         case Accented(accent="~", body=body):
@@ -146,7 +141,7 @@ def latex_of(node: Node) -> str:
             accent = "\\widetilde" if isinstance(letter, Product | Sum | Bracket) else "\\tilde"
             return accent + _argument(body)
         case Accented(accent=accent, body=body):
-            return f"{_ACCENTS[accent]}{_argument(body)}"
+            return written("ACCENT", accent) + _argument(body)
         case Scripted():
             return _scripted(node)
         case Fraction(numerator=top, denominator=bottom):
@@ -154,7 +149,7 @@ def latex_of(node: Node) -> str:
         case Binomial(top=top, bottom=bottom):
             return f"\\binom{_argument(top)}{_argument(bottom)}"
         case Infix(operator=operator):
-            return SIGN_COMMANDS[operator]
+            return written("INFIX", operator)
         case Product(items=items):
             return " ".join(map(latex_of, items))
         case Sum(addends=addends):
@@ -163,6 +158,8 @@ def latex_of(node: Node) -> str:
         case Summation(lower=lower, upper=upper):
             bounds = "".join(f"{s}{_argument(b)}" for s, b in (("_", lower), ("^", upper)) if b is not None)
             return f"\\sum{bounds}"
+        case Extremal(least=least, over=over):
+            return f"\\{'min' if least else 'max'}" + ("" if over is None else f"_{_argument(over)}")
         case Matrix(rows=rows):
             inside = " \\\\ ".join(" & ".join(map(latex_of, row)) for row in rows)
             return f"\\begin{{bmatrix}} {inside} \\end{{bmatrix}}"
@@ -171,7 +168,8 @@ def latex_of(node: Node) -> str:
         case Conditional(statements=statements, signs=signs):
             text = latex_of(statements[0])
             for (sign, _), statement in zip(signs, statements[1:], strict=True):
-                text += f" {_IMPLICATIONS[sign]} {latex_of(statement)}"
+                joint = "\\text{ if }" if sign == "⇐" else written("IMPLICATION", sign)
+                text += f" {joint} {latex_of(statement)}"
             return text
         case Joined(statements=statements):
             return " \\text{ and } ".join(map(latex_of, statements))
@@ -210,5 +208,5 @@ def _scripted(node: Scripted) -> str:
 def _chain(node: Chain) -> str:
     text = "\\forall " * node.universal + latex_of(node.sides[0])
     for (sign, _), side in zip(node.relations, node.sides[1:], strict=True):
-        text += f" {_RELATIONS[sign]} {latex_of(side)}"
+        text += f" {written('RELATION', sign)} {latex_of(side)}"
     return text

@@ -1,0 +1,53 @@
+"""The signs · × ⊗ ∘ between what stands in rows, and those that a paper explains."""
+
+from __future__ import annotations
+
+from workbench.language.errors import Fault
+from workbench.language.operators import SIGNS
+from workbench.language.scope import Scope
+from workbench.language.syntax import Infix
+from workbench.language.terms import Term
+from workbench.language.vocabulary import OWN_SIGNS
+
+
+def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
+    """a · b, a × b, a ⊗ b, P ∘ Q from left to right, where another order could not mean something else."""
+    result = operands[0]
+    heads = set()
+    for sign, operand in zip(signs, operands[1:], strict=True):
+        if sign.operator in OWN_SIGNS:
+            result = _own_sign(scope, sign, result, operand)
+            if result.type.kind != "quaternion":
+                heads.add("cross")
+            if "cross" in heads and len([o for o in operands if o.type.kind != "scalar"]) > 2:
+                raise Fault("several products without brackets are ambiguous", signs[-1].at)
+            continue
+        head = SIGNS[sign.operator]
+        if head == "dot" and not (result.type.is_column and operand.type.is_column):
+            head = "mul"
+        head = _beside_quaternion(sign, result, operand) or head
+        heads.add(head)
+        factors = [o for o in operands if o.type.kind != "scalar"]
+        if heads & {"dot", "cross", "outer"} and len(factors) > 2:
+            raise Fault("several products without brackets are ambiguous", signs[-1].at)
+        result = scope.apply(sign.at, head, result, operand)
+    return result
+
+
+def _own_sign(scope: Scope, sign: Infix, left: Term, right: Term) -> Term:
+    """a ∧ b, as the paper's [notation] explains it."""
+    for entry in scope.table.notations.signs(sign.operator):
+        terms = dict(zip(entry.sign[1:], (left, right), strict=True))
+        if entry.fits(terms):
+            return scope.term(entry.filled(terms))
+    raise Fault(f"{sign.operator} of a {left.type} and a {right.type}: {OWN_SIGNS[sign.operator]}", sign.at)
+
+
+def _beside_quaternion(sign: Infix, left: Term, right: Term) -> str | None:
+    """The product of quaternions is also written ⊗ or ∘; a dot may be that of columns of four."""
+    kinds = [left.type.kind, right.type.kind]
+    if "quaternion" not in kinds or "scalar" in kinds:
+        return None
+    if sign.operator == "·":
+        raise Fault("the product of quaternions, or the scalar product of two columns of four?", sign.at)
+    return "mul" if sign.operator in "⊗∘" else None

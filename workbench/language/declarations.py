@@ -9,7 +9,7 @@ from workbench.language.errors import Fault, SpecError
 from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.spelling import INDEX_LETTERS, TRANSPOSES, Named, Scripts, Spelling, linear, spell
-from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, Styled, parse
+from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, parse, unstyled
 from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
 _FLAGS = ("constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal")
@@ -71,16 +71,9 @@ def key_spelling(node: Node, key: str) -> Spelling:
         case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
             left_sub, left_sup, node = left.sub, left.sup, right
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
-    styles, letter = [], scripted.nucleus
-    while not isinstance(letter, Leaf):
-        match letter:
-            case Styled():
-                styles.append(letter.style)
-                letter = letter.body
-            case Group(parts=(part,)):
-                letter = part
-            case _:
-                raise SpecError("expected one symbol: a letter with its font and scripts", key)
+    styles, letter = unstyled(scripted.nucleus)
+    if not isinstance(letter, Leaf):
+        raise SpecError("expected one symbol: a letter with its font and scripts", key)
     is_figure = letter.kind == "NUMBER" and letter.text != "0" and styles
     if not (letter.kind == "LETTER" or is_figure) or scripted.factorial:
         raise SpecError(f"expected a letter, got {letter.text}", key)

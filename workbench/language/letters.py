@@ -22,6 +22,7 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     Sum,
+    core,
 )
 from workbench.language.terms import Derivative, IllFormed, Symbol, Term, Zero
 from workbench.language.types import CLOCK, TENSOR, VECTOR, Declaration
@@ -206,7 +207,7 @@ class _Lettering:
 
 def _refuse_other_order(nucleus: Node, sup: Node) -> None:
     """\\dot{T}^{-1}: the inverse of the derivative, or the derivative of the inverse?"""
-    inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
+    inner = core(sup)
     inverts = isinstance(inner, Sum) and [sign for sign, _, _ in inner.addends] == ["-"]
     if (inverts or (isinstance(inner, Leaf) and inner.text == "*")) and _is_dotted(nucleus):
         what = "inverse" if inverts else "adjugate"
@@ -224,7 +225,7 @@ def _is_dotted(node: Node) -> bool:
 
 
 def _refuse_label(term: Term, sup: Node) -> None:
-    inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
+    inner = core(sup)
     while isinstance(term, Derivative):
         term = term.body
     is_number = isinstance(inner, Leaf) and inner.kind == "NUMBER" and inner.text.isdigit()
@@ -254,7 +255,7 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
     """term^sup: transpose, adjugate, inverse, derivative of an order, or power."""
     if own := [e for e in scope.table.notations.marks(sup) if str(term.type) in e.formals.values()]:
         return notated(scope, sup.at, own, term, "the superscript")
-    inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
+    inner = core(sup)
     match inner:
         case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
             raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)

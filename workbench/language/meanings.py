@@ -11,7 +11,7 @@ from workbench.language.names import Name
 from workbench.language.notations import Notation
 from workbench.language.spelling import Scripts, spell, variable_name
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Group, Infix, Leaf, Node, Product, Scripted
+from workbench.language.syntax import Infix, Leaf, Node, Product, Scripted, core
 from workbench.language.types import CLOCK, Declaration, Type
 
 _UNITS = frozenset((Name("I", ("\\mathbf",)), Name("I", ("\\underline", "\\mathbf"))))
@@ -95,7 +95,7 @@ def _built_in(letter: Name, scripts: Scripts) -> Meaning | None:
 
 def size_below(sub: Node | None) -> tuple[Type | None, bool]:
     """What 3×1 or a single 3 says below a zero or a unit tensor, and whether it is a single number."""
-    inner = sub.parts[0] if isinstance(sub, Group) and len(sub.parts) == 1 else sub
+    inner = core(sub)
     match inner:
         case Product(
             items=(Leaf(kind="NUMBER") as rows, Infix(operator="×"), Leaf(kind="NUMBER") as columns)

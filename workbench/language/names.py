@@ -67,11 +67,6 @@ class Name:
     def indices(self) -> int:
         return sum(len(script) - 1 for script in self.scripts if script)
 
-    @property
-    def is_bare(self) -> bool:
-        """Whether it has no scripts."""
-        return not any(self.scripts)
-
     def latex(self, index: Sequence[object], accents: Sequence[str] = ()) -> str:
         """The name with its indices put in, and accents, the outermost first, over its letter alone."""
         places = iter(index)

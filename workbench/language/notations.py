@@ -13,7 +13,6 @@ from workbench.language.syntax import (
     Bracket,
     Chain,
     Conditional,
-    Group,
     Infix,
     Leaf,
     Lines,
@@ -23,6 +22,7 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     Sum,
+    core,
     parse,
 )
 from workbench.language.terms import Term, Zero
@@ -99,7 +99,7 @@ class Notation:
         """The superscript that it puts on its one argument."""
         match self.pattern:
             case Scripted(nucleus=nucleus, sub=None, sup=Node() as sup, primes=0) if self._is_formal(nucleus):
-                return _bare(sup)
+                return core(sup)
         return None
 
     @property
@@ -122,7 +122,7 @@ class Notation:
         return not self.formals
 
     def _is_formal(self, node: Node) -> bool:
-        return isinstance(leaf := _bare(node), Leaf) and leaf.text in self.formals
+        return isinstance(leaf := core(node), Leaf) and leaf.text in self.formals
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,7 @@ class Notations:
         return [entry for entry in self.entries if entry.accent == style]
 
     def marks(self, sup: Node) -> list[Notation]:
-        return [entry for entry in self.entries if entry.mark is not None and _same(entry.mark, _bare(sup))]
+        return [entry for entry in self.entries if entry.mark is not None and _same(entry.mark, core(sup))]
 
     def primes(self) -> list[Notation]:
         return [entry for entry in self.entries if entry.is_prime]
@@ -175,16 +175,10 @@ def _one(text: str, key: str) -> Node:
     return lines[0][0]
 
 
-def _bare(node: Node) -> Node:
-    while isinstance(node, Group) and len(node.parts) == 1:
-        (node,) = node.parts
-    return node
-
-
 def _letter(node: Node) -> Node | None:
-    node = _bare(node)
+    node = core(node)
     while isinstance(node, Styled | Scripted):
-        node = _bare(node.body if isinstance(node, Styled) else node.nucleus)
+        node = core(node.body if isinstance(node, Styled) else node.nucleus)
     return node if isinstance(node, Leaf) else None
 
 
@@ -196,7 +190,7 @@ def _is_alike(pattern: Node, node: Node) -> bool:
         case Matrix(), Matrix():
             return len(pattern.rows) == len(node.rows)
         case Scripted(), Scripted():
-            return _is_alike(_bare(pattern.nucleus), _bare(node.nucleus))
+            return _is_alike(core(pattern.nucleus), core(node.nucleus))
     return False
 
 
@@ -227,7 +221,7 @@ def _same(one: Any, other: Any) -> bool:
 
 def _match(pattern: Any, node: Any, formals: Mapping[str, str], found: dict[str, Node]) -> bool:
     if isinstance(pattern, Node) and isinstance(node, Node):
-        pattern, node = _bare(pattern), _bare(node)
+        pattern, node = core(pattern), core(node)
         if isinstance(pattern, Leaf) and pattern.text in formals:
             if pattern.text in found:
                 return _same(found[pattern.text], node)
@@ -259,7 +253,7 @@ def _collide(one: Notation, other: Notation) -> bool:
     found: dict[str, Node] = {}
     if not _match(one.pattern, other.pattern, one.formals, found):
         return False
-    letters = {letter: _bare(node).text for letter, node in found.items() if isinstance(_bare(node), Leaf)}
+    letters = {letter: core(node).text for letter, node in found.items() if isinstance(core(node), Leaf)}
     return len(letters) == len(one.formals) and all(
         other.formals.get(letters[letter]) == kind for letter, kind in one.formals.items()
     )

@@ -13,7 +13,7 @@ from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.operators import QUOTIENTS
 from workbench.language.scope import Scope
-from workbench.language.syntax import Fraction, Group, Leaf, Node, Product, Scripted, Styled, Sum
+from workbench.language.syntax import Fraction, Group, Leaf, Node, Product, Scripted, Styled, Sum, core
 from workbench.language.terms import IllFormed, Number, Term, Zero
 
 _PARTIAL = "\\partial"
@@ -89,7 +89,7 @@ def _split_order(variable: tuple[Node, ...]) -> tuple[tuple[Node, ...], Node | N
     """x and 2 of x^2, which below a ∂ is no power."""
     *before, last = variable
     inner = last.sup if isinstance(last, Scripted) else None
-    inner = inner.parts[0] if isinstance(inner, Group) and len(inner.parts) == 1 else inner
+    inner = core(inner)
     if isinstance(inner, Leaf) and inner.kind == "NUMBER":
         bare = replace(last, sup=None)
         unscripted = bare.sub is None and not bare.primes
@@ -151,18 +151,14 @@ def slope(
 
 def _is_numeral(fraction: Fraction) -> bool:
     """Whether both parts are written as numbers, so that the fraction is one."""
-    top, bottom = (
-        part.parts[0] if isinstance(part, Group) and len(part.parts) == 1 else part
-        for part in (fraction.numerator, fraction.denominator)
-    )
+    top, bottom = core(fraction.numerator), core(fraction.denominator)
     if isinstance(top, Sum) and len(top.addends) == 1:
         top = top.addends[0][2]
     return isinstance(top, Leaf) and isinstance(bottom, Leaf)
 
 
 def _factors(node: Node) -> tuple[Node, ...]:
-    while isinstance(node, Group) and len(node.parts) == 1:
-        node = node.parts[0]
+    node = core(node)
     return node.items if isinstance(node, Product) else (node,)
 
 
@@ -182,7 +178,6 @@ def _letter(node: Node) -> _Letter:
             order = None  # d^{}, as macros with an order that may be empty write it
     if isinstance(node, Styled) and node.style == "\\mathrm":
         node, styles = node.body, (node.style,)
-    if isinstance(node, Group) and len(node.parts) == 1:
-        node = node.parts[0]
+    node = core(node)
     text = node.text if isinstance(node, Leaf) else ""
     return _Letter(text, Name.styled(styles, text).base, order)

@@ -14,7 +14,19 @@ from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Bracket, Chain, Group, Leaf, Node, Product, Scripted, Styled, Sum
+from workbench.language.syntax import (
+    Bracket,
+    Chain,
+    Group,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    core,
+    unstyled,
+)
 from workbench.language.terms import Apply, Symbol, Term
 from workbench.language.types import Type
 
@@ -74,9 +86,7 @@ def _index_name(node: Node, table: SymbolTable) -> str | None:
     """The integer variable that a range is about. One in bold is that in light type, if bold is no symbol."""
     match node:
         case Styled(style="\\mathbf" | "\\boldsymbol" as style, body=body):
-            while isinstance(body, Group) and len(body.parts) == 1:
-                (body,) = body.parts
-            name = variable_name(body)
+            name = variable_name(core(body))
             is_index = name in INDEX_LETTERS and Name(name, (style,)) not in table.symbols
             return name if is_index else None
     return variable_name(node)
@@ -195,15 +205,9 @@ def set_name(node: Node) -> str:
             nucleus = letters[0] if len(letters) == 1 else Product(node.at, tuple(letters))
             return set_name(Scripted(node.at, nucleus, size))
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
-    styles, letter = [], scripted.nucleus
-    while isinstance(letter, Styled) or (isinstance(letter, Group) and len(letter.parts) == 1):
-        if isinstance(letter, Styled):
-            styles.append(letter.style)
-            letter = letter.body
-        else:
-            letter = letter.parts[0]
+    styles, letter = unstyled(scripted.nucleus)
     if isinstance(letter, Product) and all(isinstance(item, Styled) for item in letter.items):
-        styles.append(letter.items[0].style)
+        styles = (*styles, letter.items[0].style)
         letter = Product(letter.at, tuple(item.body for item in letter.items))
     if isinstance(letter, Product) and all(isinstance(item, Leaf) for item in letter.items):
         letter = Leaf(letter.at, "LETTER", "".join(item.text for item in letter.items))  # SO

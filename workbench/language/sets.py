@@ -16,7 +16,18 @@ from workbench.language.names import Name
 from workbench.language.ranges import set_name
 from workbench.language.spelling import Scripts, Spelling, spell
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled
+from workbench.language.syntax import (
+    Bracket,
+    Group,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    core,
+    unstyled,
+)
 from workbench.language.terms import Apply, Block, IllFormed, Relation, Symbol, Term, Zero
 from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration, Type
 
@@ -110,7 +121,7 @@ def _of_family(head: Node, parts: tuple[Node, ...]) -> Members | None:
         return Members(f"L({inner[0].name}, {inner[1].name})", TENSOR.with_dual(dual))
     match head:
         case Scripted(sub=sub) if plain.text == "M" and len(inner) == 1 and inner[0].type.kind == "scalar":
-            match sub.parts[0] if isinstance(sub, Group) and len(sub.parts) == 1 else sub:
+            match core(sub):
                 case Product(items=(Leaf(text=rows), Infix(operator="×"), Leaf(text=columns))):
                     if rows.isdigit() and columns.isdigit() and 0 < int(rows) * int(columns) <= 100:
                         name = f"\\mathcal{{M}}_{{{rows} \\times {columns}}}({inner[0].name})"
@@ -148,12 +159,7 @@ def letter_spelling(node: Node) -> Spelling | None:
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
     if scripted.factorial or scripted.sup is not None:
         return None
-    styles: list[str] = []
-    letter: Node = scripted.nucleus
-    while isinstance(letter, Styled) or (isinstance(letter, Group) and len(letter.parts) == 1):
-        if isinstance(letter, Styled):
-            styles.append(letter.style)
-        letter = letter.body if isinstance(letter, Styled) else letter.parts[0]
+    styles, letter = unstyled(scripted.nucleus)
     if not isinstance(letter, Leaf) or letter.kind != "LETTER":
         return None
     scripts = Scripts(sub=scripted.sub, primes=scripted.primes)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from workbench.language.errors import Fault
 from workbench.language.integers import Linear
 from workbench.language.names import SCRIPTS, Name
-from workbench.language.syntax import Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled, Sum
+from workbench.language.syntax import Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled, Sum, core
 from workbench.language.vocabulary import CLOSING, written
 
 #: Indices, orders and exponents beyond this are refused.
@@ -47,8 +47,7 @@ def variable_name(node: Node) -> str | None:
         case Leaf(kind="LETTER", text=text) if len(text) == 1:
             return text
         case Scripted(nucleus=Leaf(kind="LETTER", text=text), sub=sub, sup=None, primes=0, factorial=False):
-            while isinstance(sub, Group) and len(sub.parts) == 1:
-                sub = sub.parts[0]
+            sub = core(sub)
             if len(text) == 1 and isinstance(sub, Leaf) and sub.kind == "NUMBER" and sub.text.isdigit():
                 return f"{text}_{sub.text}" if len(sub.text) == 1 else f"{text}_{{{sub.text}}}"
     return None
@@ -153,8 +152,7 @@ def spell_label(node: Node) -> str | None:
 
 
 def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
-    while isinstance(node, Group) and len(node.parts) == 1:
-        (node,) = node.parts
+    node = core(node)
     value = None if isinstance(node, Bracket) else linear(node, variables)
     if value is not None:
         return [value]

@@ -9,7 +9,7 @@ from workbench.language.errors import Fault
 from workbench.language.integers import Linear
 from workbench.language.scope import Scope
 from workbench.language.spelling import variable_name
-from workbench.language.syntax import Chain, Group, Leaf, Node, Sum, Summation
+from workbench.language.syntax import Chain, Group, Leaf, Node, Sum, Summation, core
 from workbench.language.terms import Term
 
 
@@ -36,7 +36,7 @@ def summation(scope: Scope, node: Summation, body: Callable[[], Term]) -> Term:
 
 
 def _upper_bound(scope: Scope, node: Node) -> Linear:
-    inner = node.parts[0] if isinstance(node, Group) and len(node.parts) == 1 else node
+    inner = core(node)
     if isinstance(inner, Leaf) and inner.text == "∞":
         raise Fault("an infinite sum; sums have integer bounds", node.at)
     return scope.integer(node)

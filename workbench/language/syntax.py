@@ -65,6 +65,21 @@ class Accented(Node):
     body: Node
 
 
+def core(node: Node | None) -> Node | None:
+    """The node without braces around it."""
+    while isinstance(node, Group) and len(node.parts) == 1:
+        (node,) = node.parts
+    return node
+
+
+def unstyled(node: Node) -> tuple[tuple[str, ...], Node]:
+    """The fonts and marks of a node, the outermost first, and what is inside them."""
+    styles: tuple[str, ...] = ()
+    while isinstance(node := core(node), Styled):
+        styles, node = (*styles, node.style), node.body
+    return styles, node
+
+
 @dataclass(frozen=True, slots=True)
 class Scripted(Node):
     """nucleus with at most one subscript and one superscript, primes, and perhaps a factorial sign."""

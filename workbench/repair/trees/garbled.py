@@ -21,6 +21,7 @@ from workbench.language.syntax import (
     Product,
     Scripted,
     Styled,
+    core,
     parse,
 )
 from workbench.language.terms import IllFormed
@@ -113,7 +114,7 @@ def repeated_sides(lines: Lines, table: SymbolTable, integers: frozenset[str]) -
 
 
 def _row(node: Node) -> tuple[Node, ...]:
-    inner = node.parts[0] if isinstance(node, Group) and len(node.parts) == 1 else node
+    inner = core(node)
     return inner.items if isinstance(inner, Product) else (inner,)
 
 
@@ -123,7 +124,7 @@ def rates(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Fo
     for part in below(lines):
         if isinstance(part, Fraction) and (orders := _orders(part)) is not None:
             above, under = orders
-            if latex_of(_inner(above.sup)) != latex_of(_inner(under.sup)):
+            if latex_of(core(above.sup)) != latex_of(core(under.sup)):
                 order = _exchanged_order(under, above.sup), _exchanged_order(above, under.sup)
                 faults.append([[mark] for mark in order])
     ways = [[mark for marks in chosen for mark in marks] for chosen in product(*faults)]
@@ -138,10 +139,6 @@ def _orders(fraction: Fraction) -> tuple[Scripted, Scripted] | None:
     if len(below_) != 2 or not isinstance(below_[1], Scripted) or above.sup is None or below_[1].sup is None:
         return None
     return above, below_[1]
-
-
-def _inner(node: Node) -> Node:
-    return node.parts[0] if isinstance(node, Group) and len(node.parts) == 1 else node
 
 
 def _exchanged_order(holder: Scripted, order: Node) -> Mark:

@@ -18,6 +18,7 @@ from workbench.language.syntax import (
     Scripted,
     Sum,
     Summation,
+    core,
     parse,
 )
 from workbench.repair.trees.marks import Mark
@@ -67,7 +68,7 @@ def bound_variables(node: Node) -> frozenset[str]:
 def _of_script(
     holder: Scripted, script: Node, known: frozenset[str], may_be_plain: bool
 ) -> Iterator[list[Mark]]:
-    inner = _inside(script)
+    inner = core(script)
     if isinstance(inner, Bracket) and inner.kind in _OTHER_BRACKET and len(inner.parts) == 1:
         value = _linear(inner.parts[0], known)
         if value is not None:
@@ -119,12 +120,8 @@ def _shown(value: Linear) -> str:
 
 
 def _exchange(holder: Node, old: Node, new: Node, cost: int) -> Mark:
-    said = f"${latex_of(_inside(old))}$ in ${latex_of(holder)}$ should be ${latex_of(_inside(new))}$"
+    said = f"${latex_of(core(old))}$ in ${latex_of(holder)}$ should be ${latex_of(core(new))}$"
     return Mark(old, new, cost, "index", said)
-
-
-def _inside(node: Node) -> Node:
-    return node.parts[0] if isinstance(node, Group) and len(node.parts) == 1 else node
 
 
 def _linear(node: Node, variables: Collection[str]) -> Linear | None:

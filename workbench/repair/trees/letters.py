@@ -21,6 +21,8 @@ from workbench.language.syntax import (
     Product,
     Scripted,
     Styled,
+    core,
+    unstyled,
 )
 from workbench.repair.trees.marks import FONTS, Mark, letter_of, other_case
 from workbench.repair.trees.nodes import children, latex_of
@@ -60,20 +62,11 @@ class Occurrence:
 
     @property
     def letter(self) -> Name:
-        return Name.styled((*self.styles, *_styles(self.node)), self.text)
+        return Name.styled((*self.styles, *unstyled(self.node)[0]), self.text)
 
     @property
     def base(self) -> str:
         return self.letter.base
-
-
-def _styles(node: Node) -> tuple[str, ...]:
-    styles: tuple[str, ...] = ()
-    while not isinstance(node, Leaf):
-        if isinstance(node, Styled):
-            styles = (*styles, node.style)
-        node = node.body if isinstance(node, Styled) else node.parts[0]
-    return styles
 
 
 def occurrences(node: Node) -> Iterator[Occurrence]:
@@ -107,8 +100,7 @@ def _with_left(found: Occurrence, left: Scripted) -> Occurrence:
 def _letters_in(
     node: Node, styles: tuple[str, ...], scripts: Scripts, holder: Scripted | None
 ) -> Iterator[Occurrence]:
-    while isinstance(node, Group) and len(node.parts) == 1:
-        (node,) = node.parts
+    node = core(node)
     if letter_of(node) is not None:
         yield Occurrence(node, styles, scripts, holder)
         return
@@ -133,7 +125,7 @@ def is_rate(fraction: Fraction) -> bool:
     """Whether it is d/dt or d^k x/dt^k."""
     items = []
     for part in (fraction.numerator, fraction.denominator):
-        part = part.parts[0] if isinstance(part, Group) and len(part.parts) == 1 else part
+        part = core(part)
         items.append(part.items[0] if isinstance(part, Product) else part)
     heads = [item.nucleus if isinstance(item, Scripted) else item for item in items]
     return all(isinstance(head, Leaf) and head.text == "d" for head in heads)
@@ -144,7 +136,7 @@ def meaning_of(
 ) -> Meaning | None:
     """What the letter means in the paper, or would with `node` in its place."""
     node = node or found.node
-    styles = (*found.styles, *_styles(node))
+    styles = (*found.styles, *unstyled(node)[0])
     return meaning(table, integers, letter_of(node), styles, found.scripts, found.bracket is not None)
 
 
@@ -180,7 +172,7 @@ def has_readable_sup(found: Occurrence, table: SymbolTable, integers: Collection
     sup = found.scripts.sup
     if sup is None or found.base == "e":
         return True
-    inner = sup.parts[0] if isinstance(sup, Group) and len(sup.parts) == 1 else sup
+    inner = core(sup)
     if isinstance(inner, Bracket) or (isinstance(inner, Leaf) and inner.text in ("T", "*")):
         return True
     try:

@@ -9,7 +9,19 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Accented, Group, Infix, Leaf, Node, Product, Scripted, Styled, Summation
+from workbench.language.syntax import (
+    Accented,
+    Group,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Summation,
+    core,
+    unstyled,
+)
 from workbench.language.vocabulary import written
 from workbench.repair.trees.nodes import below, children, exchanged, latex_of
 
@@ -58,7 +70,7 @@ def letter_marks(node: Node, table: SymbolTable, times: int = 1) -> Iterator[lis
 
 
 def _power(node: Scripted) -> int:
-    sup = node.sup.parts[0] if isinstance(node.sup, Group) and len(node.sup.parts) == 1 else node.sup
+    sup = core(node.sup)
     return int(sup.text) if isinstance(sup, Leaf) and sup.text.isdigit() else 1
 
 
@@ -91,8 +103,7 @@ def core_of(node: Node) -> _Core | None:
 
 
 def letter_of(node: Node) -> Leaf | None:
-    while isinstance(node, Styled) or (isinstance(node, Group) and len(node.parts) == 1):
-        node = node.body if isinstance(node, Styled) else node.parts[0]
+    _, node = unstyled(node)
     return node if isinstance(node, Leaf) and node.kind == "LETTER" else None
 
 
@@ -163,7 +174,7 @@ def product_marks(node: Node) -> Iterator[Mark]:
 
 def _wide_tilde(over: Accented) -> Iterator[Mark]:
     """A tilde over more than a letter, away or over one of the factors."""
-    body = over.body.parts[0] if isinstance(over.body, Group) and len(over.body.parts) == 1 else over.body
+    body = core(over.body)
     shown = f"$\\widetilde{{{latex_of(body)}}}$"
     yield Mark(over, body, 1, "tilde", f"the tilde of {shown} does not belong there", 0)
     for place, item in enumerate(body.items if isinstance(body, Product) else ()):

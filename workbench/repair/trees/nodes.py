@@ -32,6 +32,7 @@ from workbench.language.syntax import (
     Styled,
     Sum,
     Summation,
+    core,
 )
 from workbench.language.vocabulary import CLOSING, written
 
@@ -137,7 +138,7 @@ def latex_of(node: Node) -> str:
         case Styled(style=style, body=body):
             return f"{style}{_argument(body)}"
         case Accented(accent="~", body=body):
-            letter = body.parts[0] if isinstance(body, Group) and len(body.parts) == 1 else body
+            letter = core(body)
             accent = "\\widetilde" if isinstance(letter, Product | Sum | Bracket) else "\\tilde"
             return accent + _argument(body)
         case Accented(accent=accent, body=body):
@@ -190,8 +191,7 @@ def _braced(text: str) -> str:
 
 
 def _argument(node: Node) -> str:
-    while isinstance(node, Group) and len(node.parts) == 1:
-        (node,) = node.parts
+    node = core(node)
     return _braced(", ".join(map(latex_of, node.parts)) if isinstance(node, Group) else latex_of(node))
 
 

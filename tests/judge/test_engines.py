@@ -9,12 +9,15 @@ from judge.random_terms import random_term
 
 from workbench import check
 from workbench.judge.first.exact import ExactEngine
+from workbench.judge.kernel.judge import Judge
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource, RationalRing, ResidueRing, sample
 from workbench.judge.second.sympy_ring import SympyRing
 from workbench.judge.subject.inventory import NotExact, take_inventory
 from workbench.language.construct import apply, derivative, relation
 from workbench.language.definitions import Definitions
+from workbench.language.reader import read
+from workbench.language.symbols import SymbolTable
 
 FREE = Definitions()
 KINDS = ("scalar", "vector", "tensor", "operator")
@@ -218,3 +221,10 @@ def test_the_inverse_of_a_block_matrix_can_be_multiplied():
     symbols = {"\\mathbf{R}": "rotation", "x": "vector"}
     assert check(rf"{block}^{{-1}} {block} = \mathbf{{I}}", symbols).outcome == "proved"
     assert check(rf"{block} {block}^{{-1}} = {block}", symbols).outcome == "refuted"
+
+
+@pytest.mark.parametrize("equations", [("f = 1", "(f - 1) g = 0"), ("(f - 1) g = 0", "f = 1")])
+def test_an_equation_that_another_makes_trivial_divides_nothing(equations):
+    table = SymbolTable.build({letter: {"kind": "scalar"} for letter in "fg"})
+    said, *given = (statement for latex in ("f g = g", *equations) for statement in read(latex, table))
+    assert Judge(Definitions()).judge(said, given).outcome == "proved"

@@ -181,7 +181,7 @@ def _cost(result: ClaimResult) -> str | None:
     bound = f"{'' if factor == '1' else factor + '·'}10{str(int(exponent)).translate(_RAISED)}"
     time = f"{error.time:g}".replace("-", "−")
     return (
-        f"On a simulated motion ({error.motion}, t = {time} s) the sides differ by {percent(error.false)}"
+        f"Simulated ({error.motion}, t = {time} s), the sides differ by {percent(error.false)}"
         f" as printed, by less than {bound} as corrected"
     )
 

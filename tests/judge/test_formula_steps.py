@@ -85,14 +85,6 @@ def test_only_equations_make_a_step(formula, error):
         outcome(r"a = a", but_not=formula)
 
 
-def test_a_counterexample_is_found_or_refused():
-    found = LETTERS.counterexample(r"a \cdot b = 0")
-    assert found.left != found.right
-    assert set(found.values) == {"a", "b"}
-    with pytest.raises(ValueError, match="false somewhere, got proved"):
-        LETTERS.counterexample(r"a \cdot b = b \cdot a")
-
-
 @pytest.mark.parametrize(
     ("formula", "control"),
     [

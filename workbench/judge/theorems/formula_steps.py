@@ -15,13 +15,11 @@ from itertools import product
 from typing import Any
 
 from workbench.judge.first.exact import ExactEngine
-from workbench.judge.kernel.judge import Judge
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource
 from workbench.judge.subject.inventory import take_inventory
 from workbench.judge.theorems.arguments import Engine, Step, Way, vanishing
 from workbench.judge.theorems.controls import is_another_sign_of
-from workbench.judge.verdict import Counterexample, Outcome
 from workbench.language.defining import read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.instances import instantiate
@@ -75,13 +73,6 @@ class Letters:
         engines = ((Engine.FLINT, _by_flint), (Engine.SYMPY, _by_sympy))
         checks = [(engine, partial(_differs, residuals, self)) for engine, residuals in engines]
         return Step(shown, *(Way(engine, partial(f, said), partial(f, true)) for engine, f in checks))
-
-    def counterexample(self, formula: str) -> Counterexample:
-        """Small rational values for which the equation is false. Raises ValueError if none is found."""
-        verdict = Judge(self._notation[0]).judge(*self._relations(formula, None))
-        if verdict.outcome != Outcome.REFUTED or verdict.counterexample is None:
-            raise ValueError(f"expected a formula that is false somewhere, got {verdict.outcome}: {formula}")
-        return verdict.counterexample
 
     def _relations(self, formula: str, orders: Orders | None) -> Iterator[Relation]:
         orders = orders or {}

@@ -23,7 +23,7 @@ from workbench.papers import find_paper
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.edits import KINDS, edits
 from workbench.repair.terms.places import sides
-from workbench.verify.claims import HOLDS
+from workbench.verify.results import HOLDS
 
 SAMPLE = 40
 SEED = 53

@@ -8,7 +8,7 @@ from workbench.judge.kernel.judge import Judge
 from workbench.papers import find_paper, load_paper
 from workbench.papers.formulas import read_statement
 from workbench.repair.propose.definitions import repair_definitions
-from workbench.verify.claims import HOLDS
+from workbench.verify.results import HOLDS
 
 HOPELESS = r"""
 title = "What no definition near this one makes true"

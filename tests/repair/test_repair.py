@@ -21,7 +21,7 @@ from workbench.repair.propose.definitions import repair_definitions
 from workbench.repair.propose.limits import Limits
 from workbench.repair.propose.repair import repair
 from workbench.repair.screening.screen import Screen
-from workbench.verify.claims import HOLDS
+from workbench.verify.results import HOLDS
 
 SAMPLE = 6
 

@@ -38,7 +38,7 @@ class Scripts:
     primes: int = 0
 
     def without_sup(self) -> Scripts:
-        return replace(self, sup=None)
+        return self if self.sup is None else replace(self, sup=None)
 
 
 def variable_name(node: Node) -> str | None:

@@ -110,6 +110,12 @@ def test_no_room_imports_one_beside_or_above_it(room: str) -> None:
     assert upward(graph(sources), ROOMS[room], root) == []
 
 
+def test_terms_and_symbols_know_no_reading() -> None:
+    knows = {m for m, others in graph(modules(ROOT)).items() for o in others if ".language.elaboration" in o}
+    language = {m for m in knows if m.startswith("workbench.language.") and ".elaboration." not in m}
+    assert language == {"workbench.language.reader"}
+
+
 def test_an_engine_that_imports_the_other_is_seen() -> None:
     name = "workbench.judge.first.exact"
     sources = {"workbench.judge.second.jets": f"from {name} import value\n", name: ""}

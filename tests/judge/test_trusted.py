@@ -31,6 +31,7 @@ CHECKS = {
         "what the formula says",
         "types and weights; the read-back in every report; read ∘ print = 1 and fuzz (tests/language)",
     ),
+    "language/elaboration": ("what each form of the notation says", "the same"),
     "judge": ("the form of a verdict", "tests/judge"),
     "judge/subject": (
         "what the free quantities are",

@@ -7,10 +7,10 @@ from contextlib import suppress
 
 import pytest
 
-from workbench.language.elaborate import Elaborator
+from workbench.language.elaboration.elaborate import Elaborator
+from workbench.language.elaboration.statements import clauses_of
 from workbench.language.errors import Fault, IllFormedAt, Misfit, ReadError
 from workbench.language.reader import read, read_term
-from workbench.language.statements import clauses_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Chain, parse
 

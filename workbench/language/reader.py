@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TypeVar
 
+from workbench.language.elaboration.ranges import Range
+from workbench.language.elaboration.statements import Reading, reading_of, term_of
 from workbench.language.errors import Fault, IllFormedAt, Misfit, ReadError, place
-from workbench.language.ranges import Range
-from workbench.language.statements import Reading, reading_of, term_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Lines, parse
 from workbench.language.terms import Statement, Term

@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
 
+from workbench.language.elaboration.statements import reading_of
 from workbench.language.errors import Fault, Misfit
-from workbench.language.statements import reading_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Chain,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from workbench.language.elaboration.meanings import Meaning, meaning
 from workbench.language.errors import Fault
-from workbench.language.meanings import Meaning, meaning
 from workbench.language.names import Name
 from workbench.language.spelling import Scripts, linear
 from workbench.language.symbols import SymbolTable

@@ -13,9 +13,9 @@ from itertools import combinations, islice, product
 from random import Random
 
 from workbench.judge.second.rings import PRIME
+from workbench.language.elaboration.statements import reading_of
 from workbench.language.errors import Fault, Misfit
 from workbench.language.spelling import linear
-from workbench.language.statements import reading_of
 from workbench.language.syntax import Chain, Fraction, Node, Styled, Sum
 from workbench.language.terms import Conjunction, IllFormed, Statement, Term
 from workbench.papers.model import Claim

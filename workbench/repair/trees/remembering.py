@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.language.elaborate import Elaborator
+from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.errors import Fault, Misfit
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Node

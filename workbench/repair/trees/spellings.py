@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
+from workbench.language.elaboration.statements import clauses_of
 from workbench.language.errors import Fault
-from workbench.language.statements import clauses_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Lines, Node, parse
 from workbench.repair.terms.search import Change

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from fractions import Fraction as Rational
 
 from workbench.language import construct
+from workbench.language.elaboration.letters import named
+from workbench.language.elaboration.products import product
 from workbench.language.errors import Fault, Misfit
-from workbench.language.letters import named
 from workbench.language.notations import Known
-from workbench.language.products import product
 from workbench.language.scope import Scope
 from workbench.language.signatures import agree
 from workbench.language.syntax import (

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 
 from workbench.language import construct
 from workbench.language.declarations import key_spelling
-from workbench.language.determinants import of_vectors
+from workbench.language.elaboration.determinants import of_vectors
+from workbench.language.elaboration.infixes import infix
+from workbench.language.elaboration.letters import letter, raised
+from workbench.language.elaboration.quotients import Rate, quotient, rate, slope, value_of
+from workbench.language.elaboration.summations import summation
 from workbench.language.errors import Fault, Misfit, SpecError
-from workbench.language.infixes import infix
 from workbench.language.integers import Linear
-from workbench.language.letters import letter, raised
 from workbench.language.operators import GRADIENTS, OF_ANGLES, OF_TENSORS, word_of
-from workbench.language.quotients import Rate, quotient, rate, slope, value_of
 from workbench.language.scope import Scope
 from workbench.language.spelling import Scripts, linear
-from workbench.language.summations import summation
 from workbench.language.syntax import (
     Accented,
     Bracket,

@@ -10,12 +10,18 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from workbench.language.construct import relation
-from workbench.language.elaborate import Elaborator
+from workbench.language.elaboration.elaborate import Elaborator
+from workbench.language.elaboration.ranges import set_name
+from workbench.language.elaboration.sets import (
+    Members,
+    bound_letter,
+    letter_name,
+    letter_spelling,
+    members_of,
+)
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
 from workbench.language.printer import to_latex
-from workbench.language.ranges import set_name
-from workbench.language.sets import Members, bound_letter, letter_name, letter_spelling, members_of
 from workbench.language.spelling import linear
 from workbench.language.syntax import Bracket, Chain, Node, Product, Scripted
 from workbench.language.terms import (

@@ -6,11 +6,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from workbench.language import construct
-from workbench.language.elaborate import Elaborator
+from workbench.language.elaboration.elaborate import Elaborator
+from workbench.language.elaboration.extrema import extrema, is_extremal
+from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
+from workbench.language.elaboration.ranges import (
+    Membership,
+    Range,
+    is_range,
+    ranges_of,
+    refuse_alone,
+    require_member,
+)
 from workbench.language.errors import Fault, Misfit
-from workbench.language.extrema import extrema, is_extremal
-from workbench.language.namings import is_map, is_set, named_map, named_set, wants_value
-from workbench.language.ranges import Membership, Range, is_range, ranges_of, refuse_alone, require_member
 from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Chain, Conditional, Given, Joined, Lines, Node

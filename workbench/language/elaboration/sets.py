@@ -11,9 +11,9 @@ import re
 from dataclasses import dataclass, replace
 
 from workbench.language.construct import apply, identity, number, relation, zero
+from workbench.language.elaboration.ranges import set_name
 from workbench.language.errors import Fault
 from workbench.language.names import Name
-from workbench.language.ranges import set_name
 from workbench.language.spelling import Scripts, Spelling, spell
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from workbench.language.elaborate import Elaborator
+from workbench.language.elaboration.elaborate import Elaborator
+from workbench.language.elaboration.ranges import set_name
+from workbench.language.elaboration.sets import Members, letter_name, letter_spelling, members_of
 from workbench.language.errors import Fault
-from workbench.language.ranges import set_name
-from workbench.language.sets import Members, letter_name, letter_spelling, members_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Chain, Extremal, Group, Infix, Node, Product
 from workbench.language.terms import Extremum, Symbol, Term

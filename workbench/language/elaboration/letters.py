@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from workbench.language import construct
+from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
-from workbench.language.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
 from workbench.language.names import Name
 from workbench.language.notations import Notation
 from workbench.language.scope import Scope

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: Milliseconds for which an editor may go on writing before its file is read.
 _PAUSE = 100
+#: Milliseconds after which it looks by itself: what changes while a paper is judged, nobody gives notice of.
+_LOOK = 1000
 
 
 def watch_files(
@@ -35,17 +37,35 @@ def watch_files(
     budget = Budget.of(seconds=seconds, megabytes=megabytes)
     with memory_of_verdicts(cache) as memory:
         known: dict[Path, list[Path]] = {}
+        stamps: dict[Path, tuple[int, int] | None] = {}
         waiting = list(dict.fromkeys(files))
         while True:
             for file in waiting:
                 known[file] = _judged(file, form, known.get(file), jobs, budget, memory, engines)
             parts = {path.resolve(): file for file, paths in known.items() for path in paths}
             folders = {path.parent for path in parts}
-            changes = next(watch(*folders, step=_PAUSE, recursive=False, raise_interrupt=True), None)
-            if changes is None:
-                return
-            touched = {Path(name).resolve() for _, name in changes}
+            stamps |= {path: _stamp(path) for path in parts if path not in stamps}
+            while not (touched := {path for path in parts if _stamp(path) != stamps[path]}):
+                notice = watch(
+                    *folders,
+                    step=_PAUSE,
+                    recursive=False,
+                    raise_interrupt=True,
+                    rust_timeout=_LOOK,
+                    yield_on_timeout=True,
+                )
+                next(notice, None)
+            stamps |= {path: _stamp(path) for path in touched}
             waiting = list(dict.fromkeys(parts[path] for path in touched if path in parts))
+
+
+def _stamp(path: Path) -> tuple[int, int] | None:
+    """What tells a changed file; None if there is none."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size
 
 
 def _judged(

@@ -9,7 +9,7 @@ rearranged. Chains, equivalences and implications are compared part by part.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from workbench.judge.kernel.case import NoDefinitions
@@ -125,11 +125,21 @@ def _numbers(statement: Relation) -> dict[tuple[Term, ...], Fraction]:
     """The addends of left − right and their numbers."""
     found: dict[tuple[Term, ...], Fraction] = {}
     for sign, side in ((1, statement.left), (-1, statement.right)):
-        for addend in side.arguments if isinstance(side, Apply) and side.head == "add" else (side,):
-            if not isinstance(addend, Zero):
-                number, rest = number_and_rest(addend)
-                found[rest] = found.get(rest, 0) + sign * number
+        for number, rest in _addends(side):
+            found[rest] = found.get(rest, 0) + sign * number
     return {rest: number for rest, number in found.items() if number}
+
+
+def _addends(term: Term) -> Iterator[tuple[Fraction, tuple[Term, ...]]]:
+    """The addends as a number and the other factors, a number before a sum multiplied out."""
+    number, rest = number_and_rest(term)
+    match rest:
+        case (Apply(head="add", arguments=arguments),):
+            yield from ((number * inner, own) for argument in arguments for inner, own in _addends(argument))
+        case (Zero(),):
+            return
+        case _:
+            yield number, rest
 
 
 def _screen(

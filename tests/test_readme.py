@@ -35,6 +35,10 @@ INSTEAD = {
         "tests/benchmarks/chain_derivatives.py",
         "--help",
     ],
+    "uv run python tests/benchmarks/cold_verify.py ../earlier": [
+        "tests/benchmarks/cold_verify.py",
+        "--help",
+    ],
     "uv run pytest --slow": ["-m", "pytest", "--slow", "--collect-only", "-q", "tests/test_readme.py"],
 }
 FILES = {"paper.toml": "paper.toml", "robot.urdf": "robot.urdf"}

@@ -75,9 +75,9 @@ def leibniz(f: Callable, a: Jet, b: Jet) -> Jet:
         total = None
         for j in range(k + 1):
             addend = f(a[j], b[k - j])
-            addend = addend if comb(k, j) == 1 else addend * comb(k, j)
-            total = addend if total is None else total + addend  # np.add would make NumPy's integers of two
-        result.append(np.asarray(total, dtype=object))
+            addend = np.asarray(addend if comb(k, j) == 1 else addend * comb(k, j), dtype=object)
+            total = addend if total is None else np.asarray(total + addend, dtype=object)
+        result.append(total)
     return result
 
 

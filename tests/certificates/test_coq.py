@@ -11,11 +11,11 @@ from tests.proofs.tampering import made_false, with_a_changed_conclusion
 from workbench import check
 from workbench.certificates import coqc
 from workbench.certificates.forms import Certificate
+from workbench.certificates.goals.whole import whole
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty
 from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import theorem
-from workbench.certificates.whole import whole
 from workbench.cli.commands import main
 from workbench.judge.theorems.goals import Scope
 from workbench.judge.verdict import Outcome, Verdict

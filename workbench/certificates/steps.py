@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from workbench.certificates import coqc
 from workbench.certificates.families import general
 from workbench.certificates.forms import Certificate
+from workbench.certificates.goals.whole import whole
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import theorem
-from workbench.certificates.whole import whole
 from workbench.judge.theorems.goals import Atom, Scope
 from workbench.judge.theorems.proofs import Proof, Proven
 from workbench.judge.theorems.rules import obligations

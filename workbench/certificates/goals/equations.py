@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from workbench.certificates.lemmas import only_now, restored, without_derivatives
+from workbench.certificates.goals.lemmas import only_now, restored, without_derivatives
+from workbench.certificates.goals.places import Alias, Place, as_given, belongs, flattened, has
+from workbench.certificates.goals.propositions import said
+from workbench.certificates.goals.script import Script
 from workbench.certificates.nodes import ATOM, KINDS, NotCertified
-from workbench.certificates.places import Alias, Place, as_given, belongs, flattened, has
-from workbench.certificates.propositions import said
-from workbench.certificates.script import Script
 from workbench.certificates.theorem import Theorem, theorem
 from workbench.judge.theorems.goals import Atom, Variable
 from workbench.judge.theorems.members import read_members

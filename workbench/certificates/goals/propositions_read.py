@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from workbench.certificates.goals.propositions import binder, conditions, relations
 from workbench.certificates.meaning import OfTerm, OfText
-from workbench.certificates.propositions import binder, conditions, relations
 from workbench.certificates.read_back import Expression, Parser, Unread
 from workbench.judge.theorems.goals import All, AtLeast, Atom, Both, Exists, Goal, Iff, Implies, Variable
 from workbench.language.construct import symbol

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.certificates.equations import Equations
+from workbench.certificates.goals.equations import Equations
+from workbench.certificates.goals.places import Place, flattened, same
+from workbench.certificates.goals.propositions import conditions, said
 from workbench.certificates.nodes import NotCertified
-from workbench.certificates.places import Place, flattened, same
-from workbench.certificates.propositions import conditions, said
 from workbench.judge.theorems.goals import All, Atom, Both, Implies, Variable
 from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.proofs import Follows, Kernel, Proof, Use

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 from workbench.certificates import nodes
+from workbench.certificates.goals.propositions import Speaker, binder, conditions
 from workbench.certificates.nodes import ATOM, NotCertified
-from workbench.certificates.propositions import Speaker, binder, conditions
 from workbench.certificates.theorem import Theorem
 from workbench.judge.theorems.goals import Variable
 from workbench.language.terms import Term

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.certificates.following import Following
+from workbench.certificates.goals.following import Following
+from workbench.certificates.goals.places import Known, Place, conj, flattened, one_of
+from workbench.certificates.goals.propositions import said, sides
 from workbench.certificates.nodes import ATOM, NotCertified
-from workbench.certificates.places import Known, Place, conj, flattened, one_of
-from workbench.certificates.propositions import said, sides
 from workbench.judge.theorems.goals import (
     All,
     AtLeast,

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 
 from workbench.certificates import nodes
 from workbench.certificates.forms import Certificate
-from workbench.certificates.joins import Joiner
-from workbench.certificates.lemmas import at_an_instant
+from workbench.certificates.goals.joins import Joiner
+from workbench.certificates.goals.lemmas import at_an_instant
+from workbench.certificates.goals.places import Place
+from workbench.certificates.goals.propositions import Speaker, conditions, said
+from workbench.certificates.goals.propositions_read import faults, supposed_of
 from workbench.certificates.meaning import OfTerm, OfText
 from workbench.certificates.nodes import NotCertified
-from workbench.certificates.places import Place
-from workbench.certificates.propositions import Speaker, conditions, said
-from workbench.certificates.propositions_read import faults, supposed_of
 from workbench.certificates.theorem import HEADER, Theorem, differs
 from workbench.judge.theorems.goals import (
     All,

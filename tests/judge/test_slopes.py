@@ -19,6 +19,7 @@ SPECS = {
     **{name: {"kind": "scalar"} for name in ("q", "p", "k", r"\theta")},
     **{name: {"kind": "vector"} for name in ("x", "y")},
     "m": {"kind": "scalar", "constant": True},
+    r"\underline{m}": {"kind": "dual scalar", "constant": True},
     r"\omega": {"kind": "scalar", "constant": True},
     "r": {"kind": "vector", "of": ["q", "p"]},
     "V": {"kind": "scalar", "of": ["q"]},
@@ -54,6 +55,7 @@ def verdict(latex: str):
         r"\dot{W} = \frac{\partial W}{\partial x} \dot{x}",
         r"\ddot{x} = -\omega^2 x \text{ for } x = \cos(\omega t) y, \dot{x} = -\omega \sin(\omega t) y, \ddot{x} = -\omega^2 \cos(\omega t) y",
         r"R J^T = J",
+        r"\frac{\partial (\underline{m} x)}{\partial x} = \underline{m} \mathbf{I}",
     ],
 )  # fmt: skip
 def test_laws(latex: str) -> None:

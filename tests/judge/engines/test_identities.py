@@ -68,6 +68,8 @@ T^3 = (\operatorname{trace} T) T^2 - (\operatorname{trace} T^*) T + (\det T) \ma
 \|a\|^3 = a^2 \|a\|
 (\frac{f}{g})^2 g^2 = f^2
 \frac{1}{f} - \frac{1}{g} = \frac{g - f}{f g}
+\underline{a} \cdot \underline{J} \underline{b} = \underline{b} \cdot \underline{J} \underline{a}
+\underline{E} \underline{G} = \underline{G} \underline{E}
 """.strip().splitlines()
 
 BOTH = replace(
@@ -84,6 +86,8 @@ BOTH = replace(
             r"\rho": {"kind": "vector", "coordinate": True},
             **{x: {"kind": "vector", "uniform": True} for x in "ab"},
             "T": {"kind": "tensor", "uniform": True},
+            r"\underline{J}": {"kind": "dual tensor", "symmetric": True},
+            **{rf"\underline{{{x}}}": {"kind": "dual tensor", "diagonal": True} for x in "EG"},
         }
     ).symbols,
 )
@@ -115,3 +119,11 @@ def test_it_holds_and_nothing_may_be_added(latex):
     assert judged(left, right, second_engine=False).outcome not in HOLDS
     double = judged(left, apply("mul", number(2), right)).outcome
     assert (double in HOLDS) == (judged(left, apply("neg", right)).outcome in HOLDS)  # both sides are 0
+
+
+@pytest.mark.parametrize(
+    "latex", [r"\operatorname{Du} \underline{J} = 0", r"\operatorname{Du} \underline{E} = 0"]
+)
+def test_the_dual_part_of_what_is_symmetric_is_free(latex):
+    (claim,) = read(latex, BOTH)
+    assert judged(claim.left, claim.right).outcome == Outcome.REFUTED

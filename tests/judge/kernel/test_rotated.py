@@ -188,3 +188,20 @@ def test_a_singular_block_makes_it_conditional():
 def test_the_degree_of_a_term(latex, degree):
     (claim,) = read(f"{latex} = {latex}", BOTH)
     assert rotated._Frame(Definitions()).degree(claim.left) == degree
+
+
+@pytest.mark.parametrize(
+    ("latex", "cheaper"),
+    [
+        ("R T R = R S R", "T = S"),
+        ("R R T = R S", "R T = S"),
+        ("T R R = S R", "T R = S"),
+        ("R T = R^T S", None),
+        ("T R = S R^T", None),
+        ("T R = S T", None),
+        ("R T = T S", None),
+        ("T S = S S", None),
+    ],
+)
+def test_only_the_same_rotation_is_taken_from_both_sides(always, latex, cheaper):
+    assert both(latex)[1] == (both(cheaper)[0] if cheaper else None)

@@ -109,6 +109,7 @@ KNOWN = [
     (r"\max_{x \in S^2} x \cdot a", r"\|a\|", r"-\|a\|"),
     (r"\min_{x \in S^2} (f + x \cdot (a \times b))", r"f - \|a \times b\|", r"f + \|a \times b\|"),
     (r"\max_{u} u \cdot a", r"\|a\|", "0"),
+    (r"\min_{s, t, k \in \mathbb{R}} ((s - f)^2 + (t - 2)^2 + (k - s)^2)", "0", "1"),
     (r"\min_{x \in V_3} \|m + w \times x\|", r"|\operatorname{Du} |w + \varepsilon m||", r"\|m\|"),
 ]
 

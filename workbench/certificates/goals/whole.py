@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from workbench.certificates import nodes
@@ -17,19 +17,13 @@ from workbench.certificates.meaning import OfTerm, OfText
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import HEADER, Theorem, differs
 from workbench.judge.theorems.goals import (
-    All,
-    AllFrom,
-    Atom,
-    Both,
-    Exists,
     Goal,
     GoalError,
-    Iff,
-    Implies,
     Scope,
     Variable,
     atoms,
 )
+from workbench.judge.theorems.members import bound_names
 from workbench.judge.theorems.proofs import Proof
 from workbench.judge.theorems.sequents import NotShown, names_of, relations_of
 from workbench.language.errors import IllFormedAt, ReadError
@@ -145,7 +139,7 @@ def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:
 
 def _speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope) -> None:
     """Symbols of the paper, and what is defined of them, before the goal."""
-    bound = set(_bound(goal))
+    bound = set(bound_names(goal))
     for statement in atoms(goal):
         for one in relations_of(statement):
             for side in (one.left, one.right):
@@ -160,20 +154,3 @@ def _speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope) -> None:
                         speaker.term(part)
     for text, name in [(t, n) for n, t in speaker.binders]:
         speaker.known[text] = name
-
-
-def _bound(goal: Goal) -> Iterator[str]:
-    match goal:
-        case All(variables, body) | Exists(variables, body):
-            yield from (v.name for v in variables)
-            yield from _bound(body)
-        case AllFrom(body=body):
-            yield from _bound(body)
-        case Implies(left, right) | Iff(left, right):
-            yield from _bound(left)
-            yield from _bound(right)
-        case Both(parts):
-            for part in parts:
-                yield from _bound(part)
-        case Atom():
-            pass

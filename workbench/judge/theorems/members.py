@@ -17,31 +17,32 @@ from workbench.language.types import TENSOR
 
 def put_in(sequent: Sequent, variables: tuple[Variable, ...], members: Mapping[str, str], body: Goal) -> Goal:
     terms = read_members(sequent.scope, variables, members)
-    _refuse_bound(sequent.scope, terms, body)
+    _refusebound_names(sequent.scope, terms, body)
     return Substitution(terms, sequent.scope.definitions).goal(body)
 
 
-def _refuse_bound(scope: Scope, terms: Mapping[Variable, Term], body: Goal) -> None:
+def _refusebound_names(scope: Scope, terms: Mapping[Variable, Term], body: Goal) -> None:
     """A witness may not depend on what is bound behind it, which a letter of the paper could hide."""
     used = set().union(*(names_of(term, scope) for term in terms.values()))
-    for name in _bound(body):
+    for name in bound_names(body):
         if name in used:
             raise NotShown(f"the witness depends on {name}, which the goal binds behind it")
 
 
-def _bound(goal: Goal) -> Iterator[Name]:
+def bound_names(goal: Goal) -> Iterator[Name]:
+    """The letters that the quantifiers of a goal bind."""
     match goal:
         case All(variables, body) | Exists(variables, body):
             yield from (variable.name for variable in variables)
-            yield from _bound(body)
+            yield from bound_names(body)
         case AllFrom(body=body):
-            yield from _bound(body)
+            yield from bound_names(body)
         case Implies(left, right) | Iff(left, right):
-            yield from _bound(left)
-            yield from _bound(right)
+            yield from bound_names(left)
+            yield from bound_names(right)
         case Both(parts):
             for part in parts:
-                yield from _bound(part)
+                yield from bound_names(part)
 
 
 def read_members(

@@ -57,7 +57,6 @@ class Type:
 
 SCALAR = Type(1, 1)
 VECTOR = Type(3, 1)
-COVECTOR = Type(1, 3)
 TENSOR = Type(3, 3)
 OPERATOR = Type(3, 3, algebra="operator")
 QUATERNION = Type(4, 1, algebra="quaternion")

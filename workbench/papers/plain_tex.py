@@ -64,10 +64,7 @@ def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:
 
 def _is_operation(tokens: Sequence[Token], place: int) -> bool:
     inside = "".join(each.text for each in tokens[place + 1 : _behind_group(tokens, place + 1)]).strip("{} ")
-    is_number = inside.lstrip("-").isdecimal()
-    return tokens[place].text == "^" and (
-        is_number or inside in ("T", "\\top", "*", "\\ast", "\\prime", "-T")
-    )
+    return tokens[place].text == "^" and (inside.lstrip("-").isdecimal() or inside in _OPERATIONS)
 
 
 def _behind_group(tokens: Sequence[Token], place: int) -> int:

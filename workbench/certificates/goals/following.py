@@ -38,7 +38,7 @@ class Following(Equations):
             shown.append((variable, said_, known))
         scope = at.scope.with_variables(lefts)
         image = read_term(proof.expression, scope.table, at.scope.integers)
-        first, last = (Substitution(x, scope.definitions)._term(image, False) for x in (lefts, rights))
+        first, last = (Substitution(x, scope.definitions).as_written(image) for x in (lefts, rights))
         dual = one.left.type.dual or one.right.type.dual or first.type.dual or last.type.dual
         self._by_way_of(first, last, dual)
         with self.part():
@@ -70,8 +70,8 @@ class Following(Equations):
                 node = self._node(getattr(said_, side), v.declaration.type.dual)
                 self.speaker.call(symbol(variables[v].declaration), node)
             ends.append(
-                Substitution({v: symbol(w.declaration) for v, w in variables.items()}, scope)._term(
-                    image, False
+                Substitution({v: symbol(w.declaration) for v, w in variables.items()}, scope).as_written(
+                    image
                 )
             )
         given = [
@@ -99,7 +99,7 @@ class Following(Equations):
             for side in ("left", "right")
         )
         first, last = (
-            Substitution({v: getattr(r, side) for v, r, _ in shown}, scope)._term(image, False)
+            Substitution({v: getattr(r, side) for v, r, _ in shown}, scope).as_written(image)
             for side in ("left", "right")
         )
         self._by_way_of(*ends, dual)

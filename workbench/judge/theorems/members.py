@@ -67,7 +67,7 @@ def _member(scope: Scope, variable: Variable, latex: str) -> Term:
     argument = replace(variable.argument, name=Name("X"))
     term = scope.with_variables([Variable(argument)]).term(latex)
     inner = symbol(variable.argument)
-    return Substitution({Variable(argument): inner}, scope.definitions)._term(term, False)
+    return Substitution({Variable(argument): inner}, scope.definitions).as_written(term)
 
 
 def _typed(term: Term, variable: Variable) -> Term:

@@ -246,8 +246,8 @@ def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator
     for variable, lasting in letters:
         if not lasting and _differentiates(image, variable.name, scope.definitions):
             raise NotShown("a premise at one instant may not be differentiated")
-    from_left = Substitution(lefts, scope.definitions)._term(image, False)
-    from_right = Substitution(rights, scope.definitions)._term(image, False)
+    from_left = Substitution(lefts, scope.definitions).as_written(image)
+    from_right = Substitution(rights, scope.definitions).as_written(image)
     assume = tuple(s for s in supposed(sequent, None) if _is_unequal(s))
     yield Obligation("left side", relation("=", statement.left, from_left), scope, assume)
     yield Obligation("right side", relation("=", from_right, statement.right), scope, assume)

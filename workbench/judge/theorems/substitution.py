@@ -130,6 +130,10 @@ class Substitution:
                 raise GoalError(f"{part.declaration.name} is known by its recurrence only, and uses a letter")
         return self._term(whole, lasting)
 
+    def as_written(self, term: Term) -> Term:
+        """The term with its letters replaced where they stand in it; definitions are left as they are."""
+        return self._term(term, False)
+
     def _left_over(self, part: Symbol) -> bool:
         """Whether a member of a family, which stays as it is, depends on one of the letters."""
         own = (d for d in self.definitions if d.declaration == part.declaration)

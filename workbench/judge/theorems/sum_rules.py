@@ -67,7 +67,7 @@ class _Step:
         self.image = read_term(latex, scope.with_variables(self.variables[:1]).table, scope.integers)
 
     def of(self, term: Term) -> Term:
-        return Substitution({self.variables[0]: term}, self.scope.definitions)._term(self.image, False)
+        return Substitution({self.variables[0]: term}, self.scope.definitions).as_written(self.image)
 
     def is_additive(self) -> Goal:
         one, other = (symbol(variable.declaration) for variable in self.variables)

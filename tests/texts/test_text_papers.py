@@ -348,21 +348,26 @@ SAID = r"""
 %! workbench: symbols.'\theta' = { kind = "scalar" }
 %! workbench: symbols.'p' = { kind = "scalar" }
 %! workbench: symbols.'F' = { kind = "tensor" }
+%! workbench: definitions.'v' = '\dot{r}'
 """
 
 
 @pytest.mark.parametrize(
     ("formulas", "verdict", "why"),
     [
-        (r"\[ a = r \times b \] \[ a \cdot b = 0 \]", "unchecked", "holds with what the text says of a (L8)"),
+        (r"\[ a = r \times b \] \[ a \cdot b = 0 \]", "unchecked", "holds with what the text says of a (L9)"),
         (r"\[ a = r \times b \] \[ a \cdot r = p \] \[ a \cdot a = 0 \]", "refuted", None),
-        (r"\[ a = r \times b \] \[ a = p r \] \[ a \cdot b = 0 \]", "unchecked", "false for a free a (L8')"),
+        (r"\[ a = r \times b \] \[ a = p r \] \[ a \cdot b = 0 \]", "unchecked", "false for a free a (L9), a (L9')"),
         (r"\[ a = r \times b \] \[ r = p b \] \[ a = 0 a \]", "unchecked", "holds with what the text says of"),
         (r"\[ a = F b \] \[ b = F a \] \[ a \cdot b = 0 \]", "unchecked", "false for a free"),
         (r"\[ a \cdot b = \|a\| \|b\| \cos \theta \]", "unchecked", "says what \\theta is"),
         (r"\[ \sin^2 \theta = \cos \theta \]", "refuted", None),
         (r"\[ a \times b \neq b \times a \]", "unchecked", "always, or in general"),
         (r"\[ r \times (a + b) = r \times a + r \times a \]", "refuted", None),
+        (r"\[ \dot{r} = v \] \[ v \times r = r \times v \]", "refuted", None),
+        (r"\[ \dot{r} = v \] \[ r = p b \] \[ v \times r = r \times v \]", "refuted", None),
+        (r"\[ \dot{r} = v \] \[ r = p b \] \[ r \times b = 0 \]", "unchecked", "holds with what the text says of r"),
+        (r"\[ \dot{r} = v \] \[ \dot{r} = a \] \[ v \times r = r \times v \]", "unchecked", "false for a free r"),
     ],
 )  # fmt: skip
 def test_what_a_text_says_of_its_symbols_elsewhere_is_no_falsehood(

@@ -153,13 +153,15 @@ class Notation:
 
 @dataclass(frozen=True)
 class Said:
-    """What the claim `place` of a text says of the symbol `name`, perhaps as a definition. `alone`: whether
-    no claim before it says something of the symbol, too."""
+    """What the claim `place` of a text says of the symbol `name`, perhaps as a definition: its statement,
+    under what it supposes."""
 
     name: str
     place: str
     definition: Definition | None
-    alone: bool
+    statement: Statement
+    supposed: tuple[Statement, ...]
+    orders: Orders | None
 
 
 @dataclass(frozen=True)

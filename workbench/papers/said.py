@@ -57,7 +57,7 @@ def stated(statement: Statement, notation: Notation | None = None) -> str | None
 
 def with_said(claims: Sequence[Claim]) -> list[Claim]:
     """The claims, each with what earlier ones say of the symbols that it uses."""
-    said: dict[Declaration, Said] = {}
+    said: dict[Declaration, list[Said]] = {}
     made = []
     for claim in claims:
         statement, notation = claim.printed.statement, claim.notation
@@ -67,25 +67,31 @@ def with_said(claims: Sequence[Claim]) -> list[Claim]:
         made.append(replace(claim, rests=_rests(statement, notation.definitions, said)))
         if (found := _stated(statement, notation)) is not None:
             symbol, definition = found
+            name = str(symbol.declaration.name)
+            saying = Said(name, claim.id, definition, statement, claim.supposed, claim.orders)
             of = [symbol.declaration] if symbol.declaration.name not in notation.framed else []
             for declaration in of or _free([symbol], notation.definitions):
-                is_alone = declaration not in said
-                said[declaration] = Said(str(symbol.declaration.name), claim.id, definition, is_alone)
+                said.setdefault(declaration, []).append(saying)
     return made
 
 
-def _rests(statement: Statement, definitions: Definitions, said: dict[Declaration, Said]) -> tuple[Said, ...]:
+def _rests(
+    statement: Statement, definitions: Definitions, said: dict[Declaration, list[Said]]
+) -> tuple[Said, ...]:
     """What is said of the symbols in the statement, and of those in these definitions."""
-    found: dict[Declaration, Said] = {}
+    found: dict[tuple[str, str], Said] = {}
+    seen: set[Declaration] = set()
     waiting = _free(terms_of(statement), definitions)
     while waiting:
         declaration = waiting.pop()
-        if declaration in found or declaration not in said:
+        if declaration in seen:
             continue
-        found[declaration] = said[declaration]
-        if (definition := found[declaration].definition) is not None:
-            waiting |= _free([definition.body], definitions)
-    return tuple(sorted(set(found.values()), key=lambda each: (each.place, each.name)))
+        seen.add(declaration)
+        for saying in said.get(declaration, ()):
+            found[saying.place, saying.name] = saying
+            if saying.definition is not None:
+                waiting |= _free([saying.definition.body], definitions)
+    return tuple(found[key] for key in sorted(found))
 
 
 def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, Definition | None] | None:

@@ -17,7 +17,7 @@ from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.terms import Relation
-from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Theorem
+from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Said, Theorem
 from workbench.papers.selection import select_claims
 from workbench.verify.memory import Keys, Memory
 from workbench.verify.results import FORMS, ClaimResult
@@ -173,19 +173,21 @@ class ClaimJudge:
         statement = claim.printed.statement
         if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
             return "the sides are equal in places: are they said to differ always, or in general?"
-        if not claim.rests:
+        judge = self._judge(claim.notation)
+        rests = [said for said in claim.rests if not _is_known(said, judge)]
+        if not rests:
             return None
-        definitions = [said.definition for said in claim.rests if said.definition is not None]
+        definitions = {said.name: said.definition for said in rests if said.definition is not None}
         under = None
-        if len(definitions) == len(claim.rests):
-            known = Definitions([*claim.notation.definitions, *definitions])
+        if definitions.keys() == {said.name for said in rests}:
+            known = Definitions([*claim.notation.definitions, *definitions.values()])
             with suppress(Unsatisfiable, RecursionError):
                 judge = Judge(known, **self.options)
                 under = _undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
-        shown = ", ".join(f"{said.name} ({said.place})" for said in claim.rests)
+        shown = ", ".join(f"{said.name} ({said.place})" for said in rests)
         if under is not None and under.outcome is Outcome.PROVED:
             return f"holds with what the text says of {shown}; a definition makes it proved"
-        is_clear = all(said.alone for said in claim.rests)
+        is_clear = len(definitions) == len(rests)
         if under is not None and under.outcome is Outcome.REFUTED and is_clear:
             return None
         return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
@@ -227,6 +229,15 @@ class ClaimJudge:
                 **self.options,
             )
         return self._judges[id(notation)]
+
+
+def _is_known(said: Said, judge: Judge) -> bool:
+    """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
+    try:
+        verdict = _undisturbed(lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders))
+    except (Unsatisfiable, RecursionError):
+        return False
+    return verdict.outcome is Outcome.PROVED and (verdict.scope or "all").startswith("all")
 
 
 def _undisturbed(judge: Callable[[], Verdict]) -> Verdict:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from workbench.ingest.features import feature_of
 from workbench.ingest.kinds import Guess, Guesser, Outcome, Prose
-from workbench.ingest.proposals import Proposal, ground_of, loads, proposals_for, words_of
+from workbench.ingest.proposals import Proposal, ground_of, proposals_for, words_of
 from workbench.ingest.questions import questions_of
 from workbench.language.terms import Relation, Statement, Symbol
 from workbench.papers.model import PaperError
@@ -100,15 +99,12 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
     if not text.displays:
         raise PaperError(path, None, None, "no displayed equation in it")
     prose = Prose("\n".join(source.text for source in text.sources[:1]))
-    accepted: list[Proposal] = []
-    best = _Reading.of(text, prose, accepted)
+    best = _Reading.of(_steps(text, frozenset()), [], Guesser(prose))
     for proposal in proposals_for(best.formulas, prose.text):
-        if best.gains(text, prose, accepted, proposal):
-            accepted.append(proposal)
-            best = _Reading.of(text, prose, accepted)
+        best = best.tried(text, proposal)
     best.guesser.improve(best.readable)
-    best = _Reading.of(text, prose, accepted, best.guesser)
-    made = best.made(text)
+    best = _Reading.of(best.steps, best.proposals, best.guesser)
+    made, accepted = best.made(), best.proposals
     questions = [
         *(f"Does {name} print its argument in brackets, {body}?" for name, body in fences.items()),
         *(proposal.question for proposal in accepted),
@@ -130,6 +126,7 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
 class _Reading:
     """What is read with some proposals. `blocked`: formulas with a macro that could not be expanded."""
 
+    proposals: list[Proposal]
     steps: list[tuple[Display, Step]]
     formulas: list[str]
     blocked: set[int]
@@ -137,21 +134,10 @@ class _Reading:
     outcomes: list[Outcome]
 
     @staticmethod
-    def of(
-        text: Text,
-        prose: Prose,
-        proposals: Sequence[Proposal],
-        guesser: Guesser | None = None,
-        only: set[int] | None = None,
-    ) -> _Reading:
-        words = words_of(proposals)
-        steps = [(d, step) for d in text.displays for line in steps_of(d, words) for step in line]
-        if only is not None:
-            steps = [step for place, step in enumerate(steps) if place in only]
+    def of(steps: list[tuple[Display, Step]], proposals: list[Proposal], guesser: Guesser) -> _Reading:
         formulas = [step.spelled()[0] for _, step in steps]
         blocked = {place for place, (display, _) in enumerate(steps) if _opaque(display, formulas[place])}
-        guesser = guesser or Guesser(prose, ground_of(proposals))
-        made = _Reading(steps, formulas, blocked, guesser, [])
+        made = _Reading(proposals, steps, formulas, blocked, guesser, [])
         made.outcomes = guesser.read_all(made.readable)
         return made
 
@@ -159,19 +145,31 @@ class _Reading:
     def readable(self) -> list[str]:
         return [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
 
-    def gains(self, text: Text, prose: Prose, accepted: Sequence[Proposal], proposal: Proposal) -> bool:
-        """Whether formulas come further with the proposal, and none is lost; one that others stand on may do
-        nothing yet."""
-        concerned = [place for place, latex in enumerate(self.formulas) if proposal.trigger.search(latex)]
-        if not concerned or not loads([*accepted, proposal]):
-            return False
-        now = _Reading.of(text, prose, [*accepted, proposal], only=set(concerned)).outcomes
-        before = _Reading.of(text, prose, accepted, only=set(concerned)).outcomes
-        steps = [(one.progress, other.progress) for one, other in zip(before, now, strict=False)]
-        lost = any(one[0] > other[0] for one, other in steps)
-        return not lost and (proposal.stands or any(one != other for one, other in steps))
+    def tried(self, text: Text, proposal: Proposal) -> _Reading:
+        """With the proposal, if formulas come further with it and none is lost; one that others stand on may
+        do nothing yet."""
+        concerned = [place for place, latex in enumerate(self.readable) if proposal.trigger.search(latex)]
+        proposals = [*self.proposals, proposal]
+        if not concerned:
+            return self
+        try:
+            guesser = Guesser(self.guesser.prose, ground_of(proposals))
+        except PaperError:
+            return self
+        words = words_of(proposals)
+        steps = self.steps if words == words_of(self.proposals) else _steps(text, words)
+        new = _Reading.of(steps, proposals, guesser)
+        before, now = (
+            [
+                outcome.progress
+                for outcome in each.guesser.anew().read_all([each.readable[i] for i in concerned])
+            ]
+            for each in (self, new)
+        )
+        lost = any(one[0] > other[0] for one, other in zip(before, now, strict=True))
+        return self if lost or not (proposal.stands or before != now) else new
 
-    def made(self, text: Text) -> list[Formula]:
+    def made(self) -> list[Formula]:
         outcomes = iter(self.outcomes)
         return [
             Formula(
@@ -179,6 +177,12 @@ class _Reading:
             )
             for place, ((display, step), latex) in enumerate(zip(self.steps, self.formulas, strict=True))
         ]
+
+
+def _steps(text: Text, words: frozenset[str]) -> list[tuple[Display, Step]]:
+    return [
+        (display, step) for display in text.displays for line in steps_of(display, words) for step in line
+    ]
 
 
 def _opaque(display: Display, latex: str) -> list[str]:

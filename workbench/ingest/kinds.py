@@ -7,14 +7,18 @@ import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from functools import cache
+from itertools import combinations, islice
 
 from workbench.ingest.proposals import speaks_of_quaternions
 from workbench.language.declarations import read_key
-from workbench.language.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.errors import Fault, IllFormedAt, ReadError, SpecError
+from workbench.language.names import Name
 from workbench.language.reader import read
 from workbench.language.symbols import SymbolTable
+from workbench.language.syntax import parse
 from workbench.language.terms import Statement
+from workbench.language.types import Declaration
 
 _UNKNOWN = re.compile(r"unknown symbol (.+?)(?:; known and close: .*)?$", re.DOTALL)
 _OPERATION = re.compile(r"(?:\^\{(?:T|-?\d+|\(\d+\)|\*|-T|\\top|-1|[^A-Za-z0-9{}\\]+)\}|'+)$")
@@ -52,6 +56,7 @@ _NEAR = 40
 #: More symbols than these in a text are tried in turn no further.
 MOST_TRIED = 150
 _ROUNDS = 6
+_MOST_SYMBOLS = 60
 _MOST_GROUPS = 200
 _MOST_TOGETHER = 4
 KINDS = ("scalar", "vector", "tensor")
@@ -63,7 +68,7 @@ class Guess:
 
     name: str
     kind: str
-    why: str
+    why: str = field(default="", compare=False)
     unit: bool = False
 
     @property
@@ -134,15 +139,18 @@ class Guesser:
         self.guesses: dict[str, Guess] = {}
         self.refused: dict[str, str] = {}
         self.takes_steps = False
+        self._symbols: dict[Guess, Mapping[Name, Declaration]] = {}
+        self._read_before: dict[tuple[str, frozenset[Guess]], Outcome] = {}
+
+    def anew(self) -> Guesser:
+        """One that has guessed nothing, and remembers what was read."""
+        other = Guesser(self.prose, self.ground)
+        other._symbols, other._read_before = self._symbols, self._read_before
+        return other
 
     def read_all(self, formulas: Sequence[str]) -> list[Outcome]:
-        """Declares what the formulas need; each is read with all the symbols of those before it."""
-        table = self.ground
-        outcomes = []
-        for latex in formulas:
-            outcome, table = self._read(latex, table)
-            outcomes.append(outcome)
-        return outcomes
+        """Declares what the formulas need; each is read with all the symbols that are known by then."""
+        return [self._read(latex, self.guesses) for latex in formulas]
 
     def improve(self, formulas: Sequence[str]) -> None:
         """Other kinds where more formulas then fit: type errors tell what typeface did not. Symbols that are
@@ -153,7 +161,7 @@ class Guesser:
             outcomes = self.read_all(formulas)
             users: dict[str, set[int]] = {}
             for place, outcome in enumerate(outcomes):
-                for name in outcome.symbols:
+                for name in outcome.symbols if _is_parsed(formulas[place]) else ():
                     users.setdefault(name, set()).add(place)
             fits = [outcome.stage for outcome in outcomes]
             changed = False
@@ -185,10 +193,9 @@ class Guesser:
         for other in (*(kind for kind in _by_face(group[0]) if kind in self.kinds), *sizes):
             if all(self.guesses[name].kind == other for name in group):
                 continue
-            changed = {name: {"kind": other} for name in group}
-            specs = {each.name: each.spec for each in self.guesses.values()} | changed
+            changed = {name: Guess(name, other) for name in group}
             try:
-                fitting = self._fitting(self.ground.with_specs(specs), users, self._score(best))
+                fitting = self._fitting(self.guesses | changed, users, self._score(best))
             except SpecError:
                 continue
             if self._score(fitting) > self._score(best):
@@ -208,61 +215,79 @@ class Guesser:
         steps = sum(fits) + 3 * unknown if self.takes_steps else 0
         return fits.count(3) + unknown, steps
 
-    def _fitting(self, table: SymbolTable, formulas: Sequence[str], least: tuple[int, int]) -> list[int]:
+    def _fitting(
+        self, guesses: dict[str, Guess], formulas: Sequence[str], least: tuple[int, int]
+    ) -> list[int]:
         """Of each formula, how far it is read; no more of them than it takes to see that this scores no more
         than `least`."""
         fits: list[int] = []
         for count, latex in enumerate(formulas):
             if self._score(fits, len(formulas) - count) <= least:
                 break
-            outcome, table = self._read(latex, table)
-            fits.append(outcome.stage)
+            fits.append(self._read(latex, guesses).stage)
         return fits
 
-    def _read(self, latex: str, table: SymbolTable) -> tuple[Outcome, SymbolTable]:
-        symbols: set[str] = set()
-        for _ in range(60):
+    def _read(self, latex: str, guesses: dict[str, Guess]) -> Outcome:
+        """What comes of the formula with these symbols; those that it needs are added to them."""
+        for _ in range(_MOST_SYMBOLS):
+            outcome = self._attempt(latex, guesses)
+            if outcome.statements is not None or outcome.ill_formed:
+                break
+            unknown = _UNKNOWN.search(outcome.message)
+            name = self._labelled(latex, guesses) if unknown is None else bare_name(unknown[1])
+            if name is None:
+                break
+            if name in self.refused:
+                return Outcome(message=self.refused[name])
+            if name in guesses:  # declared, and unknown still
+                break
+            guess = self.guesses.get(name) or self._guess(name)
             try:
-                return Outcome(read(latex, table), symbols=symbols | _known(latex, self.guesses)), table
-            except IllFormedAt as error:
-                outcome = Outcome(message=error.message, ill_formed=True)
-                outcome.symbols = symbols | _known(latex, self.guesses)
-                return outcome, table
-            except ReadError as error:
-                unknown = _UNKNOWN.search(error.message)
-                if unknown is None and (labelled := self._labelled(latex, table)) is not None:
-                    table = labelled
-                    continue
-                if unknown is None:
-                    outcome = Outcome(message=error.message, ill_formed=bool(_OF_KINDS.search(error.message)))
-                    outcome.symbols = symbols | _known(latex, self.guesses)
-                    return outcome, table
-                name = bare_name(unknown[1])
-                if name in self.refused:
-                    return Outcome(message=self.refused[name]), table
-                guess = self.guesses.get(name) or self._guess(name)
-                try:
-                    table = table.with_specs({name: guess.spec})
-                    self.guesses[name] = guess
-                    symbols.add(name)
-                except (
-                    SpecError,
-                    ReadError,
-                ) as refused:  # also of a name that is declared, and unknown still
-                    if name not in self.guesses:
-                        self.refused[name] = str(refused)
-                    return Outcome(message=error.message), table
-        return Outcome(message="more symbols than a formula can have"), table
+                self._declared(guess)
+            except (SpecError, ReadError) as refused:
+                self.refused[name] = str(refused)
+                break
+            guesses[name] = self.guesses[name] = guess
+        return replace(outcome, symbols=_known(latex, self.guesses))
 
-    def _labelled(self, latex: str, table: SymbolTable) -> SymbolTable | None:
-        """The table and the symbols with a script letter as a superscript, which is no power."""
+    def _attempt(self, latex: str, guesses: Mapping[str, Guess]) -> Outcome:
+        """Reading it depends on the symbols that share a letter with it, and on whether any is a
+        quaternion."""
+        letters = _letters(latex) if _is_parsed(latex) else frozenset()
+        near = {guess for guess in guesses.values() if not letters.isdisjoint(_letters(guess.name))}
+        quaternions = (guess for guess in guesses.values() if "quaternion" in guess.kind)
+        if not any("quaternion" in guess.kind for guess in near):
+            near.update(islice(quaternions, 1))
+        key = (latex, frozenset(near))
+        if key not in self._read_before:
+            self._read_before[key] = self._fresh(latex, near)
+        return self._read_before[key]
+
+    def _fresh(self, latex: str, guesses: Iterable[Guess]) -> Outcome:
+        symbols = dict(self.ground.symbols)
+        for guess in guesses:
+            symbols |= self._declared(guess)
+        try:
+            return Outcome(read(latex, replace(self.ground, symbols=symbols)))
+        except IllFormedAt as error:
+            return Outcome(message=error.message, ill_formed=True)
+        except ReadError as error:
+            message = error.message.partition("; known and close: ")[0]
+            return Outcome(message=message, ill_formed=bool(_OF_KINDS.search(message)))
+
+    def _declared(self, guess: Guess) -> Mapping[Name, Declaration]:
+        """The symbol as a table has it. Raises SpecError, ReadError."""
+        if guess not in self._symbols:
+            self._symbols[guess] = self.ground.with_specs({guess.name: guess.spec}).symbols
+        return self._symbols[guess]
+
+    def _labelled(self, latex: str, guesses: Mapping[str, Guess]) -> str | None:
+        """A symbol with a script letter as a superscript, which is no power, and which is not known yet."""
         for match in _LABELLED.finditer(latex):
             with suppress(SpecError):
                 key = read_key(match[0])[0]
-                if key not in table.symbols:
-                    name = str(key)
-                    guess = self.guesses.setdefault(name, self._guess(name))
-                    return table.with_specs({name: guess.spec})
+                if key not in self.ground.symbols and str(key) not in guesses:
+                    return str(key)
         return None
 
     def _guess(self, name: str) -> Guess:
@@ -345,9 +370,26 @@ def _by_typeface(name: str) -> Guess:
 
 def _known(latex: str, names: Iterable[str]) -> set[str]:
     """The names that the formula may use: by their letters."""
-    flat = re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
-    return {name for name in names if _core(name) in flat}
+    flat = _flat(latex)
+    return {name for name in names if _flat(name) in flat}
 
 
-def _core(name: str) -> str:
-    return re.sub(r"[\s{}]", "", name)
+@cache
+def _is_parsed(latex: str) -> bool:
+    """Whether only what its symbols are may keep it from being read."""
+    try:
+        parse(latex)
+    except Fault:
+        return False
+    return True
+
+
+@cache
+def _flat(latex: str) -> str:
+    return re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
+
+
+@cache
+def _letters(latex: str) -> frozenset[str]:
+    """A command of a letter or more, or a letter."""
+    return frozenset(re.findall(r"\\[A-Za-z]+|[^\W\d_]", "".join(_GREEK.get(x, x) for x in latex)))

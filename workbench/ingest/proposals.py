@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbench.language.symbols import SymbolTable
-from workbench.papers.model import PaperError
 from workbench.papers.notation import FUNCTIONS, HAMILTON, notation_of
 from workbench.papers.toml_file import TomlFile
 
@@ -76,14 +75,6 @@ def words_of(proposals: Sequence[Proposal]) -> frozenset[str]:
     """The functions that the text writes without a backslash."""
     texts = (p.entries["functions"] for p in proposals if "functions" in p.entries)
     return frozenset(re.findall(r"[a-z]+", " ".join(texts)))
-
-
-def loads(proposals: Sequence[Proposal]) -> bool:
-    try:
-        ground_of(proposals)
-    except PaperError:
-        return False
-    return True
 
 
 def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:

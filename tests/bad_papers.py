@@ -186,7 +186,7 @@ SYMBOL_FAULTS = [
     BadPaper(
         "a symbol of unknown kind", "title='x'\n[symbols]\n«'a' = { kind = 'matrix' }\n" + GOOD_CLAIM, "kind"
     ),
-    BadPaper("a symbol that is a string", "title='x'\n[symbols]\n'a' = «'vector'\n" + GOOD_CLAIM, "table"),
+    BadPaper("a symbol that is a number", "title='x'\n[symbols]\n'a' = «3\n" + GOOD_CLAIM, "table"),
     BadPaper(
         "an unknown key of a symbol",
         "title='x'\n[symbols]\n«'a' = { kind = 'vector', wieght = 1 }\n" + GOOD_CLAIM,

@@ -70,7 +70,7 @@ REFUSED = [
     (r"a \otimes b \cdot c", 13, "several products"),
     (r"a \times -b", 3, "nothing after ×"),
     (r"a - -b", 5, "unexpected -"),
-    (r"\alpha/\beta s", 7, "unexpected character '/'"),
+    (r"\alpha/\beta s", 7, "how much does / divide"),
     (r"\sin 2\alpha \beta", 1, "how far does sin reach"),
     (r"\sin \alpha \beta", 1, "how far does sin reach"),
     (r"\sin(\alpha)^2", 5, "a power of the function or of its argument"),

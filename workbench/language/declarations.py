@@ -7,8 +7,17 @@ from typing import Any
 
 from workbench.language.errors import Fault, SpecError
 from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.spelling import INDEX_LETTERS, TRANSPOSES, Named, Scripts, Spelling, linear, spell
+from workbench.language.names import PREFIXES, Name
+from workbench.language.spelling import (
+    INDEX_LETTERS,
+    TRANSPOSES,
+    Named,
+    Scripts,
+    Spelling,
+    linear,
+    prefixed,
+    spell,
+)
 from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, parse, unstyled
 from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
@@ -70,6 +79,8 @@ def key_spelling(node: Node, key: str) -> Spelling:
     match node:
         case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
             left_sub, left_sup, node = left.sub, left.sup, right
+        case Product(items=(Leaf(text=prefix) as mark, right)) if prefix in PREFIXES:
+            node = prefixed(mark, right) or node
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
     styles, letter = unstyled(scripted.nucleus)
     if not isinstance(letter, Leaf):

@@ -58,6 +58,14 @@ class Fault(Exception):
         self.at = at
 
 
+class Unranged(Fault):
+    """An index, or the last of a sum, that nothing states a range for; it may be any."""
+
+    def __init__(self, variable: str, message: str, at: int) -> None:
+        super().__init__(message, at)
+        self.variable = variable
+
+
 class Misfit(Exception):
     """An IllFormedAt whose place is still an offset in the text."""
 

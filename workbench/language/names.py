@@ -16,7 +16,11 @@ Script = tuple[str, ...]
 #: The fields that are scripts, in the order in which their indices count.
 SCRIPTS = ("left_sub", "left_sup", "sub", "sup")
 
+#: Letters that make another symbol of the one behind them, if that is declared: \Delta t.
+PREFIXES = ("\\Delta", "\\delta")
+
 _OUTERMOST_FIRST = (
+    *PREFIXES,
     "\\underline",
     "\\overline",
     "\\bar",

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
+from dataclasses import replace
+from functools import partial
 from typing import TypeVar
 
 from workbench.language.elaboration.ranges import Range
@@ -15,6 +18,8 @@ from workbench.language.terms import Statement, Term
 __all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term"]
 
 Result = TypeVar("Result")
+
+_SIGNS = re.compile(r"\\(pm|mp)(?![A-Za-z])")
 
 
 def read(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> tuple[Statement, ...]:
@@ -34,7 +39,22 @@ def read_formula(
     """As `read`, with the ranges that the formula states for its integers. As a condition, what stands
     between commas holds together, and nothing in it is a condition of the rest."""
     names = frozenset(integers)
-    return _placed(latex, lambda lines: reading_of(lines, table, names, as_condition))
+    read = [
+        _placed(text, lambda lines: reading_of(lines, table, names, as_condition)) for text in _signs(latex)
+    ]
+    return replace(read[0], statements=tuple(said for each in read for said in each.statements))
+
+
+def _signs(latex: str) -> tuple[str, ...]:
+    """The formula with the upper and with the lower signs of \\pm and \\mp, where each side has some."""
+    sides = re.split(r"=|\\\\(?:neq?|approx)(?![A-Za-z])", latex)
+    if len(sides) < 2 or not all(_SIGNS.search(side) for side in sides):
+        return (latex,)
+    return tuple(_SIGNS.sub(partial(_sign, above), latex) for above in (True, False))
+
+
+def _sign(above: bool, match: re.Match[str]) -> str:
+    return "+  " if above == (match[1] == "pm") else "-  "
 
 
 def read_term(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Term:

@@ -8,7 +8,19 @@ from dataclasses import dataclass, replace
 from workbench.language.errors import Fault
 from workbench.language.integers import Linear
 from workbench.language.names import SCRIPTS, Name
-from workbench.language.syntax import Bracket, Group, Infix, Leaf, Node, Product, Scripted, Styled, Sum, core
+from workbench.language.syntax import (
+    Accented,
+    Bracket,
+    Group,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    core,
+)
 from workbench.language.vocabulary import CLOSING, written
 
 #: Indices, orders and exponents beyond this are refused.
@@ -39,6 +51,16 @@ class Scripts:
 
     def without_sup(self) -> Scripts:
         return self if self.sup is None else replace(self, sup=None)
+
+
+def prefixed(prefix: Node, node: Node) -> Node | None:
+    """\\Delta and t as the one symbol \\Delta t; None where no letter follows."""
+    if isinstance(node, Scripted):
+        nucleus = prefixed(prefix, node.nucleus)
+        return None if nucleus is None else replace(node, at=prefix.at, nucleus=nucleus)
+    inner = core(node)
+    is_letter = isinstance(inner, Styled | Accented) or (isinstance(inner, Leaf) and inner.kind == "LETTER")
+    return Styled(prefix.at, prefix.text, node) if is_letter else None
 
 
 def variable_name(node: Node) -> str | None:
@@ -171,6 +193,11 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
             return None if inner is None else [node.kind, *inner, CLOSING[node.kind]]
         case Product():
             return _spell_list(node.items, " ", () if _is_word(node) else variables)
+        case Sum(addends=addends):
+            inner = [(sign, _spell_script(addend, ())) for sign, _, addend in addends]
+            if any(pieces is None for _, pieces in inner):
+                return None
+            return ["".join(sign + "".join(map(str, pieces)) for sign, pieces in inner)]
         case Scripted(sub=None, sup=None, primes=primes, factorial=False):
             inner = _spell_script(node.nucleus, ())
             return None if inner is None else [*inner, "'" * primes]

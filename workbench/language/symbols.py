@@ -21,12 +21,14 @@ from workbench.language.declarations import (
 )
 from workbench.language.errors import SpecError
 from workbench.language.integers import Linear
-from workbench.language.names import Name
+from workbench.language.names import PREFIXES, Name
 from workbench.language.notations import Notation, Notations
 from workbench.language.spelling import Named, Spelling
 from workbench.language.syntax import parse
 from workbench.language.terms import IllFormed, Symbol, Term
 from workbench.language.types import CLOCK, Declaration, Type
+
+_PREFIXES = frozenset((prefix,) for prefix in PREFIXES)
 
 
 @dataclass(frozen=True)
@@ -134,6 +136,14 @@ class SymbolTable:
     def has_letter(self, letter: str) -> bool:
         """Whether a symbol has this letter, with whatever scripts."""
         return any(name.base == letter for name in (*self.symbols, *self.functions))
+
+    @cached_property
+    def _prefixed(self) -> frozenset[tuple[str, tuple[str, ...]]]:
+        return frozenset((n.letter, n.styles) for n in self.symbols if n.styles[:1] in _PREFIXES)
+
+    def has_prefixed(self, styles: tuple[str, ...], letter: str) -> bool:
+        """Whether a symbol has this letter behind this \\Delta, with whatever scripts."""
+        return (letter, Name.styled(styles, letter).styles) in self._prefixed
 
     def defines(self, name: Name, index: tuple[Linear, ...]) -> bool:
         """Whether a definition covers this member: its own, or one for n or n + c."""

@@ -36,10 +36,11 @@ LONGEST = 50_000
 DEEPEST = 40
 
 _TOKEN = re.compile(
-    r"""(?P<space>[ \t\r\n~]+)
+    r"""(?P<space>[ \t\r\n~]+|\\[a-z]+(?:sep|skip|stretch)\s*=\s*-?[0-9.]+(?:pt|em|ex|mm))
     | \\(?:stackrel|overset)\s*\{\s*(?:\\(?:text|mathrm|rm)\s*\{\s*def\.?\s*\}|def|\\triangle|\\Delta)\s*\}
       \s*(?P<defined>\{\s*=\s*\}|=)
     | (?P<ring>\\overset\s*\{\s*\\circ\s*\})
+    | \\(?:text|textrm|mbox)\s*\{(?P<prose>[A-Za-z,'’\s]+:\s*)\}
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
       \{(?P<words>atan2|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[a-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
@@ -118,6 +119,9 @@ class Tokenizer:
                 self.emit("RELATION", "=", at)
             case "ring":
                 self.command("mathring", text, at)
+            case "prose":
+                if self.out and self.out[-1].type not in ("BREAK", "BEGIN_LINES"):
+                    raise Fault(f"{text}: words in a formula", at)
             case "words":
                 self.words(text, match["words"], at)
             case "name":
@@ -232,8 +236,9 @@ class Tokenizer:
                 self.emit("INFIX", ".", at)
         elif text in BRACKETS:
             self.bracket(text, at)
-        elif text == "/" and any(opened.contents == "script" for opened in self.open):
-            self.emit("MARK", text, at)  # r^{P/O}
+        elif text == "/":
+            in_script = any(opened.contents == "script" for opened in self.open)
+            self.emit("MARK" if in_script else "INFIX", text, at)  # r^{P/O}
         else:
             raise Fault(f"unexpected character {text!r} (U+{ord(text):04X})", at)
 

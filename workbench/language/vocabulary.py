@@ -14,7 +14,7 @@ _STYLES = (
     " underline overline bar vec hat check breve mathring"
 )
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
-_SPACING = "quad qquad displaystyle textstyle limits nolimits nonumber notag , ; : ! >"
+_SPACING = "enskip quad qquad displaystyle textstyle limits nolimits nonumber notag , ; : ! >"
 
 COMMANDS: dict[str, tuple[str, str]] = {
     **{name: ("LETTER", f"\\{name}") for name in _LETTERS.split()},
@@ -113,6 +113,8 @@ BRACKETS = {
     "]": ("[", -1),
     "\\{": ("\\{", 1),
     "\\}": ("\\{", -1),
+    "\\lfloor": ("\\lfloor", 1),
+    "\\rfloor": ("\\lfloor", -1),
     "\\langle": ("\\langle", 1),
     "\\rangle": ("\\langle", -1),
     "|": ("|", 0),
@@ -161,6 +163,8 @@ EXPECTED = {
     **dict.fromkeys(("subset", "subseteq"), "a part of a set is not read; its members are, as in x \\in V_3"),
     **dict.fromkeys(("leq", "le", "lt"), "a range is written n \\geq 1 or n = \\overline{1,5}"),
     "prime": "a prime is written '",
+    **dict.fromkeys(("pm", "mp"), "one of two signs on one side says either; on both sides it says both"),
+    **dict.fromkeys(("gets", "leftarrow", "Leftarrow"), "an assignment is no equation"),
     **dict.fromkeys(("approx", "simeq", "sim", "cong", "doteq", "propto"), "an approximation is not read"),
     **dict.fromkeys(("log", "ln", "Log"), "logarithms are not read; what they are the inverse of is, \\exp"),
     **dict.fromkeys(("int", "iint", "iiint", "oint"), "integrals are not read; their derivatives are"),

@@ -122,7 +122,7 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable
         for key, spec in file.value(("symbols",), dict, {}).items():
             if key in specs and file not in scopes:
                 raise file.error_at_key(("symbols", key), f"{key} is declared in {owners[key].path.name} too")
-            file.value(("symbols", key), dict)
+            spec = {"kind": spec} if isinstance(spec, str) else file.value(("symbols", key), dict)
             if hamilton and str(spec.get("kind")).removeprefix("dual ") == "quaternion":
                 spec = {**spec, "kind": spec["kind"].replace("quaternion", "hamilton quaternion")}
             specs[key], owners[key] = spec, file

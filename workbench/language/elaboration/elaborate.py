@@ -8,6 +8,7 @@ from fractions import Fraction as Rational
 from workbench.language import construct
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.products import product
+from workbench.language.elaboration.spelled import letters_in_one_font
 from workbench.language.errors import Fault, Misfit
 from workbench.language.notations import Known
 from workbench.language.scope import Scope
@@ -60,6 +61,8 @@ class Elaborator(Scope):
                 | Summation()
             ):
                 return product(self, (node,))
+            case Styled() | Scripted() if len(letters := list(letters_in_one_font(node))) > 1:
+                return product(self, letters)
             case Leaf() | Styled() | Accented() | Scripted():
                 return named(self, node)
             case Group(parts=(part,)):
@@ -120,7 +123,7 @@ class Elaborator(Scope):
         terms = [self.term(part) for part in node.parts]
         if node.kind in ("|", "\\|") and len(terms) == 1:
             return self.apply(node.at, "norm", terms[0])
-        if len(terms) == 1 and node.kind != "\\langle":
+        if len(terms) == 1 and node.kind not in ("\\langle", "\\lfloor"):
             return terms[0]
         if len(terms) == 3 and node.kind in ("(", "\\langle"):
             return self.apply(node.at, "triple", *terms)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from workbench.language import construct
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
-from workbench.language.errors import Fault, Misfit
+from workbench.language.errors import Fault, Misfit, Unranged
 from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.notations import Notation
@@ -24,7 +24,7 @@ from workbench.language.syntax import (
     Sum,
     core,
 )
-from workbench.language.terms import Derivative, IllFormed, Symbol, Term, Zero
+from workbench.language.terms import Apply, Derivative, IllFormed, Symbol, Term, Zero
 from workbench.language.types import CLOCK, TENSOR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
@@ -86,6 +86,8 @@ class _Lettering:
     def scripted(self, node: Scripted, outer: Scripts, styles: tuple[str, ...]) -> Lettered:
         if node.sub is not None and outer.sub is not None:
             raise Fault("a second subscript", outer.sub.at)
+        if isinstance(node.nucleus, Bracket) and len(node.nucleus.parts) > 1 and _is_transpose(node.sup):
+            return _column(self.scope, node.nucleus), outer.sup
         scripts = Scripts(
             outer.left_sub,
             outer.left_sup,
@@ -109,7 +111,7 @@ class _Lettering:
         if found is None and leaf.kind == "MARK":
             raise Fault(f"{leaf.text} cannot stand here", leaf.at)
         if found is None:
-            raise Fault(self.unknown(Name.styled(styles, leaf.text), scripts), leaf.at)
+            raise self.unknown(Name.styled(styles, leaf.text), scripts, leaf.at)
         term = self.meant(found, leaf, scripts)
         for _ in range(found.primes):
             term = notated(scope, leaf.at, scope.table.notations.primes(), term, "the prime")
@@ -174,19 +176,21 @@ class _Lettering:
             raise Fault("expected the shape of the zero, such as 6\\times 6 or 6\\times 1", scripts.sub.at)
         return construct.zero(VECTOR if is_square else size)
 
-    def unknown(self, letter: Name, scripts: Scripts) -> str:
+    def unknown(self, letter: Name, scripts: Scripts, at: int) -> Fault:
         """Why a name means nothing: an index without a range, or no such symbol."""
         scope = self.scope
         for tried in (scripts, scripts.without_sup()):
             spelling = spell(letter, tried, INDEX_LETTERS | scope.variables)
-            if spelling is not None and scope.table.find(spelling) is not None:
+            if spelling is not None and (found := scope.table.find(spelling)) is not None:
                 letters = {name for place in spelling.places for name in place.variables}
-                missing = ", ".join(sorted(letters - scope.variables))
+                missing = sorted(letters - scope.variables)
                 if not missing:
                     break
-                return f"the integer variable {missing} in {spelling} has no range here"
+                message = f"the integer variable {', '.join(missing)} in {spelling} has no range here"
+                is_free = found[0].name not in scope.table.defined
+                return Unranged(missing[0], message, at) if is_free else Fault(message, at)
         spellings = (spell(letter, s, scope.variables) for s in (scripts, scripts.without_sup(), Scripts()))
-        return scope.table.unknown(next(spelling for spelling in spellings if spelling is not None))
+        return Fault(scope.table.unknown(next(s for s in spellings if s is not None)), at)
 
     def accent(self, node: Accented, term: Term) -> Term:
         if node.accent != "~":
@@ -231,6 +235,26 @@ def _refuse_label(term: Term, sup: Node) -> None:
     is_number = isinstance(inner, Leaf) and inner.kind == "NUMBER" and inner.text.isdigit()
     if is_number and isinstance(term, Symbol) and may_be_label(term, int(inner.text)):
         raise Fault(f"the power {inner.text}, or the label of a frame? bracket what the power is of", sup.at)
+
+
+def _is_transpose(sup: Node | None) -> bool:
+    inner = core(sup)
+    return inner is not None and (_is_upright_t(inner) or (isinstance(inner, Leaf) and inner.text == "T"))
+
+
+def _column(scope: Scope, row: Bracket) -> Term:
+    """(x, y, z)^T, a column; of rows they are the rows of a column transposed."""
+    terms = [scope.term(part) for part in row.parts]
+    if not all(term.type.rows == 1 for term in terms):
+        raise Fault("columns beside each other transposed, or one above the other?", row.at)
+    return scope.build(row.at, construct.block, [[_upright(term)] for term in terms])
+
+
+def _upright(term: Term) -> Term:
+    if term.type.columns == 1:
+        return term
+    is_transposed = isinstance(term, Apply) and term.head == "transpose"
+    return term.arguments[0] if is_transposed else construct.apply("transpose", term)
 
 
 def _is_upright_t(node: Node) -> bool:

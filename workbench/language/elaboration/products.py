@@ -11,6 +11,7 @@ from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.infixes import infix
 from workbench.language.elaboration.letters import letter, raised
 from workbench.language.elaboration.quotients import Rate, quotient, rate, slope, value_of
+from workbench.language.elaboration.spelled import spelled_out
 from workbench.language.elaboration.summations import summation
 from workbench.language.errors import Fault, Misfit, SpecError
 from workbench.language.integers import Linear
@@ -50,7 +51,7 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
     """Factors and infix signs. Juxtaposition binds tighter than signs; \\sum takes all that follows."""
     rows: list[list[Node]] = [[]]
     signs: list[Infix] = []
-    for place, item in enumerate(items):
+    for place, item in enumerate(items := spelled_out(scope, items)):
         if isinstance(item, Infix):
             if not rows[-1]:
                 raise Fault(f"nothing before {item.operator}", item.at)

@@ -51,11 +51,12 @@ _OF_TIME = re.compile(r"\^\{\\mathbb\{R\}\}$")
 @dataclass(frozen=True, slots=True)
 class Range:
     """The values that a formula states for an integer variable: lower … upper, both included.
-    None: no bound."""
+    None: no bound.   generic: it states none, and these stand for any."""
 
     variable: str
     lower: Linear
     upper: Linear | None = None
+    generic: bool = False
 
 
 @dataclass(frozen=True, slots=True)

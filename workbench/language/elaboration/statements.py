@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from workbench.language import construct
 from workbench.language.elaboration.elaborate import Elaborator
@@ -17,7 +17,8 @@ from workbench.language.elaboration.ranges import (
     refuse_alone,
     require_member,
 )
-from workbench.language.errors import Fault, Misfit
+from workbench.language.errors import Fault, Misfit, Unranged
+from workbench.language.integers import Linear
 from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Chain, Conditional, Given, Joined, Lines, Node
@@ -30,6 +31,9 @@ from workbench.language.terms import (
     Statement,
     Term,
 )
+
+#: An index that may be any is tried with so many values; a formula has at most so many of them.
+GENERIC_VALUES, MOST_GENERIC = 3, 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +48,21 @@ def reading_of(
     lines: Lines, table: SymbolTable, integers: frozenset[str], as_condition: bool = False
 ) -> Reading:
     """The statements of all lines, each under the conditions of its line; as a condition, all that is said
-    holds together. Raises Fault and Misfit."""
+    holds together. An index of free symbols that nothing states a range for is any. Raises Fault and
+    Misfit."""
+    generic: tuple[Range, ...] = ()
+    while True:
+        try:
+            found = _reading(lines, table, integers.union(each.variable for each in generic), as_condition)
+        except Unranged as fault:
+            if as_condition or len(generic) == MOST_GENERIC:
+                raise
+            generic = (*generic, Range(fault.variable, Linear(1), Linear(GENERIC_VALUES), generic=True))
+        else:
+            return replace(found, ranges=(*found.ranges, *generic))
+
+
+def _reading(lines: Lines, table: SymbolTable, integers: frozenset[str], as_condition: bool) -> Reading:
     rows = [_Row.sorted(clauses, table, integers, as_condition) for clauses in _rows_of(lines)]
     stated = tuple(dict.fromkeys(r for row in rows for r in row.ranges))
     reader = Elaborator(table, integers.union(r.variable for r in stated))
@@ -230,11 +248,10 @@ def _statement(reader: Elaborator, clause: Node) -> Statement:
     if is_set(clause):
         return named_set(reader, clause, _statement)
     match clause:
-        case Conditional(statements=(left, right), signs=((sign, _),)):
-            pair = _statement(reader, left), _statement(reader, right)
-            return Equivalence(*pair) if sign == "⇔" else Implication(*pair)
         case Conditional():
-            raise Fault("one implication or equivalence to a statement", clause.signs[1][1])
+            said = [_statement(reader, each) for each in clause.statements]
+            makers = [Equivalence if sign == "⇔" else Implication for sign, _ in clause.signs]
+            return _together([make(*pair) for make, *pair in zip(makers, said, said[1:], strict=False)])
         case Joined(statements=statements):
             return _together([_statement(reader, statement) for statement in statements])
         case Chain(universal=False):

@@ -1,0 +1,106 @@
+"""What texts print without a word of explanation is read as the same term as the long form of it."""
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+from workbench.language.errors import ReadError
+from workbench.language.printer import to_latex
+from workbench.language.reader import read, read_formula
+from workbench.language.symbols import SymbolTable
+
+KINDS = {
+    "x": "scalar",
+    "y": "scalar",
+    "z": "scalar",
+    r"\alpha": "scalar",
+    r"\beta": "scalar",
+    r"\Delta t": "scalar",
+    r"\Delta": "scalar",
+    r"\Delta\mathbf{x}_k": "vector",
+    r"\mathbf{p}": "tensor",
+    r"\mathbf{q}": "tensor",
+    r"\mathbf{q}_n": "vector",
+    r"q_{t+1}": "scalar",
+    "v": "vector",
+    "w": "vector",
+    "R": "rotation",
+}
+TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()}).with_notations(
+    {
+        r"\lfloor a \rfloor_\times": {"where": {"a": "vector"}, "means": r"\tilde{a}"},
+        r"[a \times]": {"where": {"a": "vector"}, "means": r"\tilde{a}"},
+    }
+)
+SAME = [
+    (r"\mathbf{pq}^T", r"\mathbf{p} (\mathbf{q}^T)"),
+    (r"(\mathbf{pq})^T", r"(\mathbf{p} \mathbf{q})^T"),
+    (r"\Delta t^2", r"(\Delta t)^2"),
+    (r"\dot{\Delta t}", r"\Delta \dot{t}"),
+    (r"\Delta y", r"(\Delta) (y)"),
+    (r"x/2", r"\frac{x}{2}"),
+    (r"x y/(x + y)", r"\frac{x y}{x + y}"),
+    (r"\sin(x/2)", r"\sin\frac{x}{2}"),
+    (r"(x, y, z)^T", r"\begin{bmatrix} x \\ y \\ z \end{bmatrix}"),
+    (r"[v^T, w^T]^T", r"\begin{bmatrix} v \\ w \end{bmatrix}"),
+    (r"\lfloor v \rfloor_\times w", r"\tilde{v} w"),
+    (r"[v \times] w", r"\tilde{v} w"),
+    (r"\textrm{so we find: } x + y", "x + y"),
+    (
+        r"\left[\arraycolsep=2pt \begin{array}{c} x \\ y \end{array}\right] \enskip z",
+        r"\begin{bmatrix} x \\ y \end{bmatrix} z",
+    ),
+]
+
+
+@pytest.mark.parametrize(("spelt", "meant"), SAME)
+def test_the_short_form_is_the_long_one(spelt: str, meant: str) -> None:
+    (relation,) = read(f"{spelt} = {meant}", TABLE)
+    assert relation.left == relation.right
+    assert read(to_latex(relation), TABLE) == (relation,)
+
+
+@pytest.mark.parametrize(
+    ("formula", "message"),
+    [
+        (r"x/2y = z", "how much does / divide"),
+        (r"x/y/z = z", "how much does / divide"),
+        (r"x = \pm y", "says either"),
+        (r"(v, w)^T = v", "columns beside each other"),
+        (r"\lfloor x \rfloor = y", "between brackets"),
+        (r"x \gets y", "an assignment"),
+        (r"x \textrm{so: } = y", "words"),
+    ],
+)
+def test_two_readings_are_refused(formula: str, message: str) -> None:
+    with pytest.raises(ReadError, match=message):
+        read(formula, TABLE)
+
+
+def test_both_signs_are_claimed() -> None:
+    said = read(r"x \pm y = z \mp x", TABLE)
+    assert [to_latex(each) for each in said] == ["x + y = z - x", "x - y = z + x"]
+
+
+def test_implications_in_a_row_are_each_claimed() -> None:
+    (said,) = read(r"x = y \Rightarrow y = z \Leftrightarrow z = y", TABLE)
+    assert [type(part).__name__ for part in said.parts] == ["Implication", "Equivalence"]
+
+
+def test_an_index_without_a_range_is_any() -> None:
+    found = read_formula(r"\mathbf{q}_n \times \mathbf{q}_{n+1} = v", TABLE)
+    assert [(each.variable, each.generic) for each in found.ranges] == [("n", True)]
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"c_n \times c_{n+1} = -c_{n+1} \times c_n", Outcome.PROVED),
+        (r"c_n \times c_{n+1} = c_{n+1} \times c_n", Outcome.REFUTED),
+        (r"\cos(\alpha \pm \beta) = \cos\alpha \cos\beta \mp \sin\alpha \sin\beta", Outcome.PROVED),
+        (r"\cos(\alpha \pm \beta) = \cos\alpha \cos\beta \pm \sin\alpha \sin\beta", Outcome.REFUTED),
+    ],
+)
+def test_they_are_judged(formula: str, outcome: Outcome) -> None:
+    symbols = {"c_n": "vector", r"\alpha": "scalar", r"\beta": "scalar"}
+    assert check(formula, symbols=symbols).outcome == outcome

@@ -11,7 +11,7 @@ import json
 import os
 import sqlite3
 import sys
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 from contextlib import contextmanager, suppress
 from dataclasses import fields, is_dataclass
 from functools import cache
@@ -21,7 +21,10 @@ from pathlib import Path
 from typing import Any
 
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.terms import Symbol, Term
+from workbench.language.integers import Linear
+from workbench.language.names import Name
+from workbench.language.terms import Definition, Symbol, Term
+from workbench.language.types import Declaration, Type
 from workbench.papers.model import Claim, Notation, Theorem
 
 #: What a claim says of itself that no verdict depends on.
@@ -43,8 +46,11 @@ _COSMETIC = frozenset(
         "chain",
     }
 )
+_DECISIVE = tuple(field.name for field in fields(Claim) if field.name not in _COSMETIC)
 _ENGINES = ("drake", "python-flint", "sympy", "numpy")
 _MOST = 50_000
+#: What stands in many places.
+_OFTEN = (Term, Declaration, Definition, Type, Linear)
 
 
 class Memory:
@@ -130,7 +136,7 @@ def _opened(file: Path) -> sqlite3.Connection | None:
 
 
 def _seal(key: str, text: str) -> str:
-    return sha256(f"{key}\n{text}".encode()).hexdigest()
+    return _digest(f"{key}\n{text}")
 
 
 class Keys:
@@ -141,9 +147,8 @@ class Keys:
         packages = sorted({module.__name__.split(".")[0] for module in modules} | {"workbench"})
         versions = [(name, version(name)) for name in _ENGINES]
         code = [(name, _code_of(name)) for name in packages]
-        proofs = {name: repr(proof) for name, proof in theorems.items() if not callable(proof)}
-        self._proofs = {name: sha256(text.encode()).hexdigest() for name, text in proofs.items()}
-        self._ground = repr((code, versions, sys.version_info[:2], sorted(options.items())))
+        self._proofs = {name: _digest(repr(proof)) for name, proof in theorems.items() if not callable(proof)}
+        self._ground = _digest(repr((code, versions, sys.version_info[:2], sorted(options.items()))))
         self._reaches: dict[int, _Reach] = {}
         self._last: tuple[Claim, str] | None = None  # its forms are asked for one after the other
 
@@ -151,24 +156,22 @@ class Keys:
         """The key of the verdict on one form of a claim."""
         if self._last is None or self._last[0] is not claim:
             self._last = claim, self._all_of(claim)
-        return sha256(f"{form}\n{self._last[1]}".encode()).hexdigest()
+        return _digest(f"{form}\n{self._last[1]}")
 
     def _all_of(self, claim: Claim) -> str:
         """What the verdicts on all its forms depend on."""
-        said = {f.name: getattr(claim, f.name) for f in fields(claim) if f.name not in _COSMETIC}
+        on_motions = claim.notation.on_motions.get(claim.id)
+        text, names = _said([*(getattr(claim, name) for name in _DECISIVE), on_motions])
         reach = self._reach(claim.notation)
-        said["on motions"] = claim.notation.on_motions.get(claim.id)
-        if claim.goal is None:
-            reached: Any = reach.of(said)
-        else:  # its proof may speak of any symbol
-            reached = reach.of(said), reach.whole, self._proofs.get(claim.theorem or "")
-        return sha256(repr((said, reached, self._ground)).encode()).hexdigest()
+        reached = reach.of(names)
+        if claim.goal is not None:  # its proof may speak of any symbol
+            reached += [reach.whole, self._proofs.get(claim.theorem or "", "")]
+        return _digest(repr((text, reached, self._ground)))
 
     def of_bindings(self, notation: Notation) -> str:
         """The key of the agreement of a notation's bindings with its definitions, on motions that agree
         with their plants."""
-        reached = self._reach(notation).of(None)
-        return sha256(repr(("bindings", reached, self._ground)).encode()).hexdigest()
+        return _digest(repr(("bindings", self._reach(notation).of(()), self._ground)))
 
     def _reach(self, notation: Notation) -> _Reach:
         if id(notation) not in self._reaches:
@@ -180,50 +183,69 @@ class _Reach:
     """What the symbols of a notation stand for, by their names."""
 
     def __init__(self, notation: Notation) -> None:
-        self._texts: dict[str, list[str]] = {}
-        self._names: dict[str, set[str]] = {}
+        self._digests: dict[Name, list[str]] = {}
+        self._names: dict[Name, set[Name]] = {}
         for definition in notation.definitions:
-            name = definition.declaration.name
-            self._texts.setdefault(name, []).append(repr(definition))
-            self._names.setdefault(name, set()).update(_names_in(definition))
-        bindings = sorted((repr(symbol), bound) for symbol, bound in notation.motion.items())
-        self._motion = repr((bindings, notation.robot and (notation.robot, notation.robot.urdf.read_bytes())))
+            name, (text, names) = definition.declaration.name, _said(definition)
+            self._digests.setdefault(name, []).append(_digest(text))
+            self._names.setdefault(name, set()).update(names)
+        bindings = sorted((_said(symbol)[0], bound) for symbol, bound in notation.motion.items())
+        robot = notation.robot and (notation.robot, notation.robot.urdf.read_bytes())
+        self._motion = _digest(repr((bindings, robot)))
         self._bound = {symbol.declaration.name for symbol in notation.motion}
-        self.whole = repr((_in_order(notation.symbols), tuple(notation.definitions)))
+        self.whole = _digest(_said([notation.symbols, tuple(notation.definitions)])[0])
 
-    def of(self, said: Any) -> tuple[str, list[str]]:
-        """The definitions, in their order, of all that the symbols in it stand for, and of the bound ones,
-        which must agree with them; and the bindings."""
-        waiting, reached = {*_names_in(said), *self._bound}, set()
+    def of(self, names: Iterable[Name]) -> list[str]:
+        """Digests of the bindings, and of the definitions, in their order, of all that the names stand for,
+        and the bound ones, which must agree with them."""
+        waiting, reached = {*names, *self._bound}, set()
         while waiting:
             name = waiting.pop()
             reached.add(name)
             waiting |= self._names.get(name, set()) - reached
-        return self._motion, [text for name in self._texts if name in reached for text in self._texts[name]]
+        return [self._motion, *(d for name, own in self._digests.items() if name in reached for d in own)]
 
 
-def _in_order(part: Any) -> list[Any]:
-    """The fields of a dataclass; the sets among them sorted, since their order is another in each process."""
-    values = (getattr(part, field.name) for field in fields(part))
-    return [sorted(value, key=repr) if isinstance(value, Set) else value for value in values]
+def _digest(text: str) -> str:
+    return sha256(text.encode()).hexdigest()
 
 
-def _names_in(part: Any) -> frozenset[str]:
-    """The names of all symbols in a part of a claim or of a definition."""
-    if isinstance(part, Term):
-        return _names_in_term(part)
-    if isinstance(part, dict):
-        part = tuple(part.values())
-    elif is_dataclass(part):
-        part = [getattr(part, field.name) for field in fields(part)]
+def _said(part: Any) -> tuple[str, frozenset[Name]]:
+    """All that a part of a claim or of a definition says, the same in each process, and the names of all
+    symbols in it."""
+    if part is None or isinstance(part, str | int):
+        return repr(part), frozenset()
+    if isinstance(part, _OFTEN):
+        return _said_once(part)
     if isinstance(part, tuple | list):
-        return frozenset().union(*map(_names_in, part))
-    return frozenset()
+        return _together("", part)
+    if is_dataclass(part):
+        return _said_by_fields(part)
+    if isinstance(part, Mapping):
+        return _together("", part.items())
+    if isinstance(part, Set):
+        return _together("", sorted(part, key=repr))
+    return repr(part), frozenset()
+
+
+def _said_by_fields(part: Any) -> tuple[str, frozenset[Name]]:
+    return _together(type(part).__name__, [getattr(part, name) for name in _shown(type(part))])
+
+
+def _together(kind: str, parts: Iterable[Any]) -> tuple[str, frozenset[Name]]:
+    said = [_said(part) for part in parts]
+    return f"{kind}({', '.join(text for text, _ in said)})", frozenset().union(*(names for _, names in said))
 
 
 @cache
-def _names_in_term(term: Term) -> frozenset[str]:
-    return frozenset(part.declaration.name for part in term.walk() if isinstance(part, Symbol))
+def _said_once(part: Any) -> tuple[str, frozenset[Name]]:
+    text, names = _said_by_fields(part)
+    return text, names | {part.declaration.name} if isinstance(part, Symbol) else names
+
+
+@cache
+def _shown(kind: type) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind) if field.repr)
 
 
 @cache

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import atexit
+import gc
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
@@ -32,6 +34,8 @@ from workbench.cli.repair import errata, repair_claim, with_proposals
 @click.version_option(package_name="kinematics-workbench", prog_name="workbench")
 def main() -> None:
     """Checks the printed formulas of kinematics papers: LaTeX in, exact verdict and evidence out."""
+    gc.set_threshold(100_000, 50, 100)  # hardly anything that a paper is read into is let go before the end
+    atexit.register(gc.freeze)  # and then it goes with the process
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="backslashreplace")  # where the locale has no Φ
 

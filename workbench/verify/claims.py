@@ -11,7 +11,6 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
-from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
@@ -24,6 +23,7 @@ from workbench.verify.results import FORMS, ClaimResult
 from workbench.verify.witnesses import Witnesses
 
 if TYPE_CHECKING:
+    from workbench.judge.kernel.judge import Judge
     from workbench.verify.theorems import TheoremJudge
 
 #: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
@@ -180,6 +180,8 @@ class ClaimJudge:
         definitions = {said.name: said.definition for said in rests if said.definition is not None}
         under = None
         if definitions.keys() == {said.name for said in rests}:
+            from workbench.judge.kernel.judge import Judge
+
             known = Definitions([*claim.notation.definitions, *definitions.values()])
             with suppress(Unsatisfiable, RecursionError):
                 judge = Judge(known, **self.options)
@@ -223,6 +225,8 @@ class ClaimJudge:
 
     def _judge(self, notation: Notation) -> Judge:
         if id(notation) not in self._judges:
+            from workbench.judge.kernel.judge import Judge
+
             self._judges[id(notation)] = Judge(
                 notation.definitions,
                 bound=frozenset(s.declaration.name for s in notation.motion),
@@ -308,5 +312,6 @@ def forms(claim: Claim) -> list[str]:
 
 def _load_engines() -> None:
     """Here, once, and not in each process."""
+    import workbench.judge.kernel.judge
     import workbench.judge.second.drake_ring
     import workbench.judge.second.sympy_ring  # noqa: F401

@@ -7,7 +7,6 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, TypeAlias
 
-from workbench.judge.evidence.motion_source import Bindings, Motion, bindings_of
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.terms import Relation, Statement
 from workbench.papers.model import Claim, Formula, Notation, OnMotions, PaperError
@@ -16,6 +15,7 @@ from workbench.verify.on_motions import METHOD
 
 if TYPE_CHECKING:
     from workbench.judge.evidence.motion_check import Ranges, Witness
+    from workbench.judge.evidence.motion_source import Bindings, Motion
     from workbench.verify.memory import Keys, Memory
 
 #: A statement, what it supposes, and its integers.
@@ -116,6 +116,7 @@ class Witnesses:
     def _checked(self, notation: Notation, claim: Claim) -> tuple[tuple[Bindings, ...], tuple[Motion, ...]]:
         from workbench.drake.plants import PlantError
         from workbench.judge.evidence.binding_check import BindingError, require_consistent
+        from workbench.judge.evidence.motion_source import bindings_of
 
         choices = bindings_of(notation.motion)
         try:
@@ -173,6 +174,7 @@ def course_on(motion: Motion, claim: Claim, form: Formula) -> tuple[list[float],
     """Times in s, and how far the sides of a form of the claim are apart there, over their size, on a
     motion of one's own; None where it cannot be told. Raises ValueError where it says nothing of it."""
     from workbench.judge.evidence.motion_check import Subject, witness
+    from workbench.judge.evidence.motion_source import bindings_of
 
     _require_agreement(motion)
     bindings = bindings_of(claim.notation.motion)

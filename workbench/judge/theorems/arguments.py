@@ -26,9 +26,6 @@ from enum import StrEnum
 from itertools import chain
 from typing import Any
 
-import numpy as np
-
-from workbench.algebra.dual import Dual, is_zero
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 
 #: What a check yields: for each single thing it looked at, whether it holds.
@@ -151,6 +148,8 @@ def _examine(way: Way) -> tuple[int, str | None]:
 
 
 def _answers(check: Check) -> list[bool]:
+    import numpy as np
+
     answers = list(check())
     for answer in answers:
         if not isinstance(answer, bool | np.bool_):
@@ -166,6 +165,10 @@ def vanishing(residuals: Callable[[], Iterable[Any]]) -> Check:
     """
 
     def check() -> Iterable[bool]:
+        import numpy as np
+
+        from workbench.algebra.dual import is_zero
+
         for entry in chain.from_iterable(map(entries, residuals())):
             if isinstance(entry, float | np.floating):
                 raise TypeError("expected exact residuals, got a float")
@@ -186,6 +189,10 @@ def vanishing_to(tolerance: float, residuals: Callable[[], Iterable[Any]]) -> Ch
 
 def entries(a: Any) -> list[Any]:
     """All scalars in a scalar, an array, or a `Dual` of either."""
+    import numpy as np
+
+    from workbench.algebra.dual import Dual
+
     if isinstance(a, Dual):
         return [*entries(a.re), *entries(a.du)]
     return list(a.flat) if isinstance(a, np.ndarray) else [a]

@@ -14,10 +14,6 @@ from functools import cached_property, partial
 from itertools import product
 from typing import Any
 
-from workbench.judge.first.exact import ExactEngine
-from workbench.judge.second.jets import JetEngine
-from workbench.judge.second.rings import PointSource
-from workbench.judge.subject.inventory import take_inventory
 from workbench.judge.theorems.arguments import Engine, Step, Way, vanishing
 from workbench.judge.theorems.controls import is_another_sign_of
 from workbench.language.defining import read_definitions
@@ -101,6 +97,9 @@ def _equations(statement: Statement) -> Iterator[Relation]:
 
 
 def _by_flint(letters: Letters, relations: Iterable[Relation]) -> Iterator[Any]:
+    from workbench.judge.first.exact import ExactEngine
+    from workbench.judge.subject.inventory import take_inventory
+
     definitions = letters._notation[0]
     for relation in relations:
         engine = ExactEngine(take_inventory((relation.left, relation.right), definitions), definitions)
@@ -108,7 +107,10 @@ def _by_flint(letters: Letters, relations: Iterable[Relation]) -> Iterator[Any]:
 
 
 def _by_sympy(letters: Letters, relations: Iterable[Relation]) -> Iterator[Any]:
+    from workbench.judge.second.jets import JetEngine
+    from workbench.judge.second.rings import PointSource
     from workbench.judge.second.sympy_ring import SympyRing
+    from workbench.judge.subject.inventory import take_inventory
 
     definitions = letters._notation[0]
     for relation in relations:

@@ -9,6 +9,7 @@ from random import Random
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact
 from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.latex import latex_of
 from workbench.language.printer import to_latex
 from workbench.language.syntax import Accented, Group, Infix, Product, parse
 from workbench.language.terms import Statement
@@ -20,7 +21,7 @@ from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.edits import edits
 from workbench.repair.trees.marks import Mark, marked
-from workbench.repair.trees.nodes import below, latex_of
+from workbench.repair.trees.nodes import below
 from workbench.repair.trees.readings import all_marks
 
 

@@ -7,13 +7,13 @@ import pytest
 from repair.damage import read_or_fault, right_claims
 
 from workbench.judge.second.rings import PRIME
+from workbench.language.latex import latex_of
 from workbench.language.syntax import parse
 from workbench.papers import find_paper
 from workbench.repair.terms.coefficients import LARGEST, fewest_changes, rational
 from workbench.repair.terms.edits import KINDS, edits
 from workbench.repair.terms.places import places, replaced, subterm
 from workbench.repair.terms.variants import coefficient, times
-from workbench.repair.trees.nodes import latex_of
 
 
 @pytest.fixture(scope="module")

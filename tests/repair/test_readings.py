@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from workbench import check
 from workbench.judge.second.rings import PRIME
+from workbench.language.latex import latex_of
 from workbench.language.syntax import parse
 from workbench.papers import Claim, Formula
 from workbench.papers.formulas import read_statement
@@ -18,7 +19,6 @@ from workbench.repair.propose.errata import compared
 from workbench.repair.propose.limits import Limits
 from workbench.repair.propose.repair import repair
 from workbench.repair.screening.sums import zero_sums
-from workbench.repair.trees.nodes import latex_of
 from workbench.repair.trees.spellings import spellings
 
 SYMBOLS = {

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from workbench.language import latex
 from workbench.language.construct import integer
 from workbench.language.integers import Linear
 from workbench.language.operators import GRADIENTS, OPERATORS, command_of
@@ -54,9 +55,9 @@ def to_latex(formula: Term | Statement) -> str:
             return f"{to_latex(formula.left)} \\Leftrightarrow {to_latex(formula.right)}"
         case Implication():
             left = formula.left.parts if isinstance(formula.left, Conjunction) else (formula.left,)
-            premises = " \\text{ and } ".join(map(to_latex, left))
+            premises = latex.AND.join(map(to_latex, left))
             if isinstance(formula.right, Equivalence | Implication):
-                return f"{to_latex(formula.right)} \\text{{ for }} {premises}"
+                return f"{to_latex(formula.right)}{latex.FOR}{premises}"
             return f"{premises} \\Rightarrow {to_latex(formula.right)}"
         case Conjunction(parts=parts):
             return _chain(parts)
@@ -71,12 +72,12 @@ def _chain(parts: tuple[Statement, ...]) -> str:
     """a = b = c if each part goes on where the last one ended, else the parts side by side."""
     texts = [to_latex(part) for part in parts]
     if not all(isinstance(part, Relation) for part in parts):
-        return ", \\quad ".join(texts)
+        return latex.BESIDE.join(texts)
     text = texts[0]
     for before, part, alone in zip(parts, parts[1:], texts[1:], strict=False):
         right = _beside((before.left, before.right))[1].text
         goes_on = alone.startswith(right + " ") and _beside((part.left, part.right))[0].text == right
-        joint = ", \\quad " if before.operator == part.operator == "=" else " \\text{ and } "
+        joint = latex.BESIDE if before.operator == part.operator == "=" else latex.AND
         text += alone[len(right) :] if goes_on else joint + alone
     return text
 
@@ -84,7 +85,7 @@ def _chain(parts: tuple[Statement, ...]) -> str:
 def _extremum(said: Extremum) -> str:
     letters = ", ".join(f"{_symbol(x).text} \\in {_domain(x)}" for x in said.letters)
     body = _print(said.body).at_least(_INFIX)
-    return f"\\{'min' if said.least else 'max'}_{{{letters}}} {body} = {_print(said.value).text}"
+    return f"{latex.extremal(said.least, letters)} {body} = {_print(said.value).text}"
 
 
 def _domain(letter: Symbol) -> str:
@@ -160,18 +161,16 @@ def _print(term: Term) -> _Text:
         case BigSum():
             return _big_sum(term)
         case Block():
-            rows = " \\\\ ".join(map(" & ".join, _entries(term)))
-            return _Text(f"\\begin{{bmatrix}} {rows} \\end{{bmatrix}}", _ATOM)
+            return _Text(latex.matrix(_entries(term)), _ATOM)
         case Apply():
             return _apply(term)
     raise TypeError(f"no LaTeX for {type(term).__name__}")
 
 
 def _number(numerator: int, denominator: int) -> _Text:
-    size = abs(numerator)
     if denominator == 1:
         return _Text(str(numerator), _ATOM if numerator >= 0 else _SUM)
-    text = f"\\frac{{{size}}}{{{denominator}}}"
+    text = latex.fraction(str(abs(numerator)), str(denominator))
     return _Text(text, _FACTOR) if numerator >= 0 else _Text(f"-{text}", _SUM)
 
 
@@ -180,7 +179,7 @@ def _counting(term: Counting) -> _Text:
     if term.name == "factorial":
         simple = re.fullmatch(r"[0-9]+|[A-Za-z](_[0-9]|_\{[0-9]+\})?", top)
         return _Text(f"{top if simple else _bracket(top)}!", _FACTOR)
-    return _Text(f"\\binom{{{top}}}{{{','.join(lower)}}}", _FACTOR)
+    return _Text(latex.binomial(top, ",".join(lower)), _FACTOR)
 
 
 def _entries(term: Block) -> list[list[str]]:
@@ -241,7 +240,7 @@ def _derivative(term: Derivative) -> _Text:
 
 def _raised(base: _Text, sup: str) -> _Text:
     bare = base.level >= _ATOM
-    return _Text(f"{base.at_least(_ATOM)}^{{{sup}}}", _FACTOR, base.end if bare else "")
+    return _Text(latex.scripted(base.at_least(_ATOM), sup=sup), _FACTOR, base.end if bare else "")
 
 
 # operations
@@ -249,10 +248,10 @@ def _raised(base: _Text, sup: str) -> _Text:
 
 def _big_sum(term: BigSum) -> _Text:
     if term.lower is None:
-        bounds = f"_{{{'+'.join(term.variables)}={_integer(term.upper)}}}"
+        sign = latex.scripted("\\sum", f"{'+'.join(term.variables)}={_integer(term.upper)}")
     else:
-        bounds = f"_{{{term.variables[0]}={_integer(term.lower)}}}^{{{_integer(term.upper)}}}"
-    return _Text(f"\\sum{bounds} {_print(term.body).at_least(_INFIX)}", _INFIX, "sum")
+        sign = latex.scripted("\\sum", f"{term.variables[0]}={_integer(term.lower)}", _integer(term.upper))
+    return _Text(f"{sign} {_print(term.body).at_least(_INFIX)}", _INFIX, "sum")
 
 
 def _apply(term: Apply) -> _Text:
@@ -277,11 +276,11 @@ def _apply(term: Apply) -> _Text:
             return _mul(*arguments)
         case "div":
             top, bottom = (_print(a).text for a in arguments)
-            return _Text(f"\\frac{{{top}}}{{{bottom}}}", _FACTOR)
+            return _Text(latex.fraction(top, bottom), _FACTOR)
         case "partial" | "total":
             d = "\\partial" if head == "partial" else "\\mathrm{d}"
             body, by = (_print(a).at_least(_FACTOR) for a in arguments)
-            return _Text(f"\\frac{{{d} {body}}}{{{d} {by}}}", _FACTOR)
+            return _Text(latex.fraction(f"{d} {body}", f"{d} {by}"), _FACTOR)
         case "norm":
             return _Text(f"\\left\\|{_print(arguments[0]).text}\\right\\|", _ATOM)
         case "triple":

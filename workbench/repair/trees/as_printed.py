@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from workbench.language.errors import Fault
+from workbench.language.latex import latex_of
 from workbench.language.names import Name
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Node, parse
 from workbench.repair.trees.integers import bound_variables
 from workbench.repair.trees.letters import meaning_of, occurrences
 from workbench.repair.trees.marks import Mark, marked
-from workbench.repair.trees.nodes import latex_of
 
 
 def as_printed(latex: str, printed: str, table: SymbolTable, integers: Collection[str]) -> str:

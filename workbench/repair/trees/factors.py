@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from workbench.language.latex import latex_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Accented,
@@ -23,7 +24,7 @@ from workbench.language.syntax import (
 )
 from workbench.repair.trees.letters import occurrences
 from workbench.repair.trees.marks import Mark, core_of
-from workbench.repair.trees.nodes import below, latex_of
+from workbench.repair.trees.nodes import below
 
 _UNIT = Styled(0, "\\mathbf", Leaf(0, "LETTER", "I"))
 

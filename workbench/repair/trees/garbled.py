@@ -8,6 +8,7 @@ from itertools import product
 
 from workbench.language.elaboration.statements import reading_of
 from workbench.language.errors import Fault, Misfit
+from workbench.language.latex import latex_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Chain,
@@ -29,7 +30,7 @@ from workbench.repair.terms.search import Change
 from workbench.repair.trees.integers import bound_variables
 from workbench.repair.trees.letters import Occurrence, has_readable_sup, occurrences
 from workbench.repair.trees.marks import Mark, letter_of, marked
-from workbench.repair.trees.nodes import below, latex_of
+from workbench.repair.trees.nodes import below
 
 #: A formula, and what was changed to get it.
 Found = tuple[Lines, tuple[Change, ...]]

@@ -8,6 +8,7 @@ from itertools import product
 
 from workbench.language.errors import Fault
 from workbench.language.integers import Linear
+from workbench.language.latex import latex_of
 from workbench.language.spelling import linear, variable_name
 from workbench.language.syntax import (
     Bracket,
@@ -22,7 +23,7 @@ from workbench.language.syntax import (
     parse,
 )
 from workbench.repair.trees.marks import Mark
-from workbench.repair.trees.nodes import below, latex_of
+from workbench.repair.trees.nodes import below
 
 _OTHER_BRACKET = {"(": "[", "[": "("}
 _CONSTANTS = range(-2, 3)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from workbench.language.elaboration.meanings import Meaning, meaning
 from workbench.language.errors import Fault
+from workbench.language.latex import latex_of
 from workbench.language.names import Name
 from workbench.language.spelling import Scripts, linear
 from workbench.language.symbols import SymbolTable
@@ -25,7 +26,7 @@ from workbench.language.syntax import (
     unstyled,
 )
 from workbench.repair.trees.marks import FONTS, Mark, letter_of, other_case
-from workbench.repair.trees.nodes import children, latex_of
+from workbench.repair.trees.nodes import children
 
 #: Letters that are mistaken for one another in print and by machines that read it.
 _ALIKE = (

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from workbench.language.latex import latex_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Accented,
@@ -23,7 +24,7 @@ from workbench.language.syntax import (
     unstyled,
 )
 from workbench.language.vocabulary import written
-from workbench.repair.trees.nodes import below, children, exchanged, latex_of
+from workbench.repair.trees.nodes import below, children, exchanged
 
 _INFIXES = {sign: written("INFIX", sign) for sign in "·×⊗"}
 _MOST_DOTS = 4

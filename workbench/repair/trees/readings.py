@@ -15,6 +15,7 @@ from random import Random
 from workbench.judge.second.rings import PRIME
 from workbench.language.elaboration.statements import reading_of
 from workbench.language.errors import Fault, Misfit
+from workbench.language.latex import latex_of
 from workbench.language.spelling import linear
 from workbench.language.syntax import Chain, Fraction, Node, Styled, Sum
 from workbench.language.terms import Conjunction, IllFormed, Statement, Term
@@ -27,7 +28,7 @@ from workbench.repair.trees.factors import factor_marks, index_marks, letters_of
 from workbench.repair.trees.integers import bound_variables, integer_marks
 from workbench.repair.trees.letters import is_rate
 from workbench.repair.trees.marks import Mark, letter_marks, marked, product_marks
-from workbench.repair.trees.nodes import below, hole, latex_of
+from workbench.repair.trees.nodes import below, hole
 from workbench.repair.trees.remembering import RememberingElaborator
 from workbench.repair.trees.spellings import Spelling, spellings
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice, pairwise, product
 
+from workbench.language.latex import latex_of
 from workbench.language.names import Name
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, parse
@@ -15,7 +16,7 @@ from workbench.repair.trees.garbled import Found, changes_of, letters_of_clauses
 from workbench.repair.trees.integers import bound_variables
 from workbench.repair.trees.letters import Occurrence, meaning_of, other_letters
 from workbench.repair.trees.marks import Mark, marked
-from workbench.repair.trees.nodes import below, latex_of
+from workbench.repair.trees.nodes import below
 
 #: The most ways to put the letters of one formula right.
 MOST = 24

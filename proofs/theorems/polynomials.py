@@ -142,38 +142,6 @@ def operator_polynomial_is_unique() -> Verdict:
     )
 
 
-def twist_determines_the_fields() -> Verdict:
-    """Remark 5. Theorem 1 says that the field is Φₙ and aₙ; here is how these depend on the twist.
-
-    Φₙ = W + F and aₙ = w + f, where W = ω̃⁽ⁿ⁻¹⁾, w = v⁽ⁿ⁻¹⁾, and F, f are made of lower derivatives.
-    """
-    return argue(
-        [
-            _TENSORS.step(
-                "begin: Φ₁ = ω̃ and a₁ = v have F = 0 and f = 0; for n = 2, F = ω̃² and f = ω̃ v",
-                r"\frac{d}{dt} [\tilde{\omega}] + \tilde{\omega} \tilde{\omega}"
-                r" = \tilde{\dot{\omega}} + \tilde{\omega}^2",
-                r"\tilde{\omega} v = \omega \times v",
-                but_not=r"\frac{d}{dt} [\tilde{\omega}] + \tilde{\omega}^2 = \tilde{\dot{\omega}}",
-            ),
-            _TENSORS.step(
-                "step: by (20) the next have Ẇ = ω̃⁽ⁿ⁾, ẇ = v⁽ⁿ⁾, and lower derivatives in Ḟ + Φₙω̃, ḟ + Φₙv",
-                r"\frac{d}{dt}(W + F) + (W + F) \tilde{\omega}"
-                r" = \dot{W} + (\dot{F} + (W + F) \tilde{\omega})",
-                r"\frac{d}{dt}(w + f) + (W + F) v = \dot{w} + (\dot{f} + (W + F) v)",
-                but_not=r"\frac{d}{dt}(w + f) + (W + F) v = \dot{w} + (\dot{f} + F v)",
-            ),
-            _TENSORS.step(
-                "back: ω⁽ⁿ⁻¹⁾ = vect(Φₙ − F) and v⁽ⁿ⁻¹⁾ = aₙ − f, one order after the other",
-                r"\operatorname{vect} (\tilde{w} + F - F) = w",
-                "w + f - f = w",
-                but_not=r"\operatorname{vect} (\tilde{w} + F) = w",
-            ),
-        ],
-        scope="all n",
-    )
-
-
 def _strings(*entries: Any) -> tuple[str, ...]:
     return tuple(str(entry) for entry in entries)
 
@@ -218,6 +186,5 @@ THEOREMS = PROOFS | {
     for theorem in (
         operators_are_a_ring,
         operator_polynomial_is_unique,
-        twist_determines_the_fields,
     )
 }

@@ -1,10 +1,7 @@
-"""Section 6, (114)–(116) and Theorem 10: derivatives of the twist and acceleration invariants, each from the
-others, for every order."""
+"""Section 6, (114)–(116): derivatives of the twist and acceleration invariants, each from the others."""
 
 from __future__ import annotations
 
-from workbench.judge.theorems.arguments import argue
-from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.theorems.proofs import (
     Follows,
     Given,
@@ -16,59 +13,6 @@ from workbench.judge.theorems.proofs import (
     Termwise,
     Use,
 )
-from workbench.judge.verdict import Verdict
-
-#: Ψₙ = (aₙ, Φₙ) and T = (v, ω̃) by (20) and (39), for free v and ω.
-_INVARIANTS = Letters(
-    {
-        r"\omega": {"kind": "vector"},
-        "v": {"kind": "vector"},
-        "x": {"kind": "vector"},
-        "P_n": {"kind": "operator"},
-    },
-    {
-        r"\Phi_1": r"\tilde{\omega}",
-        r"\Phi_{n+1}": r"\dot{\Phi}_n + \Phi_n \Phi_1",
-        "a_1": "v",
-        "a_{n+1}": r"\dot{a}_n + \Phi_n a_1",
-        "P_1": r"\mathbf{I}",
-        "P_{n+1}": r"\mathbf{D} P_n + P_n (\tilde{\omega})",
-        r"\Psi_n": r"(a_n, \Phi_n)",
-        r"\mathbf{T}": r"(v, \tilde{\omega})",
-    },
-)
-
-
-def accelerations_from_twist_derivatives() -> Verdict:
-    """Theorem 10, beside (116) for every n: what Ψₙ is made of, order by order."""
-    return argue(
-        [
-            _INVARIANTS.step(
-                "n = 1 is T = Ψ₁; for n = 1 … 6 Ψₙ is T⁽ⁿ⁻¹⁾ and what Ψ₁, …, Ψₙ₋₁ and lower derivatives give",
-                r"\mathbf{T}^{(n-1)} = \Psi_n - \sum_{k=1}^{n-1} C_{n-1}^k \tilde{\omega}^{(n-1-k)} \Psi_k",
-                r"\Psi_n = P_n \mathbf{T}",
-                but_not=r"\mathbf{T}^{(n-1)} = \Psi_n - \sum_{k=1}^{n-1} \tilde{\omega}^{(n-1-k)} \Psi_k",
-                orders={"n": range(1, 7)},
-            ),
-            _INVARIANTS.step(
-                "what is added to T⁽ⁿ⁻¹⁾ holds lower derivatives only: a change x of v⁽ⁿ⁻¹⁾ alone changes"
-                " aₙ by x",
-                r"a_2 = (\dot{v}) + \tilde{\omega} v",
-                r"(\dot{v} + x) + \tilde{\omega} v = a_2 + x",
-                r"(\ddot{v} + x) + 2 \dot{\tilde{\omega}} v + \tilde{\omega} (\dot{v} + \tilde{\omega} v)"
-                r" = a_3 + x",
-                but_not=r"(\dot{v} + x) + \tilde{\omega} v = a_2",
-            ),
-            _INVARIANTS.step(
-                "the field a + Φ x determines a, its value at 0, and Φ, its linear part",
-                r"(a_n + \Phi_n x) - a_n = \Phi_n x",
-                but_not=r"(a_n + \Phi_n x) - a_n = 0",
-                orders={"n": range(1, 4)},
-            ),
-        ],
-        scope="all n",
-    )
-
 
 _FIRST = r"\begin{bmatrix} \mathbf{0} & \mathbf{I} \end{bmatrix}"  # of M: the rows of Ψ
 
@@ -120,5 +64,4 @@ _BY_PASCAL = Have(
 #: Name in the claim files → proof.
 THEOREMS = {
     "twist_derivatives_from_accelerations": Proven(_BY_PASCAL),
-    "accelerations_from_twist_derivatives": accelerations_from_twist_derivatives,
 }

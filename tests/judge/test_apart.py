@@ -5,9 +5,10 @@ import pytest
 
 from tests.judge.test_goals import DEFINITIONS, SYMBOLS
 from workbench.judge.kernel.judge import Judge
-from workbench.judge.theorems.goals import Scope, read_goal
+from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.proofs import Follows, Induction, Kernel, Proven, Termwise, Use
 from workbench.judge.theorems.prove import prove
+from workbench.judge.theorems.reading import read_goal
 from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definitions
 from workbench.language.symbols import SymbolTable

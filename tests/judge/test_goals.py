@@ -3,7 +3,7 @@
 import pytest
 
 from workbench.judge.kernel.judge import Judge
-from workbench.judge.theorems.goals import All, AllFrom, Exists, GoalError, Implies, Scope, read_goal
+from workbench.judge.theorems.goals import All, AllFrom, Exists, GoalError, Implies, Scope
 from workbench.judge.theorems.proofs import (
     At,
     Broken,
@@ -28,6 +28,7 @@ from workbench.judge.theorems.proofs import (
     Witness,
 )
 from workbench.judge.theorems.prove import prove
+from workbench.judge.theorems.reading import read_goal
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.defining import read_definitions
 from workbench.language.errors import IllFormedAt, ReadError

@@ -12,7 +12,8 @@ from workbench.drake.sampled_motions import six_revolute_motion
 from workbench.drake.special_motions import special_motion
 from workbench.judge.evidence.motion_check import Subject, witness
 from workbench.judge.evidence.motion_source import bindings_of
-from workbench.judge.theorems.goals import Scope, read_goal
+from workbench.judge.theorems.goals import Scope
+from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.said import said
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.printer import to_latex

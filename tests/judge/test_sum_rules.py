@@ -3,7 +3,7 @@
 import pytest
 
 from workbench.judge.kernel.judge import Judge
-from workbench.judge.theorems.goals import Scope, read_goal
+from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.proofs import (
     Each,
     Follows,
@@ -17,6 +17,7 @@ from workbench.judge.theorems.proofs import (
     Use,
 )
 from workbench.judge.theorems.prove import prove
+from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.tidy import is_same_sum, tidy
 from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definitions

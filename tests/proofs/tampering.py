@@ -7,6 +7,7 @@ from dataclasses import fields, is_dataclass, replace
 
 from workbench.judge.theorems.goals import (
     All,
+    AllBelow,
     AllFrom,
     AtLeast,
     Atom,
@@ -59,7 +60,7 @@ def with_a_changed_conclusion(
             yield from (Atom(new) for new in _statements(statement, change, only))
         case AtLeast(left, right):
             yield AtLeast(left, apply("add", right, number(1)))
-        case All(body=body) | AllFrom(body=body) | Exists(body=body):
+        case All(body=body) | AllFrom(body=body) | AllBelow(body=body) | Exists(body=body):
             yield from (replace(goal, body=new) for new in with_a_changed_conclusion(body, change, only))
         case Implies(conclusion=conclusion):
             yield from (
@@ -91,7 +92,7 @@ def _statements(
 
 def without_a_premise(goal: Goal) -> Iterator[Goal]:
     match goal:
-        case All(body=body) | AllFrom(body=body) | Exists(body=body):
+        case All(body=body) | AllFrom(body=body) | AllBelow(body=body) | Exists(body=body):
             yield from (replace(goal, body=new) for new in without_a_premise(body))
         case Implies(conclusion=conclusion):
             yield conclusion

@@ -6,7 +6,8 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers, read_goal
+from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers
+from workbench.judge.theorems.reading import read_goal
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.lines import Line, split_lines
 from workbench.language.printer import to_latex

@@ -25,7 +25,6 @@ from workbench.judge.theorems.goals import (
     Implies,
     Variable,
     equations,
-    read_goal,
 )
 from workbench.judge.theorems.proofs import (
     ByLength,
@@ -43,6 +42,7 @@ from workbench.judge.theorems.proofs import (
     Ways,
     Witness,
 )
+from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.sequents import kind_of
 from workbench.language.construct import apply, power, relation, symbol, zero
 from workbench.language.declarations import read_key

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from workbench.judge.theorems.goals import All, AllFrom, Both, Exists, Goal, Iff, Implies, Scope, Variable
+from workbench.judge.theorems.goals import All, Exists, Goal, Scope, Variable, inside
 from workbench.judge.theorems.sequents import NotShown, Obligation, Sequent, names_of, supposed
 from workbench.judge.theorems.substitution import Substitution
 from workbench.language.construct import apply, identity, number, relation, symbol, zero
@@ -31,18 +31,10 @@ def _refusebound_names(scope: Scope, terms: Mapping[Variable, Term], body: Goal)
 
 def bound_names(goal: Goal) -> Iterator[Name]:
     """The letters that the quantifiers of a goal bind."""
-    match goal:
-        case All(variables, body) | Exists(variables, body):
-            yield from (variable.name for variable in variables)
-            yield from bound_names(body)
-        case AllFrom(body=body):
-            yield from bound_names(body)
-        case Implies(left, right) | Iff(left, right):
-            yield from bound_names(left)
-            yield from bound_names(right)
-        case Both(parts):
-            for part in parts:
-                yield from bound_names(part)
+    if isinstance(goal, All | Exists):
+        yield from (variable.name for variable in goal.variables)
+    for part in inside(goal):
+        yield from bound_names(part)
 
 
 def read_members(

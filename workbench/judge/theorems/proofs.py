@@ -59,10 +59,12 @@ class Unique:
 
 @dataclass(frozen=True)
 class Induction:
-    """∀ n ≥ k: at k; and at n + 1, where the last premise is the goal at n."""
+    """∀ n ≥ k: at k; and at n + 1, where the last premise is the goal at n, or, with a letter, at each such
+    integer from k to n."""
 
     begin: Proof = field(default_factory=Kernel)
     step: Proof = field(default_factory=Kernel)
+    letter: str | None = None
 
 
 @dataclass(frozen=True)
@@ -138,7 +140,8 @@ class Pascal:
 
 @dataclass(frozen=True)
 class Termwise:
-    """Two sums over one range are equal if their addends are; `letter` stands for the integer."""
+    """Two sums over one range are equal if their addends are; `letter` stands for the integer, and j for what
+    is left of n: premises about n are about n = letter + j then (less what is added to n in the range)."""
 
     letter: str = "k"
     then: Proof = field(default_factory=Kernel)

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from workbench.judge.theorems.goals import (
     All,
+    AllBelow,
     AllFrom,
     AtLeast,
     Atom,
@@ -24,7 +25,6 @@ from workbench.judge.theorems.goals import (
     Scope,
     Variable,
     equations,
-    read_goal,
 )
 from workbench.judge.theorems.members import belongs, members_belong, put_in, read_members
 from workbench.judge.theorems.proofs import (
@@ -47,6 +47,7 @@ from workbench.judge.theorems.proofs import (
     Ways,
     Witness,
 )
+from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.sequents import (
     FORMULA,
     NotShown,
@@ -174,7 +175,12 @@ def _induction(
 ) -> Iterator[Obligation]:
     yield from obligations(sequent.of(at_integer(body, integer, least)), proof.begin)
     n = Linear.variable(integer)
-    inner = sequent.with_integer(integer, least).given(body, sequent.lasts)
+    known = body
+    if letter := proof.letter:
+        if letter == integer or letter in sequent.scope.integers:
+            raise NotShown(f"{letter} is an integer already; take another letter")
+        known = AllBelow(letter, least, n + 1, at_integer(body, integer, Linear.variable(letter)))
+    inner = sequent.with_integer(integer, least).given(known, sequent.lasts)
     yield from obligations(inner.of(at_integer(body, integer, n + 1)), proof.step)
 
 
@@ -294,9 +300,14 @@ def _instance(sequent: Sequent, use: Use):
             case AllFrom(integer, least, body):
                 value = _integer(given.pop(integer, None), integer, least, scope)
                 goal = at_integer(body, integer, value)
+            case AllBelow(integer, least, bound, body):
+                value = _integer(given.pop(integer, None), integer, least, scope)
+                if not _is_at_least(bound - value, 1, scope):
+                    raise NotShown(f"{integer} = {value} is not seen to be less than {bound}")
+                goal = at_integer(body, integer, value)
             case Implies(antecedent, conclusion, always):
                 known = sequent.at_all_times() if always else sequent
-                same = [supposed for supposed in known.premises if supposed.goal == antecedent]
+                same = [supposed for supposed in known.premises if _says(supposed.goal, antecedent, scope)]
                 lasting = lasting and (any(s.lasting for s in same) if same else known.lasts)
                 if not same:
                     yield from obligations(known.of(antecedent), Kernel())
@@ -320,6 +331,14 @@ def _instance(sequent: Sequent, use: Use):
     return (relation("=", one.right, one.left) if use.back else one), lasting
 
 
+def _says(known: Goal, wanted: Goal, scope: Scope) -> bool:
+    """Whether what is known is what is wanted, or says it of more integers."""
+    if not (isinstance(known, AllBelow) and isinstance(wanted, AllBelow)):
+        return known == wanted
+    same = (known.integer, known.body) == (wanted.integer, wanted.body) and known.least <= wanted.least
+    return same and _is_at_least(known.bound - wanted.bound, 0, scope)
+
+
 def _premise(sequent: Sequent, place: int) -> Premise:
     if not -len(sequent.premises) <= place < len(sequent.premises):
         raise NotShown(f"there is no premise {place}; there are {len(sequent.premises)}")
@@ -333,7 +352,12 @@ def _integer(text: str | None, name: str, least: int, scope: Scope) -> Linear:
     value = linear(parse(text).lines[0][0], list(scope.integers))
     if value is None:
         raise NotShown(f"expected an integer for {name}, got {text}")
-    lowest = value.substitute(scope.integers)
-    if any(c < 0 for _, c in value.coefficients) or not lowest.is_number or int(lowest) < least:
+    if not _is_at_least(value, least, scope):
         raise NotShown(f"{name} = {text} is not seen to be {least} or more")
     return value
+
+
+def _is_at_least(value: Linear, least: int, scope: Scope) -> bool:
+    """Whether it is so much for all integers that there are."""
+    lowest = value.substitute(scope.integers)
+    return all(c > 0 for _, c in value.coefficients) and lowest.is_number and int(lowest) >= least

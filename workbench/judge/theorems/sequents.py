@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from workbench.judge.theorems.goals import (
     All,
+    AllBelow,
     AllFrom,
     AtLeast,
     Atom,
@@ -17,7 +18,9 @@ from workbench.judge.theorems.goals import (
     Implies,
     Scope,
     Variable,
+    inside,
 )
+from workbench.language.instances import free_integers
 from workbench.language.terms import Extremum, Naming, Relation, Statement, Symbol, Term
 
 FORMULA = "formula"
@@ -83,7 +86,7 @@ def kind_of(goal: Goal) -> str:
     if isinstance(goal, Exists):
         return "∃!" if goal.unique else "∃"
     names = {Atom: "a formula", AtLeast: "≥", All: "∀", AllFrom: "∀ n", Implies: "⇒", Iff: "⇔", Both: "∧"}
-    return names[type(goal)]
+    return (names | {AllBelow: "∀ k < n"})[type(goal)]
 
 
 def supposed(sequent: Sequent, using: tuple[int, ...] | None) -> Iterator[Statement]:
@@ -120,12 +123,20 @@ def _free_names(goal: Goal, scope: Scope) -> set[str]:
             return names_of(left, scope) | names_of(right, scope)
         case All(variables, body) | Exists(variables, body):
             return _free_names(body, scope) - {variable.name for variable in variables}
-        case AllFrom(body=body):
-            return _free_names(body, scope)
-        case Implies(left, right) | Iff(left, right):
-            return _free_names(left, scope) | _free_names(right, scope)
-        case Both(parts):
-            return set().union(*(_free_names(part, scope) for part in parts))
+    return set().union(*(_free_names(part, scope) for part in inside(goal)))
+
+
+def integers_of(goal: Goal) -> set[str]:
+    """The integers that the goal speaks of, but for those that it binds."""
+    match goal:
+        case Atom(statement):
+            return {n for r in relations_of(statement) for s in (r.left, r.right) for n in free_integers(s)}
+        case AtLeast(left, right):
+            return {*free_integers(left), *free_integers(right)}
+    names = set().union(*map(integers_of, inside(goal)))
+    if isinstance(goal, AllBelow):
+        return names - {goal.integer} | goal.bound.variables
+    return names - {goal.integer} if isinstance(goal, AllFrom) else names
 
 
 def relations_of(statement: Statement) -> Iterator[Relation]:

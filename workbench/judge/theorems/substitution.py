@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from workbench.judge.theorems.goals import (
     All,
+    AllBelow,
     AllFrom,
     AtLeast,
     Atom,
@@ -93,10 +95,10 @@ class Substitution:
                         raise GoalError(f"{variable.name} is bound again where a term with it is put in")
                 new = self.goal(body, lasting)
                 return All(variables, new) if isinstance(goal, All) else Exists(variables, new, goal.unique)
-            case AllFrom(integer, least, body):
+            case AllFrom(integer, _, body) | AllBelow(integer, _, _, body):
                 if integer in self.integers:
                     raise GoalError(f"{integer} is bound again where a term with it is put in")
-                return AllFrom(integer, least, self.goal(body, lasting))
+                return replace(goal, body=self.goal(body, lasting))
             case Implies(premise, conclusion, always):
                 parts = (self.goal(part, lasting or always) for part in (premise, conclusion))
                 return Implies(*parts, always)
@@ -199,10 +201,11 @@ def at_integer(goal: Goal, name: str, value: Linear | int) -> Goal:
             return All(variables, at_integer(body, name, value))
         case Exists(variables, body, unique):
             return Exists(variables, at_integer(body, name, value), unique)
-        case AllFrom(integer, least, body):
+        case AllFrom(integer, _, body) | AllBelow(integer, _, _, body):
             if integer == name or integer in as_linear(value).variables:
                 raise GoalError(f"{integer} is bound twice")
-            return AllFrom(integer, least, at_integer(body, name, value))
+            new = replace(goal, body=at_integer(body, name, value))
+            return replace(new, bound=goal.bound.substitute(values)) if isinstance(goal, AllBelow) else new
         case Implies(premise, conclusion, lasting):
             return Implies(at_integer(premise, name, value), at_integer(conclusion, name, value), lasting)
         case Iff(left, right):

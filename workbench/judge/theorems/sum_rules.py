@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from workbench.judge.theorems.goals import All, AllFrom, Atom, Goal, Scope, Variable
 from workbench.judge.theorems.proofs import Kernel, Pascal, Proof, Termwise
-from workbench.judge.theorems.sequents import NotShown, Sequent
-from workbench.judge.theorems.substitution import Substitution
+from workbench.judge.theorems.sequents import NotShown, Sequent, integers_of
+from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.language.construct import apply, counting, relation, symbol
 from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear
@@ -76,7 +76,8 @@ class _Step:
 
 
 def termwise(sequent: Sequent, said: Relation, proof: Termwise) -> Asked:
-    """Σ_{k=a}^{n+c} f(n, k) = Σ_{k=a}^{n+c} g(n, k), if f(k+j−c, k) = g(k+j−c, k) for all k ≥ a and j ≥ 0."""
+    """Σ_{k=a}^{n+c} f(n, k) = Σ_{k=a}^{n+c} g(n, k), if f(k+j−c, k) = g(k+j−c, k) for all k ≥ a and j ≥ 0 for
+    which the premises hold with n = k+j−c."""
     one, other = said.left, said.right
     if not (isinstance(one, BigSum) and isinstance(other, BigSum)):
         raise NotShown("expected one sum on either side")
@@ -95,7 +96,11 @@ def termwise(sequent: Sequent, said: Relation, proof: Termwise) -> Asked:
     values = {n: K + Linear.variable(j) - one.upper.constant}
     bodies = [instantiate(s.body, {**values, s.variables[0]: K}) for s in (one, other)]
     goal = AllFrom(k, int(one.lower), AllFrom(j, 0, Atom(relation("=", *bodies))))
-    yield replace(sequent, goal=goal), proof.then
+    premises = tuple(
+        replace(p, goal=at_integer(p.goal, n, values[n])) if n in integers_of(p.goal) else p
+        for p in sequent.premises
+    )
+    yield replace(sequent, goal=goal, premises=premises), proof.then
 
 
 def _sum_on_the_right(goal: AllFrom) -> BigSum:

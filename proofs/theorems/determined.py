@@ -1,0 +1,94 @@
+"""Remark 5 and Theorem 10: two bodies whose twists have the same derivatives below order n, at an instant,
+have the same accelerations of order n there; those of order n + 1 differ by what the n-th derivatives do.
+
+ρ and r are body points at one place, with ρ̇ = v + ω × ρ and ṙ = u + w × r at all times. By Leibniz' rule
+ρ⁽ⁿ⁺¹⁾ = v⁽ⁿ⁾ + Σ C(n, l) ω⁽ⁿ⁻ˡ⁾ × ρ⁽ˡ⁾, so the accelerations are equal one order after the other.
+"""
+
+from __future__ import annotations
+
+from workbench.judge.theorems.proofs import (
+    Each,
+    Follows,
+    Given,
+    Have,
+    Induction,
+    Proof,
+    Proven,
+    Termwise,
+    Use,
+)
+
+# premises of the goals: how the points move, that they are at one place, the twists below order n
+_MOVE, _AT_ONE_PLACE, _BELOW_N = 0, 1, 2
+
+_SAME_TWISTS = r"\Big( \forall k < m : \omega^{(k)} = w^{(k)} \wedge \mathbf{v}^{(k)} = u^{(k)} \Big)"
+_EVERY_ORDER = rf"\forall m \geq 0 : {_SAME_TWISTS} \Rightarrow \boldsymbol{{\rho}}^{{(m)}} = r^{{(m)}}"
+
+
+def _sums(n: str, first: int) -> tuple[str, str]:
+    """Of ω and ρ, and of w and r."""
+    one, other = (
+        rf"\sum_{{l={first}}}^{{{n}}} C_{n}^l ({w}^{{({n}-l)}} \times {r}^{{(l)}})"
+        for w, r in ((r"\omega", r"\boldsymbol{\rho}"), ("w", "r"))
+    )
+    return one, other
+
+
+def _same_sums(n: str, first: int, twists: int, points: Use) -> tuple[str, Proof]:
+    """They are equal, by premises: twists below order n, and points of the orders up to n."""
+    addend = Follows(r"C_{l+j}^l (Y \times Z)", Y=Use(twists, {"k": "j"}), Z=points)
+    return " = ".join(_sums(n, first)), Termwise("l", Given(addend))
+
+
+def _by_leibniz(n: str, then: Proof) -> Proof:
+    """ρ⁽ⁿ⁺¹⁾ and r⁽ⁿ⁺¹⁾."""
+    one, other = _sums(n, 0)
+    first, second = (Follows(rf"\frac{{d^{n}}}{{dt^{n}}} Y", Y=Use(_MOVE, part=part)) for part in (0, 1))
+    written = rf"\boldsymbol{{\rho}}^{{({n}+1)}} = \mathbf{{v}}^{{({n})}} + {one}"
+    return Have(written, first, Have(rf"r^{{({n}+1)}} = u^{{({n})}} + {other}", second, then))
+
+
+_ONE, _OTHER = _sums("m", 0)
+_STEP = _by_leibniz(
+    "m",
+    Have(
+        *_same_sums("m", 0, twists=4, points=Use(3, {"i": "l"})),
+        Follows(
+            rf"Y + Z + U + V - (\mathbf{{v}}^{{(m)}} + {_ONE}) - (u^{{(m)}} + {_OTHER})",
+            Y=Use(5),
+            Z=Use(6, back=True),
+            U=Use(7),
+            V=Use(4, {"k": "m"}, part=1),
+        ),
+    ),
+)
+_DIFFERENCE = _by_leibniz(
+    "n",
+    Have(
+        *_same_sums("n", 1, twists=_BELOW_N, points=Use(3, {"m": "l"})),
+        Follows(
+            r"Y - Z + U - (\sum_{l=1}^{n} C_n^l (\omega^{(n-l)} \times \boldsymbol{\rho}^{(l)}))"
+            r" + w^{(n)} \times (V - \boldsymbol{\rho})",
+            Y=Use(4),
+            Z=Use(5),
+            U=Use(6),
+            V=Use(_AT_ONE_PLACE),
+        ),
+    ),
+)
+
+
+def _with_every_order(then: Proof) -> Proof:
+    begin = Follows("Y", Y=Use(_AT_ONE_PLACE))
+    return Given(Have(_EVERY_ORDER, Induction(begin, Given(_STEP), letter="i"), then))
+
+
+THEOREMS = {
+    "twist_derivatives_determine_the_fields": Proven(
+        Each(
+            _with_every_order(Follows("Y", Y=Use(3, {"m": "n"}))),
+            _with_every_order(_DIFFERENCE),
+        )
+    )
+}

@@ -1,0 +1,35 @@
+"""Section 5.3, (81): the Lie algebra of the orthogonal dual tensors."""
+
+from __future__ import annotations
+
+from workbench.judge.theorems.proofs import Each, Follows, Given, Have, Kernel, Proven, Unique, Use, Witness
+
+#: Through I at t = 0 with the velocity b̃: the rotation with the Rodrigues vector t b/2.
+_CURVE = r"\mathbf{I} + \frac{4 t}{4 + t^2 b^2} \tilde{b} + \frac{2 t^2}{4 + t^2 b^2} \tilde{b}^2"
+
+_SKEW = Have(
+    r"\forall Q \in \underline{SO}_3^\mathbb{R} : \dot{Q} Q^T + Q (\frac{d}{dt} Q)^T = 0 \mathbf{I}",
+    Kernel(),
+    Given(
+        Follows(
+            r"Y - \dot{A} Z^T - Z \dot{A}^T + \dot{A}^T",
+            Y=Use(0, {"Q": "A"}),
+            Z=Use(1),
+        )
+    ),
+)
+
+THEOREMS = {
+    "lie_algebra_of_the_dual_group": Proven(
+        Each(
+            _SKEW,
+            Witness({"A": _CURVE}),
+            Unique(
+                {"b": r"\operatorname{vect} T"},
+                exists=Follows(r"\frac{1}{2} (T - Y)", Y=Use(0, back=True)),
+                only=Follows(r"\operatorname{vect} Y", Y=Use(-1, back=True)),
+            ),
+            Kernel(),
+        )
+    ),
+}

@@ -8,11 +8,11 @@ from workbench.judge.theorems.proofs import Each, Follows, Given, Have, Kernel, 
 _CURVE = r"\mathbf{I} + \frac{4 t}{4 + t^2 b^2} \tilde{b} + \frac{2 t^2}{4 + t^2 b^2} \tilde{b}^2"
 
 _SKEW = Have(
-    r"\forall Q \in \underline{SO}_3^\mathbb{R} : \dot{Q} Q^T + Q (\frac{d}{dt} Q)^T = 0 \mathbf{I}",
+    r"\forall Q \in \underline{SO}_3^\mathbb{R} : \dot{Q} Q^T = -Q (\frac{d}{dt} Q)^T",
     Kernel(),
     Given(
         Follows(
-            r"Y - \dot{A} Z^T - Z \dot{A}^T + \dot{A}^T",
+            r"Y + A (\frac{d}{dt} A)^T - \dot{A} Z^T - Z (\frac{d}{dt} A)^T + (\frac{d}{dt} A)^T",
             Y=Use(0, {"Q": "A"}),
             Z=Use(1),
         )

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from workbench.judge.theorems.goals import All, Exists, Goal, Scope, Variable, inside
+from workbench.judge.theorems.goals import All, Atom, Both, Exists, Goal, Scope, Variable, equations, inside
 from workbench.judge.theorems.sequents import NotShown, Obligation, Sequent, names_of, supposed
 from workbench.judge.theorems.substitution import Substitution
-from workbench.language.construct import apply, identity, number, relation, symbol, zero
+from workbench.language.construct import apply, identity, number, power, relation, symbol, zero
 from workbench.language.declarations import read_key
 from workbench.language.names import Name
 from workbench.language.terms import Symbol, Term, Zero
-from workbench.language.types import TENSOR
+from workbench.language.types import SCALAR, TENSOR
 
 
 def put_in(sequent: Sequent, variables: tuple[Variable, ...], members: Mapping[str, str], body: Goal) -> Goal:
@@ -79,6 +79,22 @@ def members_belong(
     """That what is given for rotations and unit vectors are such: at all times, if they may move."""
     for variable, term in read_members(sequent.scope, variables, members).items():
         yield from belongs(rule, sequent, variable, term)
+
+
+def angle(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
+    """What ∃ a ∈ ℝ : cos a = c ∧ sin a = s asks for."""
+    own, parts = variable.declaration, body.parts if isinstance(body, Both) else (body,)
+    said = [one for part in parts if isinstance(part, Atom) for one in equations(part.statement)]
+    heads = [apply(head, symbol(own)) for head in ("cos", "sin")]
+    of_both = all(isinstance(part, Atom) for part in parts) and [one.left for one in said] == heads
+    if own.type != SCALAR or not own.constant or not of_both or any(one.operator != "=" for one in said):
+        raise NotShown(f"expected a real angle {variable.letter}, and its cosine and its sine")
+    values = [one.right for one in said]
+    if any(value.type != SCALAR or own.name in names_of(value, sequent.scope) for value in values):
+        raise NotShown(f"expected a real cosine and sine of {variable.letter} that do not depend on it")
+    on_circle = relation("=", apply("add", *(power(value, 2) for value in values)), number(1))
+    known = tuple(supposed(sequent, None))
+    return Obligation("∃: the angle of a point of the unit circle", on_circle, sequent.scope, known)
 
 
 def belongs(rule: str, sequent: Sequent, variable: Variable, term: Term) -> Iterator[Obligation]:

@@ -109,6 +109,20 @@ class Given:
 
 
 @dataclass(frozen=True)
+class Obtain:
+    """From the premise ∃: members as it says, by its letters, with its body as the last premise of `then`."""
+
+    premise: int
+    then: Proof
+
+
+@dataclass(frozen=True)
+class OnCircle:
+    """∃ a ∈ ℝ : cos a = c ∧ sin a = s, for c² + s² = 1. That every point of the unit circle is the cosine and
+    the sine of an angle is not derived from anything: it is what cos and sin are."""
+
+
+@dataclass(frozen=True)
 class Cases:
     """Under the equation, and under its opposite: one of the two is always so."""
 
@@ -230,6 +244,8 @@ Proof = (
     | Follows
     | Have
     | Given
+    | Obtain
+    | OnCircle
     | Cases
     | Pointwise
     | Pascal
@@ -251,6 +267,6 @@ class Proven:
 
 __all__ = [
     "Against", "At", "Broken", "ByLength", "Cases", "Contradicts", "Each", "False_", "Follows", "Given",
-    "Have", "Impossible", "Induction", "Kernel", "Part", "Pascal", "Pointwise", "Proof", "Proven", "Squares",
-    "Termwise", "TwoWitnesses", "Unique", "Use", "Ways", "Witness",
+    "Have", "Impossible", "Induction", "Kernel", "Obtain", "OnCircle", "Part", "Pascal", "Pointwise", "Proof",
+    "Proven", "Squares", "Termwise", "TwoWitnesses", "Unique", "Use", "Ways", "Witness",
 ]  # fmt: skip

@@ -26,7 +26,7 @@ from workbench.judge.theorems.goals import (
     Variable,
     equations,
 )
-from workbench.judge.theorems.members import belongs, members_belong, put_in, read_members
+from workbench.judge.theorems.members import angle, belongs, members_belong, put_in, read_members
 from workbench.judge.theorems.proofs import (
     ByLength,
     Cases,
@@ -37,6 +37,8 @@ from workbench.judge.theorems.proofs import (
     Have,
     Induction,
     Kernel,
+    Obtain,
+    OnCircle,
     Pascal,
     Pointwise,
     Proof,
@@ -82,6 +84,8 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             lemma = read_goal(text, scope)
             yield from obligations(sequent.of(lemma), by)
             yield from obligations(sequent.given(lemma, sequent.lasts), then)
+        case _, Obtain(place, then):
+            yield from obligations(_obtained(sequent, place), then)
         case _, Cases(text, equal, unequal):
             yield from _cases(sequent, text, equal, unequal)
         case AllFrom(integer, least, body), Induction():
@@ -112,6 +116,8 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
         case Exists(variables, body, False), Witness(members, then):
             yield from members_belong("witness", sequent, variables, members)
             yield from obligations(sequent.of(put_in(sequent, variables, members, body)), then)
+        case Exists((variable,), body, False), OnCircle():
+            yield angle(sequent, variable, body)
         case Exists(variables, body, True), Unique():
             yield from _unique(sequent, variables, body, proof)
         case Atom(statement), Follows():
@@ -168,6 +174,18 @@ def _unique(
 
 
 # the other rules
+
+
+def _obtained(sequent: Sequent, place: int) -> Sequent:
+    """The letters of an ∃ among the premises, and its body: at one instant, of constants."""
+    known = _premise(sequent, place).goal
+    if not isinstance(known, Exists):
+        raise NotShown(f"premise {place} is {kind_of(known)}, and no ∃")
+    scope = sequent.scope
+    for variable in known.variables:
+        if variable.name in scope.table.symbols or variable.name in scope.table.functions:
+            raise NotShown(f"{variable.letter} is a symbol already; bind another letter")
+    return replace(sequent, scope=scope.with_variables(known.variables)).given(known.body, False)
 
 
 def _induction(

@@ -17,12 +17,12 @@ from workbench.language.vocabulary import (
     DOTS,
     ENDS_A_FACTOR,
     EXPECTED,
-    GOES_ON,
     LINES,
     MATRICES,
     SIZES,
     SPACING,
     WORDS,
+    goes_on,
 )
 
 _OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
@@ -341,14 +341,15 @@ def join_lines(tokens: list[Token]) -> list[Token]:
             in_cases.pop()
         elif token.type == "BREAK" and joined and place + 1 < len(tokens):
             before, after = joined[-1], tokens[place + 1]
-            if before.type in GOES_ON | {"SIGN"}:
-                if before.type == "SIGN" and after == before:
-                    joined.pop()  # the sign is repeated on the next line
-                continue
-            is_addend = after.type == "SIGN" and not in_cases[-1] and _takes_addends(joined)
-            if after.type in GOES_ON or (is_addend and not _relates(tokens[place + 1 :])):
-                if before.type == "COMMA":
-                    joined.pop()
+            is_addend = (
+                after.type == "SIGN"
+                and not in_cases[-1]
+                and _takes_addends(joined)
+                and not _relates(tokens[place + 1 :])
+            )
+            if goes_on(before.type, after.type, is_addend):
+                if before.type == "COMMA" or (before.type == "SIGN" and after == before):
+                    joined.pop()  # a sign that is repeated on the next line
                 continue
         joined.append(token)
     return joined

@@ -176,8 +176,19 @@ EXPECTED = {
 ENDS_A_FACTOR = frozenset(
     {"LETTER", "NUMBER", "MARK", "RBRACE", "CLOSE", "PRIME", "BANG", "END_MATRIX", "END_LINES"}
 )
-#: A line that ends with one of these, or is followed by one, goes on.
-GOES_ON = frozenset({"RELATION", "INFIX", "IMPLICATION"})
+_JOINS = frozenset({"RELATION", "INFIX", "IMPLICATION"})
+
+
+def goes_on(last: str, first: str, is_addend: bool) -> bool:
+    """Whether a line of a display that ends with a token of the kind `last` goes on in the next one, which
+    begins with one of the kind `first`. is_addend: behind a sign, that line is the rest of a side."""
+    return last in _JOINS | {"SIGN"} or first in _JOINS or (first == "SIGN" and is_addend)
+
+
+def spellings(kind: str) -> frozenset[str]:
+    """The commands and characters that become tokens of this kind."""
+    commands = {f"\\{name}" for name, (each, _) in COMMANDS.items() if each == kind}
+    return frozenset(commands | {sign for sign, (each, _) in CHARACTERS.items() if each == kind})
 
 
 def written(kind: str, value: str) -> str:

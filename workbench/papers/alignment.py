@@ -6,73 +6,29 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from workbench.language.vocabulary import LINES, goes_on, spellings
 from workbench.papers.respelling import argument, respelled
 from workbench.papers.texts import Display, Token, joined
 
-_LINES = frozenset(
-    [
-        "aligned",
-        "alignedat",
-        "split",
-        "gathered",
-        "cases",
-        "dcases",
-        "rcases",
-        "align",
-        "align*",
-        "gather",
-        "gather*",
-        "array",
-        "equation",
-        "equation*",
-        "multlined",
-    ]
-)
+_OTHER_LINES = "alignedat dcases rcases gather gather* array equation equation* multlined"
+_LINES = LINES | set(_OTHER_LINES.split())
 _MATRICES = frozenset({"matrix", "smallmatrix"})
 _ARROWS = frozenset({"\\rightarrow", "\\to", "\\longrightarrow"})
 EQUALITIES = frozenset({"=", ":=", "\\equiv", "\\stackrel", "\\overset"})
-_OTHERS = frozenset(
-    [
-        "\\neq",
-        "\\ne",
-        "\\approx",
-        "\\simeq",
-        "\\sim",
-        "\\propto",
-        "<",
-        ">",
-        "\\le",
-        "\\leq",
-        "\\ge",
-        "\\geq",
-        "\\lt",
-        "\\gt",
-        "\\in",
-        "\\to",
-        "\\mapsto",
-        "\\ll",
-        "\\gg",
-        "\\cong",
-        "\\doteq",
-        "\\subset",
-        "\\rightarrow",
-    ]
-)
-RELATIONS = EQUALITIES | _OTHERS
-IMPLICATIONS = frozenset(
-    [
-        "\\Rightarrow",
-        "\\Leftrightarrow",
-        "\\implies",
-        "\\iff",
-        "\\Longrightarrow",
-        "\\Longleftrightarrow",
-        "\\Leftarrow",
-        "\\impliedby",
-        "\\Longleftarrow",
-    ]
-)
-_INFIX = frozenset({"\\cdot", "\\times", "\\wedge", "\\otimes", "\\circ"})
+_UNREAD = "approx simeq sim propto le leq lt gt ll gg cong doteq subset"
+RELATIONS = EQUALITIES | {"<", *(f"\\{name}" for name in _UNREAD.split())}
+RELATIONS |= spellings("RELATION") - {":", "\\colon"}
+IMPLICATIONS = spellings("IMPLICATION") | {"\\Leftarrow", "\\impliedby", "\\Longleftarrow"}
+_KINDS = {
+    text: kind
+    for kind, texts in {
+        "RELATION": RELATIONS,
+        "IMPLICATION": IMPLICATIONS,
+        "INFIX": spellings("INFIX"),
+        "SIGN": spellings("SIGN"),
+    }.items()
+    for text in texts
+}
 WORD_COMMANDS = frozenset({"\\text", "\\mbox", "\\textrm", "\\textit", "\\textnormal", "\\hbox"})
 _SPACES = frozenset({" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "~", "\\>", "\\par", "\\enspace", "\\thinspace"})
 WIDE = frozenset({"\\quad", "\\qquad", "\\hspace"})
@@ -158,15 +114,11 @@ def _holds_equations(tokens: list[Token]) -> bool:
 
 
 def _goes_on(before: Line, line: Line) -> bool:
-    begins = line.tokens[0].text
-    if begins in IMPLICATIONS:
+    first, last = (_KINDS.get(token.text, "") for token in (line.tokens[0], _stripped(before.tokens)[-1]))
+    if first == "IMPLICATION":  # a line of its own: what follows from the one before
         return False
-    if begins in RELATIONS | _INFIX or _stripped(before.tokens)[-1].text in RELATIONS | _INFIX | {"+", "-"}:
-        return True
-    if _left_open(before.tokens):
-        return True
-    has_relation = any(token.text in RELATIONS for token in top(line.tokens))
-    return begins in ("+", "-") and (line.opens or not has_relation)
+    is_addend = line.opens or not any(token.text in RELATIONS for token in top(line.tokens))
+    return _left_open(before.tokens) or goes_on(last, first, is_addend)
 
 
 def _columns(tokens: list[Token]) -> list[tuple[list[Token], bool]]:

@@ -5,8 +5,10 @@
 Each tool runs in a process of its own, so that it can be timed out and its memory measured; the
 clock runs in one process at a time, the workbench's and the peer's in turns, and a ratio is the
 median over the rounds. All results must agree with the workbench's to 1e-9 before any clock starts.
-The workbench takes and returns arrays with the states first; each peer gets its input in the order and
-scale that suit it and leaves its result so, which its time does not include.
+Each peer gets its input in the order and scale that suit it and leaves its result so, and the
+workbench is timed on a batch of the same layout: "last", the states' numbers side by side, which is
+from kernel to kernel; "first", a state's numbers side by side; "arrays", from NumPy's documented
+array to another.
 """
 
 import argparse
@@ -23,7 +25,9 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from chain_peers import NEEDS_C_COMPILER, PEERS, Problem, Workbench
+from chain_peak import make_peak_works, operations, registers
+from chain_peers import NEEDS_C_COMPILER, PEERS
+from chain_problem import LAYOUTS, Problem, Workbench
 
 AGREEMENT = 1e-9
 MODULES = {
@@ -44,78 +48,6 @@ def problem(joints, order, states):
         C[:3, :3], C[:3, 3] = Q * np.linalg.det(Q), 0.3 * rng.normal(size=3)
     shape = (joints, order + 2)
     return Problem(links, rng.normal(size=shape), rng.normal(size=(states, *shape)))
-
-
-# -- the floating-point work and the machine's peak --------------------------------------------
-
-
-def operations(joints, order):
-    """Additions and multiplications that the recursion needs for one state, sines included."""
-    terms = order + 1
-    pairs = terms * (terms + 1) // 2
-    exponential = 4 * (pairs - terms) + 6 + 45  # 45: reduction and polynomials of cos and sin
-    product = 16 * pairs - 4 * terms + terms
-    step = 24 * terms
-    tip_and_base = 14 * terms + 8 * terms
-    return (joints - 1) * (exponential + product + step) + tip_and_base + joints * terms
-
-
-PEAK_SHAPES = [(2, 12), (4, 8), (4, 12), (8, 8), (8, 12), (8, 24)]  # lanes, independent sums
-
-
-def peak_source(lanes, sums):
-    """LLVM code of a loop of multiply-adds x ← a x + b in registers, `sums` of them independent."""
-    vector, names = f"<{lanes} x double>", [f"%x{i}" for i in range(sums)]
-    constants = ", ".join(["double 0.5"] * lanes)
-    steps = [
-        f"{name}n = call {vector} @llvm.fma.v{lanes}f64({vector} {name}, {vector} <{constants}>, {vector} <{constants}>)"
-        for name in names
-    ]
-    starts = [f"{name} = phi {vector} [ zeroinitializer, %entry ], [ {name}n, %loop ]" for name in names]
-    totals = [f"%t0 = fadd {vector} zeroinitializer, %x0n"]
-    totals += [f"%t{i} = fadd {vector} %t{i - 1}, {name}n" for i, name in enumerate(names[1:], 1)]
-    return "\n".join(
-        [
-            f"declare {vector} @llvm.fma.v{lanes}f64({vector}, {vector}, {vector})",
-            "define double @spin(i64 %rounds) {",
-            "entry:",
-            "br label %loop",
-            "loop:",
-            "%n = phi i64 [ 0, %entry ], [ %next, %loop ]",
-            *starts,
-            *steps,
-            "%next = add i64 %n, 1",
-            "%more = icmp ult i64 %next, %rounds",
-            "br i1 %more, label %loop, label %end",
-            "end:",
-            *totals,
-            f"%result = extractelement {vector} %t{sums - 1}, i32 0",
-            "ret double %result",
-            "}",
-        ]
-    )
-
-
-def make_peak_works(rounds=2000):
-    """A function and its operations a call for each of PEAK_SHAPES: no width suits all processors."""
-    import ctypes
-
-    import llvmlite.binding as llvm
-
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
-    features = llvm.get_host_cpu_features().flatten()
-    works = []
-    for lanes, sums in PEAK_SHAPES:
-        machine = llvm.Target.from_default_triple().create_target_machine(
-            cpu=llvm.get_host_cpu_name(), features=features, opt=2
-        )
-        engine = llvm.create_mcjit_compiler(llvm.parse_assembly(peak_source(lanes, sums)), machine)
-        engine.finalize_object()
-        spin = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_int64)(engine.get_function_address("spin"))
-        spin.engine = engine  # its code must live as long
-        works.append((lambda spin=spin: spin(rounds), rounds * sums * lanes * 2))
-    return works
 
 
 # -- one process a tool ------------------------------------------------------------------------
@@ -160,7 +92,8 @@ def serve(name, connection):
                 connection.send(("built", *figures, single, batch))
             elif request == "time":
                 which, budget = details
-                run = peer.run_single if which == "single" else peer.run_batch
+                runs = {"single": peer.run_single, "batch": peer.run_batch, **getattr(peer, "batches", {})}
+                run = runs[which]
                 connection.send(("timed", seconds_per_call(run, budget)))
             elif request == "peak":
                 (budget,) = details
@@ -227,10 +160,11 @@ def compare(name, ours, theirs, case, options):
     row["deviation"] = max(disagreement(single, reference[0]), disagreement(batch, reference[1]))
     if not row["deviation"] < AGREEMENT:
         return row | {"skipped": f"disagrees: {row['deviation']:.1e}"}
-    for which, count in (("single", 1), ("batch", len(case.batch))):
+    row["layout"] = PEERS[name].layout
+    for which, ours_which, count in (("single", "single", 1), ("batch", row["layout"], len(case.batch))):
         times, ratios = [], []
         for _ in range(options.rounds):
-            (mine,) = ours.must("time", which, options.budget, timeout=60)
+            (mine,) = ours.must("time", ours_which, options.budget, timeout=60)
             heading, other = theirs.ask("time", which, options.budget, timeout=60)
             if heading == "failed":
                 return row | {"skipped": f"{which} call: {other}"}
@@ -249,15 +183,17 @@ def measure_case(joints, order, ours, workers, hopeless, options):
     for _ in range(max(3, options.rounds)):
         (peak,) = ours.must("peak", options.budget, timeout=60)
         (single,) = ours.must("time", "single", options.budget, timeout=60)
-        (batch,) = ours.must("time", "batch", options.budget, timeout=60)
-        batch /= options.states
-        rounds.append((single, batch, operations(joints, order) / batch / 1e9 / peak, peak))
-    own["single"], own["batch"] = min(r[0] for r in rounds), min(r[1] for r in rounds)
-    own["of peak"] = statistics.median(r[2] for r in rounds)
+        batches = [
+            ours.must("time", name, options.budget, timeout=60)[0] / options.states for name in LAYOUTS
+        ]
+        share = operations(joints, order) / batches[list(LAYOUTS).index("last")] / 1e9 / peak
+        rounds.append((single, share, peak, batches))
+    own["single"], own["of peak"] = min(r[0] for r in rounds), statistics.median(r[1] for r in rounds)
     if own["of peak"] > 1:
         raise SystemExit(f"{own['of peak']:.0%} of the measured peak: that peak is none")
-    own["peak"] = max(r[3] for r in rounds)
-    rows = [own]
+    own["peak"] = max(r[2] for r in rounds)
+    times = np.min([r[3] for r in rounds], axis=0).tolist()
+    rows = [own | {"layout": name, "batch": time} for name, time in zip(LAYOUTS, times, strict=True)]
     for name, worker in workers.items():
         if any(joints >= m and order >= n for m, n in hopeless[name]):
             rows.append({"peer": name, "skipped": "a smaller case took too long"})
@@ -273,9 +209,9 @@ def print_case(rows):
     first = rows[0]
     print(
         f"\nm = {first['joints']}, n = {first['order']}: "
-        f"{first['of peak']:.0%} of the measured peak of {first['peak']:.0f} GFLOP/s in the batch"
+        f"{first['of peak']:.0%} of the measured peak of {first['peak']:.0f} GFLOP/s in the batch ({first['layout']})"
     )
-    print(f"  {'':18}{'single µs':>10}{'ratio':>8}{'batch µs':>10}{'ratio':>8}", end="")
+    print(f"  {'':18}{'single µs':>10}{'ratio':>8}  {'layout':8}{'batch µs':>8}{'ratio':>8}", end="")
     print(f"{'build s':>9}{'MB':>7}{'deviation':>11}")
     for row in rows:
         if "skipped" in row:
@@ -283,7 +219,7 @@ def print_case(rows):
             continue
         print(
             f"  {row['peer']:18}{row['single'] * 1e6:10.2f}{row.get('single ratio', 1):8.2f}"
-            f"{row['batch'] * 1e6:10.3f}{row.get('batch ratio', 1):8.2f}"
+            f"  {row['layout']:8}{row['batch'] * 1e6:8.3f}{row.get('batch ratio', 1):8.2f}"
             f"{row['build']:9.2f}{row['memory']:7.0f}{row['deviation']:11.1e}",
             flush=True,
         )
@@ -296,20 +232,22 @@ def print_summary(rows):
     cases = sorted({(row["joints"], row["order"]) for row in rows})
     for joints, order in cases:
         here = [r for r in rows if (r["joints"], r["order"]) == (joints, order)]
-        for which in ("batch", "single"):
+        for which, layout in (("single", None), *(("batch", name) for name in LAYOUTS)):
             rivals = [
                 (r[f"{which} ratio"], r["peer"])
                 for r in here
-                if f"{which} ratio" in r and not (which == "single" and r["peer"] in NEEDS_C_COMPILER)
+                if f"{which} ratio" in r
+                and layout in (None, r["layout"])
+                and not (which == "single" and r["peer"] in NEEDS_C_COMPILER)
             ]
             if rivals:
                 ratio, peer = min(rivals)
-                print(f"  m = {joints:3}, n = {order:2}  {which:7}{ratio:8.2f}  ({peer})")
+                print(f"  m = {joints:3}, n = {order:2}  {which:6}{layout or '':7}{ratio:8.2f}  ({peer})")
         for row in here:
             if "single ratio" in row and row["peer"] in NEEDS_C_COMPILER:
                 more = (here[0]["single"] - row["single"]) * 1e6
                 print(
-                    f"  m = {joints:3}, n = {order:2}  C code {row['single ratio']:8.2f}  (ours - C: {more:+.2f} µs)"
+                    f"  m = {joints:3}, n = {order:2}  {'C code':13}{row['single ratio']:8.2f}  (ours - C: {more:+.2f} µs)"
                 )
 
 
@@ -328,7 +266,9 @@ def plot(rows, path):
                 points = [
                     (r["order"], r[which] * 1e6)
                     for r in rows
-                    if r["joints"] == joints and r["peer"] == name and which in r
+                    if (r["joints"], r["peer"]) == (joints, name)
+                    and which in r
+                    and r["layout"] == (PEERS[name].layout if name in PEERS else "last")
                 ]
                 if points:
                     style = {"color": "black", "linewidth": 2} if index == 0 else {"linewidth": 1}
@@ -379,6 +319,7 @@ def available(names):
 
 def main():
     options = parse()
+    print(registers())
     workers = {name: Worker(name) for name in available(options.peers)}
     ours, hopeless, rows = Worker("workbench"), {name: [] for name in workers}, []
     for joints in options.joints:

@@ -1,131 +1,21 @@
 """The tools that the serial-chain engine is measured against, each doing the same job its best way.
 
-The job: a chain of m revolute joints T = Π Cᵢ Rz(qᵢ); in, the coordinates' derivatives to order
-n + 1; out, the base-frame twist (ω; v) and its time derivatives to order n, readable as numbers. A
-peer gets its input in its own layout before the clock starts.
+A peer gets its input in its own layout before the clock starts, and so does the workbench when it is
+compared with that peer: `chain_problem.LAYOUTS` says which.
 """
 
 import subprocess
 import tempfile
-from dataclasses import dataclass
-from math import factorial
 from pathlib import Path
 
 import numpy as np
-
-
-@dataclass(frozen=True)
-class Problem:
-    """links: (m, 4, 4); q: (m, n + 2) derivatives for the single call; batch: (states, m, n + 2)."""
-
-    links: np.ndarray
-    q: np.ndarray
-    batch: np.ndarray
-
-    @property
-    def joints(self):
-        return len(self.links)
-
-    @property
-    def order(self):
-        return self.q.shape[-1] - 2
-
-
-def to_taylor(q):
-    return q / np.array([float(factorial(k)) for k in range(q.shape[-1])])
-
-
-def from_taylor(V):
-    return V * np.array([float(factorial(k)) for k in range(V.shape[-2])])[:, None]
-
-
-def carry(C, V):
-    """Ad(C) V, number by number, leaving out the zeros."""
-    R, p = C[:3, :3], C[:3, 3]
-    rows = np.block([[R, np.zeros((3, 3))], [np.cross(p, R, axisb=0, axisc=0), R]])
-    return [sum(float(a) * x for a, x in zip(row, V, strict=True) if a != 0) for row in rows]
-
-
-def twist(links, q, rate, sin, cos):
-    """The twist alone, in any arithmetic: to be differentiated by the tool."""
-    V = [0.0] * 6
-    for C, angle, speed in reversed(list(zip(links, q, rate, strict=True))):
-        c, s = cos(angle), sin(angle)
-        V = [
-            c * V[0] - s * V[1],
-            s * V[0] + c * V[1],
-            V[2] + speed,
-            c * V[3] - s * V[4],
-            s * V[3] + c * V[4],
-            V[5],
-        ]
-        V = carry(C, V)
-    return V
-
-
-def twist_series(links, q, sin, cos):
-    """The same recursion on Taylor coefficients q[i][k], written out: [k][component]."""
-    terms = len(q[0]) - 1
-    V = [[0.0] * 6 for _ in range(terms)]
-    for i in reversed(range(len(links))):
-        c, s = [cos(q[i][0])], [sin(q[i][0])]
-        for k in range(1, terms):
-            c.append(sum(-j / k * q[i][j] * s[k - j] for j in range(1, k + 1)))
-            s.append(sum(j / k * q[i][j] * c[k - j] for j in range(1, k + 1)))
-        turned = []
-        for k in range(terms):
-            row = [None] * 6
-            for x, y, z in ((0, 1, 2), (3, 4, 5)):
-                row[x] = sum(c[k - j] * V[j][x] - s[k - j] * V[j][y] for j in range(k + 1))
-                row[y] = sum(s[k - j] * V[j][x] + c[k - j] * V[j][y] for j in range(k + 1))
-                row[z] = V[k][z]
-            row[2] = row[2] + (k + 1) * q[i][k + 1]
-            turned.append(carry(links[i], row))
-        V = turned
-    return V
-
-
-class Peer:
-    """A tool at work on one problem, built by its constructor."""
-
-    def run_single(self):
-        raise NotImplementedError
-
-    def run_batch(self):
-        raise NotImplementedError
-
-    def results(self):
-        """Derivatives of the single state (n + 1, 6) and of the batch (states, n + 1, 6)."""
-        raise NotImplementedError
-
-
-class Workbench(Peer):
-    def __init__(self, problem):
-        from workbench.kinematics.chain import Joint, SerialChain
-        from workbench.kinematics.chain_engine import load_kernel
-
-        load_kernel()
-        joints = [joint for C in problem.links for joint in (Joint.fixed(C), Joint.revolute([0, 0, 1]))]
-        chain = SerialChain(joints)
-        self.single_out = np.empty((problem.order + 1, 6))
-        self.batch_out = np.empty((len(problem.batch), problem.order + 1, 6))
-        self.single = chain.bind(np.moveaxis(problem.q, -1, 0), np.moveaxis(self.single_out, -2, 0))
-        self.batch = chain.bind(np.moveaxis(problem.batch, -1, 0), np.moveaxis(self.batch_out, -2, 0))
-
-    def run_single(self):
-        self.single()
-        return self.single_out
-
-    def run_batch(self):
-        self.batch()
-        return self.batch_out
-
-    def results(self):
-        return self.run_single(), self.run_batch()
+from chain_problem import Peer, from_taylor, to_taylor, twist, twist_series
 
 
 class HeyokaTaylor(Peer):
     """The Taylor coefficients of an integrator's step: q⁽ᵏ⁾ are states, and y with y' = V is."""
+
+    layout = "last"
 
     def __init__(self, problem):
         import heyoka as hy
@@ -175,6 +65,8 @@ class HeyokaTaylor(Peer):
 class HeyokaFunction(Peer):
     """Taylor arithmetic written out by hand, compiled by heyoka, SIMD over the batch."""
 
+    layout = "last"
+
     def __init__(self, problem):
         import heyoka as hy
 
@@ -206,6 +98,23 @@ class HeyokaFunction(Peer):
         self.run_batch()
         batch = self.batch_out.T.reshape(-1, self.terms, 6)
         return from_taylor(self.out.reshape(self.terms, 6)), from_taylor(batch)
+
+
+class HeyokaFunctionOnArrays(HeyokaFunction):
+    """The same from the documented arrays to the documented arrays: it needs two copies."""
+
+    layout = "arrays"
+
+    def __init__(self, problem):
+        super().__init__(problem)
+        self.arrays_in = np.moveaxis(to_taylor(problem.batch), -1, 0).copy()
+        self.arrays_out = np.empty((self.terms, len(problem.batch), 6))
+
+    def run_batch(self):
+        order, states, joints = self.arrays_in.shape
+        self.batch.reshape(joints, order, states)[...] = self.arrays_in.transpose(2, 0, 1)
+        super().run_batch()
+        self.arrays_out[...] = self.batch_out.reshape(self.terms, 6, states).swapaxes(1, 2)
 
 
 class JaxJet(Peer):
@@ -430,6 +339,7 @@ class Pinocchio(Peer):
 PEERS = {
     "heyoka Taylor": HeyokaTaylor,
     "heyoka by hand": HeyokaFunction,
+    "heyoka on arrays": HeyokaFunctionOnArrays,
     "JAX jet": JaxJet,
     "CasADi by hand": CasadiTaylor,
     "CasADi C by hand": CasadiGeneratedC,

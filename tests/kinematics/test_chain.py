@@ -4,6 +4,7 @@ import gc
 import os
 import subprocess
 import sys
+from itertools import permutations
 from math import comb, factorial
 
 import llvmlite.binding as llvm
@@ -227,9 +228,34 @@ def test_the_kernel_equals_numpy_for_every_size_of_state_and_block(states, count
         chain = SerialChain(random_joints(rng, count))
         q = rng.normal(size=(n + 2, states, chain.dof))
         V = chain.twist_derivatives(q)
-        plain = chain._of_derivatives._in_numpy(np.moveaxis(q, 0, -1))
-        for k in range(n + 1):
-            close(V[k], plain[:, k], 13)
+        for found, plain in zip(V, chain._of_derivatives._in_numpy(q), strict=True):
+            close(found, plain, 13)
+
+
+@pytest.mark.parametrize("states", [2, 8, 9, 21, 70])
+@pytest.mark.parametrize("joints", [1, 2, 5])
+def test_arrays_may_lie_in_memory_in_any_way(states, joints):
+    """The axes in any order, with gaps or backwards, on either side; what is not the result is not touched."""
+    rng = np.random.default_rng(states)
+    chain = SerialChain(
+        [
+            random_joint(rng, kind)
+            for kind in ("cylindrical", "revolute", "helical", "prismatic", "revolute")[:joints]
+        ]
+    )
+    for n in (0, 1, 2, 3, 6):
+        q = rng.normal(size=(n + 2, states, chain.dof))
+        expected = chain.twist_derivatives(q)
+        for axes in permutations(range(3)):
+            back = np.argsort(axes)
+            ours = q.transpose(axes).copy().transpose(back)
+            close(chain.twist_derivatives(ours), expected, 13)
+            for step in (1, 2, -1):
+                whole = np.full([abs(step) * size for size in np.array(expected.shape)[list(axes)]], 0.5)
+                out = whole[::step, ::step, ::step].transpose(back)
+                assert chain.twist_derivatives(ours, out) is out
+                close(out, expected, 13)
+                assert (whole == 0.5).sum() == whole.size - out.size
 
 
 def test_any_array_of_numbers_will_do():
@@ -274,8 +300,9 @@ def test_a_bound_call_follows_what_is_in_its_arrays():
         assert not update()
     with pytest.raises(ValueError, match="q: expected an array of doubles"):
         chain.bind(q.tolist(), out)
-    with pytest.raises(ValueError, match=r"layout of SerialChain\.workspace"):
-        chain.bind(np.ascontiguousarray(q), out)
+    apart = np.zeros((6, 3, 4, chain.dof)).transpose(0, 2, 1, 3)  # states whose axes are not one in memory
+    with pytest.raises(ValueError, match="axes of states are one in memory"):
+        chain.bind(apart, np.zeros((5, 4, 3, 6)))
     with pytest.raises(ValueError, match="out: expected a writable array"):
         chain.bind(q, out[:4])
 
@@ -347,10 +374,12 @@ for dof in (1, 2, 7):
             q = rng.normal(size=(order + 2, states, dof))
             chain_engine._twist_kernel = None
             engine = chain_engine.Engine(SerialChain(joints)._of_derivatives.links, taylor=False)
-            expected = np.moveaxis(engine._in_numpy(np.moveaxis(q, 0, -1).copy()), -2, 0)
+            expected = engine._in_numpy(q)
             chain_engine.load_kernel()
             found = SerialChain(joints).twist_derivatives(q)
-            assert np.abs(found - expected).max() <= 1e-12 * np.abs(expected).max(), (dof, order, states)
+            side_by_side = np.moveaxis(np.moveaxis(q, 1, -1).copy(), -1, 1)
+            for found in (found, SerialChain(joints).twist_derivatives(side_by_side)):
+                assert np.abs(found - expected).max() <= 1e-12 * np.abs(expected).max(), (dof, order, states)
 """
     chosen = {"NUMBA_CPU_NAME": "x86-64", "NUMBA_CPU_FEATURES": features, "NUMBA_CACHE_DIR": str(tmp_path)}
     subprocess.run([sys.executable, "-c", program], check=True, env=os.environ | chosen)

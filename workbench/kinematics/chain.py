@@ -73,17 +73,17 @@ class SerialChain:
         return self._of_taylor.twist(q, out)
 
     def workspace(self, order: int, states: tuple[int, ...] = ()) -> tuple[np.ndarray, np.ndarray]:
-        """Zeros (q, out) for `bind`, (order + 2, *states, dof) and (order + 1, *states, 6): in memory each
-        state's numbers lie side by side, which is the layout that the compiled kernel works on."""
-        q, out = np.zeros((*states, self.dof, order + 2)), np.zeros((*states, order + 1, 6))
-        return np.moveaxis(q, -1, 0), np.moveaxis(out, -2, 0)
+        """Zeros (q, out) for `bind`, (order + 2, *states, dof) and (order + 1, *states, 6): in memory the
+        states' numbers lie side by side, which suits the compiled kernel best."""
+        q, out = np.zeros((order + 2, self.dof, *states)), np.zeros((order + 1, 6, *states))
+        return np.moveaxis(q, 1, -1), np.moveaxis(out, 1, -1)
 
     def bind(self, q: np.ndarray, out: np.ndarray) -> Callable[[], bool]:
         """`twist_derivatives` for a control loop: a call without arguments that reads the arrays q
         (n + 2, ..., dof) and writes out (n + 1, ..., 6) anew each time, in place.
 
         It returns False, with `out` unusable, if an angle exceeds 2⁵⁰ rad. Raises ValueError unless
-        both are arrays of doubles of the right shapes in the layout of `workspace`.
+        both are arrays of doubles of the right shapes, whose axes of states are one in memory.
         """
         return self._of_derivatives.bind(q, out)
 

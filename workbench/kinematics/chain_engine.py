@@ -58,55 +58,53 @@ class Engine:
         if q.shape in self._plans:  # a state as before: only its numbers are new
             address, shape, _ = self._plans[q.shape]
             result = empty(shape)
-            if _twist_kernel(q.T.copy(), address, result):
+            if _twist_kernel(q[:, None], address, result[:, None]):
                 return result
         return self._twist(q, None)
 
     def _twist(self, q: ArrayLike, out: np.ndarray | None) -> np.ndarray:
-        rows = _by_state(self._checked(q))
-        out = self._checked_result(rows, out)
-        results = np.moveaxis(out, 0, -2)
-        if _twist_kernel is None and self._is_small(rows):
-            results[...] = self._in_numpy(rows)
+        q = self._checked(q)
+        out = self._checked_result(q, out)
+        if _twist_kernel is None and self._is_small(q):
+            out[...] = self._in_numpy(q)
             return out
         load_kernel()
-        rows = np.require(rows, requirements=("C", "W"))
-        in_place = results if results.flags.carray else np.empty(results.shape)
-        address = self._address_of_plan(rows.shape[-2:])
-        if not _twist_kernel(rows.reshape(-1, rows.shape[-1]), address, in_place.reshape(-1, 6)):
-            in_place = self._in_numpy(rows)
-        if in_place is not results:
-            results[...] = in_place
+        rows = _states_in_a_row(out)
+        results = rows if np.may_share_memory(rows, out) else empty(rows.shape)
+        if not _twist_kernel(_states_in_a_row(q), self._address_of_plan(q), results):
+            out[...] = self._in_numpy(q)
+        elif results is not rows:
+            out[...] = results.reshape(out.shape)
         return out
 
     def bind(self, q: np.ndarray, out: np.ndarray) -> Callable[[], bool]:
         """A call that computes `out` from what is then in `q`, with no checks and no new memory."""
         if type(q) is not np.ndarray or q.dtype != np.float64:
             raise ValueError("q: expected an array of doubles")
-        rows = _by_state(self._checked(q))
-        results = np.moveaxis(self._checked_result(rows, out), 0, -2)
-        if not (rows.flags.carray and results.flags.carray):
-            raise ValueError("q and out: expected arrays in the memory layout of SerialChain.workspace")
+        arrays = self._checked(q), self._checked_result(q, out)
+        rows = [_states_in_a_row(array) for array in arrays]
+        if q.size and not all(np.may_share_memory(*pair) for pair in zip(arrays, rows, strict=True)):
+            raise ValueError("q and out: expected arrays whose axes of states are one in memory")
         load_kernel()
-        address = self._address_of_plan(rows.shape[-2:])
-        call = partial(_twist_kernel, rows.reshape(-1, rows.shape[-1]), address, results.reshape(-1, 6))
-        call.plan = self._plans[rows.shape[:-3:-1]]  # what the address points to must live as long
+        call = partial(_twist_kernel, rows[0], self._address_of_plan(q), rows[1])
+        call.plan = self._plans[q.shape[0], q.shape[-1]]  # what the address points to must live as long
         return call
 
-    def _address_of_plan(self, shape):
-        """Of the plan for one state's rows (dof, n + 2); kept by the shape users give, (n + 2, dof)."""
-        dof, terms = shape[0], shape[1] - 1
-        if (terms + 1, dof) not in self._plans:
-            plan = self._plan(terms)
-            self._plans[terms + 1, dof] = plan.ctypes.data, (terms, 6), plan
-        return self._plans[terms + 1, dof][0]
+    def _address_of_plan(self, q):
+        """Of the plan for one state of q; kept by the shape of a state, (n + 2, dof)."""
+        shape = len(q), q.shape[-1]
+        if shape not in self._plans:
+            plan = self._plan(len(q) - 1)
+            self._plans[shape] = plan.ctypes.data, (len(q) - 1, 6), plan
+        return self._plans[shape][0]
 
     @staticmethod
-    def _checked_result(rows, out):
-        *states, _dof, terms_and_one = rows.shape
+    def _checked_result(q, out):
+        shape = (len(q) - 1, *q.shape[1:-1], 6)
         if out is None:
-            return np.moveaxis(empty((*states, terms_and_one - 1, 6)), -2, 0)
-        shape = (terms_and_one - 1, *states, 6)
+            if q.ndim > 2 and q.strides[-2] == q.itemsize:  # side by side in memory, as those of q
+                return np.moveaxis(empty((shape[0], 6, *shape[1:-1])), 1, -1)
+            return empty(shape)
         if out.shape != shape or out.dtype != np.float64 or not out.flags.writeable:
             raise ValueError(
                 f"out: expected a writable array of doubles of shape {shape}, "
@@ -137,21 +135,23 @@ class Engine:
         return q
 
     def _in_numpy(self, q):
-        terms = q.shape[-1] - 1
-        rate_factors, twist_factors = self._factors(terms)
-        series = q.copy()
-        series[..., 1:] *= rate_factors / np.arange(1, terms + 1)
-        return chain_series.twist(self.links, series) * twist_factors[:, None]
+        terms = len(q) - 1
+        rate_factors, twist_factors = (factors[:, None] for factors in self._factors(terms))
+        states_last = np.moveaxis(_states_in_a_row(q), 1, -1).copy()
+        states_last[1:] *= (rate_factors / np.arange(1, terms + 1)[:, None])[..., None]
+        series = chain_series.twist(self.links, states_last)
+        return (series * twist_factors[..., None]).swapaxes(1, 2).reshape(terms, *q.shape[1:-1], 6)
 
     def _plan(self, terms):
-        """Everything constant in the kernel's work, as one array. In order: joints, dof, terms, the
-        base's turn (cos, sin); the factors of the n + 2 derivatives of each coordinate (at least
-        as many numbers as the kernel is wide); those of the twist; 0, 1, 1/2, 1/3, …; then for each
-        joint its angle, slide, pitch, twist angle (cos, sin), shift, the offset along the axis
-        before, its turn (cos, sin); the kernel's workspace."""
-        from workbench.kinematics.chain_kernel import WIDTH, workspace_size
+        """Everything constant in the kernel's work, as one array. In order: joints, how many blocks of
+        states take turns, the base's turn (cos, sin); the factors of the n + 2 derivatives of each
+        coordinate; those of the twist; 0, 1, 1/2, 1/3, …; then for each joint its angle, slide, pitch,
+        twist angle (cos, sin), shift, the offset along the axis before, its turn (cos, sin); the
+        kernel's workspace."""
+        from workbench.kinematics.chain_kernel import workspace
 
         links = self.links
+        together, size = workspace(links.dof, len(links.angle), terms)
         rate_factors, twist_factors = self._factors(terms)
         input_factors = np.tile([1.0, *rate_factors], links.dof)
         joints = np.column_stack(
@@ -167,13 +167,13 @@ class Engine:
         )
         return np.concatenate(
             [
-                [len(joints), links.dof, terms, *links.turn[0]],
-                np.pad(input_factors, (0, max(0, WIDTH - len(input_factors)))),
+                [len(joints), together, *links.turn[0]],
+                input_factors,
                 twist_factors,
                 [0.0],
                 1 / np.arange(1.0, terms),
                 joints.ravel(),
-                np.zeros(workspace_size(links.dof, len(joints), terms)),
+                np.zeros(size),
             ]
         )
 
@@ -186,13 +186,13 @@ class Engine:
         return 1 / factorials, factorials
 
     def _is_small(self, q):
-        states = q.size // (q.shape[-2] * q.shape[-1])
-        if q.shape[-1] - 2 > PLAIN_ORDER or states > PLAIN_STATES or self._plain_tasks == PLAIN_TASKS:
+        states = q[0].size // q.shape[-1]
+        if len(q) - 2 > PLAIN_ORDER or states > PLAIN_STATES or self._plain_tasks == PLAIN_TASKS:
             return False
         self._plain_tasks += 1
         return True
 
 
-def _by_state(q: np.ndarray) -> np.ndarray:
-    """The kernel's layout (..., dof, n + 2) of (n + 2, ..., dof): a view."""
-    return np.moveaxis(q, 0, -1)
+def _states_in_a_row(array: np.ndarray) -> np.ndarray:
+    """(orders, ..., parts) as (orders, states, parts), a view where the axes of states are one in memory."""
+    return array.reshape(len(array), -1, array.shape[-1])

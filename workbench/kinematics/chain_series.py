@@ -10,10 +10,9 @@ from workbench.kinematics.chain_geometry import Links
 
 
 def twist(links: Links, q: np.ndarray) -> np.ndarray:
-    """Taylor coefficients (..., n + 1, 6) of the twist from those of the coordinates
-    (..., dof, n + 2)."""
-    states = q.shape[:-2]
-    series = np.moveaxis(q.reshape(-1, *q.shape[-2:]), 0, -1)  # (dof, n + 2, states)
+    """Taylor coefficients (n + 1, 6, states) of the twist from those of the coordinates
+    (n + 2, dof, states)."""
+    series = q.swapaxes(0, 1)  # (dof, n + 2, states)
     terms = series.shape[1] - 1
     rates = series[:, 1:] * np.arange(1, terms + 1)[:, None]
     across = np.zeros((2, terms, series.shape[-1]), dtype=complex)  # of ω and of v
@@ -31,8 +30,7 @@ def twist(links: Links, q: np.ndarray) -> np.ndarray:
         across *= complex(*links.turn[i])
     omega = [across[0].real, across[0].imag, along[0]]
     v = [across[1].real, across[1].imag, along[1]]
-    components = np.array([*omega, *v])  # (6, n + 1, states)
-    return components.transpose(2, 1, 0).reshape(*states, terms, 6)
+    return np.array([*omega, *v]).swapaxes(0, 1)
 
 
 def _exponential(angle: np.ndarray) -> np.ndarray:

@@ -152,82 +152,83 @@ def turned_by_quarters(typing_context, shifted, c, s):
 
 
 def _transpose_pieces(builder, rows):
-    """Transposes each square of CHUNK by CHUNK doubles in a run of CHUNK rows, in stages of span 1, 2, …"""
+    """Transposes each square of CHUNK by CHUNK doubles in CHUNK rows, in stages of span 1, 2, …"""
     span = 1
     while span < CHUNK:
         low = [e if not e & span else WIDTH + e - span for e in range(WIDTH)]
         high = [e + span if not e & span else WIDTH + e for e in range(WIDTH)]
-        for i in range(WIDTH):
+        for i in range(CHUNK):
             if not i & span:
                 pair = rows[i], rows[i + span]
                 rows[i], rows[i + span] = (_shuffle(builder, *pair, order) for order in (low, high))
         span *= 2
 
 
-def _pieces_of_rows(builder, first, stride):
-    """Pointers to the pieces of each of WIDTH rows."""
-    pieces = []
-    for lane in range(WIDTH):
-        address = builder.add(first, builder.mul(stride, INT64(lane)))
-        start = builder.inttoptr(address, PIECE.as_pointer())
-        pieces.append([builder.gep(start, [INT64(part)], source_etype=PIECE) for part in range(PIECES)])
-    return pieces
-
-
-def _joined(builder, pieces):
-    """One number of the PIECES pieces, in their order."""
-    if PIECES == 1:
-        return pieces[0]
-    return _shuffle(builder, *pieces, list(range(WIDTH)))
+def _pieces(builder, first, stride):
+    """Pointers to CHUNK doubles of each of WIDTH states, `stride` bytes apart."""
+    addresses = (builder.add(first, builder.mul(stride, INT64(lane))) for lane in range(WIDTH))
+    return [builder.inttoptr(address, PIECE.as_pointer()) for address in addresses]
 
 
 @intrinsic
-def load_states(typing_context, source, stride, factors, memory, index):
-    """WIDTH doubles of each of WIDTH states, `stride` bytes apart, times as many factors, into
-    memory[index : index + WIDTH]."""
+def load_states(typing_context, source, stride, factors, memory, index, step):
+    """CHUNK doubles of each of WIDTH states, `stride` bytes apart, into memory[index + i step], i < CHUNK,
+    times factors[index + i step]."""
 
     def generate(context, builder, sig, args):
-        source, stride, factors, memory, index = args
-        pieces = _pieces_of_rows(builder, source, stride)
-        factor = builder.inttoptr(factors, PIECE.as_pointer())
-        rows = []
-        for part in range(PIECES):
-            pointer = builder.gep(factor, [INT64(part)], source_etype=PIECE)
-            some = builder.load(pointer, align=8, typ=PIECE)
-            scale = _joined(builder, [some] * PIECES)
-            for i in range(CHUNK):
-                here = [builder.load(pieces[i + CHUNK * k][part], align=8, typ=PIECE) for k in range(PIECES)]
-                rows.append(builder.fmul(_joined(builder, here), scale))
+        source, stride, factors, memory, index, step = args
+        rows = [builder.load(piece, align=8, typ=PIECE) for piece in _pieces(builder, source, stride)]
+        if PIECES == 2:
+            rows = [_shuffle(builder, *rows[i::CHUNK], list(range(WIDTH))) for i in range(CHUNK)]
         _transpose_pieces(builder, rows)
-        first = _pointer(builder, memory, index)
-        for i, row in enumerate(rows):
-            builder.store(row, builder.gep(first, [INT64(i)], source_etype=VECTOR), align=SIZE)
+        factor = builder.inttoptr(factors, DOUBLE.as_pointer())
+        for row in rows:
+            scale = builder.load(builder.gep(factor, [index], source_etype=DOUBLE), typ=DOUBLE)
+            product = builder.fmul(_spread(builder, scale), row)
+            builder.store(product, _pointer(builder, memory, index), align=SIZE)
+            index = builder.add(index, step)
+        return context.get_dummy_value()
+
+    return types.void(*[types.int64] * 6), generate
+
+
+@intrinsic
+def store_states(typing_context, memory, index, step, target, stride):
+    """memory[index + i step], i < CHUNK, as CHUNK doubles of each of WIDTH states, `stride` bytes apart."""
+
+    def generate(context, builder, sig, args):
+        memory, index, step, target, stride = args
+        rows = []
+        for _ in range(CHUNK):
+            rows.append(builder.load(_pointer(builder, memory, index), align=SIZE, typ=VECTOR))
+            index = builder.add(index, step)
+        _transpose_pieces(builder, rows)
+        for lane, piece in enumerate(_pieces(builder, target, stride)):
+            mine = [lane // CHUNK * CHUNK + e for e in range(CHUNK)]
+            row = rows[lane % CHUNK]
+            builder.store(_shuffle(builder, row, row, mine), piece, align=8)
         return context.get_dummy_value()
 
     return types.void(*[types.int64] * 5), generate
 
 
 @intrinsic
-def store_states(typing_context, memory, index, target, stride):
-    """memory[index : index + WIDTH] into WIDTH doubles of each of WIDTH states, in their order."""
+def load_side_by_side(typing_context, source):
+    """The number of the WIDTH doubles from the address `source` on, which need not be aligned."""
 
     def generate(context, builder, sig, args):
-        memory, index, target, stride = args
-        first = _pointer(builder, memory, index)
-        rows = []
-        for i in range(WIDTH):
-            pointer = builder.gep(first, [INT64(i)], source_etype=VECTOR)
-            rows.append(builder.load(pointer, align=SIZE, typ=VECTOR))
-        _transpose_pieces(builder, rows)
-        pieces = _pieces_of_rows(builder, target, stride)
-        for lane in range(WIDTH):
-            mine = [lane // CHUNK * CHUNK + e for e in range(CHUNK)]
-            for part in range(PIECES):
-                row = rows[lane % CHUNK + CHUNK * part]
-                builder.store(_shuffle(builder, row, row, mine), pieces[lane][part], align=8)
+        return builder.load(builder.inttoptr(args[0], VECTOR.as_pointer()), align=8, typ=VECTOR)
+
+    return lanes(types.int64), generate
+
+
+@intrinsic
+def store_side_by_side(typing_context, target, value):
+    def generate(context, builder, sig, args):
+        builder.store(args[1], builder.inttoptr(args[0], VECTOR.as_pointer()), align=8)
         return context.get_dummy_value()
 
-    return types.void(*[types.int64] * 4), generate
+    return types.void(types.int64, lanes), generate
 
 
 @intrinsic

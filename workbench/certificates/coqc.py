@@ -22,38 +22,16 @@ from pathlib import Path
 
 #: In the order in which they are compiled; the first is the one that a reader must read.
 LIBRARY = (
-    "Kin",
-    "Poly",
-    "Terms",
-    "Certify",
-    "Divide",
-    "Modulo",
-    "Symbols",
-    "Forms",
-    "Facts",
-    "Fraction",
-    "Context",
-    "Steps",
-    "Orders",
-    "Joins",
-    "Smooth",
-    "Time",
-    "Refute",
-    "Witness",
-    "Duals",
-    "Moment",
+    "Kin", "Poly", "Terms", "Certify", "Divide", "Modulo", "Symbols", "Forms", "Facts", "Fraction",
+    "Context", "Steps", "Orders", "Joins", "Smooth", "Time", "Refute", "Witness", "Duals", "Moment",
     "Instant",
-)
+)  # fmt: skip
 
 #: Of Coq's real numbers: what statements about real motions may rest on, and nothing else.
-REALS = frozenset(
-    {
-        "ClassicalDedekindReals.sig_not_dec",
-        "ClassicalDedekindReals.sig_forall_dec",
-        "FunctionalExtensionality.functional_extensionality_dep",
-        "Classical_Prop.classic",
-    }
-)
+REALS = frozenset((
+    "ClassicalDedekindReals.sig_not_dec", "ClassicalDedekindReals.sig_forall_dec",
+    "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic",
+))  # fmt: skip
 
 #: No certificate may take longer, in processor time.
 SECONDS = 60

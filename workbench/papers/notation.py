@@ -21,17 +21,9 @@ from workbench.papers.ties import ties
 from workbench.papers.toml_file import TomlFile
 
 NOTATION_KEYS = (
-    "title",
-    "doi",
-    "notation",
-    "conventions",
-    "symbols",
-    "definitions",
-    "motion",
-    "frames",
-    "points",
-    "budget",
-)
+    "title", "doi", "notation", "conventions", "symbols", "definitions", "motion", "frames",
+    "points", "budget",
+)  # fmt: skip
 HAMILTON = "hamilton, scalar first"
 GRADIENTS = ("row", "column")
 #: What a text may write without the backslash, if its model says so.

@@ -8,71 +8,21 @@ from itertools import pairwise
 from workbench.papers.plain_tex import with_nuclei, with_typefaces
 from workbench.papers.texts import Token
 
-_DROPPED = frozenset(
-    [
-        "displaystyle",
-        "textstyle",
-        "scriptstyle",
-        "nolimits",
-        "limits",
-        "mathstrut",
-        "strut",
-        "nobreak",
-        "allowbreak",
-        "noindent",
-        "centering",
-        "smallskip",
-        "medskip",
-        "bigskip",
-        "hfill",
-        "hfil",
-        "par",
-        "left.",
-        "right.",
-        "null",
-        "kern-",
-        "protect",
-        "relax",
-        "linebreak",
-        "nonumber",
-        "notag",
-        "normalsize",
-        "small",
-        "footnotesize",
-        "scriptsize",
-        "tiny",
-        "large",
-        "boldmath",
-        "unboldmath",
-    ]
-)
+_DROPPED = frozenset((
+    "displaystyle", "textstyle", "scriptstyle", "nolimits", "limits", "mathstrut", "strut",
+    "nobreak", "allowbreak", "noindent", "centering", "smallskip", "medskip", "bigskip", "hfill",
+    "hfil", "par", "left.", "right.", "null", "kern-", "protect", "relax", "linebreak", "nonumber",
+    "notag", "normalsize", "small", "footnotesize", "scriptsize", "tiny", "large", "boldmath",
+    "unboldmath",
+))  # fmt: skip
 _DROPPED_WITH_ARGUMENT = frozenset(
     ["hspace", "vspace", "phantom", "hphantom", "vphantom", "color", "label", "hskip", "mspace"]
 )
-_UNWRAPPED = frozenset(
-    [
-        "mathclap",
-        "mathrlap",
-        "mathllap",
-        "mathord",
-        "mathrel",
-        "mathbin",
-        "mathop",
-        "mathopen",
-        "mathclose",
-        "mathinner",
-        "boxed",
-        "fbox",
-        "underbrace",
-        "overbrace",
-        "smash",
-        "cancel",
-        "Aboxed",
-        "mathstrut",
-        "substack",
-        "displaylines",
-    ]
-)
+_UNWRAPPED = frozenset((
+    "mathclap", "mathrlap", "mathllap", "mathord", "mathrel", "mathbin", "mathop", "mathopen",
+    "mathclose", "mathinner", "boxed", "fbox", "underbrace", "overbrace", "smash", "cancel",
+    "Aboxed", "mathstrut", "substack", "displaylines",
+))  # fmt: skip
 _UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})
 _LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace"})
 _OPERATORS = frozenset({"operatorname", "mathop", "symup"})

@@ -21,22 +21,10 @@ from workbench.papers.texts import Display, Token, joined, spelled
 
 _CONDITIONS = frozenset(["<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\lt", "\\gt", "\\in", "\\neq", "\\ne"])
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
-_SEPARATING = frozenset(
-    {
-        "",
-        "and",
-        "where",
-        "with",
-        "for",
-        "for all",
-        "so",
-        "so that",
-        "thus",
-        "hence",
-        "therefore",
-        "and therefore",
-    }
-)
+_SEPARATING = frozenset((
+    "", "and", "where", "with", "for", "for all", "so", "so that", "thus", "hence", "therefore",
+    "and therefore",
+))  # fmt: skip
 _JOINING = frozenset({"or", "if", "if and only if", "iff", "when", "unless", "implies", "provided", "either"})
 
 

@@ -16,22 +16,9 @@ from workbench.papers.toml_file import TomlFile
 from workbench.papers.toml_places import KeyPath
 
 MODEL_KEYS = (
-    "title",
-    "doi",
-    "notation",
-    "conventions",
-    "symbols",
-    "definitions",
-    "motion",
-    "frames",
-    "points",
-    "source",
-    "macros",
-    "scope",
-    "claim",
-    "guessed",
-    "citation",
-)
+    "title", "doi", "notation", "conventions", "symbols", "definitions", "motion", "frames",
+    "points", "source", "macros", "scope", "claim", "guessed", "citation",
+)  # fmt: skip
 CLAIM_KEYS = (
     "at",
     "printed",

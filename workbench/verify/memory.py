@@ -28,24 +28,10 @@ from workbench.language.types import Declaration, Type
 from workbench.papers.model import Claim, Notation, Theorem
 
 #: What a claim says of itself that no verdict depends on.
-_COSMETIC = frozenset(
-    {
-        "id",
-        "equation",
-        "section",
-        "note",
-        "inherits",
-        "fault",
-        "unread",
-        "mend",
-        "file",
-        "line",
-        "notation",
-        "statement",
-        "span",
-        "chain",
-    }
-)
+_COSMETIC = frozenset((
+    "id", "equation", "section", "note", "inherits", "fault", "unread", "mend", "file", "line",
+    "notation", "statement", "span", "chain",
+))  # fmt: skip
 _DECISIVE = tuple(field.name for field in fields(Claim) if field.name not in _COSMETIC)
 _ENGINES = ("drake", "python-flint", "sympy", "numpy")
 _MOST = 50_000

@@ -79,18 +79,10 @@ def _pieces(latex: str) -> Iterator[str]:
         yield rest
 
 
-_MARKS = frozenset(
-    [
-        "\\forall",
-        "\\exists",
-        "\\Rightarrow",
-        "\\Longrightarrow",
-        "\\Leftrightarrow",
-        "\\wedge",
-        "\\geqslant",
-        "\\Big",
-    ]
-)
+_MARKS = frozenset((
+    "\\forall", "\\exists", "\\Rightarrow", "\\Longrightarrow", "\\Leftrightarrow", "\\wedge",
+    "\\geqslant", "\\Big",
+))  # fmt: skip
 
 
 @dataclass

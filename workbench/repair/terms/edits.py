@@ -25,21 +25,9 @@ from workbench.repair.terms.variants import Said, atoms_of, sum_of, variants
 
 #: The kinds of edit, likeliest misprint first.
 KINDS = (
-    "sign",
-    "coefficient",
-    "tilde",
-    "dots",
-    "product",
-    "swap",
-    "transpose",
-    "exponent",
-    "index",
-    "symbol",
-    "mark",
-    "bound",
-    "addend dropped",
-    "addend added",
-)
+    "sign", "coefficient", "tilde", "dots", "product", "swap", "transpose", "exponent", "index",
+    "symbol", "mark", "bound", "addend dropped", "addend added",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)

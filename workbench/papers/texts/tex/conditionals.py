@@ -235,24 +235,8 @@ def _is_flag_command(expander: State, word: str) -> bool:
     return word[2:] in flags or word.removesuffix("true") in flags or word.removesuffix("false") in flags
 
 
-_LOW = frozenset(
-    [
-        "csname",
-        "expandafter",
-        "futurelet",
-        "begingroup",
-        "bgroup",
-        "aftergroup",
-        "hbox",
-        "vbox",
-        "setbox",
-        "settowidth",
-        "setlength",
-        "Udelimiter",
-        "catcode",
-        "mathcode",
-        "noexpand",
-        "afterassignment",
-        "halign",
-    ]
-)
+_LOW = frozenset((
+    "csname", "expandafter", "futurelet", "begingroup", "bgroup", "aftergroup", "hbox", "vbox",
+    "setbox", "settowidth", "setlength", "Udelimiter", "catcode", "mathcode", "noexpand",
+    "afterassignment", "halign",
+))  # fmt: skip

@@ -14,25 +14,10 @@ from workbench.papers.texts.tex.state import Macro, Names
 from workbench.papers.texts.tex.tokens import Lexer, Token, joined
 from workbench.papers.texts.view import Source, View
 
-_VERBATIM = frozenset(
-    [
-        "verbatim",
-        "verbatim*",
-        "Verbatim",
-        "lstlisting",
-        "minted",
-        "comment",
-        "alltt",
-        "filecontents",
-        "filecontents*",
-        "listing",
-        "tcblisting",
-        "pyconsole",
-        "sagesilent",
-        "luacode",
-        "tikzpicture",
-    ]
-)
+_VERBATIM = frozenset((
+    "verbatim", "verbatim*", "Verbatim", "lstlisting", "minted", "comment", "alltt", "filecontents",
+    "filecontents*", "listing", "tcblisting", "pyconsole", "sagesilent", "luacode", "tikzpicture",
+))  # fmt: skip
 _STYLES = (".sty", ".cls", ".def", ".clo")
 _MOST_FILES = 500
 

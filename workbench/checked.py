@@ -21,6 +21,7 @@ from workbench.papers.orders import orders_within
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.report.kinds import VERDICTS
+from workbench.report.prose import as_tuple, one_line
 from workbench.verify.claims import judge_claims
 from workbench.verify.memory import standard_memory
 from workbench.verify.results import HOLDS, ClaimResult
@@ -71,18 +72,18 @@ class Checked:
 
     def _repr_markdown_(self) -> str:
         verdict = self.verdict
-        parts = [f"$$ {_one_line(self.latex)} $$", f"{VERDICTS[self.outcome].sign} **{self.outcome}**"]
+        parts = [f"$$ {one_line(self.latex)} $$", f"{VERDICTS[self.outcome].sign} **{self.outcome}**"]
         if verdict.scope:
             parts[-1] += f" ({verdict.scope})"
         if verdict.reason:
             parts.append(_as_text(verdict.reason))
         if verdict.hypothesis:
             parts.append(f"if $ {verdict.hypothesis} $")
-        if verdict.read_back and _one_line(verdict.read_back) != _one_line(self.latex):
+        if verdict.read_back and one_line(verdict.read_back) != one_line(self.latex):
             parts.append(f"read as $ {verdict.read_back} $")
         if counterexample := verdict.counterexample:
-            values = [f"${name} = {_tuple(entries)}$" for name, entries in counterexample.values.items()]
-            left, right = _tuple(counterexample.left), _tuple(counterexample.right)
+            values = [f"${name} = {as_tuple(entries)}$" for name, entries in counterexample.values.items()]
+            left, right = as_tuple(counterexample.left), as_tuple(counterexample.right)
             parts.append("counterexample: " + ", ".join(values) + f" gives ${left} \\neq {right}$")
         evidence = [f"- {_as_text(e.method)}: {_as_text(e.outcome)}" for e in verdict.evidence]
         return "\n\n".join([*parts, "\n".join(evidence)]).rstrip()
@@ -215,14 +216,6 @@ def _formula(
     return Formula(line.latex, statement), orders_within(orders, ranges)
 
 
-def _one_line(text: str) -> str:
-    return " ".join(text.split())
-
-
 def _as_text(text: str) -> str:
     """Text with what Markdown would take for markup made plain."""
     return "".join("\\" + c if c in "\\`*_{}[]<>#|$" else c for c in text)
-
-
-def _tuple(entries: Sequence[str]) -> str:
-    return entries[0] if len(entries) == 1 else "(" + ", ".join(entries) + ")"

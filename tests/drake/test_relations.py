@@ -5,7 +5,7 @@ import pytest
 
 from workbench.drake.bindings import BINDINGS, bound
 from workbench.drake.motions import reference_motions
-from workbench.drake.relations import ALSO, DEFINED, DEFINED_ON_CHAINS, DRIVEN, FREE, names_in
+from workbench.drake.relations import ALSO, DEFINED, names_in
 from workbench.drake.sampled_motions import sampled_motions
 from workbench.judge.evidence.motion_check import Subject, witness
 from workbench.judge.evidence.motion_source import Bindings
@@ -15,6 +15,38 @@ from workbench.language.definitions import Definitions
 from workbench.language.names import Name
 from workbench.language.terms import Symbol
 from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration
+
+#: Free bindings: a rotation R(t), a vector of time, a constant vector, a scalar of time, a constant line.
+FREE = {
+    "R_WB": "rotation",
+    "p_WBo": "vector",
+    "p_BoP_B": "constant vector",
+    "p_BoQ_B": "constant vector",
+    "R_WA": "rotation",
+    "p_WAo": "vector",
+    "R_AB": "rotation",
+    "p_ABo_A": "vector",
+    "theta1": "scalar",
+    "d1": "scalar",
+    "theta2": "scalar",
+    "d2": "scalar",
+    "dual_u1_W": "constant line",
+    "dual_u2_A": "constant line",
+}
+
+
+#: Where A's bindings are used beside B's.
+DEFINED_ON_CHAINS = (
+    ("R_WB", ("mul", "R_WA", "R_AB")),
+    ("p_WBo", ("add", "p_WAo", ("mul", "R_WA", "p_ABo_A"))),
+)
+
+#: What the joints of a cylindrical chain turn and slide: the rate of a dual twist's angle times its line.
+DRIVEN = (
+    ("dual_w_WA", ("mul", ("rate", "dual_theta1"), "dual_u1_W")),
+    ("dual_w_AB_A", ("mul", ("rate", "dual_theta2"), "dual_u2_A")),
+    ("dual_w_AB_W", ("mul", ("rate", "dual_theta2"), "dual_u2_W")),
+)
 
 MOTIONS = (*reference_motions(), *sampled_motions())
 TABLE = (*DEFINED, *ALSO, *DEFINED_ON_CHAINS, *DRIVEN)

@@ -14,6 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from workbench.report.kinds import STATES, VERDICTS
+from workbench.report.prose import as_tuple
 from workbench.report.to_json import witness_counts
 
 if TYPE_CHECKING:
@@ -155,12 +156,12 @@ def _fault(fault: str, claim: Claim) -> Iterator[Text]:
 def _counterexample(example: Counterexample) -> Iterator[Text]:
     yield Text(f"{'counterexample':>15}")
     for symbol, entries in example.values.items():
-        yield Text(f"{'':17}{symbol} = {_tuple(entries)}")
+        yield Text(f"{'':17}{symbol} = {as_tuple(entries)}")
     for symbol, entries in example.defined.items():
         if len(entries) <= _LARGEST:
-            yield Text(f"{'':17}so that {symbol} = {_tuple(entries)}")
-    yield Text(f"{'':17}left  = {_tuple(example.left)}")
-    yield Text(f"{'':17}right = {_tuple(example.right)}")
+            yield Text(f"{'':17}so that {symbol} = {as_tuple(entries)}")
+    yield Text(f"{'':17}left  = {as_tuple(example.left)}")
+    yield Text(f"{'':17}right = {as_tuple(example.right)}")
 
 
 @contextmanager
@@ -199,7 +200,3 @@ def _field(name: str, value: str | None) -> Iterator[Text]:
 def _one_line(text: str) -> str:
     """What a terminal would obey is shown as a mark."""
     return "".join(c if c.isprintable() else "\ufffd" for c in " ".join(text.split()))
-
-
-def _tuple(entries: Sequence[str]) -> str:
-    return entries[0] if len(entries) == 1 else "(" + ", ".join(entries) + ")"

@@ -12,24 +12,6 @@ from __future__ import annotations
 
 Term = str | tuple
 
-#: Free bindings: a rotation R(t), a vector of time, a constant vector, a scalar of time, a constant line.
-FREE = {
-    "R_WB": "rotation",
-    "p_WBo": "vector",
-    "p_BoP_B": "constant vector",
-    "p_BoQ_B": "constant vector",
-    "R_WA": "rotation",
-    "p_WAo": "vector",
-    "R_AB": "rotation",
-    "p_ABo_A": "vector",
-    "theta1": "scalar",
-    "d1": "scalar",
-    "theta2": "scalar",
-    "d2": "scalar",
-    "dual_u1_W": "constant line",
-    "dual_u2_A": "constant line",
-}
-
 
 def _angular(R: Term) -> Term:
     return ("vect", ("mul", ("rate", R), ("transpose", R)))
@@ -92,17 +74,4 @@ ALSO: tuple[tuple[str, Term], ...] = (
     ("dual_w_WB", _angular("dual_R_WB")),
     ("dual_w_WA", _angular("dual_R_WA")),
     ("dual_w_AB_A", _angular("dual_R_AB")),
-)
-
-#: Where A's bindings are used beside B's.
-DEFINED_ON_CHAINS: tuple[tuple[str, Term], ...] = (
-    ("R_WB", ("mul", "R_WA", "R_AB")),
-    ("p_WBo", ("add", "p_WAo", ("mul", "R_WA", "p_ABo_A"))),
-)
-
-#: What the joints of a cylindrical chain turn and slide: the rate of a dual twist's angle times its line.
-DRIVEN: tuple[tuple[str, Term], ...] = (
-    ("dual_w_WA", ("mul", ("rate", "dual_theta1"), "dual_u1_W")),
-    ("dual_w_AB_A", ("mul", ("rate", "dual_theta2"), "dual_u2_A")),
-    ("dual_w_AB_W", ("mul", ("rate", "dual_theta2"), "dual_u2_W")),
 )

@@ -12,11 +12,11 @@ from itertools import combinations, islice
 
 from workbench.ingest.proposals import speaks_of_quaternions
 from workbench.language.declarations import read_key
-from workbench.language.errors import Fault, IllFormedAt, ReadError, SpecError
+from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.names import Name
 from workbench.language.reader import read
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import parse
+from workbench.language.syntax import parses
 from workbench.language.terms import Statement
 from workbench.language.types import Declaration
 
@@ -161,7 +161,7 @@ class Guesser:
             outcomes = self.read_all(formulas)
             users: dict[str, set[int]] = {}
             for place, outcome in enumerate(outcomes):
-                for name in outcome.symbols if _is_parsed(formulas[place]) else ():
+                for name in outcome.symbols if parses(formulas[place]) else ():
                     users.setdefault(name, set()).add(place)
             fits = [outcome.stage for outcome in outcomes]
             changed = False
@@ -253,7 +253,7 @@ class Guesser:
     def _attempt(self, latex: str, guesses: Mapping[str, Guess]) -> Outcome:
         """Reading it depends on the symbols that share a letter with it, and on whether any is a
         quaternion."""
-        letters = _letters(latex) if _is_parsed(latex) else frozenset()
+        letters = _letters(latex) if parses(latex) else frozenset()
         near = {guess for guess in guesses.values() if not letters.isdisjoint(_letters(guess.name))}
         quaternions = (guess for guess in guesses.values() if "quaternion" in guess.kind)
         if not any("quaternion" in guess.kind for guess in near):
@@ -372,16 +372,6 @@ def _known(latex: str, names: Iterable[str]) -> set[str]:
     """The names that the formula may use: by their letters."""
     flat = _flat(latex)
     return {name for name in names if _flat(name) in flat}
-
-
-@cache
-def _is_parsed(latex: str) -> bool:
-    """Whether only what its symbols are may keep it from being read."""
-    try:
-        parse(latex)
-    except Fault:
-        return False
-    return True
 
 
 @cache

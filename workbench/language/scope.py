@@ -11,7 +11,7 @@ from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
 from workbench.language.notations import is_shape
-from workbench.language.spelling import linear, spell_label
+from workbench.language.spelling import linear, linear_or_none, spell_label
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Group, Leaf, Node, Product, Scripted, Sum
 from workbench.language.terms import IllFormed, Term, Zero, is_rate
@@ -130,7 +130,7 @@ class Scope(ABC):
     def integer_expression(self, node: Node) -> Term | None:
         """n, n+1, 2k − 1 as one integer; numbers alone are left to `number` and `sum`."""
         if isinstance(node, Leaf | Scripted | Sum | Product):
-            value = _linear_or_none(node, self.variables)
+            value = linear_or_none(node, self.variables)
             if value is not None and not value.is_number:
                 for name in value.variables:
                     self.integer_variable(name, node.at)
@@ -157,10 +157,3 @@ class Scope(ABC):
 
     def known_variables(self) -> str:
         return f"integer variables known here: {', '.join(sorted(self.variables)) or 'none'}"
-
-
-def _linear_or_none(node: Node, variables: frozenset[str]) -> Linear | None:
-    try:
-        return linear(node, variables)
-    except Fault:
-        return None

@@ -99,6 +99,14 @@ def linear(node: Node, variables: Collection[str]) -> Linear | None:
     return Linear.variable(name) if name in variables else None
 
 
+def linear_or_none(node: Node, variables: Collection[str]) -> Linear | None:
+    """The same; None for an integer that is too large, too."""
+    try:
+        return linear(node, variables)
+    except Fault:
+        return None
+
+
 @dataclass(frozen=True, slots=True)
 class Spelling:
     """A letter as it is written, with its scripts in pieces: which of their integers are indices is open."""

@@ -72,6 +72,11 @@ def core(node: Node | None) -> Node | None:
     return node
 
 
+def is_left_script(node: Node | None) -> bool:
+    """Whether the node is {}_a^b, which the letter behind it carries on its left."""
+    return isinstance(node, Scripted) and isinstance(node.nucleus, Group) and not node.nucleus.parts
+
+
 def unstyled(node: Node) -> tuple[tuple[str, ...], Node]:
     """The fonts and marks of a node, the outermost first, and what is inside them."""
     styles: tuple[str, ...] = ()
@@ -361,3 +366,13 @@ def parse(text: str) -> Lines:
             raise Fault("the formula ends too early", len(text)) from None
         shown = _NAMES.get(token.type, str(token))
         raise Fault(f"unexpected {shown}", token.start_pos) from None
+
+
+@cache
+def parses(text: str) -> bool:
+    """Whether the text is a formula, whatever its letters mean."""
+    try:
+        parse(text)
+    except Fault:
+        return False
+    return True

@@ -13,6 +13,7 @@ from workbench.judge.verdict import Outcome
 from workbench.papers import Paper, PaperError
 from workbench.papers.model import Span
 from workbench.papers.text_paper import TextPaper
+from workbench.report.prose import as_tuple
 from workbench.verify.results import HOLDS, ClaimResult
 
 _LEVEL_OF = {
@@ -91,8 +92,8 @@ def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:
     if verdict.hypothesis:
         parts.append(f"holds if {verdict.hypothesis}")
     if counterexample := verdict.counterexample:
-        values = ", ".join(f"{name} = {_tuple(entries)}" for name, entries in counterexample.values.items())
-        sides = f"{_tuple(counterexample.left)} ≠ {_tuple(counterexample.right)}"
+        values = ", ".join(f"{name} = {as_tuple(entries)}" for name, entries in counterexample.values.items())
+        sides = f"{as_tuple(counterexample.left)} ≠ {as_tuple(counterexample.right)}"
         parts.append(f"{values} gives {sides}")
     if not result.passed and result.why_not and verdict.outcome in HOLDS | {result.expected}:
         parts.append(result.why_not)
@@ -113,10 +114,6 @@ def _of_error(level: str, code: str, error: PaperError, paper: Paper) -> Finding
     line, column = error.line or 1, error.column or 1
     span = Span(Path(error.file or paper.paths[0]), line, column, line, column + 1)
     return Finding(level, code, error.message, span)
-
-
-def _tuple(entries: Sequence[str]) -> str:
-    return entries[0] if len(entries) == 1 else "(" + ", ".join(entries) + ")"
 
 
 def github(found: Sequence[Finding]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from workbench.report.prose import Run
+from workbench.report.prose import Run, one_line
 from workbench.typeset.latex_atoms import LatexNotTypesettable, atoms_of, in_colour
 
 _SPECIAL = re.compile(r"([\\`*_{}\[\]()<>#+\-.!|~$&])")
@@ -26,14 +26,14 @@ def code(plain: str) -> str:
 
 
 def inline_math(latex: str) -> str:
-    return f"${_one_line(latex)}$" if _is_safe(latex) else code(latex)
+    return f"${one_line(latex)}$" if _is_safe(latex) else code(latex)
 
 
 def display_math(latex: str, marked: frozenset[int] = frozenset(), colour: str = "green") -> str:
     """A displayed formula, with the marked leaves (indices into its atoms) in a colour."""
     if not _is_safe(latex):
         return code(latex)
-    return f"$$\n{_one_line(in_colour(latex, marked, colour))}\n$$"
+    return f"$$\n{one_line(in_colour(latex, marked, colour))}\n$$"
 
 
 def runs(sentence: Iterable[Run]) -> str:
@@ -45,10 +45,6 @@ def runs(sentence: Iterable[Run]) -> str:
             lead, trail = run.content[:1].isspace(), run.content[-1:].isspace()
             pieces.append(" " * lead + escaped(run.content) + " " * (trail and bool(run.content.strip())))
     return "".join(pieces).strip()
-
-
-def _one_line(latex: str) -> str:
-    return " ".join(latex.split())
 
 
 def _is_safe(latex: str) -> bool:

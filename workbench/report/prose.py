@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,3 +41,12 @@ def plain_value(value: Any) -> str:
     if isinstance(value, list | tuple) and all(isinstance(item, str) for item in value):
         return ", ".join(value)
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def one_line(latex: str) -> str:
+    return " ".join(latex.split())
+
+
+def as_tuple(entries: Sequence[str]) -> str:
+    """A scalar alone, the components of anything else in brackets."""
+    return entries[0] if len(entries) == 1 else "(" + ", ".join(entries) + ")"

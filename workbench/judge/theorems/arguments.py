@@ -196,17 +196,3 @@ def entries(a: Any) -> list[Any]:
     if isinstance(a, Dual):
         return [*entries(a.re), *entries(a.du)]
     return list(a.flat) if isinstance(a, np.ndarray) else [a]
-
-
-__all__ = [
-    "EXACT",
-    "GENERIC",
-    "Check",
-    "Engine",
-    "Step",
-    "Way",
-    "argue",
-    "entries",
-    "vanishing",
-    "vanishing_to",
-]

@@ -118,6 +118,3 @@ def _by_sympy(letters: Letters, relations: Iterable[Relation]) -> Iterator[Any]:
         engine = JetEngine(PointSource(ring, ring.point), definitions)
         for difference in engine.differences(relation.left, relation.right):
             yield ring.normal(ring.lift(difference).top)
-
-
-__all__ = ["Letters"]

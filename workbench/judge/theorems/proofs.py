@@ -263,10 +263,3 @@ class Proven:
 
     proof: Proof | None = None
     against: Against | None = None
-
-
-__all__ = [
-    "Against", "At", "Broken", "ByLength", "Cases", "Contradicts", "Each", "False_", "Follows", "Given",
-    "Have", "Impossible", "Induction", "Kernel", "Obtain", "OnCircle", "Part", "Pascal", "Pointwise", "Proof",
-    "Proven", "Squares", "Termwise", "TwoWitnesses", "Unique", "Use", "Ways", "Witness",
-]  # fmt: skip

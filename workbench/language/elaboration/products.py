@@ -30,6 +30,7 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     Summation,
+    is_left_script,
 )
 from workbench.language.terms import (
     Apply,
@@ -358,7 +359,7 @@ class _Row:
         """What stands behind the upper d, all of it, or else the factor behind the fraction."""
         item = self.items[place]
         if found.behind:
-            lone = len(found.behind) == (2 if _has_left_scripts(found.behind[0]) else 1) or (
+            lone = len(found.behind) == (2 if is_left_script(found.behind[0]) else 1) or (
                 isinstance(found.behind[-1], Bracket) and is_rate(product(self.scope, found.behind))
             )
             if not lone and (not found.upright or isinstance(found.behind[0], Bracket)):
@@ -375,10 +376,6 @@ class _Row:
         if factor.end < len(self.items) and not isinstance(following, Bracket):
             raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
         return _Factor(rate(factor.term), item.at, factor.end, item)
-
-
-def _has_left_scripts(node: Node) -> bool:
-    return isinstance(node, Scripted) and isinstance(node.nucleus, Group) and not node.nucleus.parts
 
 
 def _is_function(node: Node) -> bool:

@@ -20,6 +20,7 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     Summation,
+    is_left_script,
     parse,
 )
 from workbench.repair.trees.letters import occurrences
@@ -53,7 +54,7 @@ def _longer_exponents(product: Product) -> Iterator[Mark]:
                 inner = sup.parts if isinstance(sup, Group) else (sup,)
                 row = inner[0].items if isinstance(inner[0], Product) else inner
                 for taken in range(1, len(following) + 1):
-                    if isinstance(following[taken - 1], Infix) or _is_left_script(following[taken - 1]):
+                    if isinstance(following[taken - 1], Infix) or is_left_script(following[taken - 1]):
                         continue
                     power = Group(sup.at, (Product(sup.at, (*row, *following[:taken])),))
                     longer = Scripted(item.at, item.nucleus, None, power)
@@ -78,7 +79,7 @@ def _missing_factors(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
     for place in range(len(items), -1, -1):
         before = items[place - 1] if place else None
         after = items[place] if place < len(items) else None
-        if _is_left_script(before) or isinstance(before, Summation) or isinstance(after, Summation):
+        if is_left_script(before) or isinstance(before, Summation) or isinstance(after, Summation):
             continue
         if place == 0 and isinstance(after, Leaf) and after.kind == "NUMBER":
             continue
@@ -100,10 +101,6 @@ def _missing_unit(node: Node) -> Mark:
 
 def _is_function(node: Node) -> bool:
     return isinstance(node, Leaf) and node.kind == "FUNCTION"
-
-
-def _is_left_script(node: Node | None) -> bool:
-    return isinstance(node, Scripted) and isinstance(node.nucleus, Group) and not node.nucleus.parts
 
 
 def letters_of(node: Node) -> list[Node]:

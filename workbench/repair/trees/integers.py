@@ -6,10 +6,9 @@ from collections.abc import Collection, Iterator, Sequence
 from functools import cache
 from itertools import product
 
-from workbench.language.errors import Fault
 from workbench.language.integers import Linear
 from workbench.language.latex import latex_of
-from workbench.language.spelling import linear, variable_name
+from workbench.language.spelling import linear_or_none, variable_name
 from workbench.language.syntax import (
     Bracket,
     Chain,
@@ -39,7 +38,7 @@ def integer_marks(node: Node, variables: Collection[str]) -> Iterator[list[Mark]
                 continue
             case Scripted(sub=sub, sup=sup):
                 scripts = [s for s in (sub, sup) if s is not None]
-                is_counting = len(scripts) == 2 and all(_linear(s, known) is not None for s in scripts)
+                is_counting = len(scripts) == 2 and all(linear_or_none(s, known) is not None for s in scripts)
                 for script in scripts:
                     yield from _of_script(holder, script, known, script is sub or is_counting)
             case Summation(lower=lower, upper=upper):
@@ -48,7 +47,7 @@ def integer_marks(node: Node, variables: Collection[str]) -> Iterator[list[Mark]
                 if isinstance(chain, Chain):
                     bounds.append(chain.sides[-1])
                 for bound in bounds:
-                    value = _linear(bound, known)
+                    value = linear_or_none(bound, known)
                     if value is not None:
                         yield [_mark(holder, bound, value + step) for step in (1, -1)]
 
@@ -71,12 +70,12 @@ def _of_script(
 ) -> Iterator[list[Mark]]:
     inner = core(script)
     if isinstance(inner, Bracket) and inner.kind in _OTHER_BRACKET and len(inner.parts) == 1:
-        value = _linear(inner.parts[0], known)
+        value = linear_or_none(inner.parts[0], known)
         if value is not None:
             other = Bracket(inner.at, _OTHER_BRACKET[inner.kind], inner.parts)
             yield [*_other_values(holder, inner.parts[0], value, known), _exchange(holder, inner, other, 1)]
     elif may_be_plain:
-        value = _linear(script, known)
+        value = linear_or_none(script, known)
         if value is not None:
             yield list(_other_values(holder, script, value, known))
 
@@ -123,10 +122,3 @@ def _shown(value: Linear) -> str:
 def _exchange(holder: Node, old: Node, new: Node, cost: int) -> Mark:
     said = f"${latex_of(core(old))}$ in ${latex_of(holder)}$ should be ${latex_of(core(new))}$"
     return Mark(old, new, cost, "index", said)
-
-
-def _linear(node: Node, variables: Collection[str]) -> Linear | None:
-    try:
-        return linear(node, variables)
-    except Fault:
-        return None

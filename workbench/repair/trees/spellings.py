@@ -11,7 +11,7 @@ from itertools import islice
 from workbench.language.elaboration.statements import clauses_of
 from workbench.language.errors import Fault
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Lines, Node, parse
+from workbench.language.syntax import Lines, Node, parse, parses
 from workbench.repair.terms.search import Change
 from workbench.repair.trees.garbled import (
     Step,
@@ -93,7 +93,7 @@ def _in_rows(lines: Lines) -> Lines:
 
 
 def _texts(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
-    if _parses(latex):
+    if parses(latex):
         yield latex, ()
         return
     accents = [*_STRANGE_ACCENT.findall(latex), *_CIRCLE.findall(latex)]
@@ -101,7 +101,7 @@ def _texts(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
     if accents:
         for tilde, dots in _ACCENTS:
             text = _CIRCLE.sub(lambda _, d=dots: d, _STRANGE_ACCENT.sub(lambda _, t=tilde: t, latex))
-            if text not in seen and _parses(text):
+            if text not in seen and parses(text):
                 seen.add(text)
                 shown = [tilde] * bool(_STRANGE_ACCENT.search(latex)) + [dots] * bool(_CIRCLE.search(latex))
                 said = f"the accent {accents[0]} should be {' and '.join(shown)}"
@@ -115,19 +115,11 @@ def _brackets(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
     for place, sign in enumerate(latex):
         if sign in "()[]":
             text = latex[:place] + latex[place + 1 :]
-            if _parses(text):
+            if parses(text):
                 yield text, (Change("bracket", f"the bracket {sign} in column {place + 1} is one too many"),)
     ends = [match.end() for match in re.finditer(r"\\[A-Za-z]+|\\.|[^\\\s]", latex)]
     for sign in (")", "]", "}", "(", "["):
         for place in reversed(ends):
             text = f"{latex[:place]}{sign}{latex[place:]}"
-            if _parses(text):
+            if parses(text):
                 yield text, (Change("bracket", f"a bracket {sign} is missing in column {place + 1}"),)
-
-
-def _parses(latex: str) -> bool:
-    try:
-        parse(latex)
-    except Fault:
-        return False
-    return True

@@ -63,8 +63,8 @@ def test_the_short_form_is_the_long_one(spelt: str, meant: str) -> None:
 @pytest.mark.parametrize(
     ("formula", "message"),
     [
-        (r"x/2y = z", "how much does / divide"),
-        (r"x/y/z = z", "how much does / divide"),
+        (r"x/2y = z", "how far does / reach"),
+        (r"x/y/z = z", "what is divided by what"),
         (r"x = \pm y", "says either"),
         (r"(v, w)^T = v", "columns beside each other"),
         (r"\lfloor x \rfloor = y", "between brackets"),
@@ -97,6 +97,11 @@ def test_an_index_without_a_range_is_any() -> None:
     [
         (r"c_n \times c_{n+1} = -c_{n+1} \times c_n", Outcome.PROVED),
         (r"c_n \times c_{n+1} = c_{n+1} \times c_n", Outcome.REFUTED),
+        (r"c_n \times c_m = c_n \times c_n", Outcome.REFUTED),
+        (r"c_n = c_n + (n - 1) (n - 2) (n - 3) c_n", Outcome.UNCHECKED),
+        (r"c_n + c_m = c_n + c_m + (n - m) c_n", Outcome.REFUTED),
+        (r"c_n + c_m = c_n + c_m + (n-m-2)(n-m-1)(n-m)(n-m+1)(n-m+2) c_n", Outcome.UNCHECKED),
+        (r"c_n + c_m = c_n + c_m + (n-m-2)(n-m-1)(n-m+1)(n-m+2) c_n", Outcome.UNCHECKED),
         (r"\cos(\alpha \pm \beta) = \cos\alpha \cos\beta \mp \sin\alpha \sin\beta", Outcome.PROVED),
         (r"\cos(\alpha \pm \beta) = \cos\alpha \cos\beta \pm \sin\alpha \sin\beta", Outcome.REFUTED),
     ],

@@ -48,6 +48,11 @@ class Orders:
     def variables(self) -> tuple[str, ...]:
         return tuple(self.ranges)
 
+    @property
+    def generic(self) -> tuple[str, ...]:
+        """The variables that may be any: the formula states no range for them."""
+        return tuple(each.variable for each in self.stated if each.generic)
+
     def assignments(self) -> Iterator[dict[str, int]]:
         """Every combination of values within the stated ranges, the last variable fastest."""
         for chosen in product(*self.ranges.values()):

@@ -7,7 +7,7 @@ them holds whatever the n-th members are; so it holds for every n from which the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Protocol
 
@@ -38,7 +38,11 @@ from workbench.language.terms import (
 
 
 class OrderRanges(Protocol):
-    """The values of a family's integer variables, such as `papers.Orders`."""
+    """The values of a family's integer variables, such as `papers.Orders`. `generic`: those that may be
+    any, since no range is stated for them; their values are but examples."""
+
+    @property
+    def generic(self) -> tuple[str, ...]: ...
 
     def assignments(self) -> Iterator[dict[str, int]]: ...
 
@@ -75,9 +79,47 @@ def judge_family(
     hypothesis: Statement | None,
     orders: OrderRanges | None,
 ) -> Verdict:
-    """The verdict on a statement whose integer variables are those of `orders`: that on its worst member."""
+    """The verdict on a statement whose integer variables are those of `orders`: that on its worst member.
+    Of indices that may be any, examples prove nothing, and two that are the same refute nothing."""
     if orders is None:
         return _instance_for(judge, statement, assume, hypothesis, {})
+    verdict = _family(judge, statement, assume, hypothesis, orders)
+    if not orders.generic:
+        return verdict
+    if verdict.outcome is Outcome.REFUTED:
+        apart = _instances(judge, statement, assume, hypothesis, _Distinct(orders))
+        is_false = apart.outcome is Outcome.REFUTED
+        return apart if is_false else _open(orders, "fails only where two indices are the same")
+    is_for_all = (verdict.scope or "").startswith("all")
+    holds = verdict.outcome in (Outcome.PROVED, Outcome.PROBABLE, Outcome.CONDITIONAL)
+    return _open(orders, f"holds for {orders}") if holds and not is_for_all else verdict
+
+
+@dataclass(frozen=True)
+class _Distinct:
+    """Orders without those in which two generic variables are the same."""
+
+    orders: OrderRanges
+    generic: tuple[str, ...] = ()
+
+    def assignments(self) -> Iterator[dict[str, int]]:
+        for values in self.orders.assignments():
+            if len({values[name] for name in self.orders.generic}) == len(self.orders.generic):
+                yield values
+
+
+def _open(orders: OrderRanges, seen: str) -> Verdict:
+    names = ", ".join(orders.generic)
+    return Verdict(Outcome.UNCHECKED, reason=f"{seen}; no range is stated for {names}")
+
+
+def _family(
+    judge: InstanceJudge,
+    statement: Statement,
+    assume: tuple[Statement, ...],
+    hypothesis: Statement | None,
+    orders: OrderRanges,
+) -> Verdict:
     if exceptions(judge).tangled:
         return _instances(judge, statement, assume, hypothesis, orders)
     if _defines(judge, statement):

@@ -10,7 +10,7 @@ from workbench.language.declarations import key_spelling
 from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.infixes import infix
 from workbench.language.elaboration.letters import letter, raised
-from workbench.language.elaboration.quotients import Rate, quotient, rate, slope, value_of
+from workbench.language.elaboration.quotients import Rate, divided, quotient, rate, slope, value_of
 from workbench.language.elaboration.spelled import spelled_out
 from workbench.language.elaboration.summations import summation
 from workbench.language.errors import Fault, Misfit, SpecError
@@ -65,14 +65,42 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
             rows[-1].append(item)
     if not rows[-1]:
         raise Fault(f"nothing after {signs[-1].operator}", signs[-1].at)
-    read = [_Row(scope, row) for row in rows]
-    operands = [row.term() for row in read]
-    for row, sign, operand in zip(read, signs, operands[1:], strict=False):
+    if any(sign.operator == "/" for sign in signs):
+        return _solidus(scope, rows, signs)
+    return _joined(scope, [_Row(scope, row) for row in rows], signs)
+
+
+def _joined(scope: Scope, rows: Sequence[_Row], signs: list[Infix]) -> Term:
+    operands = [row.term() for row in rows]
+    for row, sign, operand in zip(rows, signs, operands[1:], strict=False):
         _refuse_reach(row, sign, operand)
-    while signs and _is_vect_of_product(rows[0], operands, signs[0]):
+    while signs and _is_vect_of_product(rows[0].items, operands, signs[0]):
         inside = scope.apply(signs[0].at, "mul", *operands[0].children, operands.pop(1))
         operands[0] = scope.apply(signs.pop(0).at, "vect", inside)
     return infix(scope, operands, signs)
+
+
+def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix]) -> Term:
+    """a b/c with nothing behind c: whichever of the factors is divided, it is the same."""
+    *others, solidus = signs
+    if solidus.operator != "/" or any(sign.operator == "/" for sign in others):
+        raise Fault("what is divided by what? write \\frac{…}{…}", solidus.at)
+    *above, below = rows
+    if not others:
+        fraction = Fraction(above[0][0].at, _in_a_row(above[0]), _in_a_row(below))
+        numerals = all(isinstance(part, Leaf) and _is_numeral(part) for part in (*above[0], *below))
+        if numerals or rate(scope, fraction) is not None:
+            return _Row(scope, [fraction]).term()
+    dividend, divisor = [_Row(scope, row) for row in above], _Row(scope, below)
+    numerator, denominator = _joined(scope, dividend, others), divisor.term()
+    is_one = divisor.factor(0).end == len(below) and (len(below) < 3 or not divisor.open_head)
+    if dividend[-1].open_head or not is_one:
+        raise Fault("how far does / reach? write \\frac{…}{…}", solidus.at)
+    return divided(scope, (solidus.at, below[0].at), numerator, denominator)
+
+
+def _in_a_row(items: Sequence[Node]) -> Node:
+    return items[0] if len(items) == 1 else Product(items[0].at, tuple(items))
 
 
 def _refuse_reach(row: _Row, sign: Infix, operand: Term) -> None:

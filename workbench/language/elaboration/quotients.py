@@ -114,9 +114,15 @@ def quotient(scope: Scope, fraction: Fraction) -> Term:
     if isinstance(numerator, Number | Zero) and isinstance(denominator, Number) and _is_numeral(fraction):
         top = numerator.value if isinstance(numerator, Number) else 0
         return construct.number(Rational(top) / denominator.value) if top else construct.zero()
+    return divided(scope, (fraction.at, fraction.denominator.at), numerator, denominator)
+
+
+def divided(scope: Scope, places: tuple[int, int], numerator: Term, denominator: Term) -> Term:
+    """places: of the fraction or of the /, and of the divisor."""
+    at, below = places
     if isinstance(denominator, Zero):
-        raise Fault("division by zero", fraction.denominator.at)
-    return scope.apply(fraction.at, "div", numerator, denominator)
+        raise Fault("division by zero", below)
+    return scope.apply(at, "div", numerator, denominator)
 
 
 def value_of(head: str, argument: Term) -> Term:

@@ -1,19 +1,16 @@
-"""What stands in a row as authors write it: \\Delta t, one symbol; \\mathbf{pq}, two; a/b, a fraction."""
+"""What stands in a row as authors write it: \\Delta t, one symbol; \\mathbf{pq}, two."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from workbench.language.errors import Fault
 from workbench.language.names import PREFIXES
 from workbench.language.scope import Scope
 from workbench.language.spelling import prefixed
 from workbench.language.syntax import (
     Accented,
-    Fraction,
     Group,
-    Infix,
     Leaf,
     Node,
     Product,
@@ -24,16 +21,8 @@ from workbench.language.syntax import (
 
 
 def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
-    """The items, each a factor or a sign. Raises Fault where a slash may divide more or by more."""
-    whole = _with_prefixes(scope, [part for item in items for part in letters_in_one_font(item)])
-    slashes = [place for place, item in enumerate(whole) if isinstance(item, Infix) and item.operator == "/"]
-    if not slashes:
-        return whole
-    place = slashes[0]
-    if place == 0 or place + 2 != len(whole):
-        raise Fault("how much does / divide, and by what? write \\frac", whole[place].at)
-    above = whole[0] if place == 1 else Product(whole[0].at, tuple(whole[:place]))
-    return [Fraction(whole[0].at, above, whole[-1])]
+    """The items, each a factor or a sign."""
+    return _with_prefixes(scope, [part for item in items for part in letters_in_one_font(item)])
 
 
 def letters_in_one_font(item: Node) -> Iterator[Node]:

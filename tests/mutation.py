@@ -3,10 +3,11 @@
     uv run --group mutation python tests/mutation.py --sample 400
 
 mutmut writes the mutants and finds which test calls which function. Each mutant of the sample then gets a
-process of its own, which runs the tests of its function, those first that killed others, until one fails. A test that
-takes five times its processor time and ten seconds more does not end: that is a kill, too. Mutants that only
-change the wording of a message are left out. A mutant that no test notices is printed with its difference;
-one line a file says how many of the sample were killed.
+process of its own, which runs the tests of its function, those first that killed others of it, until one fails. A test
+that takes five times its processor time and ten seconds more does not end: that is a kill, too. Mutants that only
+change a message, or what `zip` asserts, are left out. A mutant that no test notices is printed with its difference; those
+that `judge/survivors.toml` explains are not tried. One line a file and one a package say how many of the sample
+were killed, how many are explained, and of how many.
 """
 
 import argparse
@@ -22,7 +23,7 @@ import subprocess
 import sys
 import time
 import tomllib
-from collections import Counter
+from collections import Counter, defaultdict
 from itertools import accumulate, pairwise
 from pathlib import Path
 
@@ -39,6 +40,9 @@ RESULTS = ROOT / "results.json"
 #: The test that killed the last mutant.
 KILLER = ROOT / "killer.txt"
 
+#: Mutants that say the same as the original, each with the reason.
+EXPLAINED = Path(__file__).with_name("judge") / "survivors.toml"
+
 MEGABYTES = 3000
 
 
@@ -49,31 +53,30 @@ def functions(path):
             yield node.name, node
 
 
-def is_wording(original, mutant):
-    """Whether the two differ by strings with a space in them alone, which are messages."""
+class Silent(ast.NodeTransformer):
+    """Leaves out what no verdict depends on: messages, and `strict`, which asserts that lists are of one length."""
 
-    def without_messages(node):
-        text = ast.dump(node)
-        for constant in ast.walk(node):
-            if (
-                isinstance(constant, ast.Constant)
-                and isinstance(constant.value, str)
-                and " " in constant.value
-            ):
-                text = text.replace(repr(constant.value), "message")
-        return text.replace(mutant.name, original.name)
+    def visit_Constant(self, node):
+        return ast.Constant("message") if isinstance(node.value, str) and " " in node.value else node
 
-    return without_messages(original) == without_messages(mutant)
+    def visit_Raise(self, node):
+        node.exc = node.exc.func if isinstance(node.exc, ast.Call) else node.exc
+        return node
+
+    def visit_keyword(self, node):
+        is_message = node.arg == "reason" and isinstance(node.value, ast.Constant | ast.JoinedStr)
+        return None if is_message or node.arg == "strict" else self.generic_visit(node)
 
 
 def mutants_of(path):
-    """The names of the mutants of a file."""
-    found = dict(functions(path))
+    """The names of the mutants of a file that change more than messages."""
+    found = {}
+    for name, node in functions(path):
+        found[name] = ast.dump(Silent().visit(node)).replace(name, "")
     module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
-    for name, node in found.items():
+    for name, text in found.items():
         stem, number = name.split("__mutmut_")
-        original = found[f"{stem}__mutmut_orig"]
-        if number != "orig" and not is_wording(original, node):
+        if number != "orig" and text != found[f"{stem}__mutmut_orig"]:
             yield f"{module}.{name}"
 
 
@@ -85,6 +88,27 @@ def difference(mutant):
     lines = [ast.unparse(node).splitlines()[1:] for node in (original, found[name])]
     changes = difflib.unified_diff(*lines, lineterm="", n=0)
     return "\n".join(f"    {line}" for line in changes if not line.startswith(("---", "+++", "@@")))
+
+
+def place_of(mutant):
+    """Such as kernel.case.Case.find, without the number of the mutant."""
+    module, _, name = mutant.partition("__mutmut_")[0].rpartition(".")
+    return f"{module.partition('judge.')[2]}.{name.removeprefix('x_').removeprefix('xǁ').replace('ǁ', '.')}"
+
+
+def explained(pool):
+    """Those of the mutants that the file explains. Complains of what it says of no mutant."""
+    survivors = tomllib.loads(EXPLAINED.read_text())["survivor"]
+    said = {(survivor["in"], survivor["change"].strip()) for survivor in survivors}
+    places = {place for place, _ in said}
+    found = {}
+    for mutant in pool:
+        if place_of(mutant) in places:
+            change = "\n".join(line.strip() for line in difference(mutant).splitlines())
+            found[mutant] = place_of(mutant), change
+    for stale in said - set(found.values()):
+        print(f"{EXPLAINED.name} explains what is no mutant of {stale[0]}:\n{stale[1]}")
+    return {mutant for mutant, key in found.items() if key in said}
 
 
 class Trials:
@@ -105,7 +129,8 @@ class Trials:
         if self.outcome("", [items[test] for test in list(items)[:20]]) != "survived":
             raise SystemExit("tests fail without a mutant")
         for name in self.names:
-            known = sorted(self.by_function.get(name.partition("__mutmut_")[0], ()), key=self.place)
+            function = name.partition("__mutmut_")[0]
+            known = sorted(self.by_function.get(function, ()), key=lambda test: self.place(function, test))
             until = accumulate((self.durations[test] for test in known), initial=0.0)
             tests = [test for test, spent in zip(known, until, strict=False) if spent < self.seconds]
             start = time.monotonic()
@@ -114,9 +139,9 @@ class Trials:
             self.tell(name, result)
         return True
 
-    def place(self, test):
-        """First those that have killed most, then the short ones."""
-        return -self.kills[test], self.durations[test]
+    def place(self, function, test):
+        """First those that have killed most of the function's, then most of all, then the short ones."""
+        return -self.kills[function, test], -self.kills[test], self.durations[test]
 
     def outcome(self, mutant, items):
         """ "killed", "does not end", "survived" or what else happened, by the tests in a process of their own."""
@@ -125,7 +150,9 @@ class Trials:
             _, status = os.waitpid(process, 0)
             code = os.waitstatus_to_exitcode(status)
             if code == 1:
-                self.kills[KILLER.read_text()] += 1
+                self.kills.update(
+                    (KILLER.read_text(), (mutant.partition("__mutmut_")[0], KILLER.read_text()))
+                )
             known = {0: "survived", 1: "killed", -signal.SIGPROF: "does not end"}
             return known.get(code, f"ended with {code}")
         signal.signal(signal.SIGPROF, signal.SIG_DFL)
@@ -169,9 +196,11 @@ def main():
     pool = sorted(name for path in files for name in mutants_of(path))
     sample = random.Random(options.seed).sample(pool, min(options.sample, len(pool)))
     results = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
-    left = [name for name in sample if name in results and not is_killed(results[name])]
-    new = [name for name in sample if name not in results]
-    names = left if options.again else new if options.more else sample
+    equal = explained(pool)
+    tried = [name for name in sample if name not in equal]
+    left = [name for name in tried if name in results and not is_killed(results[name])]
+    new = [name for name in tried if name not in results]
+    names = left if options.again else new if options.more else tried
 
     def tell(name, result):
         results[name] = result
@@ -187,13 +216,17 @@ def main():
     quiet = ["--rootdir=.", "-o", "addopts=", "-p", "no:terminal"]
     if pytest.main([*quiet, *arguments], plugins=[Trials(names, options.seconds, tell)]) != 0:
         raise SystemExit("the tests cannot be collected")
-    total = Counter()
-    for path in files:
-        module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
-        count = Counter(is_killed(results[name]) for name in sample if name.startswith(module + "."))
-        total += count
-        print(f"{module:48}{count[True]:5} of {count.total():4}")
-    print(f"{'all':48}{total[True]:5} of {total.total():4}  ({len(pool)} mutants in all)")
+    counts = defaultdict(Counter)
+    for name in sample:
+        module = name.rpartition(".")[0]
+        what = "explained" if name in equal else "killed" if is_killed(results[name]) else "left"
+        for group in (module, module.rpartition(".")[0], "all"):
+            counts[group][what] += 1
+    print(f"{'':48}  killed  explained  of")
+    for group, count in sorted(counts.items(), key=lambda item: (-item[0].count("."), item[0])):
+        print(f"{group:48}{count['killed']:8}{count['explained']:11}{count.total():4}")
+    killed, rest = counts["all"]["killed"], len(sample) - counts["all"]["explained"]
+    print(f"{killed / rest:.1%} of those that are not explained; {len(pool)} mutants in all")
 
 
 def is_killed(result):

@@ -82,6 +82,22 @@ def test_type_and_weight_stay_and_no_symbolic_order_is_left(latex):
     assert symbolic_orders([term]) and not symbolic_orders([free])
 
 
+@pytest.mark.parametrize("uniform", ["", "f", "x", "fx"])
+def test_a_free_derivative_is_as_uniform_as_what_it_is_of(uniform):
+    kinds = {"f": "scalar", "x": "vector"}
+    symbols = {name: {"kind": kind, "uniform": name in uniform} for name, kind in kinds.items()}
+    table = SymbolTable.build(symbols | {r"\rho": {"kind": "vector", "coordinate": True}})
+    free = with_free_derivatives(read_term("(f x)^{(n)}", table, {"n"}))
+    assert free.declaration.uniform == (uniform == "fx")
+    found = check(
+        r"\operatorname{curl} ((f x)^{(n)} \times \rho) = 2 (f x)^{(n)}",
+        symbols=symbols | {r"\rho": {"kind": "vector", "coordinate": True}},
+        orders="n = 0..1",
+    )
+    proved = (Outcome.PROVED, "all n"), (Outcome.UNCHECKED, None)
+    assert (found.outcome, found.verdict.scope) == proved[uniform != "fx"]
+
+
 def test_a_constant_vanishes_from_the_first_derivative_on_only():
     with pytest.raises(NotExact, match="of a constant"):
         with_free_derivatives(_read("c^{(n)}"))

@@ -21,8 +21,7 @@ def as_operator(value: Matrix | Operator) -> Operator:
 
 
 def add_operators(a: Operator, b: Operator) -> Operator:
-    longer, shorter = (a, b) if len(a) >= len(b) else (b, a)
-    return tuple(add(m, shorter[k]) if k < len(shorter) else m for k, m in enumerate(longer))
+    return (*map(add, a, b), *a[len(b) :], *b[len(a) :])
 
 
 def composed(algebra: ExactAlgebra, left: Operator, right: Operator) -> Operator:

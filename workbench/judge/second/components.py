@@ -102,8 +102,7 @@ def add(a: Value, b: Value) -> Value:
 
 
 def add_operators(a: OperatorValue, b: OperatorValue) -> OperatorValue:
-    longer, shorter = (a, b) if len(a) >= len(b) else (b, a)
-    return tuple(add(v, shorter[k]) if k < len(shorter) else v for k, v in enumerate(longer))
+    return (*map(add, a, b), *a[len(b) :], *b[len(a) :])
 
 
 def turned(a: tuple[Value, Value], b: tuple[Value, Value]) -> tuple[Value, Value]:

@@ -6,9 +6,10 @@ is 0 only as the zero polynomial. The arithmetic is that of Python's fractions.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
+from itertools import zip_longest
 from typing import Any
 
 from workbench.judge.second.rings import RationalRing
@@ -126,7 +127,7 @@ class NumberFieldRing(RationalRing):
         return super().root(rational)
 
 
-def _trimmed(coefficients: Sequence[Fraction]) -> Coefficients:
+def _trimmed(coefficients: Iterable[Fraction]) -> Coefficients:
     coefficients = tuple(coefficients)
     while coefficients and not coefficients[-1]:
         coefficients = coefficients[:-1]
@@ -134,8 +135,7 @@ def _trimmed(coefficients: Sequence[Fraction]) -> Coefficients:
 
 
 def _sum(a: Coefficients, b: Coefficients) -> Coefficients:
-    longer, shorter = (a, b) if len(a) >= len(b) else (b, a)
-    return _trimmed([c + (shorter[k] if k < len(shorter) else 0) for k, c in enumerate(longer)])
+    return _trimmed(map(sum, zip_longest(a, b, fillvalue=Fraction(0))))
 
 
 def _negative(a: Coefficients) -> Coefficients:

@@ -1,0 +1,207 @@
+"""What a verdict says it rests on: each check that was made, once, in order, with its figures; no other."""
+
+import pytest
+from judge.test_judge import PHI, PHI_TABLE, judged
+
+from workbench.judge.kernel.equation import Equation
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.second import drake_ring, sympy_ring
+from workbench.judge.verdict import EngineDisagreement, Outcome
+from workbench.language.definitions import Definitions
+from workbench.language.reader import read
+from workbench.papers.orders import Orders
+
+VANISHES = "residual is 0"
+PRIME = f"random point modulo {2**61 - 1}", VANISHES, {}
+SYMPY = "SymPy PolyRing on Python integers, Leibniz jets", VANISHES, {}
+DRAKE = "Drake symbolic Polynomial, Leibniz jets", VANISHES, {}
+
+
+def flint(components, indeterminates):
+    return (
+        "exact ring over ℚ (FLINT)",
+        VANISHES,
+        {"components": components, "indeterminates": indeterminates},
+    )
+
+
+APART = "the sides differ by a number that is not 0"
+FACTORS = "the two sides have the same irreducible factors"
+PLACE = "rational point, exact arithmetic", "the two sides differ", {}
+
+SAID = {
+    r"a \times b = -b \times a": [PRIME, flint(3, 6), SYMPY, DRAKE],
+    r"u \cdot u = 1": [PRIME, flint(1, 3), SYMPY],
+    r"f = g": [PLACE],
+    r"\frac{f g}{f} = g": [
+        PRIME,
+        flint(1, 3),
+        SYMPY,
+        ("denominators", "not excluded by the assumptions", {"factors": 1}),
+    ],
+    r"\frac{f g}{f (f + 1)} = \frac{g}{f + 1}": [
+        PRIME,
+        flint(1, 4),
+        SYMPY,
+        ("denominators", "not excluded by the assumptions", {"factors": 3}),
+    ],
+    r"f \neq f + 1": [
+        ("exact ring over ℚ (FLINT)", APART, {}),
+        ("SymPy PolyRing on Python integers", APART, {}),
+    ],
+    r"f \neq 0": [PLACE],
+    r"f^2 = 0 \Leftrightarrow f = 0": [
+        ("exact ring over ℚ (FLINT)", FACTORS, {}),
+        ("SymPy PolyRing on Python integers", "each side divides a power of the other", {}),
+    ],
+    r"f = 0 \Rightarrow f g = 0": [flint(1, 2), SYMPY],
+    r"(R T R^T)^3 = R T^3 R^T": [
+        PRIME,
+        ("rotated frame", "holds where this does", {"relation": "T T T = T T T"}),
+        flint(9, 9),
+        SYMPY,
+        DRAKE,
+    ],
+    r"f g = f g = g f": [
+        PRIME,
+        flint(1, 2),
+        SYMPY,
+        DRAKE,
+        PRIME,
+        flint(1, 2),
+        SYMPY,
+        DRAKE,
+        (
+            "trivial part",
+            "both sides are the same term, so nothing is tested",
+            {"formula": r"f g = f g"},
+        ),
+    ],
+    r"\min_{x \in V_3} x^2 = 0": [
+        (
+            "least value",
+            "the bound for all values, and where it is reached: 5 equations, residual is 0",
+            {"engines": [method for method, _, _ in (PRIME, flint(1, 3), SYMPY, DRAKE)]},
+        )
+    ],
+}
+
+
+def told(verdict):
+    return [(e.method, e.outcome, e.figures) for e in verdict.evidence]
+
+
+@pytest.mark.parametrize("latex", SAID)
+def test_what_was_checked(latex):
+    assert told(judged(latex)) == SAID[latex]
+
+
+@pytest.mark.parametrize(
+    "latex", [key for key, said in SAID.items() if flint(1, 3) in said or APART in said[0]]
+)
+def test_with_one_engine_it_is_the_first_one(latex):
+    verdict = judged(latex, second_engine=False)
+    assert verdict.outcome == Outcome.PROBABLE and verdict.reason == "second engine left out"
+    assert told(verdict) == [said for said in SAID[latex] if "FLINT" in said[0]]
+
+
+def test_under_a_hypothesis():
+    verdict = judged("f g = g", hypothesis="f = 1")
+    assert told(verdict) == [
+        flint(1, 2),
+        SYMPY,
+        ("witness against the bare statement", "a point where it fails", {}),
+    ]
+
+
+ALL_N = "the n-th members are free functions, the next ones by recurrence"
+FREE_N = "the n-th derivatives and the n-th members are free functions"
+STEP = r"\frac{d}{dt} \Phi_{n+1} = \ddot{\Phi}_n + \frac{d}{dt} (\Phi_n \Phi_1)"
+FAMILIES = {
+    r"\Phi_{n+1} = \dot{\Phi}_n + \Phi_n \Phi_1": [
+        ("definitions", "well-formed, and the one in force", {}),
+        ("each instance", VANISHES, {"instances": 3}),
+    ],
+    STEP: [
+        PRIME,
+        flint(9, 33),
+        SYMPY,
+        ("all n at once", ALL_N, {}),
+        ("each instance, exact ring", VANISHES, {"orders": "n = 1..3"}),
+    ],
+    r"(a + b)^{(n)} = a^{(n)} + b^{(n)}": [
+        PRIME,
+        flint(3, 6),
+        SYMPY,
+        DRAKE,
+        ("all n at once", FREE_N, {}),
+        ("each instance, exact ring", VANISHES, {"orders": "n = 1..3"}),
+    ],
+    r"\sum_{k=0}^{n} C_n^k f = 2^n f": [
+        PRIME,
+        flint(1, 1),
+        SYMPY,
+        DRAKE,
+        ("each instance", VANISHES, {"instances": 3}),
+    ],
+    r"\det \Phi_n = 0": [PLACE, ("each instance", "fails for n = 2", {"held before": 1})],
+    r"\det \Phi_n = f": [PLACE, ("each instance", "fails for n = 1", {"held before": 0})],
+    r"f^n = f^n + f - f": [PRIME, flint(1, 1), SYMPY, DRAKE, ("each instance", VANISHES, {"instances": 3})],
+}
+
+
+@pytest.mark.parametrize("latex", FAMILIES)
+def test_what_was_checked_for_each_n(latex):
+    verdict = judged(latex, orders=Orders.parse("n = 1..3"), definitions=PHI, table=PHI_TABLE)
+    assert told(verdict) == FAMILIES[latex]
+
+
+def test_a_member_that_says_nothing_hides_none_that_does():
+    verdict = judged("f^n = f", orders=Orders.parse("n = 1..3"))
+    assert (verdict.outcome, verdict.reason) == (Outcome.REFUTED, "for n = 2")
+    assert told(verdict)[-1] == ("each instance", "fails for n = 2", {"held before": 0})
+    verdict = judged("f^{n} = f^{n-1} f", orders=Orders.parse("n = 1..3"))
+    assert verdict.outcome == Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("latex", "screened"),
+    [("f g = g f", True), ("f = g", False), ("f g = f g + f - g", False), (r"\|a\|^2 = a^2", None)],
+)
+def test_a_random_point_tells_what_differs(latex, screened):
+    (statement,) = read(latex, PHI_TABLE)
+    equation = Equation(Judge(Definitions()), statement, ())
+    assert equation._screen() is screened
+
+
+FALSE_RECHECKS = [
+    (sympy_ring, "recheck", r"a \times b = -b \times a"),
+    (drake_ring, "recheck_by_drake", r"a \times b = -b \times a"),
+    (sympy_ring, "recheck_distance", r"f \neq f + 1"),
+    (sympy_ring, "recheck_division", r"f^2 = 0 \Leftrightarrow f = 0"),
+]
+
+
+@pytest.mark.parametrize(("module", "name", "latex"), FALSE_RECHECKS)
+def test_what_one_engine_alone_sees_is_a_disagreement(monkeypatch, module, name, latex):
+    assert judged(latex).outcome == Outcome.PROVED
+    monkeypatch.setattr(module, name, lambda *arguments: False)
+    with pytest.raises(EngineDisagreement):
+        judged(latex)
+
+
+@pytest.mark.parametrize("latex", [r"a \times b = -b \times a", r"\dot{R} R^T = -R \dot{R}^T"])
+def test_zero_in_the_first_engine_alone_is_a_disagreement(monkeypatch, latex):
+    monkeypatch.setattr(Equation, "_screen", lambda equation: False)
+    with pytest.raises(EngineDisagreement, match="not modulo"):
+        judged(latex)
+
+
+def test_a_counterexample_of_the_second_engine_alone_is_a_disagreement(monkeypatch):
+    from workbench.judge.first.exact import ExactEngine
+
+    monkeypatch.setattr(ExactEngine, "at", lambda *arguments: 0)
+    with pytest.raises(EngineDisagreement, match="one engine only"):
+        judged("f = g")
+    assert judged("f = g", ["f = 1"]).outcome == Outcome.REFUTED
+    assert judged(r"\|a\| = f").outcome == Outcome.REFUTED

@@ -216,6 +216,26 @@ def test_an_operator_acts_on_blocks_of_three_rows_only(latex, outcome):
     assert check(latex, {"T": "tensor", "x": "vector"}).outcome == outcome
 
 
+BLOCKS = [
+    r"\begin{bmatrix} f & g \\ h & k \end{bmatrix}",
+    r"\begin{bmatrix} f & 0 \\ g & k \end{bmatrix}",
+    r"\begin{bmatrix} f & \underline{g} \\ 0 & k \end{bmatrix}",
+    r"\begin{bmatrix} \underline{g} & 0 \\ f & k \end{bmatrix}",
+    r"\begin{bmatrix} f & 0 & 0 & 0 \\ h & g & 0 & 0 \\ 0 & f & h & 0 \\ g & 0 & f & k \end{bmatrix}",
+    r"\begin{bmatrix} T & x \\ 0 & f \end{bmatrix}",
+]
+
+
+@pytest.mark.parametrize("block", BLOCKS)
+def test_the_inverse_of_a_matrix_of_entries(block):
+    kinds = {"T": "tensor", "x": "vector", r"\underline{g}": "dual scalar", **dict.fromkeys("fghk", "scalar")}
+    table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})
+    for product in (rf"{block}^{{-1}} {block}", rf"{block} {block}^{{-1}}"):
+        for unit, outcome in ((r"\mathbf{I}", "conditional"), (r"2 \mathbf{I}", "refuted")):
+            (said,) = read(f"{product} = {unit}", table)
+            assert Judge(Definitions()).judge(said).outcome == outcome
+
+
 def test_the_inverse_of_a_block_matrix_can_be_multiplied():
     block = r"\begin{bmatrix} \mathbf{R} & x \\ \mathbf{0} & 1 \end{bmatrix}"
     symbols = {"\\mathbf{R}": "rotation", "x": "vector"}

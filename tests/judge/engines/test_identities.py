@@ -70,6 +70,27 @@ T^3 = (\operatorname{trace} T) T^2 - (\operatorname{trace} T^*) T + (\det T) \ma
 \frac{1}{f} - \frac{1}{g} = \frac{g - f}{f g}
 \underline{a} \cdot \underline{J} \underline{b} = \underline{b} \cdot \underline{J} \underline{a}
 \underline{E} \underline{G} = \underline{G} \underline{E}
+\underline{q}^2 = \underline{q} \underline{q}
+\underline{p}^3 = \underline{p} \underline{p} \underline{p}
+\underline{q} \underline{q}^{-1} \underline{p} = \underline{p}
+\underline{e}^{-1} = \underline{e}^*
+\underline{T}^3 = \underline{T} \underline{T} \underline{T}
+a^4 = (a \cdot a)(a \cdot a)
+\underline{f}^3 = \underline{f} \underline{f} \underline{f}
+\mathbf{D}^3 a = \dddot{a}
+(\mathbf{D} + T)^0 a = a
+\exp(\varepsilon \tilde{a}) = \mathbf{I} + \varepsilon \tilde{a}
+\sin (\varepsilon f) = \varepsilon f
+\cos (2 \varepsilon f) = 1
+\sin (-\underline{\alpha}) = -\sin \underline{\alpha}
+\sin (3 \underline{\alpha}) = 3 \sin \underline{\alpha} - 4 \sin^3 \underline{\alpha}
+\det \begin{bmatrix} f & g \\ \dot{f} & \dot{g} \end{bmatrix} = f \dot{g} - g \dot{f}
+\det \begin{bmatrix} T & a \\ b^T & f \end{bmatrix} = f \det T - b \cdot T^* a
+\|\underline{a}\| \|\underline{a}\| = \underline{a} \cdot \underline{a}
+\frac{1}{\underline{f}^2} = \frac{1}{\underline{f}} \frac{1}{\underline{f}}
+\operatorname{Du} (\underline{T}^{-1} \underline{a}) = \operatorname{Du} \underline{T}^{-1} \operatorname{Re} \underline{a} + \operatorname{Re} \underline{T}^{-1} \operatorname{Du} \underline{a}
+\frac{d^2}{dt^2} \frac{1}{f} = 2 \frac{\dot{f}^2}{f^3} - \frac{\ddot{f}}{f^2}
+\|a\|^3 \frac{d^2}{dt^2} \|a\| = a^2 (\dot{a}^2 + a \cdot \ddot{a}) - (a \cdot \dot{a})^2
 """.strip().splitlines()
 
 BOTH = replace(

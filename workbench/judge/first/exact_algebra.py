@@ -152,7 +152,7 @@ class ExactAlgebra:
             raise NotExact("the norm of zero")
         factor = square.leading_coefficient()
         p, q = isqrt(abs(int(factor.p))), isqrt(int(factor.q))
-        if factor == 0 or Fraction(p * p, q * q) != Fraction(int(factor.p), int(factor.q)):
+        if Fraction(p * p, q * q) != Fraction(int(factor.p), int(factor.q)):
             p = q = 1
         outside = self.ring.constant(Fraction(p, q))
         square = square / (outside * outside).leading_coefficient()

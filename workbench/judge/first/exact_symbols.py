@@ -209,7 +209,7 @@ def _by_chain(
     return sum(addends[1:], addends[0])
 
 
-def rank(parameter: Parameter) -> int:
+def rank(parameter: Parameter) -> bool:
     """The squared component of a circle, a unit vector or a quaternion ranks above the others of it."""
     squared = {"circle": 1, "unit": 0, "quaternion": 0}
-    return 0 if parameter.component == squared.get(parameter.part) else 1
+    return parameter.component != squared.get(parameter.part)

@@ -59,7 +59,7 @@ class InstanceJudge(Protocol):
 
 
 #: A family is as good as its worst member.
-_WORST_FIRST = (
+WORST_FIRST = (
     Outcome.REFUTED,
     Outcome.ILL_FORMED,
     Outcome.UNCHECKED,
@@ -285,7 +285,7 @@ def _instances(
         if current.reason == SAME_TERM:
             continue
         count += 1
-        if worst is None or _WORST_FIRST.index(current.outcome) < _WORST_FIRST.index(worst.outcome):
+        if worst is None or WORST_FIRST.index(current.outcome) < WORST_FIRST.index(worst.outcome):
             worst, place = current, ", ".join(f"{name} = {value}" for name, value in values.items())
         if current.outcome == Outcome.REFUTED:
             break

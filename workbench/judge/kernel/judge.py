@@ -10,7 +10,7 @@ from workbench.judge.kernel.branches import holds_arc, judge_branch
 from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.extrema import judge_extremum
-from workbench.judge.kernel.families import SAME_TERM, OrderRanges, judge_family
+from workbench.judge.kernel.families import SAME_TERM, WORST_FIRST, OrderRanges, judge_family
 from workbench.judge.kernel.zero_sets import judge_inequation, judge_zeros
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.inventory import NotExact
@@ -151,10 +151,7 @@ class Judge(Setting):
 
 def _together(verdicts: list[Verdict]) -> Verdict:
     """A conjunction is as good as its worst part."""
-    worst = (Outcome.REFUTED, Outcome.UNCHECKED, Outcome.PROBABLE, Outcome.CONDITIONAL, Outcome.PROVED)
-    for outcome in worst:
-        for verdict in verdicts:
-            if verdict.outcome == outcome:
-                evidence = tuple(e for v in verdicts for e in v.evidence)
-                return replace(verdict, evidence=evidence if outcome == Outcome.PROVED else verdict.evidence)
-    return verdicts[0]
+    worst = min(verdicts, key=lambda verdict: WORST_FIRST.index(verdict.outcome))
+    if worst.outcome != Outcome.PROVED:
+        return worst
+    return replace(worst, evidence=tuple(e for v in verdicts for e in v.evidence))

@@ -134,8 +134,8 @@ class _Survey:
 
     def _count(self, term: Apply) -> None:
         if term.head in ("div", "inverse"):
-            # a block triangular matrix is inverted block by block
-            self.inventory.reciprocals += max(1, term.type.rows - 2) if term.type.kind == "matrix" else 1
+            # a triangular matrix is inverted entry by entry
+            self.inventory.reciprocals += term.type.rows if term.type.kind == "matrix" else 1
         elif term.head in ("norm", "root"):
             # a dual norm also divides by the real one, see Eq. (74)
             self.inventory.norms += 1

@@ -5,7 +5,7 @@ import re
 
 import pytest
 from evaluator.identities import TABLE as BOTH
-from judge.test_judge import TABLE, judged
+from judge.test_judge import TABLE, defined, judged
 
 from workbench.judge.evidence.points import trials
 from workbench.judge.kernel import rotated
@@ -196,6 +196,7 @@ def test_the_degree_of_a_term(latex, degree):
         ("R T R = R S R", "T = S"),
         ("R R T = R S", "R T = S"),
         ("T R R = S R", "T R = S"),
+        ("R^T T R^T = R^T S R^T", "T = S"),
         ("R T = R^T S", None),
         ("T R = S R^T", None),
         ("T R = S T", None),
@@ -205,3 +206,25 @@ def test_the_degree_of_a_term(latex, degree):
 )
 def test_only_the_same_rotation_is_taken_from_both_sides(always, latex, cheaper):
     assert both(latex)[1] == (both(cheaper)[0] if cheaper else None)
+
+
+@pytest.mark.parametrize(
+    ("latex", "turns"),
+    [
+        ("R", True),
+        ("R^T", True),
+        (r"\underline{R}", True),
+        (r"\underline{R}^T", True),
+        ("T", False),
+        ("T^T", False),
+        ("Q", False),
+        ("Q^T", False),
+        ("R R", False),
+        ("R^*", False),
+        ("-R", False),
+    ],
+)
+def test_only_a_free_rotation_and_its_transpose_turn(latex, turns):
+    definitions, table = defined(Q="R")
+    (claim,) = read(f"{latex} = {latex}", table)
+    assert rotated._Frame(definitions).turns(claim.left) == turns

@@ -17,6 +17,9 @@ SYMBOLS = {
     "x": {"kind": "vector", "weight": 0},
     "y": {"kind": "vector", "weight": 0},
     "T": {"kind": "tensor", "weight": 0},
+    "S": {"kind": "tensor", "weight": 0},
+    "f": {"kind": "scalar", "weight": 0},
+    "g": {"kind": "scalar", "weight": 0},
     "c": {"kind": "vector", "weight": 0, "constant": True},
     "C": {"kind": "tensor", "weight": 0, "constant": True},
     r"\mathbf{R}": {"kind": "rotation", "weight": 0},
@@ -34,6 +37,9 @@ ALL_N = [
     r"\dot{x}^{(n)} = x^{(n+1)}",
     r"\frac{d}{dt}(T^{(n)} \mathbf{R}^T) = T^{(n+1)} \mathbf{R}^T + T^{(n)} \dot{\mathbf{R}}^T",
     r"(x + c)^{(n+1)} = \dot{x}^{(n)}",
+    r"\frac{d}{dt} ((f c)^{(n)}) = f^{(n+1)} c",
+    r"\frac{d}{dt} ((f g)^{(n)}) = (f g)^{(n+1)}",
+    r"\frac{d}{dt} ((T S)^{(n)}) = (T S)^{(n+1)}",
     r"\frac{d^{n-1}}{dt^{n-1}} \dot{x} = x^{(n)}",
 ]
 

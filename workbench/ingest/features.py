@@ -4,6 +4,18 @@ from __future__ import annotations
 
 import re
 
+_BY_MESSAGE = (
+    (r"the integer variable", "indices without a range"),
+    (r"unexpected character '/'", "slashes"),
+    (r"a subscript on an expression", "subscripts on brackets"),
+    (r".*words in a formula", "words"),
+    (r"& outside", "alignment marks inside of brackets"),
+    (r".*got an expression alone", "a formula without a relation"),
+    (
+        r".*differ in type|expected a (?:vector|tensor|scalar|quaternion)\b|juxtaposition of|the transpose",
+        "kinds that do not fit as guessed",
+    ),
+)
 _BY_LATEX = (
     (r"\\(?:i*int|oint)(?![A-Za-z])", "integrals"),
     (r"\\lim(?![A-Za-z])|\\limsup|\\sup(?![A-Za-z])", "limits"),
@@ -33,16 +45,17 @@ _BY_LATEX = (
 
 
 def feature_of(latex: str, message: str) -> str:
-    """The first that applies; else what the reader says, without the particulars."""
+    """What the reader says, without the particulars; else the first that the formula shows signs of."""
     if message.startswith("the macro "):
         return "macros that only TeX can follow"
+    if match := re.search(r"unknown command (\\\S+)", message):
+        return f"the command {match[1]}"
+    for pattern, name in _BY_MESSAGE:
+        if re.match(pattern, message):
+            return name
     for pattern, name in _BY_LATEX:
         if re.search(pattern, latex):
             return name
-    if match := re.search(r"unknown command (\\\S+)", message):
-        return f"the command {match[1]}"
     if "says nothing" in message or not re.search(r"=", latex):
         return "a formula without a relation"
-    if "type" in message or "juxtaposition" in message or "expected" in message:
-        return "kinds that do not fit as guessed"
-    return "another spelling"
+    return "kinds that do not fit as guessed" if "expected" in message else "another spelling"

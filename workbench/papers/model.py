@@ -175,7 +175,8 @@ class Claim:
     claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps before it in
     its chain, `skip` why its author leaves it out, `unread` why its model
     expects no verdict, `states` the symbol that it may define, `guessed` its
-    symbols whose kinds nobody has confirmed, `rests` what earlier claims say of its symbols.
+    symbols whose kinds nobody has confirmed, `rests` what earlier claims say of its symbols,
+    `unsettled` why it may be true although it is false for free symbols.
     """
 
     id: str
@@ -208,6 +209,7 @@ class Claim:
     states: str | None = None
     guessed: tuple[str, ...] = ()
     rests: tuple[Said, ...] = ()
+    unsettled: str | None = None
 
     @property
     def expected(self) -> Outcome:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
+from workbench.papers.by_hand import as_read
 from workbench.papers.plain_tex import with_nuclei, with_typefaces
 from workbench.papers.texts import Token
 
@@ -65,7 +66,7 @@ _RENAMED = {
 def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Token]:
     """Without what moves, colours or numbers; bold italics and brackets by names that the reader knows; and
     letters that stand together and are one of the words by the command of this name."""
-    made = list(_respelled(list(with_nuclei(list(with_typefaces(tokens))))))
+    made = list(_respelled(list(with_nuclei(list(with_typefaces(as_read(tokens)))))))
     if any(token.word in _OPERATORS for token in tokens):
         made = _tidied(made)
     return list(_with_words(made, words))

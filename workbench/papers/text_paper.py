@@ -18,6 +18,7 @@ from workbench.papers.said import stated, terms_of, with_said
 from workbench.papers.steps import Step, steps_of
 from workbench.papers.text_model import Entry, TextModel, names_of
 from workbench.papers.texts import Display, Text, Token, spelled
+from workbench.papers.unsettled import with_unsettled
 
 _NO_ID = re.compile(r"[^\w.+*'-]+")
 
@@ -68,7 +69,7 @@ def text_paper(
         doi,
         paths,
         notations[0][1],
-        tuple(with_said(claims)),
+        tuple(with_unsettled(with_said(claims), text.sources)),
         citation=citation or {},
         text=text,
         faults=(*model.faults, *faults),

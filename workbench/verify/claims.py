@@ -159,7 +159,7 @@ class ClaimJudge:
         if verdict.outcome is Outcome.REFUTED and claim.states is not None:
             return Verdict(Outcome.UNCHECKED, reason=_states(claim.states), read_back=verdict.read_back)
         is_open = verdict.outcome is Outcome.REFUTED and claim.corrected is None
-        if is_open and (why := self._left_open(claim)) is not None:
+        if is_open and (why := claim.unsettled or self._left_open(claim)) is not None:
             return Verdict(Outcome.UNCHECKED, reason=why, read_back=verdict.read_back)
         if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
             return Verdict(

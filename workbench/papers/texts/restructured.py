@@ -62,6 +62,7 @@ def _directive(
     opening = lines[place]
     label = None
     spans: list[tuple[int, int]] = []
+    parted: set[int] = set()  # the lines with an empty one behind
     if match[2].strip():
         spans.append((opening.start + match.start(2), opening.end))
     is_head = True
@@ -73,22 +74,28 @@ def _directive(
         elif line.text.strip():
             spans.append((line.start + line.indent, line.end))
             is_head = False
+            if not lines[place - 1].text.strip() and len(spans) > 1:
+                parted.add(len(spans) - 2)
         else:
             is_head = False
         place += 1
     if not spans:
         return place, iter(())
     start, end = view.at[opening.start + len(match[1])], view.at[spans[-1][1]]
-    return place, iter([Found(_body(view, spans), start, end, "\\[", label or None, section)])
+    return place, iter([Found(_body(view, spans, parted), start, end, "\\[", label or None, section)])
 
 
-def _body(view: View, spans: list[tuple[int, int]]) -> View:
-    """The lines without their indent, with a line feed between."""
-    text, at = [], []
-    for start, end in spans:
-        text.append(view.text[start:end] + "\n")
-        at += view.at[start : end + 1]
-    return View("".join(text)[:-1], view.source, at)
+def _body(view: View, spans: list[tuple[int, int]], parted: set[int]) -> View:
+    """The lines without their indent, with line feeds between; an empty line parts rows, as Sphinx has it."""
+    text, at = "", []
+    for place, (start, end) in enumerate(spans):
+        text += view.text[start:end]
+        at += view.at[start:end]
+        is_open = text.count("\\begin{") > text.count("\\end{") or text.rstrip().endswith("\\\\")
+        between = "\\\\\n" if place in parted and not is_open else "\n"
+        text += between
+        at += [view.at[end]] * len(between)
+    return View(text[:-1], view.source, at[:-1])
 
 
 def _roles(view: View, line: _Line, section: str) -> Iterator[Found]:

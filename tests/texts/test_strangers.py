@@ -1,0 +1,90 @@
+"""What texts that nobody here had seen write in ways of their own: how it is read, and what is not held against
+them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from workbench.papers.load import load_paper
+from workbench.papers.steps import steps_of
+from workbench.papers.texts import read_text
+
+SPELLED = {
+    r"\cos(\theta/2) = c": r"\cos(\frac{\theta}{2}) = c",
+    r"m v^2/r = -x/2 + 1": r"m \frac{v^2}{r} = -\frac{x}{2} + 1",
+    r"x/(2y) = \dot{\theta}/2": r"\frac{x}{(2y)} = \frac{\dot{\theta}}{2}",
+    r"a = \boldsymbol\omega_\mathcal{B/N}": r"a = \boldsymbol\omega_{\mathcal{B}/\mathcal{N}}",
+    r"\alpha^{\prime}_1 = x^{\prime\prime}": r"\alpha'_1 = x''",
+    r"A = \mathbf{R}(t)^T S {(t)^T}": r"A = \mathbf{R}^T S ^T",
+    r"m_{\text{\text{sc}}} = J_{\textit{7}}": r"m_{\text{sc}} = J_{\text{7}}",
+    r"x \buildrel\Delta\over= \varOmega y": r"x := \mathit{\Omega}y",
+    r"A = \left[ {\begin{array}{*{20}{c}} 0&1 \end{array}} \right]": r"A = \left[ \begin{array}{c} 0&1 \end{array} \right]",
+}
+#: What more than one way of reading it is left to the reader, which refuses it.
+AS_IT_IS = [
+    r"\sin\theta/2 = c",
+    r"1/2 m v^2 = h",
+    r"a/b c = 3",
+    r"a/b/c = 3",
+    r"\sin a b/2 = 1",
+    r"r_{P/O} = x^{1/2}",
+    r"{}^{A/B} x = y",
+    r"v (t) = x",
+    r"\text{v/c} = x",
+]
+
+
+@pytest.mark.parametrize("written", [*SPELLED, *AS_IT_IS])
+def test_what_authors_and_their_tools_write_is_spelled_as_the_reader_has_it(
+    tmp_path: Path, written: str
+) -> None:
+    path = tmp_path / "p.tex"
+    path.write_text("\\begin{document}\n\\[" + written + "\\]\n\\end{document}")
+    ((step,),) = steps_of(read_text(path).displays[0])
+    latex, owners = step.spelled()
+    assert "".join(latex.split()) == "".join(SPELLED.get(written, written).split())
+    assert all(written in token.source.text for token in owners)
+
+
+def test_an_empty_line_parts_the_equations_of_a_directive(tmp_path: Path) -> None:
+    path = tmp_path / "p.rst"
+    path.write_text(
+        "Text\n\n.. math::\n   :label: x\n\n   a = b\n\n   c = d\n\n   \\begin{aligned}\n\n   e = f\n   \\end{aligned}\n"
+    )
+    (display,) = read_text(path).displays
+    latex = [" ".join(step.spelled()[0].split()) for line in steps_of(display) for step in line]
+    assert latex[:2] == ["a = b", "c = d"] and len(latex) == 3
+
+
+MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
+    f"'{name}' = {{ kind = \"{kind}\" }}\n"
+    for name, kind in {
+        r"\mathbf{r}": "vector", r"\mathbf{s}": "vector", "r_1": "scalar", "r_2": "scalar", "r_3": "scalar",
+        r"\alpha": "scalar", "x": "scalar", "y": "scalar", "z": "scalar",
+    }.items()
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (r"$$\mathbf{r} \cdot (\mathbf{s} \times \mathbf{r}) = r_1^2$$", "reads as a component of"),
+        (r"Here $\alpha = 1 \pm 2$. $$\alpha^2 x = \alpha x$$", "the text says what \\alpha is (line 1)"),
+        ("$$\\alpha(x) = \\int x$$\n\n$$\\alpha^2 x = \\alpha x$$", "the text says what \\alpha is (line 1)"),
+        (r"$$x y + x z + y = x$$", "says what z is"),
+        (r"$$x^2 y - x^2 y^2 = 0$$", "says what x is"),
+        (r"$$x y + x y^2 = x + y$$", None),
+        (r"$$\mathbf{r} \cdot \mathbf{s} + \mathbf{s} \cdot \mathbf{s} = 0$$", None),
+        ("$$z = x + y = y - x$$\n\n$$x^2 y + y = y^2 + x$$", None),
+    ],
+)
+def test_what_the_text_says_elsewhere_leaves_a_falsehood_open(
+    tmp_path: Path, text: str, why: str | None
+) -> None:
+    (tmp_path / "p.md").write_text(text)
+    (tmp_path / "p.toml").write_text(MODEL)
+    claim = load_paper(tmp_path / "p.toml").claims[-1]
+    assert claim.printed.statement is not None
+    assert claim.unsettled is None if why is None else why in (claim.unsettled or "")

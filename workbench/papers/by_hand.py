@@ -1,0 +1,147 @@
+"""What authors and their tools write in other ways than the claim language: θ/2 for a fraction, the tables of
+MathType, labels within typefaces, R(t)^T."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from workbench.papers.slashes import FACES, GAPS, TEXTS, ahead, behind, is_letter, past, with_fractions
+from workbench.papers.texts import Token
+
+_CAPITALS = "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
+_VARIANTS = frozenset(_CAPITALS.split())
+
+
+def as_read(tokens: Sequence[Token]) -> list[Token]:
+    """Every token stays in its place."""
+    made = list(tokens)
+    for pattern in (_variant, _buildrel, _table, _grouped_table, _label, _nested_text, _prime, _of_time):
+        made = _everywhere(made, pattern)
+    return with_fractions(made)
+
+
+def _everywhere(
+    tokens: list[Token], pattern: Callable[[list[Token], int], tuple[list[Token], int] | None]
+) -> list[Token]:
+    made: list[Token] = []
+    place = 0
+    while place < len(tokens):
+        found = pattern(tokens, place)
+        made += [tokens[place]] if found is None else found[0]
+        place = place + 1 if found is None else found[1]
+    return made
+
+
+def _variant(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\varOmega as \\mathit{\\Omega}."""
+    token = tokens[place]
+    if not token.text.startswith("\\var") or token.text[4:] not in _VARIANTS:
+        return None
+    return [token.standing_for(text) for text in ("\\mathit", "{", f"\\{token.text[4:]}", "}")], place + 1
+
+
+def _buildrel(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\buildrel\\Delta\\over= as := ."""
+    if tokens[place].text != "\\buildrel":
+        return None
+    over = next(
+        (i for i in range(place + 1, min(place + 12, len(tokens))) if tokens[i].text == "\\over"), None
+    )
+    sign = None if over is None else past(tokens, over + 1)
+    if sign is None or sign >= len(tokens) or tokens[sign].text != "=":
+        return None
+    return [tokens[sign].standing_for(":=")], sign + 1
+
+
+def _table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """The columns {*{20}{c}} of an array, which the reader counts itself."""
+    if tokens[place].text != "\\begin{array}":
+        return None
+    start = past(tokens, place + 1)
+    if start >= len(tokens) or tokens[start].text != "{":
+        return None
+    end = behind(tokens, start)
+    if not any(token.text in "*@!>" for token in tokens[start:end]):
+        return None
+    return [tokens[place], tokens[start], tokens[start].standing_for("c"), tokens[end - 1]], end
+
+
+def _grouped_table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """{\\begin{array}…\\end{array}}, in braces that print nothing."""
+    first = past(tokens, place + 1)
+    if tokens[place].text != "{" or first >= len(tokens) or not tokens[first].text.startswith("\\begin{"):
+        return None
+    end = behind(tokens, place)
+    last = ahead(tokens, end - 1)
+    if last is None or tokens[last].text != tokens[first].text.replace("\\begin", "\\end"):
+        return None
+    before = ahead(tokens, place)
+    opens = before is not None and (
+        tokens[before].text in ("[", "(", "|", "\\|") or tokens[before].text == "="
+    )
+    return (tokens[place + 1 : end - 1], end) if opens else None
+
+
+def _label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """_\\mathcal{B/N} as _{\\mathcal{B}/\\mathcal{N}}."""
+    if tokens[place].text not in FACES or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
+        return None
+    end = behind(tokens, place + 1)
+    inside = [token for token in tokens[place + 2 : end - 1] if token.text not in ("{", "}", " ")]
+    if [token.text for token in inside[1::2]] != ["/"] or len(inside) != 3:
+        return None
+    face = tokens[place]
+    one, slash, other = inside
+    made = [face.standing_for("{")]
+    for token in (one, slash, other):
+        is_slash = token is slash
+        made += [token] if is_slash else [face, face.standing_for("{"), token, face.standing_for("}")]
+    return [*made, face.standing_for("}")], end
+
+
+def _nested_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\text{\\text{sc}} as \\text{sc}; \\textit{sc} too, which is a label as well."""
+    if tokens[place].text in ("\\textit", "\\textsf", "\\textup", "\\textnormal", "\\textsl", "\\texttt"):
+        return [tokens[place].standing_for("\\text")], place + 1
+    if tokens[place].text not in TEXTS or place + 2 >= len(tokens) or tokens[place + 1].text != "{":
+        return None
+    inner = tokens[place + 2].text in TEXTS and behind(tokens, place + 3) == behind(tokens, place + 1) - 1
+    return (tokens[place + 2 : behind(tokens, place + 1) - 1], behind(tokens, place + 1)) if inner else None
+
+
+def _prime(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """^{\\prime\\prime} as ''."""
+    if tokens[place].text != "^":
+        return None
+    start = past(tokens, place + 1)
+    end = behind(tokens, start)
+    primes = [token for token in tokens[start:end] if token.text not in ("{", "}", " ")]
+    if not primes or any(token.text != "\\prime" for token in primes):
+        return None
+    return [token.standing_for("'") for token in primes], end
+
+
+def _of_time(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """R(t)^T as R^T: that R depends on the time says nothing of it."""
+    if tokens[place].text not in ("(", "\\left", "{"):
+        return None
+    texts = [token.text for token in tokens[place : place + 14] if token.text not in GAPS]
+    opening = next((each for each in _TIMES if texts[: len(each)] == list(each)), None)
+    before = ahead(tokens, place)
+    is_after = before is not None and (tokens[before].text == "}" or is_letter(tokens[before]))
+    if opening is None or not is_after:
+        return None
+    count, end = len(opening), place
+    while count:
+        count -= tokens[end].text not in GAPS
+        end += 1
+    after = past(tokens, end)
+    if after >= len(tokens) or tokens[after].text not in ("^", "'"):
+        return None
+    if tokens[place].text != "{":
+        return [], after
+    close = behind(tokens, place)
+    return tokens[after : close - 1], close
+
+
+_TIMES = (("(", "t", ")"), ("\\left", "(", "t", "\\right", ")"), ("{", "(", "t", ")"))

@@ -1,0 +1,103 @@
+"""Why a formula that is false for free symbols may be true: its text says more of them than was read."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from workbench.language.terms import Number, Relation, Statement, Symbol, Term, Zero
+from workbench.language.types import Declaration
+from workbench.papers.model import Claim
+from workbench.papers.said import terms_of
+from workbench.papers.texts import Source
+
+_INLINE = re.compile(r"(?:(?<![$\\])\$(?!\$)|\\\(|:math:`)\s*([^$`=]{1,60}?)\s*:?=")
+_ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
+_LONE = re.compile(r"(?:\\[a-z]+)*(?:\\?[A-Za-z]+)'*(?:[_^](?:\\?[A-Za-z0-9]+|[A-Za-z0-9,]+))*")
+_COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
+
+
+def with_unsettled(claims: Sequence[Claim], sources: Sequence[Source]) -> list[Claim]:
+    """Each claim with what of the text leaves its falsehood open."""
+    unread = _said_unread(claims, sources)
+    made = []
+    for claim in claims:
+        statement = claim.printed.statement
+        if statement is not None:
+            known = {definition.declaration.name for definition in claim.notation.definitions}
+            symbols = (term.declaration for term in terms_of(statement) if isinstance(term, Symbol))
+            free = [each for each in symbols if each.name not in known]
+            why = _of_unread(free, unread) or _of_components(free, claim) or _solved_for(statement, free)
+            claim = replace(claim, unsettled=why)
+        made.append(claim)
+    return made
+
+
+def _said_unread(claims: Sequence[Claim], sources: Sequence[Source]) -> Mapping[str, str]:
+    """What stands alone before an = in a formula that is not read, or in a sentence, and the line."""
+    found: dict[str, str] = {}
+    for claim in claims:
+        is_unread = claim.printed.statement is None and not claim.chain
+        if is_unread and (match := re.match(r"([^=]{1,80}?):?=", claim.printed.latex)):
+            for name in _lone(match[1]):
+                found.setdefault(name, f"line {claim.line}")
+    for source in sources:
+        for match in _INLINE.finditer(source.text):
+            for name in _lone(match[1]):
+                found.setdefault(name, f"line {source.place(match.start(1))[0]}")
+    return found
+
+
+def _lone(left: str) -> Iterator[str]:
+    name = _ARGUMENTS.sub("", _flat(left.replace("&", "")))
+    if _LONE.fullmatch(name):
+        yield name
+
+
+def _flat(name: str) -> str:
+    return re.sub(r"[\s{}]|\\(?:left|right|,|;|!)", "", name)
+
+
+def _of_unread(free: Sequence[Declaration], unread: Mapping[str, str]) -> str | None:
+    for declaration in free:
+        if place := unread.get(_flat(str(declaration.name))):
+            return (
+                f"the text says what {declaration.name} is ({place}), which is not read; a definition says it"
+            )
+    return None
+
+
+def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
+    """Scalars that are written as the components of a vector, a matrix or a quaternion."""
+    arrays = {
+        declaration.name.letter: declaration
+        for declaration in claim.notation.symbols.symbols.values()
+        if declaration.type.kind != "scalar" and not declaration.introduced
+    }
+    for declaration in free:
+        whole = arrays.get(declaration.name.letter)
+        indices = "".join(re.sub(r"[\s{},]", "", part) for part in declaration.name.sub)
+        is_part = whole is not None and declaration.type.kind == "scalar" and _COMPONENT.fullmatch(indices)
+        if is_part and declaration.name.sub:
+            part, array = declaration.name, whole.name
+            return f"{part} reads as a component of {array}; a definition of {array} says so"
+    return None
+
+
+def _solved_for(statement: Statement, free: Sequence[Declaration]) -> str | None:
+    """Of an equation between scalars alone, the one that it may be solved for: that nothing defines and that
+    occurs in it once; any, where a side is 0."""
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return None
+    if any(each.type.kind != "scalar" for each in free):
+        return None
+    is_condition = _is_zero(statement.left) or _is_zero(statement.right)
+    names = Counter(str(each.name) for each in free)
+    name = next((name for name, count in names.items() if count == 1 or is_condition), None)
+    return name and f"says what {name} is, which nothing defines; a definition of {name} makes it a claim"
+
+
+def _is_zero(term: Term) -> bool:
+    return isinstance(term, Zero) or (isinstance(term, Number) and term.value == 0)

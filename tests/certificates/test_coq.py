@@ -59,7 +59,7 @@ def test_the_command_prints_the_axioms_and_fails_loudly(tmp_path, monkeypatch):
     assert done.exit_code == 0, done.output
     assert "no axioms" in done.output
     assert (tmp_path / "claim_58_det_printed.v").exists()
-    monkeypatch.setattr(coqc, "check", lambda text: coqc.Checked(False, (), "refused", 0.0))
+    monkeypatch.setattr(coqc, "recall", lambda text: coqc.Checked(False, (), "refused", 0.0))
     broken = CliRunner().invoke(main, ["certify", "58.det", "--check"])
     assert broken.exit_code == 3
 
@@ -214,7 +214,7 @@ def test_a_family_of_rotations_is_supposed_to_be_one_and_each_member_is_another(
     assert not coqc.check(text.replace(said, changed), remember=False).accepted
 
 
-def test_certificates_checked_together_are_remembered_only_if_all_are_accepted(tmp_path, monkeypatch):
+def test_of_certificates_checked_together_only_what_is_wrong_is_refused(tmp_path, monkeypatch):
     compiled = coqc.library()
     monkeypatch.setattr(coqc, "memory", lambda: tmp_path)
     monkeypatch.setattr(coqc, "library", lambda: compiled)
@@ -224,10 +224,10 @@ def test_certificates_checked_together_are_remembered_only_if_all_are_accepted(t
         "Proof.\n", "Proof.\n  admit.\nAdmitted.\nTheorem again : True.\nProof. exact I. Qed.\n(*", 1
     )
     axiom = axiom.replace("Qed.\n\n", "Qed. *)\n\n").replace("Qed.\nPrint", "Qed. *)\nPrint")
-    for bad in (wrong, axiom):
-        coqc.check_together([right, bad, other])
-        assert [coqc.recall(text) for text in (right, bad, other)] == [None, None, None]
-    assert coqc.in_batches([right, right, other]) == [[right, other]]
-    coqc.check_together([right, other])
-    assert all(coqc.recall(text).expected for text in (right, other))
+    assert coqc.in_batches([right, wrong, axiom, other]) == [[right, wrong, axiom, other]]
+    coqc.check_all([right, wrong, axiom, other, other])
+    assert [coqc.recall(text).expected for text in (right, wrong, axiom, other)] == [True, False, False, True]
+    assert not coqc.recall(wrong).accepted
+    assert coqc.recall(axiom).accepted
+    assert coqc.recall(right).axioms == coqc.recall(other).axioms == ()
     assert coqc.in_batches([right, other]) == []

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.certificates import coqc
 from workbench.certificates.forms import Certificate, Form, certificate, forms_of
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty, refutation
-from workbench.certificates.steps import Steps, all_steps
-from workbench.certificates.theorem import HEADER
+from workbench.certificates.steps import all_steps
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.verify.results import Certification, ClaimResult
 
@@ -35,6 +32,12 @@ class Certified:
     misread: str = ""
 
     @property
+    def texts(self) -> list[str]:
+        """What Coq is to check."""
+        made = self.certificate
+        return [c.text for c in (made, made.motions) if c] if made else []
+
+    @property
     def certified(self) -> bool:
         """Coq accepts the certificate, and that its premises can be met, if it has any."""
         own = self.checked is not None and self.checked.expected and not (self.gap or self.misread)
@@ -51,7 +54,7 @@ class Certified:
         if self.misread:
             return True
         refused = [said for said in (self.checked, self.met) if said is not None and not said.expected]
-        return any(self.outcome == Outcome.PROVED or not _unfinished(said) for said in refused)
+        return any(self.outcome == Outcome.PROVED or not said.unfinished for said in refused)
 
     @property
     def word(self) -> str:
@@ -62,7 +65,7 @@ class Certified:
             return f"NOT WHAT ITS TERMS SAY: {self.misread}"
         if self.checked is None:
             return "written"
-        if _unfinished(self.checked):
+        if self.checked.unfinished:
             return f"not certified: {self.checked.fault}"
         if not self.checked.accepted:
             return f"REFUSED BY COQ: {self.checked.fault}"
@@ -77,24 +80,17 @@ class Certified:
     def certification(self) -> Certification:
         """As a result tells it."""
         said = self.checked if self.certified else None
+        motions = self.certificate.motions if self.certificate else None
         return Certification(
             form=self.form.name,
             checked_by=f"Coq {coqc.version()}" if said else None,
             axioms=tuple(said.axioms) if said else (),
             scope=self.certificate.scope if self.certificate else None,
-            statement=_statements(self.certificate),
-            premises_met=_statements(self.certificate.motions) if self.certificate else None,
+            statement=self.certificate.statement if self.certificate else None,
+            premises_met=motions.statement if motions else None,
             obstacle=self.obstacle or None,
             word=self.word,
         )
-
-
-def _unfinished(said: coqc.Checked) -> bool:
-    return said.fault.startswith("not finished")
-
-
-def _statements(certificate: Certificate | None) -> str | None:
-    return "\n\n".join(t.statement for t in certificate.theorems) if certificate else None
 
 
 def exact_forms(results: Sequence[ClaimResult]) -> Iterator[tuple[Form, ClaimResult, Verdict]]:
@@ -122,59 +118,20 @@ def written(form: Form, verdict: Verdict) -> Certified:
         return Certified(form, verdict.outcome, made, gap=str(gap), misread=made.misread)
 
 
-def checked_all(
-    certificates: Sequence[Certified], progress: Callable[[object], None] = lambda done: None
-) -> list[Certified]:
-    """Each certificate put before Coq, on all cores."""
-    texts = [
-        each.certificate.text
-        for each in certificates
-        if each.certificate and each.certificate.header == HEADER
-    ]  # what several rest on together is what each rests on only where that is nothing
-    motions = [each.certificate.motions for each in certificates if each.certificate]
-    _together(texts)
-    _together([m.text for m in motions if m], alike=True)
-
-    def one(each: Certified) -> Certified:
-        done = _with(each, coqc.check)
-        progress(done)
-        return done
-
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        return list(pool.map(one, certificates))
-
-
-def _together(texts: Sequence[str], alike: bool = False) -> None:
-    """Put before Coq in batches. What is not accepted so is then put before Coq by itself."""
-    coqc.library()
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        list(pool.map(lambda batch: coqc.check_together(batch, alike), coqc.in_batches(texts)))
-
-
-def check_steps(all_: Sequence[Steps], progress: Callable[[object], None] = lambda done: None) -> None:
-    """The steps of all theorem claims put before Coq, on all cores; what it says is remembered."""
-    certificates = [step.certificate for steps in all_ for step in steps.asked if step.certificate]
-    _together([c.text for c in certificates if c.header == HEADER])
-
-    def one(text: str) -> None:
-        progress(coqc.check(text))
-
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        list(pool.map(one, [text for steps in all_ for text in steps.texts]))
-
-
-def _with(each: Certified, ask: Callable[[str], coqc.Checked | None]) -> Certified:
+def recalled(each: Certified) -> Certified:
+    """With what Coq is remembered to have said."""
     if each.certificate is None:
         return each
     motions = each.certificate.motions
-    return replace(each, checked=ask(each.certificate.text), met=ask(motions.text) if motions else None)
+    met = coqc.recall(motions.text) if motions else None
+    return replace(each, checked=coqc.recall(each.certificate.text), met=met)
 
 
 def with_certificates(results: Sequence[ClaimResult], theorems: Mapping[str, object]) -> list[ClaimResult]:
     """Each with what is remembered of the certificates of its exact forms and of the steps of its theorem."""
     found: dict[str, list[Certification]] = {}
     for form, result, verdict in exact_forms(results):
-        each = _with(written(form, verdict), coqc.recall)
+        each = recalled(written(form, verdict))
         found.setdefault(result.claim.id, []).append(each.certification)
     for steps in all_steps(results, theorems):
         found.setdefault(steps.claim.id, []).append(steps.certification)

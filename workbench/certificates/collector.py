@@ -23,7 +23,7 @@ _TAKEN = frozenset([
     "mul", "opp", "dt", "num", "sub", "re", "du", "val", "key", "real_part", "dual_part", "embed",
     "spin", "shift", "moment", "along", "curl", "divergence", "turn", "constant", "rodrigues", "all3",
     "every", "equal", "same", "der", "left", "right", "conj", "split", "pair", "fst", "snd", "nil",
-    "cons", "app", "list", "nat", "bool", "slots", "given", "known", "these", "here", "single",
+    "cons", "app", "list", "nat", "bool", "slots", "given", "known", "free", "these", "here", "single",
     "joined", "alike", "turned", "carried", "defined", "true", "false", "start", "deriv", "table",
     "red", "pow", "size", "total", "jets", "base", "slot", "find", "env", "upd", "den", "hom", "made",
     "of_time", "claimed", "found", "cosine", "sine", "time", "nonzero_at", "zero_at", "equal_at",

@@ -14,7 +14,8 @@ import signal
 import subprocess
 import tempfile
 import threading
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import asdict, dataclass, replace
 from functools import cache
 from importlib import resources
@@ -37,10 +38,13 @@ REALS = frozenset((
 SECONDS = 60
 
 #: How many certificates Coq checks in one run, at most.
-TOGETHER = 8
+TOGETHER = 24
 
 #: How a process ends that has used up its time: by a signal, or by what the shell makes of one.
 _STOPPED = frozenset(code for sign in (signal.SIGXCPU, signal.SIGKILL) for code in (-sign, 128 + sign))
+
+#: What is said of one that takes longer.
+UNFINISHED = "not finished"
 
 INSTALL = "apt-get install coq (Debian 12 and later, Ubuntu), or opam install coq"
 
@@ -51,7 +55,8 @@ class CoqFault(RuntimeError):
 
 @dataclass(frozen=True)
 class Checked:
-    """What Coq said of a certificate. `axioms`: of all its theorems, sorted; `fault`: why it was refused."""
+    """What Coq said of a certificate. `axioms`: what its theorems rest on at most, sorted; `fault`: why it
+    was refused."""
 
     accepted: bool
     axioms: tuple[str, ...]
@@ -61,6 +66,10 @@ class Checked:
     @property
     def expected(self) -> bool:
         return self.accepted and set(self.axioms) <= REALS
+
+    @property
+    def unfinished(self) -> bool:
+        return self.fault.startswith(UNFINISHED)
 
 
 def library_text(name: str) -> str:
@@ -102,23 +111,40 @@ def memory() -> Path:
 
 
 def library() -> Path:
-    """The directory of the compiled library; compiled on first use (half a minute)."""
+    """The directory of the compiled library; compiled on first use (half a minute on two cores)."""
     place = memory() / _fingerprint(LIBRARY)[:16]
-    if (place / f"{LIBRARY[-1]}.vo").exists():
+    if (place / "complete").exists():
         return place
     place.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=place.parent, prefix=".unfinished-") as unfinished:
-        for name in LIBRARY:
-            Path(unfinished, f"{name}.v").write_text(library_text(name), encoding="utf-8")
-            made, _ = _run(Path(unfinished, f"{name}.v"), Path(unfinished))
-            if made.returncode:
-                raise CoqFault(
-                    f"Coq {version()} refuses {name}.v of the library: {_first_error(made.stderr)}"
-                )
+        _compile(Path(unfinished))
+        Path(unfinished, "complete").touch()
         if not place.exists():
             shutil.copytree(unfinished, f"{place}.unfinished-{os.getpid()}")
             os.replace(f"{place}.unfinished-{os.getpid()}", place)
     return place
+
+
+def _compile(place: Path) -> None:
+    """Each file of the library as soon as those are compiled that it rests on."""
+    compiled: dict[str, Future[None]] = {}
+    cores = threading.Semaphore(os.cpu_count() or 1)
+
+    def one(name: str) -> None:
+        for needed in _needs(name) - {name}:
+            compiled[needed].result()
+        file = place / f"{name}.v"
+        file.write_text(library_text(name), encoding="utf-8")
+        with cores:
+            made, _ = _run(file, place)
+        if made.returncode:
+            raise CoqFault(f"Coq {version()} refuses {name}.v of the library: {_first_error(made.stderr)}")
+
+    with ThreadPoolExecutor(len(LIBRARY)) as pool:
+        for name in LIBRARY:
+            compiled[name] = pool.submit(one, name)
+    for done in compiled.values():
+        done.result()
 
 
 def recall(text: str) -> Checked | None:
@@ -139,20 +165,23 @@ def check(text: str, remember: bool = True) -> Checked:
     """Whether Coq accepts the certificate, and what its theorems rest on."""
     if remember and (known := recall(text)) is not None:
         return known
+    result, _ = _asked(text)
+    if remember:
+        _remember(text, result)
+    return result
+
+
+def _asked(text: str) -> tuple[Checked, str]:
+    """And all that Coq printed."""
     compiled = library()
     with tempfile.TemporaryDirectory() as place:
         file = Path(place, "claim.v")
         file.write_text(text, encoding="utf-8")
         made, seconds = _run(file, compiled)
     if made.returncode in _STOPPED:
-        return Checked(False, (), f"not finished in {SECONDS} s", float(SECONDS))
-    accepted = made.returncode == 0
-    result = Checked(
-        accepted, _axioms(made.stdout), "" if accepted else _first_error(made.stderr), round(seconds, 2)
-    )
-    if remember:
-        _remember(text, result)
-    return result
+        return Checked(False, (), f"{UNFINISHED} in {SECONDS} s", float(SECONDS)), made.stdout
+    fault = _first_error(made.stderr) if made.returncode else ""
+    return Checked(not made.returncode, _axioms(made.stdout), fault, round(seconds, 2)), made.stdout
 
 
 def _remember(text: str, result: Checked) -> None:
@@ -163,26 +192,50 @@ def _remember(text: str, result: Checked) -> None:
     os.replace(draft, note)
 
 
-def check_together(texts: Sequence[str], alike: bool = False) -> None:
+def check_all(texts: Iterable[str], progress: Callable[[object], None] = lambda done: None) -> None:
+    """Certificates put before Coq on all cores, many in one run, and what it says of each remembered."""
+    library()
+    texts = list(dict.fromkeys(texts))
+    batches = in_batches(texts)
+    for known in set(texts).difference(*batches):
+        progress(known)
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        for batch in pool.map(check_together, batches):
+            for done in batch:
+                progress(done)
+
+
+def check_together(texts: Sequence[str]) -> Sequence[str]:
     """Certificates that begin with the same header in one run of Coq, which takes half a second to begin and
-    one to print what theorems rest on. That is remembered of each, if it is nothing; or if they are `alike`
-    in that it is expected. If Coq refuses one of them, nothing is remembered."""
-    header = _header(texts[0])
+    one to print what theorems rest on: what all of them rest on is remembered of each. The first that is
+    not accepted is asked by itself, and the others again without it; the certificates are returned."""
+    left = list(texts)
+    while left:
+        said, passed = _asked(_joined(left))
+        if said.expected:
+            for text in left:
+                _remember(text, replace(said, seconds=round(said.seconds / len(left), 2)))
+            break
+        culprit = left.pop(min(len(re.findall(r"^Module \S*m\d+$", passed, re.MULTILINE)), len(left) - 1))
+        check(culprit)
+    return texts
+
+
+def _joined(texts: Sequence[str]) -> str:
+    """Each in a module of its own; Coq says which ones it has passed."""
     parts = [
-        f"Module m{place}.\n{_theorems(text)}\nEnd m{place}.\n" for place, text in enumerate(texts, start=1)
+        f"Module m{place}.\n{_theorems(text)}\nEnd m{place}.\nLocate Module m{place}.\n"
+        for place, text in enumerate(texts, start=1)
     ]
     names = [f"@m{place}.{_last(text)}" for place, text in enumerate(texts, start=1)]
     every = f"Definition all_of_them := ({', '.join(names)}).\nPrint Assumptions all_of_them.\n"
-    said = check("\n".join([header, *parts, every]), remember=False)
-    if said.accepted and (said.expected if alike else not said.axioms):
-        for text in texts:
-            _remember(text, replace(said, seconds=round(said.seconds / len(texts), 2)))
+    return "\n".join([_header(texts[0]), *parts, every])
 
 
 def in_batches(texts: Iterable[str]) -> list[list[str]]:
     """What can be checked together and is not yet known: what imports the same, in small numbers."""
     alike: dict[str, list[str]] = {}
-    for text in dict.fromkeys(texts):
+    for text in texts:
         if recall(text) is None:
             alike.setdefault(_header(text), []).append(text)
     return [many[i : i + TOGETHER] for many in alike.values() for i in range(0, len(many), TOGETHER)]

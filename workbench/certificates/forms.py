@@ -53,8 +53,14 @@ class Certificate:
         return "; ".join(fault for theorem in self.theorems for fault in theorem.read_back_faults())
 
     @property
+    def statement(self) -> str:
+        """What it says, after its title if that is not a form's."""
+        own = [] if self.form or not self.title else [_comment(self.title)]
+        return "\n".join([*own, "\n\n".join(t.statement for t in self.theorems)])
+
+    @property
     def text(self) -> str:
-        about = f"(* {_said(self.form)} *)" if self.form else f"(* {self.title} *)"
+        about = _comment(_said(self.form) if self.form else self.title)
         names = [t.name for t in self.theorems]
         last = names[0]
         together = ""
@@ -67,9 +73,12 @@ class Certificate:
 
 
 def _said(form: Form) -> str:
-    latex = " ".join(form.formula.latex.split())
-    escaped = latex.replace("(*", "( *").replace("*)", "* )").replace('"', "''")
-    return f"{form.claim.id}, {form.name}: {escaped}"
+    return f"{form.claim.id}, {form.name}: {form.formula.latex}"
+
+
+def _comment(text: str) -> str:
+    escaped = " ".join(text.split()).replace("(*", "( *").replace("*)", "* )").replace('"', "''")
+    return f"(* {escaped} *)"
 
 
 def forms_of(claim: Claim) -> Iterator[Form]:

@@ -9,15 +9,16 @@ from dataclasses import dataclass
 from workbench.certificates import coqc
 from workbench.certificates.families import general
 from workbench.certificates.forms import Certificate
+from workbench.certificates.generalized import Generalizer, holds_whatever_they_are
 from workbench.certificates.goals.whole import whole
 from workbench.certificates.nodes import NotCertified
-from workbench.certificates.theorem import theorem
+from workbench.certificates.theorem import Theorem, theorem
 from workbench.judge.theorems.goals import Atom, Scope
 from workbench.judge.theorems.proofs import Proof, Proven
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import Obligation, Premise, Sequent
 from workbench.judge.verdict import Outcome
-from workbench.language.terms import IllFormed
+from workbench.language.terms import IllFormed, Statement
 from workbench.papers.model import Claim
 from workbench.verify.results import Certification, ClaimResult
 
@@ -71,7 +72,7 @@ class Steps:
     def broken(self) -> bool:
         """Coq refuses one of them, or one does not say what its terms say."""
         said = [(step.misread, step.checked) for step in self.asked]
-        return any(misread or (s is not None and not s.expected) for misread, s in said)
+        return any(misread or (s is not None and not s.expected and not s.unfinished) for misread, s in said)
 
     @property
     def word(self) -> str:
@@ -92,7 +93,7 @@ class Steps:
             checked_by=f"Coq {coqc.version()}" if len(self.certified) == len(self.steps) else None,
             axioms=tuple(sorted(axioms)),
             scope=None,
-            statement="\n\n".join(t.statement for step in done for t in step.certificate.theorems) or None,
+            statement="\n\n".join(step.certificate.statement for step in done) or None,
             premises_met=None,
             obstacle=next((step.obstacle for step in self.asked if step.obstacle), None),
             word=self.word,
@@ -133,18 +134,28 @@ def all_steps(results: Sequence[ClaimResult], theorems: Mapping[str, object]) ->
 
 
 def _step(claim: Claim, obligation: Obligation, number: int) -> Step:
-    name = f"step_{number}"
-    definitions = obligation.scope.definitions
+    scope, title = obligation.scope, f"{claim.id}, {obligation.rule}"
     try:
-        statement, supposed, integers = obligation.statement, list(obligation.assume), []
-        if obligation.scope.integers:
-            try:
-                statement, supposed, integers = general(statement, supposed, definitions)
-            except NotCertified as obstacle:
-                if str(obstacle) != "no integer variable":
-                    raise
-        made = theorem(name, statement, supposed, definitions, integers, several=True)
+        made = _theorem(number, obligation.statement, obligation.assume, scope)
     except (NotCertified, IllFormed) as obstacle:
-        return Step(None, str(obstacle))
-    written = Certificate(None, (made,), title=f"{claim.id}, {obligation.rule}")
+        try:
+            general_ = Generalizer(scope.definitions, scope.integers)
+            made = _theorem(number, general_.equation(obligation.statement), (), scope)
+        except (NotCertified, IllFormed):
+            return Step(None, str(obstacle))
+        if not holds_whatever_they_are(made):
+            return Step(None, str(obstacle))
+        title = "; ".join([title, *general_.said])
+    written = Certificate(None, (made,), title=title)
     return Step(written, misread=written.misread)
+
+
+def _theorem(number: int, statement: Statement, supposed: Sequence[Statement], scope: Scope) -> Theorem:
+    supposed, integers = list(supposed), []
+    if scope.integers:
+        try:
+            statement, supposed, integers = general(statement, supposed, scope.definitions)
+        except NotCertified as obstacle:
+            if str(obstacle) != "no integer variable":
+                raise
+    return theorem(f"step_{number}", statement, supposed, scope.definitions, integers, several=True)

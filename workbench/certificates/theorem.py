@@ -108,9 +108,12 @@ class Theorem:
         lines.append("pose (here := envK 0 these).")
         lines.append(f"pose (known0 := @premised K [{shapes}] these eq_refl eq_refl _\n    {proofs}).")
         lines += emitter.steps
-        last = f"known{len(emitter.steps)}"
+        by = f"certify known{len(emitter.steps)}"
+        if premises and not emitter.steps:
+            lines.append(f"pose (free := @premised K [{shapes}] these eq_refl eq_refl [] (Forall_nil _)).")
+            by = "certify_by free known0"
         for place, goals in enumerate(self.goals):
-            parts = [f"certify {last}\n    {left}\n    {right}" for left, right in goals]
+            parts = [f"{by}\n    {left}\n    {right}" for left, right in goals]
             if place < len(self.goals) - 1:
                 lines.append("split.")
                 lines.append("{ " + _proof_of(parts) + " }")

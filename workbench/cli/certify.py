@@ -29,7 +29,7 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     """Write the proved and refuted forms of the claims that SELECT means as Coq theorems. With --check, exit
     status 3 if Coq refuses one of them."""
     from workbench.certificates import coqc
-    from workbench.certificates.certify import check_steps, checked_all, exact_forms, written
+    from workbench.certificates.certify import exact_forms, recalled, written
     from workbench.certificates.steps import all_steps
     from workbench.cli.judging import judged
     from workbench.cli.terminal import certificates_table, console, progress_bar
@@ -46,12 +46,13 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     if out is not None:
         _write(out, made, [s.whole.certificate for s in steps if s.whole.certificate])
     if asked:
-        with progress_bar(len(made) + sum(len(s.texts) for s in steps), "checking") as advance:
+        texts = {text for each in (*made, *steps) for text in each.texts}
+        with progress_bar(len(texts), "checking") as advance:
             try:
-                made = checked_all(made, advance)
-                check_steps(steps, advance)
+                coqc.check_all(texts, advance)
             except coqc.CoqFault as fault:
                 raise Defect(str(fault)) from None
+        made = [recalled(each) for each in made]
     by_hand = [] if select else _by_hand(paper)
     refused = [path.name for path in by_hand if asked and not _accepted(path)]
     terminal = console(sys.stdout)

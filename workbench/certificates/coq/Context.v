@@ -56,5 +56,13 @@ Definition with_reciprocal (c : context K) i (t : tm false Scalar) (y : K) (H : 
 Theorem by_computing (c : context K) d k (a b : tm d k) :
   equal_by (c_eqb c) d k (den (c_env c) a) (den (c_env c) b) = true -> equal (den (c_val c) a) (den (c_val c) b).
 Proof. apply (equal_by_ok (c_sound c)); apply (den_related (s_hom (c_sound c))), (c_rel c). Qed.
+(** What holds whatever the symbols are is not computed with what they are. *)
+Theorem by_either (free c : context K) d k (a b : tm d k) : c_val free = c_val c ->
+  (if equal_by (c_eqb free) d k (den (c_env free) a) (den (c_env free) b) then true
+   else equal_by (c_eqb c) d k (den (c_env c) a) (den (c_env c) b)) = true -> equal (den (c_val c) a) (den (c_val c) b).
+Proof.
+  intros E. destruct (equal_by (c_eqb free) d k _ _) eqn:F; [intros _ | apply by_computing].
+  exact (eq_ind _ (fun e => equal (den e a) (den e b)) (by_computing free a b F) _ E).
+Qed.
 End Contexts.
 Arguments with_reciprocal {K} c i t {y} H. Arguments given {K} c d k i {x} t H. Arguments defined {K} c d k i t.

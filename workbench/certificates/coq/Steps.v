@@ -7,6 +7,7 @@ Open Scope Q_scope. Open Scope kin_scope.
 
 (** [certify context lhs rhs]: both sides are what their deep copies say, and those are equal by computation. *)
 Ltac certify c lhs rhs := refine (@by_computing _ c _ _ lhs rhs _); vm_cast_no_check (@eq_refl bool true).
+Ltac certify_by free context lhs rhs := refine (@by_either _ free context _ _ lhs rhs eq_refl _); vm_cast_no_check (@eq_refl bool true).
 (** A conjunction, or an equation of matrices, in parts. *)
 Ltac apart := cbv beta delta [matrix_equal upto] iota; repeat apply conj.
 

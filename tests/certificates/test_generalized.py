@@ -1,0 +1,65 @@
+"""Steps that are shown whatever their sums and other unsaid terms are."""
+
+import pytest
+
+from workbench.certificates.generalized import Generalizer, holds_whatever_they_are
+from workbench.certificates.nodes import NotCertified
+from workbench.certificates.theorem import theorem
+from workbench.language.construct import apply, big_sum, derivative, integer, number, relation, symbol
+from workbench.language.definitions import Definitions
+from workbench.language.integers import Linear
+from workbench.language.names import Name
+from workbench.language.types import VECTOR, Declaration
+
+N = Linear.variable("n")
+X, Y = (symbol(Declaration(Name(name), VECTOR)) for name in "xy")
+
+
+def sum_of(upper):
+    return big_sum(["k"], 0, upper, derivative(X, Linear.variable("k")))
+
+
+def plus(*terms):
+    return apply("add", *terms)
+
+
+def minus(a, b):
+    return plus(a, apply("neg", b))
+
+
+def holds(left, right):
+    made = Generalizer(Definitions(()), ["n"])
+    theorem_ = theorem("t", made.equation(relation("=", left, right)), (), Definitions(()))
+    assert theorem_.read_back_faults() == []
+    assert len(made.said) == len(made.meant)
+    return holds_whatever_they_are(theorem_)
+
+
+def test_what_cancels_holds_whatever_it_is_and_nothing_else_does():
+    total, other = sum_of(N), sum_of(N + 1)
+    assert holds(plus(minus(total, Y), Y), total)
+    assert holds(minus(plus(total, other), total), other)
+    assert not holds(plus(minus(total, Y), Y), other)
+    assert not holds(plus(total, X), other)
+    assert not holds(total, apply("neg", total))
+
+
+def test_derivatives_of_any_order_are_those_of_the_lowest():
+    product = apply("cross", X, Y)
+    high, low = derivative(product, N + 1), derivative(product, N)
+    assert holds(minus(high, derivative(low, 1)), minus(Y, Y))
+    assert not holds(high, low)
+
+
+def test_a_number_that_depends_on_n_is_a_constant_and_may_be_any():
+    n = integer(N)
+    assert holds(apply("mul", n, plus(X, Y)), plus(apply("mul", n, X), apply("mul", n, Y)))
+    assert not holds(apply("mul", n, X), X)
+
+
+def test_what_is_supposed_is_not_used_and_an_inequation_is_refused():
+    product = apply("dot", X, Y)
+    unit = symbol(Declaration(Name("u"), VECTOR, unit=True))
+    assert not holds(plus(apply("dot", unit, unit), product), plus(number(1), product))
+    with pytest.raises(NotCertified):
+        Generalizer(Definitions(()), ()).equation(relation("≠", X, Y))

@@ -5,7 +5,7 @@ Import ListNotations.
 Open Scope Q_scope. Open Scope kin_scope.
 Notation T i := (Var false Tensor i). Notation U i := (Var false Vector i). Notation S_ i := (Var false Scalar i).
 Notation DT i := (Var true Tensor i). Notation DU i := (Var true Vector i). Notation DS i := (Var true Scalar i).
-(* 14, all n *)
+(* on 14: for every n *)
 Theorem c_14_all (K : diff_ring) (R : tensor K) (rho_Q r : vector K) (R_ok : rotation R) (r_ok : constant (K := K) (d := false) r) :
   forall n : nat, (Dn n (rho_Q + R @ r) : vector K) - Dn n rho_Q ≡ ((Dn n R : tensor K) ∘ transpose R) @ ((rho_Q + R @ r) - rho_Q).
 Proof.
@@ -23,7 +23,7 @@ Proof.
     [as_slot false Tensor R; as_slot false Vector (spin R); as_slot false Vector (Dn n (rho_Q + R @ r) : vector K); as_slot false Vector (Dn n rho_Q : vector K); as_slot false Tensor (Dn n R : tensor K); as_slot false Vector r; as_slot false Vector rho_Q]
     (Minus (U 2) (U 3)) (Act (Prod (T 4) (Transpose (T 0))) (Minus (Plus (U 6) (Act (T 0) (U 5))) (U 6))).
 Qed.
-(* 20.Phi, all n: no induction, the n-th derivative of R is a symbol of its own *)
+(* on 20.Phi: for every n, without induction: the n-th derivative of R is a symbol of its own *)
 Theorem c_20_Phi_all (K : diff_ring) (R : tensor K) (R_ok : rotation R) : 
   let Phi := fun n => (Dn n R : tensor K) ∘ transpose R in forall n : nat, Phi (S n) ≡ D (Phi n) + Phi n ∘ Phi 1%nat.
 Proof.
@@ -31,7 +31,7 @@ Proof.
   under (rotation_at 0 1) [(false, Tensor); (false, Vector); (false, Tensor)] [as_slot false Tensor R; as_slot false Vector (spin R); as_slot false Tensor (Dn n R : tensor K)]
    (Prod (DD (T 2)) (Transpose (T 0))) (Plus (DD (Prod (T 2) (Transpose (T 0)))) (Prod (Prod (T 2) (Transpose (T 0))) (Prod (DD (T 0)) (Transpose (T 0))))).
 Qed.
-(* 21.every_n: the recurrence unrolled *)
+(* on 21.every_n, 21.Phi: for every n, the recurrence unrolled *)
 Theorem c_21_all (K : diff_ring) (R : tensor K) (R_ok : rotation R) :
   let Phi := fun n => (Dn n R : tensor K) ∘ transpose R in
   forall n : nat, (2 <= n)%nat ->
@@ -41,11 +41,12 @@ Proof.
   intros Phi n L. apply (@unrolled K false Tensor Phi (fun n => Phi n ∘ Phi 1%nat)); [|exact L].
   intros m _. exact (@c_20_Phi_all K R R_ok m).
 Qed.
-(* 38 of a recursion with P_1 = I, P_(n+1) = D P_n + P_n(ω̃): on tensors and on vectors *)
+(* The polynomials of a recursion with P_1 = I, P_(n+1) = D P_n + P_n(ω̃), on tensors and on vectors. *)
 Fixpoint PT {K : diff_ring} (w : tensor K) (n : nat) (x : tensor K) : tensor K :=
   match n with 0%nat => x | S m => D (PT w m x) + PT w m w ∘ x end.
 Fixpoint PV {K : diff_ring} (w : tensor K) (n : nat) (x : vector K) : vector K :=
   match n with 0%nat => x | S m => D (PV w m x) + PT w m w @ x end.
+(* on 38.a, 38.Phi: for every n *)
 Theorem c_38_all (K : diff_ring) (omega v : vector K) (Phi : nat -> tensor K) (a : nat -> vector K)
   (Phi_base : Phi 1%nat ≡ skew omega) (Phi_step : forall n, (1 <= n)%nat -> Phi (S n) ≡ D (Phi n) + Phi n ∘ Phi 1%nat)
   (a_base : a 1%nat ≡ v) (a_step : forall n, (1 <= n)%nat -> a (S n) ≡ D (a n) + Phi n @ a 1%nat) :
@@ -66,7 +67,7 @@ Proof.
       as_slot false Tensor (PT (skew omega) (n - 1) (skew omega))]
      (U 5) (Plus (DD (U 4)) (Act (T 7) (U 1))).
 Qed.
-(* the Lemma (123), (124): ω = R Ω, D^n ω = Σ C(n,k) Φ_(n-k) R D^k Ω *)
+(* on 123.all_n: for every n, D^n (R Ω) = Σ C(n,k) Φ_(n-k) R D^k Ω *)
 Theorem c_123_all (K : diff_ring) (R : dual_tensor K) (Omega : dual_vector K) (R_ok : dual_rotation R) :
   let Phi := fun n => (Dn n R : dual_tensor K) ∘ transpose R in
   forall n : nat, (Dn n (R @ Omega) : dual_vector K) ≡ε
@@ -85,7 +86,7 @@ Proof.
       (Scale (DS 6) (Act (DT 4) (DU 5)))
       (Scale (DS 6) (Act (Prod (DT 4) (Transpose (DT 0))) (Act (DT 0) (DU 5)))).
 Qed.
-(* Theorem 11, (127): for every m and n. R p moves the frame of body p, Omega p is the twist of body p+1 in it. *)
+(* on Theorem_11, 127: for every m and n; R p moves the frame of body p, Omega p is the twist of body p+1 in it *)
 Theorem c_Theorem_11 (K : diff_ring) (R : nat -> dual_tensor K) (Omega : nat -> dual_vector K) (R_ok : forall p, dual_rotation (R p)) :
   forall m n : nat, (Dn n (total m (fun p => R p @ Omega p)) : dual_vector K) ≡ε
     @total (dual_ops K) Vector m (fun p => @sum_of (dual_ops K) Vector 0 n (fun k =>
@@ -94,7 +95,7 @@ Proof.
   intros m n. etransitivity; [apply (@Dn_total K true Vector)|]. apply (@total_ext K true Vector). intros p _.
   exact (c_123_all K (R p) (Omega p) (R_ok p) n).
 Qed.
-(* Theorem 1: Φₙ and aₙ give the n-th acceleration of every body point, and no others do *)
+(* on Theorem_1: for every n, Φₙ and aₙ give the n-th acceleration of every body point, and no others do *)
 Theorem c_Theorem_1 (K : diff_ring) (R : tensor K) (rho_Q : vector K) (R_ok : rotation R) : forall n : nat,
   @exactly_one_pair K false Tensor false Vector (fun Phi a => forall r : vector K, constant (d := false) r ->
     (Dn n (rho_Q + R @ r) : vector K) ≡ a + Phi @ (rho_Q + R @ r)).
@@ -142,7 +143,7 @@ Proof.
     + rewrite B0. under (@nil premise) [(false, Vector); (false, Vector)] [as_slot false Vector b; as_slot false Vector (B @ (rho_Q + R @ zero))]
         (Minus (Plus (U 0) (U 1)) (U 1)) (U 0).
 Qed.
-(* Theorem 5: every orthogonal dual tensor is (I + ε ρ̃) R with exactly one rotation R and one vector ρ *)
+(* on Theorem5: every orthogonal dual tensor is (I + ε ρ̃) R with exactly one rotation R and one vector ρ *)
 Theorem c_Theorem_5 (K : diff_ring) (Rd : dual_tensor K) (R_ok : dual_rotation Rd) :
   @exactly_one_pair K false Tensor false Vector (fun R rho => rotation R /\
     Rd ≡ε ((ident : dual_tensor K) + eps • skew (embed rho : dual_vector K)) ∘ (embed R : dual_tensor K)).
@@ -172,7 +173,7 @@ Proof.
       [as_slot false Tensor R; as_slot false Tensor S; as_slot false Tensor (dual_part Rd)]
       (Vect (Prod (T 2) (Transpose (T 0)))) (Vect (Prod (T 2) (Transpose (T 1)))).
 Qed.
-(* 89.skew: the derivative of R̲ is ω̲̃ R̲ *)
+(* on 89.skew: the derivative of R̲ is ω̲̃ R̲ *)
 Theorem c_89_skew (K : diff_ring) (R : dual_tensor K) (R_ok : dual_rotation R) :
   let omega := vect (D R ∘ transpose R) in (D R ∘ transpose R ≡ε skew omega) /\ (D R ≡ε skew omega ∘ R).
 Proof.
@@ -184,7 +185,7 @@ Proof.
       [as_slot true Tensor R; as_slot false Tensor (real_part R); as_slot false Vector (spin (real_part R)); as_slot false Vector (Facts.shift R)]
       (DD (DT 0)) (Prod (Skew (Vect (Prod (DD (DT 0)) (Transpose (DT 0))))) (DT 0)).
 Qed.
-(* 130.from_twist: the recurrence determines every Φₙ = R⁽ⁿ⁾Rᵀ from ω alone *)
+(* on 130.from_twist: the recurrence determines every Φₙ = R⁽ⁿ⁾Rᵀ from ω alone *)
 Theorem c_130_from_twist (K : diff_ring) (omega : dual_vector K) (Phi Psi : nat -> dual_tensor K)
   (P0 : Phi 0%nat ≡ε ident) (P : forall n, Phi (S n) ≡ε D (Phi n) + Phi n ∘ skew omega)
   (Q0 : Psi 0%nat ≡ε ident) (Q : forall n, Psi (S n) ≡ε D (Psi n) + Psi n ∘ skew omega) : forall n, Phi n ≡ε Psi n.
@@ -193,7 +194,7 @@ Proof.
   - intros _ X Y E. cbn beta. now rewrite E.
   - now rewrite P0, Q0.
 Qed.
-(* 80, and that Rodrigues' formula gives a rotation, about a unit vector, real and dual *)
+(* on 80: Rodrigues' formula gives a rotation about a unit vector *)
 Theorem rodrigues_rotation (K : diff_ring) (a c s : scalar K) (u : vector K) (t_ok : turn a c s) (u_ok : unit_vector (K := K) (d := false) u) :
   rotation (rodrigues c s u).
 Proof.

@@ -113,7 +113,7 @@ def test_what_is_written_by_hand_rests_on_no_axioms_and_an_omitted_proof_is_seen
     said = coqc.check(coqc.with_assumptions(text))
     assert said.accepted, said.fault
     assert said.axioms == ()
-    start, _, _ = text.partition("(* 20.Phi")
+    start, _, _ = text.partition("(* on 20.Phi")
     omitted = "Theorem omitted : False. Proof. Admitted.\n"
     assert coqc.check(coqc.with_assumptions(start + omitted), remember=False).axioms == ("omitted",)
     with pytest.raises(coqc.CoqFault):

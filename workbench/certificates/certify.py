@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.certificates import coqc
+from workbench.certificates.by_hand import by_hand
 from workbench.certificates.forms import Certificate, Form, certificate, forms_of
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import all_steps
 from workbench.judge.verdict import Outcome, Verdict
+from workbench.papers import Paper
 from workbench.verify.results import Certification, ClaimResult
 
 
@@ -127,12 +129,16 @@ def recalled(each: Certified) -> Certified:
     return replace(each, checked=coqc.recall(each.certificate.text), met=met)
 
 
-def with_certificates(results: Sequence[ClaimResult], theorems: Mapping[str, object]) -> list[ClaimResult]:
-    """Each with what is remembered of the certificates of its exact forms and of the steps of its theorem."""
+def with_certificates(results: Sequence[ClaimResult], paper: Paper) -> list[ClaimResult]:
+    """Each with what is remembered of the certificates of its exact forms, of the steps of its theorem, and
+    of the theorems on it that are written by hand."""
     found: dict[str, list[Certification]] = {}
     for form, result, verdict in exact_forms(results):
         each = recalled(written(form, verdict))
         found.setdefault(result.claim.id, []).append(each.certification)
-    for steps in all_steps(results, theorems):
+    for steps in all_steps(results, paper.theorems):
         found.setdefault(steps.claim.id, []).append(steps.certification)
+    for each in by_hand(paper):
+        for claim, certification in each.certifications:
+            found.setdefault(claim, []).append(certification)
     return [replace(result, certificates=tuple(found.get(result.claim.id, ()))) for result in results]

@@ -52,7 +52,7 @@ class Unequal(Theorem):
     @property
     def proof(self) -> str:
         ((left, right),) = self.goals[0]
-        known = super().proof.partition("  certify ")[0].removeprefix("Proof.\n").strip()
+        known = super().proof.partition("  certify")[0].removeprefix("Proof.\n").strip()
         if self.word == "->":
             way = "proj2" if self.swapped else "proj1"
         else:

@@ -14,7 +14,6 @@ from workbench.cli.options import Defect, Unusable, paper_option, reports_faults
 if TYPE_CHECKING:
     from workbench.certificates.certify import Certified
     from workbench.certificates.forms import Certificate
-    from workbench.papers import Paper
 
 
 @click.command()
@@ -29,6 +28,7 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     """Write the proved and refuted forms of the claims that SELECT means as Coq theorems. With --check, exit
     status 3 if Coq refuses one of them."""
     from workbench.certificates import coqc
+    from workbench.certificates.by_hand import by_hand
     from workbench.certificates.certify import exact_forms, recalled, written
     from workbench.certificates.steps import all_steps
     from workbench.cli.judging import judged
@@ -45,16 +45,16 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     steps = all_steps(results, paper.theorems)
     if out is not None:
         _write(out, made, [s.whole.certificate for s in steps if s.whole.certificate])
-    if asked:
-        texts = {text for each in (*made, *steps) for text in each.texts}
-        with progress_bar(len(texts), "checking") as advance:
-            try:
+    try:
+        hand = [] if select else by_hand(paper)
+        if asked:
+            texts = {each.text for each in hand}.union(*(each.texts for each in (*made, *steps)))
+            with progress_bar(len(texts), "checking") as advance:
                 coqc.check_all(texts, advance)
-            except coqc.CoqFault as fault:
-                raise Defect(str(fault)) from None
-        made = [recalled(each) for each in made]
-    by_hand = [] if select else _by_hand(paper)
-    refused = [path.name for path in by_hand if asked and not _accepted(path)]
+            made = [recalled(each) for each in made]
+        refused = [each.path.name for each in hand if asked and not coqc.recall(each.text).expected]
+    except coqc.CoqFault as fault:
+        raise Defect(str(fault)) from None
     terminal = console(sys.stdout)
     terminal.print(certificates_table(made))
     for each in steps:
@@ -69,9 +69,10 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
         terminal.print(
             f"{len(steps)} theorem claims, {whole} as one theorem; {counts} certified", markup=False
         )
-    for path in by_hand:
-        said = ": refused" if path.name in refused else ": certified" if asked else ""
-        terminal.print(f"{path.name}, written by hand{said}", markup=False)
+    for each in hand:
+        said = ": refused" if each.path.name in refused else ": certified" if asked else ""
+        about = ", ".join(claim for claim, _, _ in each.about)
+        terminal.print(f"{each.path.name}, written by hand, on {about}{said}", markup=False)
     wrong = [s.claim.id for s in steps if s.broken] if asked else []
     if broken := [*(c.form.identifier for c in made if c.broken), *wrong, *refused]:
         raise Defect(f"Coq refuses {len(broken)} of them, or they say something else: {', '.join(broken)}")
@@ -83,21 +84,6 @@ def _times(done: Sequence[Certified]) -> str:
     total, slowest = sum(c.seconds for c in done), max(done, key=lambda c: c.seconds)
     longest = f"{slowest.form.identifier} the slowest in {slowest.seconds:.0f} s"
     return f" in {total / 60:.1f} min of processor time, {longest}"
-
-
-def _by_hand(paper: Paper) -> list[Path]:
-    """Theorems that no emitter writes: `certificates/*.v` beside the paper's files or beside their folder."""
-    folders = {path.parent for path in paper.paths} | {path.parent.parent for path in paper.paths}
-    return sorted(file for folder in folders for file in (folder / "certificates").glob("*.v"))
-
-
-def _accepted(path: Path) -> bool:
-    from workbench.certificates import coqc
-
-    try:
-        return coqc.check(coqc.with_assumptions(path.read_text("utf-8"))).expected
-    except coqc.CoqFault as fault:
-        raise Defect(f"{path}: {fault}") from None
 
 
 def _write(out: Path, made: Sequence[Certified], goals: Sequence[Certificate]) -> None:

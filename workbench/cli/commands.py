@@ -113,7 +113,7 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
 
     paper = find_paper(paper_name)
     results = with_proposals(judged(paper, [claim_id]), proposals)
-    results = with_certificates(results, paper.theorems)
+    results = with_certificates(results, paper)
     if as_json:
         told = [claim_json(result) for result in results]
         print_json(told[0] if len(told) == 1 else told)
@@ -162,7 +162,7 @@ def report(
     recheck = "workbench report" + f" --paper {paper_name}" * bool(paper_name)
     cited = replace(paper, citation={"recheck": recheck, **paper.citation})
     told = with_proposals(results, True) if proposals else results
-    told = with_certificates(told, paper.theorems)
+    told = with_certificates(told, paper)
     written = write_report(cited, told, out)
     if as_json:
         print_json(report_json(cited, told))

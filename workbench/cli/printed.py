@@ -12,7 +12,8 @@ import click
 from workbench.cli.judging import print_results, write_atomically
 from workbench.cli.options import json_text, print_json
 from workbench.cli.repair import with_proposals
-from workbench.report.to_json import report_json, versions
+from workbench.report.counts import versions
+from workbench.report.to_json import report_json
 
 if TYPE_CHECKING:
     from workbench.papers import Paper

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import IO, TYPE_CHECKING, Any
@@ -13,9 +12,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
+from workbench.report.counts import summary, witness_counts
 from workbench.report.kinds import STATES, VERDICTS
 from workbench.report.prose import as_tuple
-from workbench.report.to_json import witness_counts
 
 if TYPE_CHECKING:
     from workbench.judge.verdict import Counterexample
@@ -71,11 +70,10 @@ def results_table(results: Sequence[ClaimResult]) -> Table:
 
 
 def summary_line(results: Sequence[ClaimResult]) -> Text:
-    counts = Counter(str(result.verdict.outcome) for result in results)
     line = Text(f"{len(results)} claims: ")
-    for position, name in enumerate(name for name in _STYLES if counts[name]):
+    for position, (name, count) in enumerate(summary(results).items()):
         line.append(", " if position else "")
-        line.append(f"{counts[name]} {name}", style=_STYLES[name])
+        line.append(f"{count} {name}", style=_STYLES[name])
     failed = sum(not result.passed for result in results)
     line.append("; all as expected" if not failed else f"; {failed} not as expected")
     return line

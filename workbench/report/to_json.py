@@ -2,43 +2,15 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict
-from importlib.metadata import version
 from typing import Any
 
 from workbench.judge.verdict import Verdict
 from workbench.papers.mends import mended, same_formula
 from workbench.papers.model import CITATION_KEYS, Claim, Formula, Paper
-from workbench.report.kinds import VERDICTS
-from workbench.verify.on_motions import ALGEBRA
+from workbench.report.counts import summary, versions, witness_counts
 from workbench.verify.results import Certification, ClaimResult, Proposed
-
-_PACKAGES = {
-    "workbench": "kinematics-workbench",
-    "drake": "drake",
-    "python-flint": "python-flint",
-    "sympy": "sympy",
-    "numpy": "numpy",
-}
-
-
-def versions() -> dict[str, str]:
-    """Of the workbench and of what its verdicts rest on."""
-    return {name: version(package) for name, package in _PACKAGES.items()}
-
-
-def summary(results: Sequence[ClaimResult]) -> dict[str, int]:
-    """How many claims have each verdict."""
-    counts = Counter(result.verdict.outcome for result in results)
-    return {name: counts[name] for name in VERDICTS if counts[name]}
-
-
-def witness_counts(results: Sequence[ClaimResult]) -> dict[str, int]:
-    """How many claims have Drake for a witness, have no motion, or have none for another reason."""
-    counts = Counter(result.on_motions.witness for result in results)
-    return {name: counts[name] for name in ("Drake", ALGEBRA, "none")}
 
 
 def report_json(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:

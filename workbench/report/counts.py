@@ -1,0 +1,36 @@
+"""How many claims came to what, and by which versions: the same in every report."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from importlib.metadata import version
+
+from workbench.report.kinds import VERDICTS
+from workbench.verify.on_motions import ALGEBRA
+from workbench.verify.results import ClaimResult
+
+_PACKAGES = {
+    "workbench": "kinematics-workbench",
+    "drake": "drake",
+    "python-flint": "python-flint",
+    "sympy": "sympy",
+    "numpy": "numpy",
+}
+
+
+def versions() -> dict[str, str]:
+    """Of the workbench and of what its verdicts rest on."""
+    return {name: version(package) for name, package in _PACKAGES.items()}
+
+
+def summary(results: Sequence[ClaimResult]) -> dict[str, int]:
+    """How many claims have each verdict."""
+    counts = Counter(result.verdict.outcome for result in results)
+    return {name: counts[name] for name in VERDICTS if counts[name]}
+
+
+def witness_counts(results: Sequence[ClaimResult]) -> dict[str, int]:
+    """How many claims have Drake for a witness, have no motion, or have none for another reason."""
+    counts = Counter(result.on_motions.witness for result in results)
+    return {name: counts[name] for name in ("Drake", ALGEBRA, "none")}

@@ -9,11 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from workbench.cli.judging import (
-    engine_options,
-    judged_papers,
-    proposals_flag,
-)
+from workbench.cli.judging import engine_options, judged_papers, proposals_flag
 from workbench.cli.options import Unusable, reports_faults
 from workbench.cli.printed import print_judged
 

@@ -20,13 +20,7 @@ from workbench.cli.init import init
 from workbench.cli.judging import as_expected, engine_options, judged, print_results, proposals_flag
 from workbench.cli.lsp import lsp
 from workbench.cli.motion import motion
-from workbench.cli.options import (
-    Unusable,
-    json_flag,
-    paper_option,
-    print_json,
-    reports_faults,
-)
+from workbench.cli.options import Unusable, json_flag, paper_option, print_json, reports_faults
 from workbench.cli.repair import errata, repair_claim, with_proposals
 
 
@@ -141,12 +135,7 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
 )
 @reports_faults
 def report(
-    select: Sequence[str],
-    paper_name: str | None,
-    out: Path,
-    as_json: bool,
-    proposals: bool,
-    **engines: Any,
+    select: Sequence[str], paper_name: str | None, out: Path, as_json: bool, proposals: bool, **engines: Any
 ) -> None:
     """Write the report of a paper: JSON, HTML, Markdown and LaTeX. Exit status as for verify."""
     from workbench.certificates.certify import with_certificates

@@ -24,11 +24,7 @@ from workbench.drake.quantities import (
     cylinder_quantities,
     relative_quantities,
 )
-from workbench.drake.symbolic_motions import (
-    Entries,
-    SymbolicMotion,
-    expressions_are_not_nan,
-)
+from workbench.drake.symbolic_motions import Entries, SymbolicMotion, expressions_are_not_nan
 
 SAMPLES = (-1.0, -0.75, -0.5, 0.5, 0.75, 1.0)
 COURSE = tuple(k / 8 for k in range(-8, 9))
@@ -135,11 +131,7 @@ def free_body_motion(name: str, path: JointPath) -> ReferenceMotion:
 def reference_motions() -> tuple[ReferenceMotion, ...]:
     """The general motions: nothing that moves stands still, in any derivative up to the fifth."""
     chains = (
-        chain_motion(
-            f"two cylindrical joints, seed {seed}",
-            small_axes(seed),
-            small_path(seed, joints=4),
-        )
+        chain_motion(f"two cylindrical joints, seed {seed}", small_axes(seed), small_path(seed, joints=4))
         for seed in (1, 2)
     )
     return (*chains, free_body_motion("free body, seed 3", small_path(3, joints=6)))

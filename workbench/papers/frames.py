@@ -145,12 +145,7 @@ def _rotation(frames: Frames, to: str, origin: str) -> Term:
 #: What a spelling may be said to be → its kind, which of its letters are frames, and what it is.
 _PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
     (r"rotation to (?P<F>\w) from (?P<G>\w)", TENSOR, "FG", lambda f, F, G: _rotation(f, F, G)),
-    (
-        r"angular velocity of (?P<G>\w) in (?P<F>\w)",
-        VECTOR,
-        "FG",
-        lambda f, F, G: f.angular_velocity(G, F),
-    ),
+    (r"angular velocity of (?P<G>\w) in (?P<F>\w)", VECTOR, "FG", lambda f, F, G: f.angular_velocity(G, F)),
     (
         r"angular acceleration of (?P<G>\w) in (?P<F>\w)",
         VECTOR,
@@ -159,12 +154,7 @@ _PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
     ),
     (r"to (?P<P>\w) from (?P<Q>\w)", VECTOR, "", lambda f, P, Q: minus(f.place(P), f.place(Q))),
     (r"velocity of (?P<P>\w) in (?P<F>\w)", VECTOR, "F", lambda f, P, F: f.velocity(P, F)),
-    (
-        r"acceleration of (?P<P>\w) in (?P<F>\w)",
-        VECTOR,
-        "F",
-        lambda f, P, F: f.rate(F, f.velocity(P, F)),
-    ),
+    (r"acceleration of (?P<P>\w) in (?P<F>\w)", VECTOR, "F", lambda f, P, F: f.rate(F, f.velocity(P, F))),
 )
 _RESOLVED = re.compile(r",? resolved in (?P<R>\w)$")
 

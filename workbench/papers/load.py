@@ -11,15 +11,7 @@ from typing import Any
 from workbench.budget import Budget
 from workbench.papers.claim_tables import ClaimTable
 from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
-from workbench.papers.model import (
-    CITATION_KEYS,
-    Claim,
-    Notation,
-    Paper,
-    PaperError,
-    Theorem,
-    UnreadFormula,
-)
+from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError, Theorem, UnreadFormula
 from workbench.papers.motion import require_claims
 from workbench.papers.notation import NOTATION_KEYS, notation_chain, notation_of
 from workbench.papers.sisters import claim_ids, sisters_of

@@ -34,10 +34,7 @@ _NO_NOTES = frozenset({"\\sim", "\\approx", "\\cdot", "\\circ", "\\wedge", "\\tr
 _BOLD = frozenset({"\\boldmath", "\\bf", "\\bfseries"})
 _TYPED = {(":", "="): ":=", ("=", ">"): "\\Rightarrow"}
 _RENAMED = {
-    **dict.fromkeys(
-        ("mathbfit", "symbf", "symbfit", "bm", "pmb", "mathbold"),
-        "\\boldsymbol",
-    ),
+    **dict.fromkeys(("mathbfit", "symbf", "symbfit", "bm", "pmb", "mathbold"), "\\boldsymbol"),
     "vb": "\\mathbf",
     "mathbfup": "\\mathbf",
     "lbrace": "\\{",

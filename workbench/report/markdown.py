@@ -55,10 +55,4 @@ def _is_safe(latex: str) -> bool:
         return False
 
 
-FILTERS = {
-    "text": escaped,
-    "code": code,
-    "imath": inline_math,
-    "dmath": display_math,
-    "runs": runs,
-}
+FILTERS = {"text": escaped, "code": code, "imath": inline_math, "dmath": display_math, "runs": runs}

@@ -46,9 +46,7 @@ def mathml(latex: str, display: bool = False, marked: frozenset[int] = frozenset
 def mathml_of_atoms(atoms: Sequence[Atom], display: bool, marked: Collection[int], alternative: str) -> str:
     """MathML of atoms. Raises LatexNotTypesettable where the result lacks or adds a character."""
     source = latex_of(
-        [_for_converter(atom) for atom in atoms],
-        marked,
-        lambda a: rf"\class{{changed}}{{{a.latex}}}",
+        [_for_converter(atom) for atom in atoms], marked, lambda a: rf"\class{{changed}}{{{a.latex}}}"
     )
     try:
         tree = ElementTree.fromstring(convert(source, display="block" if display else "inline"))

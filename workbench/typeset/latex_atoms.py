@@ -57,9 +57,7 @@ def atoms_of(latex: str) -> list[Atom]:
 
 
 def latex_of(
-    atoms: Sequence[Atom],
-    marked: Collection[int] = (),
-    mark: Callable[[Atom], str] | None = None,
+    atoms: Sequence[Atom], marked: Collection[int] = (), mark: Callable[[Atom], str] | None = None
 ) -> str:
     """LaTeX of the atoms, with each marked leaf passed through `mark`."""
     pieces = [

@@ -96,9 +96,7 @@ def _is_a_paragraph(text: str, start: int, end: int) -> bool:
     return "=" in text[start:end] and not (before.strip(" \t\n>") or after.strip(" \t\n>.,;"))
 
 
-def _without_code(
-    text: str,
-) -> tuple[str, list[tuple[int, int, int, str]], list[tuple[int, int, int, int]]]:
+def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]], list[tuple[int, int, int, int]]]:
     """The text with code, comments and front matter blanked; math fences as (inner, end, start, label);
     GitHub's $`…`$ as (start, inner, inner end, end)."""
     pieces: list[str] = []

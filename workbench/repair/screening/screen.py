@@ -25,14 +25,7 @@ from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter
 from workbench.language.instances import Instantiation, instantiate
 from workbench.language.integers import Linear
-from workbench.language.terms import (
-    Conjunction,
-    IllFormed,
-    Relation,
-    Statement,
-    Symbol,
-    Term,
-)
+from workbench.language.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term
 
 
 class FlintResidueRing:

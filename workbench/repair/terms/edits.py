@@ -51,10 +51,7 @@ class Edit:
 
 
 def edits(
-    statement: Statement,
-    replacements: Sequence[Term] = (),
-    addends: Sequence[Term] = (),
-    within: Place = (),
+    statement: Statement, replacements: Sequence[Term] = (), addends: Sequence[Term] = (), within: Place = ()
 ) -> Iterator[Edit]:
     """All one-place edits of a statement, place by place, none twice.
 

@@ -9,18 +9,7 @@ from itertools import product
 from workbench.language.integers import Linear
 from workbench.language.latex import latex_of
 from workbench.language.spelling import linear_or_none, variable_name
-from workbench.language.syntax import (
-    Bracket,
-    Chain,
-    Group,
-    Leaf,
-    Node,
-    Scripted,
-    Sum,
-    Summation,
-    core,
-    parse,
-)
+from workbench.language.syntax import Bracket, Chain, Group, Leaf, Node, Scripted, Sum, Summation, core, parse
 from workbench.repair.trees.marks import Mark
 from workbench.repair.trees.nodes import below
 

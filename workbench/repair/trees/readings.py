@@ -306,11 +306,7 @@ class _Equation:
     def _choices(self, leaf: Node) -> Iterator[Marks]:
         """Combinations of marks by their cost: one on each letter and integer, and one on the products."""
         table = self.reader.table
-        places = [
-            *letter_marks(leaf, table),
-            *index_marks(leaf, table),
-            *integer_marks(leaf, self.variables),
-        ]
+        places = [*letter_marks(leaf, table), *index_marks(leaf, table), *integer_marks(leaf, self.variables)]
         products = [*factor_marks(leaf, self.reader.letters), *product_marks(leaf)]
         for cost in range(MOST_MARKS + 1):
             for on_products in range(min(cost, 2) + 1):

@@ -61,6 +61,7 @@ class Members:
     """The first few values of each integer: what `Judge` takes for the orders of a family."""
 
     least: Mapping[str, int]
+    generic: tuple[str, ...] = ()  # a range is stated for each
 
     def assignments(self) -> Iterator[dict[str, int]]:
         values: list[dict[str, int]] = [{}]

@@ -8,6 +8,8 @@ from workbench.language.errors import ReadError
 from workbench.language.lines import split_lines
 from workbench.language.reader import read
 from workbench.language.symbols import SymbolTable
+from workbench.papers.alignment import lines_of
+from workbench.papers.texts import read_text
 
 TABLE = SymbolTable.build({name: {"kind": "scalar", "weight": 0} for name in "abcdx"})
 ENVIRONMENTS = [
@@ -95,3 +97,12 @@ def test_each_character_of_a_line_is_placed_in_the_formula():
             )
             whole = (rows[row - 1] + "\n")[column - 1]
             assert whole == character or (whole == "&" and character == " ")
+
+
+@pytest.mark.parametrize("rows", ROWS)
+def test_a_text_is_cut_into_the_lines_of_a_formula(rows, tmp_path):
+    first, second, count = rows
+    formula = rf"\begin{{aligned}} {first} \\ {second} \end{{aligned}}"
+    (tmp_path / "paper.tex").write_text(rf"\begin{{document}}\[ {formula} \]\end{{document}}")
+    (display,) = read_text(tmp_path / "paper.tex").displays
+    assert len(lines_of(display, ())) == len(split_lines(formula)) == count

@@ -4,12 +4,16 @@ import pytest
 
 from workbench.certificates.generalized import Generalizer, holds_whatever_they_are
 from workbench.certificates.nodes import NotCertified
+from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import theorem
+from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.construct import apply, big_sum, derivative, integer, number, relation, symbol
 from workbench.language.definitions import Definitions
 from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.types import VECTOR, Declaration
+from workbench.papers import find_paper
+from workbench.verify.claims import ClaimResult
 
 N = Linear.variable("n")
 X, Y = (symbol(Declaration(Name(name), VECTOR)) for name in "xy")
@@ -63,3 +67,20 @@ def test_what_is_supposed_is_not_used_and_an_inequation_is_refused():
     assert not holds(plus(apply("dot", unit, unit), product), plus(number(1), product))
     with pytest.raises(NotCertified):
         Generalizer(Definitions(()), ()).equation(relation("≠", X, Y))
+
+
+@pytest.mark.parametrize("name", ["37.step", "104.origin", "130.from_twist", "132.all", "135.all"])
+def test_members_of_recurrences_and_what_operators_make_are_premises(name):
+    paper = find_paper("chapter")
+    (claim,) = [c for c in paper.claims if c.id == name]
+    result = ClaimResult(claim, Verdict(Outcome.PROVED), None, None, Outcome.PROVED, True)
+    written = [step for step in steps_of(result, paper.theorems).steps if step.certificate]
+    general = [step.certificate for step in written if " is " in step.certificate.title]
+    assert general
+    assert not any(step.misread for step in written)
+    for certificate in general:
+        assert certificate.statement.startswith("(* ")
+        (made,) = certificate.theorems
+        assert holds_whatever_they_are(made)
+        made.goals = [[(left, f"(Plus {right} {right})") for left, right in pairs] for pairs in made.goals]
+        assert not holds_whatever_they_are(made)

@@ -7,21 +7,25 @@ The step is an instance of it. That it holds so is tried on random motions first
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from random import Random
 
 from workbench.certificates.emitter import Emitter
+from workbench.certificates.instances import place
 from workbench.certificates.nodes import KINDS, NotCertified, flag
 from workbench.certificates.theorem import Theorem
 from workbench.certificates.trigonometric import Pair, Values, Wave, flat, order, parsed, value
-from workbench.language.construct import derivative, rebuild, relation, symbol
+from workbench.language.construct import apply, derivative, rebuild, relation, symbol
 from workbench.language.definitions import Definitions
 from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.printer import to_latex
 from workbench.language.terms import (
+    Apply,
     BigSum,
     Counting,
     Derivative,
+    Identity,
     IllFormed,
     Integer,
     Power,
@@ -29,15 +33,20 @@ from workbench.language.terms import (
     Statement,
     Symbol,
     Term,
+    TimeOperator,
 )
 from workbench.language.types import Declaration
 
 
 class Generalizer:
-    """Terms with symbols of their own for what cannot be said; `meant`: what each stands for."""
+    """Terms with symbols of their own for what cannot be said. `meant`: what each stands for; `premises`:
+    what it is by definition, if it is a member of a recurrence, such as Fₙ₊₁(ω) in terms of Fₙ(ω), or what
+    such an operator makes of a value."""
 
     def __init__(self, definitions: Definitions, integers: Iterable[str]) -> None:
         self.meant: dict[Symbol, Term] = {}
+        self.premises: list[Relation] = []
+        self._definitions = definitions
         self._speaker = Emitter(definitions)
         self._speaker.several = True
         self._speaker.integers = {name: name for name in integers}
@@ -66,7 +75,8 @@ class Generalizer:
             case Power(exponent=Linear(is_number=False)):
                 return self._anything(term)
             case Derivative(body=body, order=Linear(is_number=False) as many):
-                least = self._least[body, many - many.constant]
+                lowest = self._least.setdefault((body, many - many.constant), many.constant)
+                least = min(lowest, many.constant)
                 lowest = Derivative(term.type, None, body, many - many.constant + least)
                 made, more = self._anything(lowest), many.constant - least
                 return derivative(made, more) if more else made
@@ -74,7 +84,44 @@ class Generalizer:
         made = term if whole or not term.children else rebuild(term, [self.term(c) for c in term.children])
         if term.type.kind not in KINDS or self._can_be_said(made):
             return made
-        return self._anything(term)
+        known = len(self.meant)
+        named = self._anything(term)
+        if len(self.meant) > known and (body := self._meaning(term)) is not None:
+            self.premises.append(relation("=", named, self.term(body)))
+        return named
+
+    def _meaning(self, term: Term) -> Term | None:
+        """What it is by definition, if that says anything."""
+        match term:
+            case Symbol():
+                return self._definitions.lookup(term)
+            case Apply(head="mul", arguments=(operator, value)) if operator.type.kind == "operator":
+                return self._made_of(operator, value)
+        return None
+
+    def _made_of(self, operator: Term, value: Term) -> Term | None:
+        """What the operator makes of the value, one step of a recurrence or power further."""
+        match operator:
+            case Symbol():
+                body = self._definitions.lookup(operator)
+                return None if body is None else self._acted(body, value)
+            case Power(base=base, exponent=many) if many.constant > 0:
+                return self._acted(base, self._acted(replace(operator, exponent=many - 1), value))
+            case Symbol() | Power():
+                return None
+        return self._acted(operator, value)
+
+    def _acted(self, operator: Term, value: Term) -> Term:
+        match operator:
+            case TimeOperator():
+                return derivative(value, 1)
+            case Apply(head="add" | "neg" as head, arguments=parts):
+                return apply(head, *(self._acted(part, value) for part in parts))
+            case Apply(head="mul" | "compose", arguments=(outer, inner)) if operator.type.kind == "operator":
+                return self._acted(outer, self._acted(inner, value))
+            case Identity() if operator.type.kind == "operator":
+                return value
+        return apply("mul", operator, value)
 
     def _can_be_said(self, term: Term) -> bool:
         try:
@@ -99,14 +146,15 @@ def holds_whatever_they_are(made: Theorem) -> bool:
     chance, values, emitter = Random(0), {}, made.emitter
     if emitter.steps:  # reciprocals are what is supposed of them
         return False
-    known = {origin.node.deep: origin.value for origin in emitter.origins if origin.how == "is"}
     pairs = [pair for goals in made.goals for pair in goals]
-    degree = 1 + max(order(parsed(side), {}) for pair in pairs for side in pair)
-    for place, (dual, kind, _) in enumerate(emitter.slots):
-        deep = f"(Var {flag(dual)} {kind} {place})"
-        values[flag(dual), kind, str(place)] = (
-            value(known[deep].deep, values) if deep in known else _any(dual, kind, degree, chance)
-        )
+    known = {place(origin.node): origin.value for origin in emitter.origins if origin.how == "is"}
+    sides = [side for pair in pairs for side in pair] + [node.deep for node in known.values()]
+    degree = 1 + len(known) + max(order(parsed(side), {}) for side in sides)
+    for number, (dual, kind, _) in enumerate(emitter.slots):
+        if (where := (flag(dual), kind, str(number))) not in known:
+            values[where] = _any(dual, kind, degree, chance)
+    for where, node in known.items():
+        values[where] = value(node.deep, values)
     return all(_agree(left, right, values) for left, right in pairs)
 
 

@@ -140,7 +140,8 @@ def _step(claim: Claim, obligation: Obligation, number: int) -> Step:
     except (NotCertified, IllFormed) as obstacle:
         try:
             general_ = Generalizer(scope.definitions, scope.integers)
-            made = _theorem(number, general_.equation(obligation.statement), (), scope)
+            equation = general_.equation(obligation.statement)
+            made = _theorem(number, equation, general_.premises, scope)
         except (NotCertified, IllFormed):
             return Step(None, str(obstacle))
         if not holds_whatever_they_are(made):

@@ -12,9 +12,6 @@ from workbench.papers.steps import steps_of
 from workbench.papers.texts import read_text
 
 SPELLED = {
-    r"\cos(\theta/2) = c": r"\cos(\frac{\theta}{2}) = c",
-    r"m v^2/r = -x/2 + 1": r"m \frac{v^2}{r} = -\frac{x}{2} + 1",
-    r"x/(2y) = \dot{\theta}/2": r"\frac{x}{(2y)} = \frac{\dot{\theta}}{2}",
     r"a = \boldsymbol\omega_\mathcal{B/N}": r"a = \boldsymbol\omega_{\mathcal{B}/\mathcal{N}}",
     r"\alpha^{\prime}_1 = x^{\prime\prime}": r"\alpha'_1 = x''",
     r"A = \mathbf{R}(t)^T S {(t)^T}": r"A = \mathbf{R}^T S ^T",
@@ -24,11 +21,7 @@ SPELLED = {
 }
 #: What more than one way of reading it is left to the reader, which refuses it.
 AS_IT_IS = [
-    r"\sin\theta/2 = c",
-    r"1/2 m v^2 = h",
-    r"a/b c = 3",
-    r"a/b/c = 3",
-    r"\sin a b/2 = 1",
+    r"x/(2y) = \dot{\theta}/2",
     r"r_{P/O} = x^{1/2}",
     r"{}^{A/B} x = y",
     r"v (t) = x",

@@ -1,13 +1,21 @@
-"""What authors and their tools write in other ways than the claim language: θ/2 for a fraction, the tables of
-MathType, labels within typefaces, R(t)^T."""
+"""What authors and their tools write in other ways than the claim language: the tables of MathType, labels
+within typefaces, R(t)^T."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from workbench.papers.slashes import FACES, GAPS, TEXTS, ahead, behind, is_letter, past, with_fractions
 from workbench.papers.texts import Token
 
+_FACE_NAMES = r"\mathcal \mathscr \mathsf \mathrm \mathbf \boldsymbol \mathfrak"
+_LETTERS = r"""
+    alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi
+    chi psi omega
+"""
+_GAP_NAMES = r"\, \; \: \! ~"
+_FACES, _TEXTS = frozenset(_FACE_NAMES.split()), frozenset({"\\text", "\\mbox", "\\textrm"})
+_GAPS = frozenset([" ", "\\ ", *_GAP_NAMES.split()])
+_GREEK = frozenset(_LETTERS.split())
 _CAPITALS = "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 _VARIANTS = frozenset(_CAPITALS.split())
 
@@ -17,7 +25,7 @@ def as_read(tokens: Sequence[Token]) -> list[Token]:
     made = list(tokens)
     for pattern in (_variant, _buildrel, _table, _grouped_table, _label, _nested_text, _prime, _of_time):
         made = _everywhere(made, pattern)
-    return with_fractions(made)
+    return made
 
 
 def _everywhere(
@@ -47,7 +55,7 @@ def _buildrel(tokens: list[Token], place: int) -> tuple[list[Token], int] | None
     over = next(
         (i for i in range(place + 1, min(place + 12, len(tokens))) if tokens[i].text == "\\over"), None
     )
-    sign = None if over is None else past(tokens, over + 1)
+    sign = None if over is None else _past(tokens, over + 1)
     if sign is None or sign >= len(tokens) or tokens[sign].text != "=":
         return None
     return [tokens[sign].standing_for(":=")], sign + 1
@@ -57,10 +65,10 @@ def _table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """The columns {*{20}{c}} of an array, which the reader counts itself."""
     if tokens[place].text != "\\begin{array}":
         return None
-    start = past(tokens, place + 1)
+    start = _past(tokens, place + 1)
     if start >= len(tokens) or tokens[start].text != "{":
         return None
-    end = behind(tokens, start)
+    end = _behind(tokens, start)
     if not any(token.text in "*@!>" for token in tokens[start:end]):
         return None
     return [tokens[place], tokens[start], tokens[start].standing_for("c"), tokens[end - 1]], end
@@ -68,14 +76,14 @@ def _table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 def _grouped_table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """{\\begin{array}…\\end{array}}, in braces that print nothing."""
-    first = past(tokens, place + 1)
+    first = _past(tokens, place + 1)
     if tokens[place].text != "{" or first >= len(tokens) or not tokens[first].text.startswith("\\begin{"):
         return None
-    end = behind(tokens, place)
-    last = ahead(tokens, end - 1)
+    end = _behind(tokens, place)
+    last = _ahead(tokens, end - 1)
     if last is None or tokens[last].text != tokens[first].text.replace("\\begin", "\\end"):
         return None
-    before = ahead(tokens, place)
+    before = _ahead(tokens, place)
     opens = before is not None and (
         tokens[before].text in ("[", "(", "|", "\\|") or tokens[before].text == "="
     )
@@ -84,9 +92,9 @@ def _grouped_table(tokens: list[Token], place: int) -> tuple[list[Token], int] |
 
 def _label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """_\\mathcal{B/N} as _{\\mathcal{B}/\\mathcal{N}}."""
-    if tokens[place].text not in FACES or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
+    if tokens[place].text not in _FACES or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
         return None
-    end = behind(tokens, place + 1)
+    end = _behind(tokens, place + 1)
     inside = [token for token in tokens[place + 2 : end - 1] if token.text not in ("{", "}", " ")]
     if [token.text for token in inside[1::2]] != ["/"] or len(inside) != 3:
         return None
@@ -103,18 +111,18 @@ def _nested_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | N
     """\\text{\\text{sc}} as \\text{sc}; \\textit{sc} too, which is a label as well."""
     if tokens[place].text in ("\\textit", "\\textsf", "\\textup", "\\textnormal", "\\textsl", "\\texttt"):
         return [tokens[place].standing_for("\\text")], place + 1
-    if tokens[place].text not in TEXTS or place + 2 >= len(tokens) or tokens[place + 1].text != "{":
+    if tokens[place].text not in _TEXTS or place + 2 >= len(tokens) or tokens[place + 1].text != "{":
         return None
-    inner = tokens[place + 2].text in TEXTS and behind(tokens, place + 3) == behind(tokens, place + 1) - 1
-    return (tokens[place + 2 : behind(tokens, place + 1) - 1], behind(tokens, place + 1)) if inner else None
+    inner = tokens[place + 2].text in _TEXTS and _behind(tokens, place + 3) == _behind(tokens, place + 1) - 1
+    return (tokens[place + 2 : _behind(tokens, place + 1) - 1], _behind(tokens, place + 1)) if inner else None
 
 
 def _prime(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """^{\\prime\\prime} as ''."""
     if tokens[place].text != "^":
         return None
-    start = past(tokens, place + 1)
-    end = behind(tokens, start)
+    start = _past(tokens, place + 1)
+    end = _behind(tokens, start)
     primes = [token for token in tokens[start:end] if token.text not in ("{", "}", " ")]
     if not primes or any(token.text != "\\prime" for token in primes):
         return None
@@ -125,23 +133,59 @@ def _of_time(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """R(t)^T as R^T: that R depends on the time says nothing of it."""
     if tokens[place].text not in ("(", "\\left", "{"):
         return None
-    texts = [token.text for token in tokens[place : place + 14] if token.text not in GAPS]
+    texts = [token.text for token in tokens[place : place + 14] if token.text not in _GAPS]
     opening = next((each for each in _TIMES if texts[: len(each)] == list(each)), None)
-    before = ahead(tokens, place)
-    is_after = before is not None and (tokens[before].text == "}" or is_letter(tokens[before]))
+    before = _ahead(tokens, place)
+    is_after = before is not None and (tokens[before].text == "}" or _is_letter(tokens[before]))
     if opening is None or not is_after:
         return None
     count, end = len(opening), place
     while count:
-        count -= tokens[end].text not in GAPS
+        count -= tokens[end].text not in _GAPS
         end += 1
-    after = past(tokens, end)
+    after = _past(tokens, end)
     if after >= len(tokens) or tokens[after].text not in ("^", "'"):
         return None
     if tokens[place].text != "{":
         return [], after
-    close = behind(tokens, place)
+    close = _behind(tokens, place)
     return tokens[after : close - 1], close
 
 
 _TIMES = (("(", "t", ")"), ("\\left", "(", "t", "\\right", ")"), ("{", "(", "t", ")"))
+
+
+def _is_letter(token: Token) -> bool:
+    word = token.word
+    is_greek = word is not None and word.removeprefix("var").lower() in _GREEK
+    return (len(token.text) == 1 and token.text.isalpha()) or is_greek
+
+
+def _behind(tokens: Sequence[Token], place: int) -> int:
+    """The place behind the group, or the one token, that stands at `place`."""
+    if place >= len(tokens) or tokens[place].text != "{":
+        is_faced = place < len(tokens) and tokens[place].text in _FACES | _TEXTS
+        return _behind(tokens, _past(tokens, place + 1)) if is_faced else min(place + 1, len(tokens))
+    return _closing(tokens, place) or len(tokens)
+
+
+def _closing(tokens: Sequence[Token], place: int) -> int | None:
+    depth = 0
+    for end in range(place, len(tokens)):
+        depth += (tokens[end].text == "{") - (tokens[end].text == "}")
+        if depth == 0:
+            return end + 1
+    return None
+
+
+def _past(tokens: Sequence[Token], place: int) -> int:
+    while place < len(tokens) and tokens[place].text in _GAPS:
+        place += 1
+    return place
+
+
+def _ahead(tokens: Sequence[Token], place: int) -> int | None:
+    place -= 1
+    while place >= 0 and tokens[place].text in _GAPS:
+        place -= 1
+    return None if place < 0 else place

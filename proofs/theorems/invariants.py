@@ -1,0 +1,231 @@
+"""Section 5.3, Theorems 6, 7 and (82): every orthogonal dual tensor has a dual angle and a dual axis.
+
+A rotation Q by the angle a about w has the cosine c = (tr Q − 1)/2, and sym Q − c I = (1 − c) w ⊗ w: what of
+its columns is not 0 is along the axis. Where all are 0, Q is I.
+"""
+
+from __future__ import annotations
+
+from workbench.judge.theorems.proofs import (
+    ByLength,
+    Cases,
+    Each,
+    Follows,
+    Given,
+    Have,
+    Impossible,
+    Kernel,
+    Obtain,
+    OnCircle,
+    Proof,
+    Proven,
+    Use,
+    Witness,
+)
+
+_BASIS = [rf"\begin{{bmatrix}} {a} \\ {b} \\ {c} \end{{bmatrix}}" for a, b, c in ("100", "010", "001")]
+
+
+def _turn(angle: str, axis: str) -> str:
+    return (
+        rf"\mathbf{{I}} + \sin({angle}) \widetilde{{{axis}}} + (1 - \cos({angle})) (\widetilde{{{axis}}})^2"
+    )
+
+
+def _has_axis_and_angle(Q: str) -> Proof:
+    """∃ a ∈ ℝ, w ∈ S² : Q = I + sin a w̃ + (1 − cos a) w̃²."""
+    trace, vector = rf"\operatorname{{tr}}({Q})", rf"\operatorname{{vect}}({Q})"
+    cosine = rf"\frac{{{trace} - 1}}{{2}}"
+    columns = [rf"(\operatorname{{sym}}({Q}) - {cosine} \mathbf{{I}}) {e}" for e in _BASIS]
+    none = [f"{column} = \\mathbf{{0}}" for column in columns]
+
+    def along(column: str) -> Proof:
+        axis = rf"\frac{{1}}{{\|{column}\|}} ({column})"
+        sine = rf"\frac{{1}}{{\|{column}\|}} (({column}) \cdot {vector})"
+        made = Follows(
+            rf"\mathbf{{I}} + Z \widetilde{{{axis}}} + (1 - Y) (\widetilde{{{axis}}})^2",
+            Y=Use(-1, back=True),
+            Z=Use(-1, part=1, back=True),
+        )
+        angle = rf"\exists b \in \mathbb{{R}} : \cos b = {cosine} \wedge \sin b = {sine}"
+        return Have(angle, OnCircle(), Obtain(-1, Witness({"a": "b", "w": axis}, made)))
+
+    uses = {letter: Use(place) for letter, place in zip("XYZ", (-3, -2, -1), strict=True)}
+    of_columns = " + ".join(rf"{letter} \cdot {e}" for letter, e in zip("XYZ", _BASIS, strict=True))
+    uses_before = {letter: Use(use.premise - 2) for letter, use in uses.items()}
+    products = " + ".join(rf"{letter} \otimes {e}" for letter, e in zip("XYZ", _BASIS, strict=True))
+    at_rest = Have(
+        f"{trace} = 3",
+        Follows(f"3 - 2 ({of_columns})", **uses),
+        Have(
+            rf"{vector} = \mathbf{{0}}",
+            ByLength(Follows(r"1 - (\frac{Y - 1}{2})^2", Y=Use(-1))),
+            Have(
+                rf"{Q} = \mathbf{{I}}",
+                Follows(
+                    rf"{products} + \frac{{T - 1}}{{2}} \mathbf{{I}} + \widetilde{{V}}",
+                    **uses_before,
+                    T=Use(-2),
+                    V=Use(-1),
+                ),
+                Witness({"a": "0", "w": _BASIS[0]}, Follows("Y", Y=Use(-1))),
+            ),
+        ),
+    )
+    for column, equation in reversed(list(zip(columns, none, strict=True))):
+        at_rest = Cases(equation, at_rest, along(column))
+    return at_rest
+
+
+#: R̲ = (I + ε r̃) Q, with Q by Euler's theorem.
+_REAL = r"\operatorname{Re}(R)"
+_SHIFTED = r"(\mathbf{I} + \varepsilon \tilde{r})"
+#: u₀, the moment of the axis.
+_MOMENT = r"\frac{1}{2} (\frac{\sin a}{1 - \cos a} (r - (w \cdot r) w) - w \times r)"
+
+
+def _has_invariants() -> Proof:
+    """∃ p ∈ ℝ̲, q ∈ S̲² : R = I + sin p q̃ + (1 − cos p) q̃²."""
+    shift = r"\operatorname{vect}(\operatorname{Du}(R) (\operatorname{Re}(R))^T)"
+    turned = Follows(f"Y + {_SHIFTED} (Z - {_REAL})", Y=Use(-1), Z=Use(1))
+
+    translation = Have(
+        r"\sin a = 0",
+        ByLength(Follows("1 - Y^2", Y=Use(-1))),
+        Have(
+            r"R = \mathbf{I} + \varepsilon \tilde{r}",
+            Follows(
+                rf"Y + {_SHIFTED} ((Z - \sin a) \tilde{{w}} + (\cos a - X) \tilde{{w}}^2)",
+                Y=Use(4),
+                X=Use(5),
+                Z=Use(6),
+            ),
+            Cases(
+                r"r = \mathbf{0}",
+                Witness(
+                    {"p": "0", "q": "w"},
+                    Follows(r"Y + \varepsilon (\tilde{Z} - \tilde{r})", Y=Use(7), Z=Use(8)),
+                ),
+                Witness(
+                    {"p": r"\varepsilon \|r\|", "q": r"\frac{1}{\|r\|} r"},
+                    Follows("Y", Y=Use(7)),
+                ),
+            ),
+        ),
+    )
+    screw = Witness(
+        {"p": r"a + \varepsilon (w \cdot r)", "q": rf"w + \varepsilon ({_MOMENT})"}, Follows("Y", Y=Use(4))
+    )
+    return Have(
+        rf"\exists a \in \mathbb{{R}}, w \in S^2 : {_REAL} = {_turn('a', 'w')}",
+        _has_axis_and_angle(_REAL),
+        Obtain(
+            -1,
+            Have(
+                rf"\exists r \in V_3 : R = {_SHIFTED} {_REAL}",
+                Witness({"r": shift}),
+                Obtain(
+                    -1,
+                    Have(
+                        f"R = {_SHIFTED} ({_turn('a', 'w')})",
+                        turned,
+                        Cases(r"\cos a = 1", translation, screw),
+                    ),
+                ),
+            ),
+        ),
+    )
+
+
+_REPRESENTED = r"\exists p \in \underline{\mathbb{R}}, q \in \underline{S}^2 : R = " + _turn(
+    "p", "q"
+)  # Theorem 6
+_EXPONENTIAL = rf"\exp(\widetilde{{p q}}) + Y - ({_turn('p', 'q')})"
+
+
+def _screw() -> Proof:
+    """∃ p ∈ ℝ̲, q ∈ S̲² : x = p q."""
+    real, shift = r"\operatorname{Re}(x)", r"\operatorname{Du}(x)"
+    size = rf"\|{real}\|"
+    magnitude = rf"{size} + \varepsilon (\frac{{1}}{{{size}}} ({real} \cdot {shift}))"
+    pure = Follows(r"Y + \varepsilon \operatorname{Du}(x)", Y=Use(0))
+    return Cases(
+        rf"{real} = \mathbf{{0}}",
+        Cases(
+            rf"{shift} = \mathbf{{0}}",
+            Witness({"p": "0", "q": _BASIS[0]}, Follows(r"Y + \varepsilon Z", Y=Use(0), Z=Use(1))),
+            Witness({"p": rf"\varepsilon \|{shift}\|", "q": rf"\frac{{1}}{{\|{shift}\|}} {shift}"}, pure),
+        ),
+        Witness({"p": magnitude, "q": rf"\frac{{x}}{{{magnitude}}}"}),
+    )
+
+
+_IN_THE_GROUP = Have(
+    r"\exists p \in \underline{\mathbb{R}}, q \in \underline{S}^2 : x = p q",
+    _screw(),
+    Obtain(
+        -1,
+        Each(
+            Follows(r"\exp(\tilde{Y}) (\exp(\tilde{Y}))^T", Y=Use(-1)),
+            Follows(r"\det(\exp(\tilde{Y}))", Y=Use(-1)),
+        ),
+    ),
+)
+_ONTO = Have(
+    _REPRESENTED,
+    _has_invariants(),
+    Obtain(-1, Witness({"x": "p q"}, Follows(_EXPONENTIAL, Y=Use(-1, back=True)))),
+)
+_TO_AND_FRO = r"\exp(\widetilde{a w})", r"\exp(\widetilde{-a w})"
+
+#: After half a turn, exp takes one value at a w and −a w; a map back would make a w = −a w, so a = 0.
+_NO_INVERSE = Have(
+    r"\exists a \in \mathbb{R} : \cos a = -1 \wedge \sin a = 0",
+    OnCircle(),
+    Obtain(
+        -1,
+        Have(
+            r"\exists w \in S^2 : w \cdot w = 1",
+            Witness({"w": _BASIS[0]}),
+            Obtain(
+                -1,
+                Have(
+                    " = ".join(_TO_AND_FRO),
+                    Follows(rf"{_TO_AND_FRO[1]} + 2 Y \tilde{{w}}", Y=Use(2, part=1)),
+                    Have(
+                        "a w = -a w",
+                        Follows(
+                            f"X + L(Y) + Z - L({_TO_AND_FRO[0]}) - L({_TO_AND_FRO[1]})",
+                            X=Use(0, {"x": "a w"}, back=True),
+                            Y=Use(-1),
+                            Z=Use(0, {"x": "-a w"}),
+                        ),
+                        Have(
+                            "a = 0",
+                            Follows(r"\frac{1}{2} (a + w \cdot Y)", Y=Use(-1)),
+                            Follows(r"\frac{1}{2} (\cos Y - Z)", Y=Use(-1), Z=Use(2)),
+                        ),
+                    ),
+                ),
+            ),
+        ),
+    ),
+)
+
+THEOREMS = {
+    "representation_theorem": Proven(
+        Given(
+            Have(
+                _REPRESENTED,
+                _has_invariants(),
+                Obtain(
+                    -1,
+                    Witness({"b": "p", "e": "q"}, Each(Follows("Y", Y=Use(-1)), Follows("Y", Y=Use(-1)))),
+                ),
+            )
+        )
+    ),
+    "exponential_is_onto": Proven(Each(Given(_screw()), Kernel(), Given(_IN_THE_GROUP), Given(_ONTO))),
+    "logarithm_is_a_set": Proven(Each(Given(_ONTO), Follows(_EXPONENTIAL, Y=Use(0, back=True)))),
+    "logarithm_is_no_inverse": Proven(against=Impossible(Given(_NO_INVERSE))),
+}

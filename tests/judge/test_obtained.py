@@ -1,0 +1,184 @@
+"""Members of which a premise says that they exist, and angles of points of the unit circle: true goals, and
+false ones of their form."""
+
+import pytest
+
+from tests.judge.test_goals import outcome
+from workbench.judge.theorems.proofs import (
+    Follows,
+    Given,
+    Have,
+    Kernel,
+    Obtain,
+    OnCircle,
+    Use,
+    Witness,
+)
+from workbench.judge.verdict import Outcome
+
+ANGLE = r"\exists p \in \mathbb{R} : \cos p = c \wedge \sin p = d"
+ON_CIRCLE = r"\forall c, d \in \mathbb{R} : c^2 + d^2 = 1 \Rightarrow"
+HALF = r"\exists p \in \mathbb{R} : \cos p = -1 \wedge \sin p = 0"
+SOME = r"\Big( \exists c \in V_3 : T c = a \Big)"
+FROM_SOME = Given(Obtain(0, Witness({"d": "2 c"}, Follows("2 Y", Y=Use(-1)))))
+
+
+@pytest.mark.parametrize(
+    ("true", "false", "proof"),
+    [
+        (f"{ON_CIRCLE} {ANGLE}", f"{ON_CIRCLE} {ANGLE.replace('p = d', 'p = 2 d')}", OnCircle()),
+        (f"{ON_CIRCLE} {ANGLE}", rf"\forall c, d \in \mathbb{{R}} : {ANGLE}", OnCircle()),
+        (
+            f"{ON_CIRCLE} {ANGLE}",
+            rf"\forall c, d \in \mathbb{{R}} : c + d = 1 \Rightarrow {ANGLE}",
+            OnCircle(),
+        ),
+        (HALF, HALF.replace("-1", "2"), OnCircle()),
+        (  # of an angle that is there: what its cosine and sine say of it
+            r"\exists q \in \mathbb{R} : \cos q = 1 \wedge \sin q = 0 \wedge \cos(2 q) = 1",
+            r"\exists q \in \mathbb{R} : \cos q = 1 \wedge \sin q = 0 \wedge \cos(2 q) = -1",
+            Have(
+                HALF,
+                OnCircle(),
+                Obtain(-1, Witness({"q": "2 p"}, Kernel())),
+            ),
+        ),
+        (
+            rf"{SOME} \Rightarrow \exists d \in V_3 : T d = 2 a",
+            rf"{SOME} \Rightarrow \exists d \in V_3 : T d = a + b",
+            FROM_SOME,
+        ),
+        (  # what there is, is there at one instant
+            rf"{SOME} \Rightarrow \exists d \in V_3 : T d = 2 a",
+            rf"{SOME} \Rightarrow \exists d \in V_3 : T d = 2 a \wedge \dot{{T}} d = 2 \dot{{a}}",
+            FROM_SOME,
+        ),
+    ],
+)
+def test_what_there_is(true, false, proof):
+    shown = outcome(true, proof)
+    assert shown.outcome == Outcome.PROVED, shown.reason
+    assert outcome(false, proof).outcome == Outcome.UNCHECKED
+
+
+ZERO_ANGLE = r"\exists p \in \mathbb{R} : \cos p = 1 \wedge \sin p = 0"
+
+
+@pytest.mark.parametrize(
+    ("goal", "proof", "why"),
+    [
+        # no angle, no cosine or no sine, or more than these
+        (r"\exists p \in \underline{\mathbb{R}} : \cos p = 1 \wedge \sin p = 0", OnCircle(), "a real angle"),
+        (r"\exists p \in \mathbb{R} : \sin p = 0 \wedge \cos p = 1", OnCircle(), "its cosine and its sine"),
+        (r"\exists p \in \mathbb{R} : \cos p = 1 \wedge \cos p = 0", OnCircle(), "its cosine and its sine"),
+        (r"\exists p \in \mathbb{R} : \cos p = 1", OnCircle(), "its cosine and its sine"),
+        (
+            r"\exists p \in \mathbb{R} : \cos p = 1 \wedge \sin p \neq 0",
+            OnCircle(),
+            "its cosine and its sine",
+        ),
+        (
+            r"\exists p \in \mathbb{R} : \cos(2 p) = 1 \wedge \sin(2 p) = 0",
+            OnCircle(),
+            "its cosine and its sine",
+        ),
+        (f"{ZERO_ANGLE} \\wedge p = 1", OnCircle(), "its cosine and its sine"),
+        (f"{ZERO_ANGLE} \\wedge p \\geqslant 1", OnCircle(), "its cosine and its sine"),
+        (f"{ZERO_ANGLE} \\wedge \\forall c \\in V_3 : c = a", OnCircle(), "its cosine and its sine"),
+        (f"{ZERO_ANGLE} \\Rightarrow p = 1", OnCircle(), "its cosine and its sine"),
+        (
+            r"\exists p \in \mathbb{R} : \forall c \in \mathbb{R} : \cos p = c \wedge \sin p = 0",
+            OnCircle(),
+            "its cosine and its sine",
+        ),
+        (ZERO_ANGLE.replace(r"\exists", r"\exists!"), OnCircle(), "no rule for ∃!"),
+        (r"\exists p, q \in \mathbb{R} : \cos p = 1 \wedge \sin p = 0", OnCircle(), "no rule for ∃"),
+        # a cosine that is told by the angle itself
+        (
+            r"\exists p \in \mathbb{R} : \cos p = \cos p \wedge \sin p = \sin p",
+            OnCircle(),
+            "do not depend on it",
+        ),
+        (
+            r"\exists p \in \mathbb{R} : \cos p = \sin p \wedge \sin p = \cos p",
+            OnCircle(),
+            "do not depend on it",
+        ),
+        (
+            r"\exists p \in \mathbb{R} : \cos p = 1 + \varepsilon 1 \wedge \sin p = 0",
+            OnCircle(),
+            "expected a real",
+        ),
+        # a letter that has a meaning already, and a premise that is no ∃
+        (
+            r"\Big( \exists d \in V_3 : d = a \Big) \Rightarrow a = b",
+            Given(Obtain(0, Obtain(0, Follows("Y", Y=Use(-1))))),
+            "d is a symbol already",
+        ),
+        (
+            r"a = b \Rightarrow \exists c \in V_3 : c = a",
+            Given(Obtain(0, Witness({"c": "a"}))),
+            "premise 0 is a formula, and no ∃",
+        ),
+        (
+            r"\Big( \forall c \in V_3 : c = a \Big) \Rightarrow a = b",
+            Given(Obtain(0, Follows("Y", Y=Use(-1)))),
+            "premise 0 is ∀, and no ∃",
+        ),
+        # one for each is not one for all
+        (
+            r"\exists d \in V_3 : \forall c \in V_3 : d = c",
+            Have(
+                r"\forall c \in V_3 : \exists d \in V_3 : d = c",
+                Given(Witness({"d": "c"})),
+                Obtain(-1, Witness({"d": "d"})),
+            ),
+            "and no ∃",
+        ),
+        (
+            r"\exists d \in V_3 : \forall c \in V_3 : d = c",
+            Witness(
+                {"d": "a"},
+                Given(
+                    Have(
+                        r"\exists e \in V_3 : e = c", Witness({"e": "c"}), Obtain(-1, Follows("Y", Y=Use(-1)))
+                    )
+                ),
+            ),
+            "refuted",
+        ),
+        # what there is is not what was named, and is not differentiated
+        (
+            r"\Big( \exists c \in V_3 : c = a \Big) \Rightarrow a = b",
+            Given(Obtain(0, Follows("Y", Y=Use(-1, back=True)))),
+            None,
+        ),
+        (
+            r"\Big( \exists c \in V_3^\mathbb{R} : c = a \Big) \Rightarrow \exists d \in V_3^\mathbb{R} : \dot{d} = \dot{a}",
+            Given(Obtain(0, Witness({"d": "c"}, Follows(r"\dot{Y}", Y=Use(-1))))),
+            "may not be differentiated",
+        ),
+        (
+            r"\Big( \exists c \in V_3 : c = a \Big) \Longrightarrow \dot{a} = \mathbf{0}",
+            Given(Obtain(0, Follows(r"\dot{Y}", Y=Use(-1, back=True)))),
+            "may not be differentiated",
+        ),
+    ],
+)
+def test_what_is_refused(goal, proof, why):
+    found = outcome(goal, proof)
+    assert found.outcome == Outcome.UNCHECKED
+    assert why is None or why in found.reason, found.reason
+
+
+def test_a_letter_that_was_obtained_is_not_any():
+    """∀ c: …, behind an ∃ c whose c was obtained, is not of this c alone."""
+    goal = r"\Big( \exists c \in V_3 : c = a \Big) \Rightarrow \forall c \in V_3 : c = a"
+    assert outcome(goal, Given(Follows("Y", Y=Use(-1)))).outcome == Outcome.UNCHECKED
+    found = outcome(goal, Have("a = a", Kernel(), Given(Obtain(0, Follows("Y", Y=Use(-1))))))
+    assert found.outcome == Outcome.UNCHECKED
+
+
+def test_the_evidence_names_what_is_supposed_of_angles():
+    shown = outcome(HALF, OnCircle())
+    assert [e.method for e in shown.evidence] == ["goal, ∃: the angle of a point of the unit circle"]

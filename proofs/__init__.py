@@ -6,6 +6,7 @@ from proofs.theorems import (
     adjugate,
     aronhold_kennedy,
     chains,
+    coefficients,
     determined,
     dual,
     dual_functions,
@@ -49,6 +50,7 @@ chapter = InstalledPaper(
     theorems={
         **fields.THEOREMS,
         **polynomials.THEOREMS,
+        **coefficients.THEOREMS,
         **adjugate.THEOREMS,
         **dual.THEOREMS,
         **dual_functions.THEOREMS,

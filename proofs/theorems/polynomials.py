@@ -6,8 +6,6 @@ free A and a free y for x⁽ᵏ⁾, holds for the sum, of any degree.
 
 from __future__ import annotations
 
-from typing import Any
-
 from workbench.judge.theorems.arguments import Step, argue
 from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.theorems.proofs import (
@@ -24,7 +22,7 @@ from workbench.judge.theorems.proofs import (
     Use,
     Witness,
 )
-from workbench.judge.verdict import Counterexample, Verdict
+from workbench.judge.verdict import Verdict
 
 _TENSOR, _VECTOR = {"kind": "tensor"}, {"kind": "vector"}
 
@@ -88,64 +86,6 @@ def _leibniz() -> Step:
     )
 
 
-# y and Y: v⁽ᵏ⁾ and ω̃⁽ᵏ⁾, on which the term A Dᵏ of an operator acts; a second term has B and D.
-_TENSORS = Letters(
-    {
-        r"\omega": _VECTOR,
-        **{letter: _TENSOR for letter in ("A", "B", "C", "Y", "F", "W")},
-        **{letter: _VECTOR for letter in ("v", "y", "b", "c", "x", "z", "f", "w")},
-    },
-    {
-        r"\Phi": r"A \tilde{\omega} + B \dot{\tilde{\omega}}",
-        "a": r"A v + B \dot{v}",
-        "q(x, y, z)": "A x + B y + C z",
-    },
-)
-
-
-def operator_polynomial_is_unique() -> Verdict:
-    """Theorem 3, uniqueness: Q is the difference of two polynomials with the same values."""
-    return argue(
-        [
-            _TENSORS.step(
-                "where v⁽ᵏ⁾ alone changes by b, Q v changes by Aₖ b: as the derivatives of v at an instant "
-                "are free and Aₖ is the same for all v, Q v = 0 for all v leaves Aₖ b = 0 for all b",
-                "q(x, y + b, z) - q(x, y, z) = B b",
-                "q(x + b, y, z) - q(x, y, z) = A b",
-                but_not="q(x, y + b, z) - q(x, y, z) = A b",
-            ),
-            _TENSORS.step(
-                "but Q = (ω̇·v̇) c ⊗ ω − (ω·v)(c ⊗ ω̇) D, whose coefficients depend on v, annihilates v and ω̃",
-                r"(\dot{\omega} \cdot \dot{v}) (c \otimes \omega) v"
-                r" - (\omega \cdot v) (c \otimes \dot{\omega}) \dot{v} = \mathbf{0}",
-                r"(\dot{\omega} \cdot \dot{v}) (c \otimes \omega) \tilde{\omega}"
-                r" - (\omega \cdot v) (c \otimes \dot{\omega}) \dot{\tilde{\omega}} = 0",
-                but_not=r"(\omega \cdot v) (c \otimes \omega) v"
-                r" - (\omega \cdot v) (c \otimes \dot{\omega}) \dot{v} = \mathbf{0}",
-            ),
-        ],
-        hypothesis=r"\text{the coefficients do not depend on v, and the equation holds for every v}",
-        reason="for a single motion, or with coefficients that depend on v, there can be others",
-        counterexample=Counterexample(
-            values={
-                r"\omega": _strings(1, 0, 0),
-                r"\dot{\omega}": _strings(0, 1, 0),
-                r"\mathbf{v}": _strings(1, 0, 0),
-                r"\dot{\mathbf{v}}": _strings(0, 1, 0),
-                r"\mathbf{P}'_1, \text{ coefficient of } \mathbf{D}^0": _strings(2, 0, 0, 0, 1, 0, 0, 0, 1),
-                r"\mathbf{P}'_1, \text{ coefficient of } \mathbf{D}": _strings(0, -1, 0, 0, 0, 0, 0, 0, 0),
-            },
-            left=_strings(2, 0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, 0, 0, 0, 0),
-            right=_strings(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0),
-        ),
-        scope="all n",
-    )
-
-
-def _strings(*entries: Any) -> tuple[str, ...]:
-    return tuple(str(entry) for entry in entries)
-
-
 _FIELDS, _TENSORS_OF_39 = Use(-1), Use(-1, part=1)
 _NEXT = Each(
     Follows(r"\dot{Y} + Z \mathbf{v}", Y=_FIELDS, Z=_TENSORS_OF_39),
@@ -161,7 +101,8 @@ _P_N = Have(
 )
 _AT_REST = {r"\omega": "0", r"\mathbf{v}": "0"}
 
-PROOFS = {
+THEOREMS = {
+    "operators_are_a_ring": operators_are_a_ring,
     "homogeneous_matrices_are_a_ring": Proven(
         Each(
             Witness({"H": "F + G", "h": "f + g"}),
@@ -179,12 +120,4 @@ PROOFS = {
         against=At(_AT_REST, Impossible(Follows(r"1 - \frac{1}{3} \operatorname{tr} Y", Y=Use(-1, part=1))))
     ),
     "twist_operator_recurrence": Proven(_NEXT),
-}
-
-THEOREMS = PROOFS | {
-    theorem.__name__: theorem
-    for theorem in (
-        operators_are_a_ring,
-        operator_polynomial_is_unique,
-    )
 }

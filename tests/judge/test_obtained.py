@@ -1,13 +1,15 @@
-"""Members of which a premise says that they exist, and angles of points of the unit circle: true goals, and
-false ones of their form."""
+"""Members of which a premise says that they exist, angles of points of the unit circle, and functions of time
+with given derivatives: true goals, and false ones of their form."""
 
 import pytest
 
 from tests.judge.test_goals import outcome
 from workbench.judge.theorems.proofs import (
+    Each,
     Follows,
     Given,
     Have,
+    Jet,
     Kernel,
     Obtain,
     OnCircle,
@@ -182,3 +184,74 @@ def test_a_letter_that_was_obtained_is_not_any():
 def test_the_evidence_names_what_is_supposed_of_angles():
     shown = outcome(HALF, OnCircle())
     assert [e.method for e in shown.evidence] == ["goal, ∃: the angle of a point of the unit circle"]
+
+
+BELOW = r"\Big( \forall k < n : v^{(k)} = \mathbf{0} \Big)"
+SOME_V = r"\forall n \geq 0 : \forall c \in V_3 : \exists v \in V_3^\mathbb{R} : "
+FROM_V = Given(
+    Have(
+        rf"\exists v \in V_3^\mathbb{{R}} : {BELOW} \wedge v^{{(n)}} = c",
+        Jet(),
+        Obtain(-1, Follows("Y", Y=Use(-1, {"k": "0"}))),
+    )
+)
+
+
+def test_some_function_has_these_derivatives():
+    shown = outcome(rf"{SOME_V} {BELOW} \wedge v^{{(n)}} = c", Jet())
+    assert shown.outcome == Outcome.PROVED
+    assert [e.method for e in shown.evidence] == [
+        "goal, ∃: a function of time with these derivatives at an instant"
+    ]
+
+
+@pytest.mark.parametrize(
+    "goal",
+    [
+        SOME_V.replace(r"v \in V_3^\mathbb{R}", r"v \in V_3") + rf"{BELOW} \wedge v^{{(n)}} = c",
+        SOME_V.replace(r"\exists", r"\exists!") + rf"{BELOW} \wedge v^{{(n)}} = c",
+        rf"{SOME_V} {BELOW} \wedge v^{{(n)}} = v",
+        rf"{SOME_V} {BELOW} \wedge v^{{(n)}} \neq c",
+        rf"{SOME_V} {BELOW} \wedge v^{{(n)}} = 2 c",
+        rf"{SOME_V} {BELOW} \wedge v^{{(n+1)}} = c",
+        rf"{SOME_V} {BELOW} \wedge \frac{{d^n}}{{dt^n}} [2 v] = c",
+        rf"{SOME_V} {BELOW} \wedge v^{{(n)}} = c \wedge \dot{{v}} = c",
+        rf"{SOME_V} {BELOW} \wedge v^{{(n)}} = c \wedge \forall e \in V_3 : e = v",
+        rf"{SOME_V} \Big( {BELOW} \wedge v^{{(n)}} = c \Big) \Rightarrow v = c",
+        rf"{SOME_V} {BELOW.replace('n', 'n+1', 1)} \wedge v^{{(n)}} = c",
+        rf"{SOME_V} {BELOW.replace('(k)', '(k+1)')} \wedge v^{{(n)}} = c",
+        r"\forall n \geq 0 : \forall c \in V_3 : \exists v \in V_3^\mathbb{R} : v^{(n)} = c",
+        r"\exists v \in SO_3^\mathbb{R} : \Big( \forall k < 1 : v^{(k)} = 0 \Big) \wedge v^{(1)} = T",
+        r"\exists v \in S^2^\mathbb{R} : \Big( \forall k < 1 : v^{(k)} = \mathbf{0} \Big) \wedge v^{(1)} = a",
+    ],
+)
+def test_no_function_is_said_to_have_others(goal):
+    assert outcome(goal, Jet()).outcome == Outcome.UNCHECKED
+
+
+@pytest.mark.parametrize(
+    ("goal", "proof", "why"),
+    [
+        (r"\forall n \geq 0 : \forall c \in V_3 : c = \mathbf{0}", FROM_V, "not seen to be less than n"),
+        (r"\forall n \geq 1 : \forall c \in V_3 : c = \mathbf{0}", FROM_V, "is refuted"),
+        (
+            r"\Big( \forall k < 2 : a^{(k)} = b^{(k)} \Big) \wedge T = F_1 \Rightarrow a = b",
+            Given(Follows("Y", Y=Use(0, {"k": "0"}, part=2))),
+            "no part 2",
+        ),
+        (
+            r"\Big( \forall k < 2 : a^{(k)} = b^{(k)} \Big) \wedge T = F_1 \Rightarrow a^{(2)} = b^{(2)}",
+            Given(Follows("Y", Y=Use(0, {"k": "2"}))),
+            "not seen to be less than 2",
+        ),
+    ],
+)
+def test_what_does_not_follow(goal, proof, why):
+    found = outcome(goal, proof)
+    assert found.outcome == Outcome.UNCHECKED and why in found.reason, found.reason
+
+
+def test_a_part_of_a_premise_is_used():
+    goal = r"\Big( \forall k < 2 : a^{(k)} = b^{(k)} \Big) \wedge T = F_1 \Rightarrow a = b \wedge T = F_1"
+    proof = Given(Each(Follows("Y", Y=Use(0, {"k": "0"})), Follows("Y", Y=Use(0, part=1))))
+    assert outcome(goal, proof).outcome == Outcome.PROVED

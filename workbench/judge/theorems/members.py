@@ -5,13 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from workbench.judge.theorems.goals import All, Atom, Both, Exists, Goal, Scope, Variable, equations, inside
+from workbench.judge.theorems.goals import (
+    All,
+    AllBelow,
+    Atom,
+    Both,
+    Exists,
+    Goal,
+    Scope,
+    Variable,
+    equations,
+    inside,
+)
 from workbench.judge.theorems.sequents import NotShown, Obligation, Sequent, names_of, supposed
 from workbench.judge.theorems.substitution import Substitution
-from workbench.language.construct import apply, identity, number, power, relation, symbol, zero
+from workbench.language.construct import apply, derivative, identity, number, power, relation, symbol, zero
 from workbench.language.declarations import read_key
+from workbench.language.integers import Linear
 from workbench.language.names import Name
-from workbench.language.terms import Symbol, Term, Zero
+from workbench.language.terms import Relation, Symbol, Term, Zero
 from workbench.language.types import SCALAR, TENSOR
 
 
@@ -95,6 +107,24 @@ def angle(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
     on_circle = relation("=", apply("add", *(power(value, 2) for value in values)), number(1))
     known = tuple(supposed(sequent, None))
     return Obligation("∃: the angle of a point of the unit circle", on_circle, sequent.scope, known)
+
+
+def jet(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
+    """What ∃ v ∈ V₃^ℝ : (∀ k < n : v⁽ᵏ⁾ = 0) ∧ v⁽ⁿ⁾ = b asks for: nothing, if b is a letter."""
+    own = variable.declaration
+    free = not (own.constant or own.rotation or own.unit or variable.argument or own.type.kind == "operator")
+    match body:
+        case Both(
+            (AllBelow(k, 0, n, Atom(Relation("=", low, Zero()))), Atom(Relation("=", high, Symbol() as b)))
+        ):
+            orders = [derivative(symbol(own), order) for order in (Linear.variable(k), n)]
+            known = own.name not in names_of(b, sequent.scope)
+            if free and known and [low, high] == orders and b.type == own.type:
+                rule = "∃: a function of time with these derivatives at an instant"
+                return Obligation(rule, relation("=", b, b), sequent.scope)
+    raise NotShown(
+        "expected a function of time whose derivatives below an order are 0, and that of it a letter"
+    )
 
 
 def belongs(rule: str, sequent: Sequent, variable: Variable, term: Term) -> Iterator[Obligation]:

@@ -123,6 +123,12 @@ class OnCircle:
 
 
 @dataclass(frozen=True)
+class Jet:
+    """∃ v ∈ V₃^ℝ : (∀ k < n : v⁽ᵏ⁾ = 0) ∧ v⁽ⁿ⁾ = b, at the instant; also for scalars and tensors. With t₀ the
+    instant, (t − t₀)ⁿ b / n! is one."""
+
+
+@dataclass(frozen=True)
 class Cases:
     """Under the equation, and under its opposite: one of the two is always so."""
 
@@ -246,6 +252,7 @@ Proof = (
     | Given
     | Obtain
     | OnCircle
+    | Jet
     | Cases
     | Pointwise
     | Pascal

@@ -26,7 +26,7 @@ from workbench.judge.theorems.goals import (
     Variable,
     equations,
 )
-from workbench.judge.theorems.members import angle, belongs, members_belong, put_in, read_members
+from workbench.judge.theorems.members import angle, belongs, jet, members_belong, put_in, read_members
 from workbench.judge.theorems.proofs import (
     ByLength,
     Cases,
@@ -36,6 +36,7 @@ from workbench.judge.theorems.proofs import (
     Given,
     Have,
     Induction,
+    Jet,
     Kernel,
     Obtain,
     OnCircle,
@@ -118,6 +119,8 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             yield from obligations(sequent.of(put_in(sequent, variables, members, body)), then)
         case Exists((variable,), body, False), OnCircle():
             yield angle(sequent, variable, body)
+        case Exists((variable,), body, False), Jet():
+            yield jet(sequent, variable, body)
         case Exists(variables, body, True), Unique():
             yield from _unique(sequent, variables, body, proof)
         case Atom(statement), Follows():
@@ -331,19 +334,20 @@ def _instance(sequent: Sequent, use: Use):
                     yield from obligations(known.of(antecedent), Kernel())
                 goal = conclusion
             case Both(parts):
-                flat = [
-                    Atom(e) for p in parts for e in (equations(p.statement) if isinstance(p, Atom) else ())
-                ]
-                if len(flat) < len(parts):
-                    raise NotShown("only a conjunction of equations can be used in parts")
-                goal = Atom(flat[use.part].statement)
-                break
+                atoms = all(isinstance(part, Atom) for part in parts)
+                each = [Atom(e) for p in parts for e in equations(p.statement)] if atoms else parts
+                if not 0 <= use.part < len(each):
+                    raise NotShown(f"the premise has no part {use.part}; it has {len(each)}")
+                goal = each[use.part]
             case _:
                 raise NotShown(f"{kind_of(goal)} in a premise cannot be used for an equation")
     if given:
         raise NotShown(f"the premise does not bind {', '.join(given)}")
     said = list(equations(goal.statement))
-    one = said[use.part] if len(said) > 1 else said[0]
+    place = use.part if len(said) > 1 else 0
+    if not 0 <= place < len(said):
+        raise NotShown(f"the premise has no part {place}; it has {len(said)}")
+    one = said[place]
     if one.operator != "=":
         raise NotShown("expected an equation as the premise to follow from")
     return (relation("=", one.right, one.left) if use.back else one), lasting

@@ -87,34 +87,34 @@ _MOMENT = r"\frac{1}{2} (\frac{\sin a}{1 - \cos a} (r - (w \cdot r) w) - w \time
 def _has_invariants() -> Proof:
     """∃ p ∈ ℝ̲, q ∈ S̲² : R = I + sin p q̃ + (1 − cos p) q̃²."""
     shift = r"\operatorname{vect}(\operatorname{Du}(R) (\operatorname{Re}(R))^T)"
-    turned = Follows(f"Y + {_SHIFTED} (Z - {_REAL})", Y=Use(-1), Z=Use(1))
-
-    translation = Have(
+    real, dual = Use(1), Use(3)  # Re R = I + sin a w̃ + (1 − cos a) w̃², Du R = r̃ Re R
+    shifted = rf"{_SHIFTED} Y + \varepsilon (Z - \tilde{{r}} {_REAL})"
+    still = rf"{_SHIFTED} ((S - \sin a) \tilde{{w}} + (\cos a - C) \tilde{{w}}^2)"
+    translation = dict(Y=real, Z=dual, C=Use(4), S=Use(5))
+    no_turn = Have(
         r"\sin a = 0",
         ByLength(Follows("1 - Y^2", Y=Use(-1))),
-        Have(
-            r"R = \mathbf{I} + \varepsilon \tilde{r}",
-            Follows(
-                rf"Y + {_SHIFTED} ((Z - \sin a) \tilde{{w}} + (\cos a - X) \tilde{{w}}^2)",
-                Y=Use(4),
-                X=Use(5),
-                Z=Use(6),
+        Cases(
+            r"r = \mathbf{0}",
+            Witness(
+                {"p": "0", "q": "w"},
+                Follows(
+                    rf"{shifted} + {still} + \varepsilon (\tilde{{X}} - \tilde{{r}})",
+                    **translation,
+                    X=Use(-1),
+                ),
             ),
-            Cases(
-                r"r = \mathbf{0}",
-                Witness(
-                    {"p": "0", "q": "w"},
-                    Follows(r"Y + \varepsilon (\tilde{Z} - \tilde{r})", Y=Use(7), Z=Use(8)),
-                ),
-                Witness(
-                    {"p": r"\varepsilon \|r\|", "q": r"\frac{1}{\|r\|} r"},
-                    Follows("Y", Y=Use(7)),
-                ),
+            Witness(
+                {"p": r"\varepsilon \|r\|", "q": r"\frac{1}{\|r\|} r"},
+                Follows(f"{shifted} + {still}", **translation),
+                using=(6,),
             ),
         ),
     )
-    screw = Witness(
-        {"p": r"a + \varepsilon (w \cdot r)", "q": rf"w + \varepsilon ({_MOMENT})"}, Follows("Y", Y=Use(4))
+    turn = Witness(
+        {"p": r"a + \varepsilon (w \cdot r)", "q": rf"w + \varepsilon ({_MOMENT})"},
+        Follows(shifted, Y=real, Z=dual),
+        using=(4,),
     )
     return Have(
         rf"\exists a \in \mathbb{{R}}, w \in S^2 : {_REAL} = {_turn('a', 'w')}",
@@ -122,16 +122,9 @@ def _has_invariants() -> Proof:
         Obtain(
             -1,
             Have(
-                rf"\exists r \in V_3 : R = {_SHIFTED} {_REAL}",
-                Witness({"r": shift}),
-                Obtain(
-                    -1,
-                    Have(
-                        f"R = {_SHIFTED} ({_turn('a', 'w')})",
-                        turned,
-                        Cases(r"\cos a = 1", translation, screw),
-                    ),
-                ),
+                rf"\exists r \in V_3 : \operatorname{{Du}}(R) = \tilde{{r}} {_REAL}",
+                Witness({"r": shift}, Kernel(using=())),
+                Obtain(-1, Cases(r"\cos a = 1", no_turn, turn)),
             ),
         ),
     )

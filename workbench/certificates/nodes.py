@@ -82,9 +82,9 @@ def embedded(node: Node, dual: bool = True) -> Node:
         return node
     if node.number is not None:
         return number(node.number, True)
-    if node.text.startswith("(zero :"):
+    if node == zero(node.dual, node.kind):
         return zero(True, node.kind)
-    if node.text.startswith("(ident :"):
+    if node == identity(node.dual):
         return identity(True)
     return Node(True, node.kind, f"embed {node.at(ATOM)}", APPLICATION, f"(Emb {node.deep})")
 

@@ -86,11 +86,15 @@ def _typed(term: Term, variable: Variable) -> Term:
 
 
 def members_belong(
-    rule: str, sequent: Sequent, variables: tuple[Variable, ...], members: Mapping[str, str]
+    rule: str,
+    sequent: Sequent,
+    variables: tuple[Variable, ...],
+    members: Mapping[str, str],
+    using: tuple[int, ...] | None = None,
 ) -> Iterator[Obligation]:
     """That what is given for rotations and unit vectors are such: at all times, if they may move."""
     for variable, term in read_members(sequent.scope, variables, members).items():
-        yield from belongs(rule, sequent, variable, term)
+        yield from belongs(rule, sequent, variable, term, using)
 
 
 def angle(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
@@ -127,7 +131,9 @@ def jet(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
     )
 
 
-def belongs(rule: str, sequent: Sequent, variable: Variable, term: Term) -> Iterator[Obligation]:
+def belongs(
+    rule: str, sequent: Sequent, variable: Variable, term: Term, using: tuple[int, ...] | None = None
+) -> Iterator[Obligation]:
     own = variable.declaration
     if isinstance(term, Symbol) and (
         (own.rotation and term.declaration.rotation) or (own.unit and term.declaration.unit)
@@ -139,6 +145,7 @@ def belongs(rule: str, sequent: Sequent, variable: Variable, term: Term) -> Iter
         said.append(relation("=", apply("det", term), number(1)))
     if own.unit:
         said.append(relation("=", apply("dot", term, term), number(1)))
-    known = sequent if own.constant else sequent.at_all_times()
+    known = supposed(sequent, using) if own.constant else supposed(sequent.at_all_times(), None)
+    premises = tuple(known)
     for one in said:
-        yield Obligation(f"{rule}: a member of its set", one, sequent.scope, tuple(supposed(known, None)))
+        yield Obligation(f"{rule}: a member of its set", one, sequent.scope, premises)

@@ -41,10 +41,11 @@ class Ways:
 
 @dataclass(frozen=True)
 class Witness:
-    """∃: these are the members that are asked for."""
+    """∃: these are the members asked for. using: the premises by which constants are of their set."""
 
     members: Mapping[str, str]
     then: Proof = field(default_factory=Kernel)
+    using: tuple[int, ...] | None = None
 
 
 @dataclass(frozen=True)

@@ -114,8 +114,8 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
         case Both(parts), Kernel():
             for part in parts:
                 yield from obligations(sequent.of(part), proof)
-        case Exists(variables, body, False), Witness(members, then):
-            yield from members_belong("witness", sequent, variables, members)
+        case Exists(variables, body, False), Witness(members, then, using):
+            yield from members_belong("witness", sequent, variables, members, using)
             yield from obligations(sequent.of(put_in(sequent, variables, members, body)), then)
         case Exists((variable,), body, False), OnCircle():
             yield angle(sequent, variable, body)

@@ -360,6 +360,25 @@ def test_a_large_batch_streams_in_blocks():
 
 
 @pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"rtol": np.nan}, "rtol: expected 0 <= rtol < 1"),
+        ({"weight": [1, -1]}, "weight: expected 2 numbers > 0"),
+        ({"null_space": np.full((1, 2), np.inf)}, "null_space: expected finite"),
+        ({"rows": [0, 1.0]}, "rows: expected different numbers from 0 to 5"),
+        ({"rows": 6}, "rows: expected different numbers from 0 to 5"),
+        ({"expressed": "tool"}, "expressed: expected one of"),
+        ({"twist_derivatives": np.ones((1, 1)) * 1j}, "twist_derivatives: expected real numbers"),
+    ],
+)
+def test_bad_prescriptions(options, message):
+    robot = tree(0, ["revolute", "prismatic"])
+    asked = {"twist_derivatives": np.ones((1, 1)), "rows": [0]} | options
+    with pytest.raises(ValueError, match=message):
+        robot.inverse("b1", np.zeros(2), **asked)
+
+
+@pytest.mark.parametrize(
     ("arguments", "message"),
     [
         ((np.zeros((2, 5)),), r"shape \(N \+ 1, \.\.\., 2\).*order first.*got \(2, 5\)"),
@@ -371,6 +390,8 @@ def test_a_large_batch_streams_in_blocks():
         ((np.zeros((4, 2)), np.zeros((4, 3))), r"v_derivatives: expected shape \(N, 4, 2\)"),
         ((np.zeros(3), np.zeros((4, 2))), r"q: expected shape \(\.\.\., 2\)"),
         ((np.zeros((200, 2)),), "at most 170"),
+        (([[1, 2], [1]],), "q_derivatives: .*inhomogeneous"),
+        ((np.ma.masked_greater(np.ones((3, 2)), 0),), "q_derivatives: expected no masked numbers"),
     ],
 )
 def test_bad_states(arguments, message):
@@ -387,18 +408,44 @@ def test_bad_questions():
         found.frame("hand")
     for ask in (
         lambda f: f.twist(2),
+        lambda f: f.twist(0.0),
+        lambda f: f.twist(True),
+        lambda f: f.acceleration("jerk"),
+        lambda f: f.jacobian(None),
         lambda f: f.point().jerk,
         lambda f: f.centre(0),
         lambda f: f.jacobian(3),
     ):
         with pytest.raises(ValueError, match=r"order: expected one from \d to \d of a motion of order 2"):
             ask(found.frame("b1"))
-    with pytest.raises(ValueError, match="expected one of world, mixed, body, got 'tool'"):
-        found.frame("b1").jacobian(expressed="tool")
+    for ask in (found.frame("b1").jacobian, found.frame("b1").velocity):
+        with pytest.raises(ValueError, match="expected one of world, mixed, body, got 'World'"):
+            ask(expressed="World")
+    with pytest.raises(ValueError, match="expected the motion of a frame, got str"):
+        found.frame("b1").relative_to("b0")
+    with pytest.raises(ValueError, match=r"expected as many states, \(\), got \(2,\)"):
+        found.frame("b1").relative_to(robot.motion(np.stack([q, q], axis=1)).frame("b0"))
+    for batch, size, message in (
+        (q, 4, "batch of states, got the shape"),
+        (q[:, None], 0, "size: expected an integer >= 1"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            next(robot.blocks(batch, size=size))
+    with pytest.raises(ValueError, match="expected a finalized plant"):
+        Robot.from_plant(None)
     with pytest.raises(ValueError, match="three coordinates"):
         found.frame("b1").point(np.zeros((2, 3)))
     with pytest.raises(ValueError, match="got one of length 0"):
         robot.motion(np.zeros((3, 5))).frame("b1").twists  # noqa: B018
+
+
+def test_no_states_and_no_coordinates_are_a_motion_too():
+    none = tree(0, ["revolute", "prismatic"]).motion(np.zeros((4, 0, 2)))
+    frame = none.frame("b1")
+    assert frame.centre(3).point.shape == frame.point().jerk.shape == (0, 3)
+    assert frame.jacobian(2).shape == (0, 6, 2)
+    still = Robot("still", [TreeJoint("base", "fixed", "world", "x")]).motion(np.zeros((3, 4, 0))).frames[0]
+    assert not still.point().acceleration.any() and still.jacobian(1).shape == (4, 6, 0)
 
 
 @pytest.mark.parametrize(

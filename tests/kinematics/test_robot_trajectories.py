@@ -129,6 +129,8 @@ def test_bad_samples_and_trajectories():
         ((t[::-1], q), "increasing times"),
         ((t, q[:4]), r"shapes \(samples,\) and \(samples, joints\)"),
         ((t, q + np.nan), "finite"),
+        ((t, q + 1j), "q: expected real numbers"),
+        ((t, q, -1.0), "smoothing: expected a finite number >= 0"),
     ):
         with pytest.raises(ValueError, match=message):
             SplinePath(*bad)
@@ -137,6 +139,11 @@ def test_bad_samples_and_trajectories():
         robot.along(SinePath(2), 0.0)
     with pytest.raises(ValueError, match="expected a Path, a Drake Trajectory"):
         robot.along("fast", 0.0)
+    for bad in ({"order": 0}, {"order": 1.5}, {"order": 10**6}, {"samples": 0}, {"samples": "many"}):
+        with pytest.raises(ValueError, match=f"{next(iter(bad))}: expected an integer"):
+            robot.along(trajectories()["polynomial"], **bad)
+    with pytest.raises(ValueError, match=r"trajectory: .*no segments"):
+        robot.along(PiecewisePolynomial())
     with pytest.raises(ValueError, match="finite times"):
         robot.along(SinePath(3))
     with pytest.raises(ValueError, match="expected times from 0 to 2 s"):
@@ -186,6 +193,8 @@ def test_a_jump_at_a_break_is_seen_from_both_sides():
     [
         ({"elbow": {"jerk": 1.0}}, "unknown joint 'elbow': expected one of \\*, point, j0"),
         ({"j0": {"jolt": 1.0}}, "limits of 'j0': expected one of velocity, .* got 'jolt'"),
+        ({"j0": 3}, "limits of 'j0': expected a table"),
+        ("fast", "limits: expected tables by joint"),
         ({"j0": {"jerk": "high"}}, "finite number for jerk, got 'high'"),
         ({"j0": {"jerk": -1.0}}, "finite number for jerk, got -1.0"),
         ({"point": {"upper": 1.0}}, "limits of 'point'"),

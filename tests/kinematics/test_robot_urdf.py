@@ -200,6 +200,7 @@ def test_a_floating_base_moves_by_a_quaternion(file):
             "xacro .* not expanded.*run `xacro",
         ),
         ('<robot><xacro:macro name="m"/></robot>', "xacro .* not expanded"),
+        ('<robot xmlns:xacro="x"><xacro:macro name="m"/></robot>', "xacro .* not expanded"),
         (FILE.replace('type="continuous"', 'type="spin"'), "joint 'j': expected a type among .* got 'spin'"),
         (FILE.replace('xyz="0 3 4"', 'xyz="0 0 0"'), "joint 'j': .*non-zero length"),
         (

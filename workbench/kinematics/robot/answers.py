@@ -140,16 +140,20 @@ def known_limits(robot, limits: Limits | None) -> dict[str, dict[str, float]]:
     for name, own in robot.limits.items():
         entries = {"velocity": own.velocity, "lower": own.lower, "upper": own.upper}
         known[name] = {kind: value for kind, value in entries.items() if np.isfinite(value)}
+    if not isinstance(limits, Mapping | None):
+        raise ValueError(f"limits: expected tables by joint, got {limits!r}")
     for name, entries in (limits or {}).items():
         if name not in ("*", "point", *robot.velocities):
             expected = ", ".join(("*", "point", *robot.velocities))
             raise ValueError(f"limits: unknown joint {name!r}: expected one of {expected}")
+        if not isinstance(entries, Mapping):
+            raise ValueError(f"limits of {name!r}: expected a table such as velocity = 1, got {entries!r}")
         for kind, value in entries.items():
             allowed = (*ORDERS[1:], *(() if name == "point" else ("lower", "upper")))
             if kind not in allowed:
                 raise ValueError(f"limits of {name!r}: expected one of {', '.join(allowed)}, got {kind!r}")
-            number = isinstance(value, int | float) and not isinstance(value, bool) and np.isfinite(value)
-            if not number or (kind in ORDERS and value < 0):
+            number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
+            if not (number and np.isfinite(value)) or (kind in ORDERS and value < 0):
                 raise ValueError(f"limits of {name!r}: expected a finite number for {kind}, got {value!r}")
     for name in robot.velocities:
         known.setdefault(name, {}).update((limits or {}).get("*", {}))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import comb
-from operator import index
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -20,6 +19,7 @@ from workbench.kinematics.robot.leibniz import (
     position_derivatives,
     relative_twist,
 )
+from workbench.kinematics.robot.structure import is_whole
 from workbench.kinematics.tensors import as_vectors
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ class FrameMotion:
 
     def twist(self, k: int = 0) -> Twist:
         """The k-th time derivative of the frame's twist, k < N."""
-        if not 0 <= k < self.order:
+        if type(k) is not int or not 0 <= k < self.order:
             self._require(k, self.order - 1)
         return Twist(self, k)
 
@@ -134,16 +134,21 @@ class FrameMotion:
 
     def relative_to(self, other: FrameMotion) -> FrameMotion:
         """The motion of this frame B as an observer in the frame A of `other` sees it, expressed in A."""
+        if not isinstance(other, FrameMotion):
+            raise ValueError(f"other: expected the motion of a frame, got {type(other).__name__}")
+        if other.pose.shape != self.pose.shape:
+            states = [frame.pose.shape[:-2] for frame in (self, other)]
+            raise ValueError(f"other: expected as many states, {states[0]}, got {states[1]}")
         order = min(self.order, other.order)
         twist = relative_twist(other.origin_twist[:order], other.pose, self.origin_twist[:order])
         pose = inverse_pose(other.pose) @ self.pose
         return FrameMotion(f"{self.name} relative to {other.name}", order, pose, twist)
 
     def _require(self, order: int, highest: int, lowest: int = 0) -> None:
-        if not lowest <= index(order) <= highest:
+        if not is_whole(order) or not lowest <= order <= highest:
             raise ValueError(
                 f"order: expected one from {lowest} to {highest} of a motion of order {self.order}, "
-                f"got {order}"
+                f"got {order!r}"
             )
 
     def __repr__(self) -> str:

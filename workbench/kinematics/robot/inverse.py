@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot.states import States
-from workbench.kinematics.robot.structure import Structure
+from workbench.kinematics.robot.structure import Structure, is_whole, reals
 
 
 class SingularJacobian(ValueError):
@@ -32,24 +32,24 @@ def inverse_kinematics(
 ) -> np.ndarray:
     """See `Robot.inverse`. Order by order V⁽ᵏ⁾ = J v⁽ᵏ⁾ + Σᵢ≥₁ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾ is solved for v⁽ᵏ⁾:
     the sum is what the motion with v⁽ᵏ⁾ = 0 has for V⁽ᵏ⁾."""
-    q = np.asarray(q, dtype=float)
-    wanted = np.asarray(twist_derivatives, dtype=float)
-    if len(set(rows)) != len(rows) or not rows or not set(rows) <= set(range(6)):
+    q, wanted = reals(q, "q"), reals(twist_derivatives, "twist_derivatives")
+    if not 0 <= rtol < 1:
+        raise ValueError(f"rtol: expected 0 <= rtol < 1, got {rtol}")
+    if len(set(rows)) != len(rows) or not rows or not all(is_whole(i) and 0 <= i < 6 for i in rows):
         raise ValueError(f"rows: expected different numbers from 0 to 5 (ω then v), got {rows}")
-    if wanted.shape[1:] != (*q.shape[:-1], len(rows)) or len(wanted) < 1 or not np.isfinite(wanted).all():
+    if wanted.shape[1:] != (*q.shape[:-1], len(rows)) or len(wanted) < 1:
         expected = ", ".join(map(str, ("N", *q.shape[:-1], len(rows))))
         raise ValueError(
-            f"twist_derivatives: expected finite numbers of shape ({expected}), the order first, got shape "
-            f"{wanted.shape}"
+            f"twist_derivatives: expected shape ({expected}), the order first, got {wanted.shape}"
         )
     count = len(robot.velocities)
-    scale = np.ones(count) if weight is None else np.asarray(weight, dtype=float)
-    if scale.shape != (count,) or not (np.isfinite(scale).all() and (scale > 0).all()):
-        raise ValueError(f"weight: expected {count} finite numbers > 0, one a velocity, got {weight}")
+    scale = np.ones(count) if weight is None else reals(weight, "weight")
+    if scale.shape != (count,) or not (scale > 0).all():
+        raise ValueError(f"weight: expected {count} numbers > 0, one a velocity, got {weight}")
     shape = (len(wanted), *q.shape[:-1], count)
-    preferred = np.zeros(shape) if null_space is None else np.asarray(null_space, dtype=float)
-    if preferred.shape != shape or not np.isfinite(preferred).all():
-        raise ValueError(f"null_space: expected finite numbers of shape {shape}, got {preferred.shape}")
+    preferred = np.zeros(shape) if null_space is None else reals(null_space, "null_space")
+    if preferred.shape != shape:
+        raise ValueError(f"null_space: expected shape {shape}, got {preferred.shape}")
     frame = {"expressed": expressed, "point": point}
     rates = np.zeros(shape)
     at_rest = States(robot, *robot.state(q, rates[:1])).frame(body)

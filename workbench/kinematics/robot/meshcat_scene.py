@@ -32,6 +32,8 @@ def show(motion: States, meshcat: Any, body: str, point: ArrayLike, orders: Sequ
         raise ValueError("expected a motion along a path at a row of times (`Robot.along`)")
     from workbench.drake.gate import MeshcatAnimation
 
+    if not hasattr(meshcat, "SetTransform"):
+        raise ValueError(f"meshcat: expected a pydrake.geometry.Meshcat, got {type(meshcat).__name__}")
     meshcat.Delete(ROOT)
     animation = MeshcatAnimation(frames_per_second=FRAMES_PER_SECOND)
     scene = _Scene(motion, meshcat, animation)

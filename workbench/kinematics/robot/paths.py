@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.drake.joint_paths import JointPath, LinearPath, Path, SinePath
+from workbench.kinematics.robot.structure import reals
 
 __all__ = [
     "DrakePath",
@@ -65,8 +66,12 @@ class DrakePath(SampledPath):
     """A path of a `pydrake.trajectories.Trajectory` whose value is the vector of the robot's positions."""
 
     def __init__(self, trajectory: Any):
-        if trajectory.cols() != 1:
-            raise ValueError(f"trajectory: expected a vector of positions, got {trajectory.cols()} columns")
+        try:
+            columns = trajectory.cols()
+        except RuntimeError as error:
+            raise ValueError(f"trajectory: {error}") from None
+        if columns != 1:
+            raise ValueError(f"trajectory: expected a vector of positions, got {columns} columns")
         if not trajectory.has_derivative():
             raise ValueError("trajectory: expected one that has derivatives")
         self.trajectory, self.joints = trajectory, trajectory.rows()
@@ -102,6 +107,8 @@ class SplinePath(SampledPath):
         from scipy.interpolate import BSpline
 
         t, q = _samples(t, q)
+        if smoothing is not None and not 0 <= smoothing < np.inf:
+            raise ValueError(f"smoothing: expected a finite number >= 0, got {smoothing}")
         self.start, self.end, self.joints = t[0], t[-1], q.shape[1]
         coefficients = min(len(t), len(t) // 3 + SPLINE_DEGREE + 1, MOST_COEFFICIENTS)
         self._unit = (self.end - self.start) / (coefficients - SPLINE_DEGREE)
@@ -190,7 +197,7 @@ class _Fit:
 
 
 def _samples(t: ArrayLike, q: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    t, q = np.asarray(t, dtype=float), np.asarray(q, dtype=float)
+    t, q = reals(t, "t"), reals(q, "q")
     if t.ndim != 1 or q.ndim != 2 or len(q) != len(t):
         raise ValueError(
             f"t and q: expected shapes (samples,) and (samples, joints), got {t.shape} and {q.shape}"
@@ -198,8 +205,6 @@ def _samples(t: ArrayLike, q: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     least = SPLINE_DEGREE + 3
     if len(t) < least:
         raise ValueError(f"t: expected at least {least} samples, got {len(t)}")
-    if not (np.isfinite(t).all() and np.isfinite(q).all()):
-        raise ValueError("t and q: expected finite numbers, got a NaN or an infinity")
     if not (np.diff(t) > 0).all():
         first = int(np.flatnonzero(np.diff(t) <= 0)[0])
         raise ValueError(f"t: expected increasing times, got {t[first]:g} s before {t[first + 1]:g} s")

@@ -39,7 +39,7 @@ def tree_joints(plant: MultibodyPlant, mimics: Mapping[str, Mimic]) -> list[Tree
     """
     from workbench.drake.gate import BodyIndex
 
-    if not plant.is_finalized():
+    if not getattr(plant, "is_finalized", bool)():
         raise ValueError("expected a finalized plant: call plant.Finalize() first")
     joints = [plant.get_joint(index) for index in plant.GetJointIndices()]
     bodies = [plant.get_body(BodyIndex(index)) for index in range(plant.num_bodies())]

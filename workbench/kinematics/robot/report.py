@@ -18,6 +18,7 @@ from workbench.drake.joint_paths import JointPath, LinearPath, Path, SinePath
 from workbench.kinematics.centres import Locus
 from workbench.kinematics.robot.frames import FrameMotion
 from workbench.kinematics.robot.robot import Robot
+from workbench.kinematics.robot.structure import whole
 from workbench.kinematics.tensors import as_vectors, sym
 
 if TYPE_CHECKING:
@@ -159,8 +160,7 @@ def motion_report(
     Raises ValueError for a file that is missing or that cannot be read, an unknown body, an order below 1,
     and joints, a point or a time that do not fit; each message says what was expected.
     """
-    if not isinstance(order, int | np.integer) or order < 1:
-        raise ValueError(f"order: expected an integer >= 1, got {order!r}")
+    order = whole(order, "order", 1)
     if not np.isfinite(at):
         raise ValueError(f"at: expected a finite time in s, got {at}")
     from workbench.drake.plants import load_urdf

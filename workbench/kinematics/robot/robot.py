@@ -14,13 +14,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from workbench.kinematics.chain_engine import HIGHEST_DERIVATIVE_ORDER
 from workbench.kinematics.robot.inverse import inverse_kinematics
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.motion import Motion
 from workbench.kinematics.robot.paths import Path as JointPath
 from workbench.kinematics.robot.paths import as_path
 from workbench.kinematics.robot.states import states_on_path
-from workbench.kinematics.robot.structure import Structure
+from workbench.kinematics.robot.structure import Structure, reals, whole
 from workbench.kinematics.robot.urdf import UrdfError, read_urdf
 
 if TYPE_CHECKING:
@@ -91,9 +92,12 @@ class Robot(Structure):
         trajectory: a `Path` of `workbench.kinematics.robot.paths`, or a Drake Trajectory of the positions.
         """
         path = self.path(trajectory)
-        at = np.linspace(path.start, path.end, samples) if times is None else np.asarray(times, dtype=float)
-        if not np.isfinite(at).all():
-            raise ValueError("times: expected finite times in s (of a path without end, give them)")
+        order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
+        if times is None:
+            if not np.isfinite([path.start, path.end]).all():
+                raise ValueError("times: expected finite times in s, for a path without end")
+            times = np.linspace(path.start, path.end, whole(samples, "samples", 1))
+        at = reals(times, "times")
         return states_on_path(Motion, self, path, at, order)
 
     def path(self, trajectory: Any) -> JointPath:
@@ -109,7 +113,11 @@ class Robot(Structure):
         The memory is that of one block of `size` states, whatever the batch (which may be a np.memmap).
         """
         with_velocities = v_derivatives is not None
-        states = len(q_derivatives) if with_velocities else q_derivatives.shape[1]
+        axis = 0 if with_velocities else 1
+        q_derivatives = np.asanyarray(q_derivatives)
+        if q_derivatives.ndim < axis + 2:
+            raise ValueError(f"expected a batch of states, got the shape {q_derivatives.shape}")
+        size, states = whole(size, "size", 1), q_derivatives.shape[axis]
         for start in range(0, states, size):
             block = slice(start, start + size)
             if with_velocities:
@@ -138,7 +146,12 @@ class Robot(Structure):
         that fit, nearest to `null_space` (N, ..., velocities), 0 unless given; weight (velocities,) > 0, 1
         unless given. Raises SingularJacobian, with the singular values, where σ_min <= rtol · σ_max.
         """
-        options = {"expressed": expressed, "point": point, "rows": tuple(rows), "rtol": rtol}
+        options = {
+            "expressed": expressed,
+            "point": point,
+            "rows": tuple(np.atleast_1d(rows).tolist()),
+            "rtol": rtol,
+        }
         return inverse_kinematics(
             self, body, q, twist_derivatives, weight=weight, null_space=null_space, **options
         )

@@ -8,6 +8,7 @@ before it is asked for, and everything once.
 from __future__ import annotations
 
 from functools import cached_property
+from math import prod
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -74,7 +75,8 @@ class States:
     def _all(self) -> tuple[np.ndarray, np.ndarray]:
         """Coordinates (S, all positions) and rates (N, S, all velocities), with the joints that mimic."""
         q, rates = self.robot._of_all_joints(self.q, self.rates)
-        return q.reshape(-1, q.shape[-1]), rates.reshape(len(rates), -1, rates.shape[-1])
+        states = prod(self.shape)  # known where there are none, or no coordinates
+        return q.reshape(states, q.shape[-1]), rates.reshape(len(rates), states, rates.shape[-1])
 
     @cached_property
     def _tree(self) -> TreeMotion:
@@ -96,7 +98,7 @@ class States:
         follow = np.abs(self.robot._of_velocities.T)
         rates = np.stack([np.abs(self.rates), self.magnitudes]) @ follow
         total, reach, at = np.zeros(rates.shape[:-1]), 1 + np.linalg.norm(body.X_MB[:3, 3]), body.after
-        q = np.abs(self._all[0].reshape(*self.shape, -1))
+        q = np.abs(self._all[0]).reshape(*self.shape, self._all[0].shape[-1])
         while at != WORLD:
             step = self.robot.steps[at]
             total += rates[..., step.velocities].sum(axis=-1)
@@ -174,14 +176,15 @@ class RobotFrame(FrameMotion):
         """The k-th derivative, k = order, of (ω; v), (..., 6), as `jacobian` has it: point and expressed."""
         self._require(order, self.order - 1)
         twist = self.origin_twist[: order + 1]
-        if expressed != "world" or self._checked(expressed):
+        self._check(expressed)
+        if expressed != "world":
             twist = self._expressed(twist[..., None, :], point, expressed)[..., 0, :]
         return twist[order]
 
     def _jacobians(self, order: int, point: ArrayLike, expressed: str) -> np.ndarray:
         """(order + 1, ..., 6, velocities)"""
         self._require(order, self.order)
-        self._checked(expressed)
+        self._check(expressed)
         motion = self.motion
         columns = motion._tree.columns[: order + 1]
         J = motion.robot._of_free_joints(columns, self._moving)
@@ -217,10 +220,10 @@ class RobotFrame(FrameMotion):
         R = rotation_derivatives(twist[..., :3], R) if orders else R[None]
         return turned(R.swapaxes(-1, -2)[..., None, :, :], columns)
 
-    def _checked(self, expressed: str) -> bool:
+    @staticmethod
+    def _check(expressed: str) -> None:
         if expressed not in EXPRESSED:
             raise ValueError(f"expressed: expected one of {', '.join(EXPRESSED)}, got {expressed!r}")
-        return False
 
 
 def states_on_path(kind: type[States], robot: Structure, path: Path, times: np.ndarray, order: int) -> States:

@@ -266,8 +266,26 @@ class Structure:
         return [name for name in super().__dir__() if not name.startswith("_")]
 
 
+def is_whole(value: Any) -> bool:
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)
+
+
+def whole(value: Any, what: str, lowest: int, highest: int | None = None) -> int:
+    """The value, or a ValueError unless it is an integer from `lowest` to `highest`."""
+    if not is_whole(value) or not lowest <= value <= (value if highest is None else highest):
+        wanted = f">= {lowest}" if highest is None else f"from {lowest} to {highest}"
+        raise ValueError(f"{what}: expected an integer {wanted}, got {value!r}")
+    return int(value)
+
+
 def reals(values: ArrayLike, what: str) -> np.ndarray:
-    array = np.asarray(values)
+    """The values as an array of doubles; ValueError for what is not real, not finite, or masked."""
+    try:
+        array = np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{what}: {error}") from None
+    if array is not values and np.ma.is_masked(values):
+        raise ValueError(f"{what}: expected no masked numbers, got some")
     if array.dtype is not DOUBLE:
         if array.dtype.kind not in "fiu":
             raise ValueError(f"{what}: expected real numbers, got an array of {array.dtype}")

@@ -74,7 +74,7 @@ def parse_urdf(text: bytes | str) -> Urdf:
     if robot.tag != "robot":
         raise UrdfError(f"expected a URDF, whose outermost tag is <robot>, got <{robot.tag}>")
     tags = {element.tag for element in robot.iter() if isinstance(element.tag, str)}
-    if any("xacro" in tag for tag in tags):
+    if b"<xacro:" in text or any("xacro" in tag for tag in tags):
         raise UrdfError(XACRO)
     links = tuple(_attribute(link, "name", "a link") for link in robot.findall("link"))
     if not links:

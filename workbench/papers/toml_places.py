@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import re
 import tomllib
-from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+
+from workbench.language.errors import place
 
 #: Keys and array positions from the top of the file: ("claim", 3, "printed").
 KeyPath = tuple[str | int, ...]
@@ -24,7 +25,7 @@ _ESCAPE_LENGTH = {"u": 6, "U": 10, "x": 4}
 
 @dataclass
 class Places:
-    """Offsets of keys and of values in `text`; `line_column` turns an offset into what an editor shows."""
+    """Offsets of keys and of values in `text`; places are lines and columns, as an editor shows them."""
 
     text: str
     keys: dict[KeyPath, int] = field(default_factory=dict)
@@ -40,10 +41,10 @@ class Places:
         """Line and column of a key, or of the nearest enclosing table that stands in the file."""
         while path and path not in self.keys:
             path = path[:-1]
-        return self.line_column(self.keys.get(path, 0))
+        return place(self.text, self.keys.get(path, 0))
 
     def of_value(self, path: KeyPath) -> tuple[int, int]:
-        return self.line_column(self.values[path]) if path in self.values else self.of_key(path)
+        return place(self.text, self.values[path]) if path in self.values else self.of_key(path)
 
     def in_string(self, path: KeyPath, line: int, column: int) -> tuple[int, int]:
         """Where in the file the character at (line, column) of a string value stands."""
@@ -53,22 +54,15 @@ class Places:
         """The same for a quoted key."""
         return self._inside(self.keys.get(path), line, column) or self.of_key(path)
 
-    def line_column(self, offset: int) -> tuple[int, int]:
-        line = bisect_right(self._line_starts, offset)
-        return line, offset - self._line_starts[line - 1] + 1
-
-    def __post_init__(self) -> None:
-        self._line_starts = [0, *(match.end() for match in re.finditer("\n", self.text))]
-
     def _inside(self, start: int | None, line: int, column: int) -> tuple[int, int] | None:
         if start is None or self.text[start] not in "\"'":
             return None
         at_line, at_column = 1, 1
         for offset, character in characters(self.text, start):
             if (at_line, at_column) >= (line, column):
-                return self.line_column(offset)
+                return place(self.text, offset)
             at_line, at_column = (at_line + 1, 1) if character == "\n" else (at_line, at_column + 1)
-        return self.line_column(string_end(self.text, start) - 1)
+        return place(self.text, string_end(self.text, start) - 1)
 
 
 def characters(text: str, start: int) -> Iterator[tuple[int, str]]:

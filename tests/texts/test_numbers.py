@@ -91,9 +91,74 @@ REPORT_NUMBERS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("text", "numbers"), [(ARTICLE, ARTICLE_NUMBERS), (REPORT, REPORT_NUMBERS)], ids=["article", "report"]
-)
+AMSBOOK = r"""
+\documentclass{amsbook}
+\usepackage{amsmath}
+\begin{document}
+\frontmatter
+\chapter{F}
+\begin{equation}\label{f1} a\end{equation}
+\mainmatter
+\chapter{A}
+\section{S}
+\begin{equation}\label{a1} a\end{equation}
+\numberwithin{equation}{section}
+\begin{equation}\label{a2} a\end{equation}
+\appendix
+\begin{equation}\label{b1} a\end{equation}
+\chapter{B}
+\begin{equation}\label{b2} a\end{equation}
+\section{T}
+\begin{equation}\label{b3} a\end{equation}
+\end{document}
+"""
+AMSBOOK_NUMBERS = {"f1": "1", "a1": "2", "a2": "1.3", "b1": "0.4", "b2": "0.1", "b3": "1.1"}
+
+SCRBOOK = r"""
+\documentclass{scrbook}
+\usepackage{amsmath}
+\begin{document}
+\begin{equation}\label{f0} a\end{equation}
+\chapter{A}
+\begin{equation}\label{a1} a\end{equation}
+\appendix
+\begin{equation}\label{b1} a\end{equation}
+\chapter{B}
+\begin{equation}\label{b2} a\end{equation}
+\end{document}
+"""
+SCRBOOK_NUMBERS = {"f0": "0.1", "a1": "1.1", "b1": ".2", "b2": "A.1"}
+
+DEPTH = r"""
+\documentclass{article}
+\usepackage{amsmath}
+\numberwithin{equation}{subsection}
+\setcounter{secnumdepth}{1}
+\begin{document}
+\section{A}
+\subsection{B}
+\begin{equation}\label{a1} a\end{equation}
+\setcounter{secnumdepth}{2}
+\subsection{B}
+\begin{equation}\label{a2} a\end{equation}
+\appendix
+\begin{equation}\label{a3} a\end{equation}
+\section{C}
+\begin{equation}\label{a4} a\end{equation}
+\end{document}
+"""
+DEPTH_NUMBERS = {"a1": "1.0.1", "a2": "1.1.1", "a3": ".0.2", "a4": "A.0.1"}
+
+DOCUMENTS = {
+    "article": (ARTICLE, ARTICLE_NUMBERS),
+    "report": (REPORT, REPORT_NUMBERS),
+    "amsbook": (AMSBOOK, AMSBOOK_NUMBERS),
+    "scrbook": (SCRBOOK, SCRBOOK_NUMBERS),
+    "depth": (DEPTH, DEPTH_NUMBERS),
+}
+
+
+@pytest.mark.parametrize(("text", "numbers"), DOCUMENTS.values(), ids=DOCUMENTS)
 def test_every_label_has_the_number_that_latex_gives(
     tmp_path: Path, text: str, numbers: dict[str, str]
 ) -> None:
@@ -104,15 +169,14 @@ def test_every_label_has_the_number_that_latex_gives(
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no pdflatex")
-@pytest.mark.parametrize("text", [ARTICLE, REPORT], ids=["article", "report"])
-def test_pdflatex_agrees(tmp_path: Path, text: str) -> None:
+@pytest.mark.parametrize(("text", "numbers"), DOCUMENTS.values(), ids=DOCUMENTS)
+def test_pdflatex_agrees(tmp_path: Path, text: str, numbers: dict[str, str]) -> None:
     path = tmp_path / "paper.tex"
     path.write_text(text)
     command = ["pdflatex", "-draftmode", "-interaction=batchmode", path.name]
     subprocess.run(command, cwd=tmp_path, check=False, capture_output=True, timeout=120)
     told = re.findall(r"\\newlabel\{([^}]*)\}\{\{\{?([^{}]*)\}", path.with_suffix(".aux").read_text())
-    assert len(told) > 9
-    assert read_text(path).labels == dict(told)
+    assert {label: number for label, number in told if not label.startswith("toc")} == numbers
 
 
 def test_a_document_that_includes_itself_is_read_once(tmp_path: Path) -> None:

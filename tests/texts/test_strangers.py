@@ -51,6 +51,14 @@ def test_an_empty_line_parts_the_equations_of_a_directive(tmp_path: Path) -> Non
     assert latex[:2] == ["a = b", "c = d"] and len(latex) == 3
 
 
+def test_a_row_of_eqnarray_without_a_sign_goes_on_with_the_one_before(tmp_path: Path) -> None:
+    path = tmp_path / "p.tex"
+    rows = r"x &=& a + b\\ && + c + d\\ &=& e\\ && - f"
+    path.write_text(f"\\begin{{document}}\\begin{{eqnarray*}}{rows}\\end{{eqnarray*}}\\end{{document}}")
+    ((one, other),) = steps_of(read_text(path).displays[0])
+    assert [one.spelled()[0], other.spelled()[0]] == ["x=a + b + c + d", "a + b + c + d=e - f"]
+
+
 MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
     f"'{name}' = {{ kind = \"{kind}\" }}\n"
     for name, kind in {

@@ -131,6 +131,7 @@ def _columns(tokens: list[Token]) -> list[tuple[list[Token], bool]]:
         cell, _ = cells[-1]
         if id(token) in around:
             marks += around[id(token)]
+            cells[-1] = (cell, cells[-1][1] or not _stripped(cell))
             continue
         if token.text != "&" or depth:
             cell.append(token)
@@ -144,7 +145,8 @@ def _columns(tokens: list[Token]) -> list[tuple[list[Token], bool]]:
 
 
 def _around_signs(tokens: list[Token]) -> dict[int, int]:
-    """The marks of &=&, and 1 for the one that counts: in eqnarray a sign has a column of its own."""
+    """The marks of &=&, and of the && that a row begins with, and 1 for the one that counts: in eqnarray a
+    sign has a column of its own."""
     marks = [
         (place, token)
         for place, (token, depth) in enumerate(with_depth(tokens))
@@ -153,7 +155,8 @@ def _around_signs(tokens: list[Token]) -> dict[int, int]:
     found: dict[int, int] = {}
     for (start, first), (end, second) in pairwise(marks):
         inside = _stripped(tokens[start + 1 : end])
-        if id(first) not in found and inside and all(token.text in RELATIONS for token in inside):
+        is_sign = all(token.text in RELATIONS for token in inside or tokens[:start] if token.text != " ")
+        if id(first) not in found and is_sign and (inside or not _stripped(tokens[:start])):
             found |= {id(first): 1, id(second): 0}
     return found
 

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from workbench.language.terms import Number, Relation, Statement, Symbol, Term, Zero
+from workbench.language.terms import Apply, Number, Relation, Statement, Symbol, Term, Zero
 from workbench.language.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import terms_of
@@ -16,6 +16,7 @@ from workbench.papers.texts import Source
 _INLINE = re.compile(r"(?:(?<![$\\])\$(?!\$)|\\\(|:math:`)\s*([^$`=]{1,60}?)\s*:?=")
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _LONE = re.compile(r"(?:\\[a-z]+)*(?:\\?[A-Za-z]+)'*(?:[_^](?:\\?[A-Za-z0-9]+|[A-Za-z0-9,]+))*")
+_SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
 _COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 
 
@@ -91,12 +92,25 @@ def _solved_for(statement: Statement, free: Sequence[Declaration]) -> str | None
     occurs in it once; any, where a side is 0."""
     if not isinstance(statement, Relation) or statement.operator != "=":
         return None
+    names = Counter(str(each.name) for each in free)
+    alone = next(
+        (name for side in (statement.left, statement.right) if (name := _under_one_sign(side))), None
+    )
+    if alone is not None and names[alone] == 1:
+        return _SAYS.format(alone)
     if any(each.type.kind != "scalar" for each in free):
         return None
     is_condition = _is_zero(statement.left) or _is_zero(statement.right)
-    names = Counter(str(each.name) for each in free)
     name = next((name for name, count in names.items() if count == 1 or is_condition), None)
-    return name and f"says what {name} is, which nothing defines; a definition of {name} makes it a claim"
+    return name and _SAYS.format(name)
+
+
+def _under_one_sign(side: Term) -> str | None:
+    """A^{-1}, R^T, \\tilde{\\omega}: the symbol, with an operation of its own on it."""
+    is_one = isinstance(side, Apply) and len(side.arguments) == 1 and side.type.kind != "scalar"
+    return (
+        str(side.arguments[0].declaration.name) if is_one and isinstance(side.arguments[0], Symbol) else None
+    )
 
 
 def _is_zero(term: Term) -> bool:

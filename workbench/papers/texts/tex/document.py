@@ -167,7 +167,7 @@ class TexReader(DisplayReader):
         self.optional()
         self.heading = plain(joined(self.argument()))
         if not starred:
-            self.counters.step(name)
+            self.counters.step_section(name)
 
     def verb(self, token: Token) -> None:
         lexer = self.lexer()
@@ -332,6 +332,8 @@ _COMMANDS = {
     "newcounter": TexReader.new_counter,
     "label": TexReader.label,
     "appendix": lambda reader, token: reader.counters.appendix(),
+    "mainmatter": lambda reader, token: reader.counters.matter(main=True),
+    **dict.fromkeys(("frontmatter", "backmatter"), lambda reader, token: reader.counters.matter(main=False)),
     "ExplSyntaxOn": TexReader.expl3,
     "endinput": TexReader.end_file,
 }

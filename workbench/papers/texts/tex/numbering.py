@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 
 SECTIONS = ("part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph")
-_BOOKS = frozenset({"book", "report", "memoir", "scrbook", "scrreprt", "amsbook", "extbook", "extreport"})
+_BOOKS = frozenset(
+    {"book", "report", "memoir", "scrbook", "scrreprt", "amsbook", "extbook", "extreport", "tufte-book"}
+)
 _PIECE = re.compile(
     r"\\the([A-Za-z]+)\s*|\\(arabic|[aA]lph|[rR]oman)\s*\{\s*([A-Za-z@]+)\s*\}|\\[A-Za-z]+\s*|[{}$]|\\(.)"
 )
@@ -22,7 +24,7 @@ class Counters:
     """Values, what each is reset by, and how each is printed (as LaTeX that names counters)."""
 
     def __init__(self) -> None:
-        self.values = dict.fromkeys((*SECTIONS, "equation", "figure", "table"), 0)
+        self.values = dict.fromkeys((*SECTIONS, "equation", "figure", "table"), 0) | {"secnumdepth": 3}
         self.within: dict[str, str] = dict(zip(SECTIONS[3:], SECTIONS[2:], strict=False))
         self.printed = {
             "section": "\\arabic{section}",
@@ -30,19 +32,35 @@ class Counters:
         }
         self.current = ""  # what a label refers to
         self.top = "section"
-        self.is_book = False
+        self.is_book, self._is_main = False, True
         self._saved: tuple[int, str | None] | None = None  # of the equations around subequations
 
     def use_class(self, name: str) -> None:
+        if name.startswith("tufte-"):
+            self.values["secnumdepth"] = -1
         if name in _BOOKS:
             self.is_book, self.top = True, "chapter"
-            self.within |= dict.fromkeys(("section", "equation", "figure", "table"), "chapter")
-            self.printed["section"] = "\\thechapter.\\arabic{section}"
+            self.within["section"] = "chapter"
+            if name != "amsbook":
+                floats = ("equation", "figure", "table")
+                self.within |= dict.fromkeys(floats, "chapter")
+                self.printed["section"] = "\\thechapter.\\arabic{section}"
+                if name.startswith("scr"):  # a 0 before the first chapter, too
+                    self.printed |= {each: f"\\thechapter.\\arabic{{{each}}}" for each in floats}
 
     def step(self, name: str) -> None:
         self.values[name] = self.values.get(name, 0) + 1
         self._reset_below(name)
         self.current = self.number(name)
+
+    def step_section(self, name: str) -> None:
+        """One deeper than secnumdepth has no number, nor has a chapter outside of the main matter."""
+        is_numbered = SECTIONS.index(name) - 1 <= self.values["secnumdepth"]
+        if is_numbered and (name != "chapter" or self._is_main):
+            self.step(name)
+
+    def matter(self, main: bool) -> None:
+        self._is_main = main
 
     def set(self, name: str, value: int, add: bool = False) -> None:
         self.values[name] = value + (self.values.get(name, 0) if add else 0)
@@ -61,8 +79,10 @@ class Counters:
         self.printed[name] = f"\\arabic{{{name}}}"
 
     def appendix(self) -> None:
-        self.values[self.top] = 0
-        self._reset_below(self.top)
+        """Its \\setcounter resets what it names, and nothing below."""
+        self.values[self.top] = self.values["section"] = 0
+        if not self.is_book:
+            self.values["subsection"] = 0
         self.printed[self.top] = f"\\Alph{{{self.top}}}"
 
     def number(self, name: str) -> str:

@@ -7,9 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from workbench.judge.verdict import Outcome
 from workbench.papers.load import load_paper
 from workbench.papers.steps import steps_of
 from workbench.papers.texts import read_text
+from workbench.verify.claims import judge_paper
 
 SPELLED = {
     r"a = \boldsymbol\omega_\mathcal{B/N}": r"a = \boldsymbol\omega_{\mathcal{B}/\mathcal{N}}",
@@ -57,6 +59,22 @@ def test_a_row_of_eqnarray_without_a_sign_goes_on_with_the_one_before(tmp_path: 
     path.write_text(f"\\begin{{document}}\\begin{{eqnarray*}}{rows}\\end{{eqnarray*}}\\end{{document}}")
     ((one, other),) = steps_of(read_text(path).displays[0])
     assert [one.spelled()[0], other.spelled()[0]] == ["x=a + b + c + d", "a + b + c + d=e - f"]
+
+
+def test_a_step_that_says_nothing_breaks_no_chain_and_a_unit_vector_none_of_what_needs_one(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "p.md").write_text(
+        "$$ n n^T = n n^T $$\n\n"
+        r"$$ \tilde{n}\tilde{n}\tilde{n} = -\tilde{n} $$"
+        "\n\n"
+        r"$$ \tilde{n}\tilde{n}\tilde{n} = \tilde{n} $$"
+    )
+    (tmp_path / "p.toml").write_text('source = "p.md"\n[symbols]\n\'n\' = { kind = "vector" }\n')
+    trivial, of_a_unit, false = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert trivial.passed and trivial.verdict.outcome is Outcome.UNCHECKED
+    assert of_a_unit.verdict.outcome is Outcome.UNCHECKED and "a unit n" in of_a_unit.verdict.reason
+    assert false.verdict.outcome is Outcome.REFUTED and not false.passed
 
 
 MODEL = 'source = "p.md"\n[symbols]\n' + "".join(

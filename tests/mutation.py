@@ -114,13 +114,13 @@ def explained(pool):
 class Trials:
     """Tries the mutants where pytest would run the tests that it has collected: each in a fork of this process."""
 
-    def __init__(self, names, seconds, tell):
+    def __init__(self, names, seconds, until, tell):
         statistics = json.loads(STATISTICS.read_text())
         self.by_function = statistics["tests_by_mangled_function_name"]
         wall = statistics["duration_by_test"]  # of a machine that does other things, too
         share = min(1.0, statistics["stats_time"] / sum(wall.values()))
         self.durations = {test: duration * share for test, duration in wall.items()}
-        self.names, self.seconds, self.tell = names, seconds, tell
+        self.names, self.seconds, self.until, self.tell = names, seconds, until, tell
         self.kills = Counter()
 
     def pytest_runtestloop(self, session):
@@ -131,6 +131,8 @@ class Trials:
         if self.outcome("", [items[test] for test in list(items)[:20]]) != "survived":
             raise SystemExit("tests fail without a mutant")
         for name in self.names:
+            if time.monotonic() > self.until:
+                break
             function = name.partition("__mutmut_")[0]
             known = sorted(self.by_function.get(function, ()), key=lambda test: self.place(function, test))
             until = accumulate((self.durations[test] for test in known), initial=0.0)
@@ -186,9 +188,11 @@ def main():
         default=40,
         help="of tests for one mutant; what survives them may be tried again with more",
     )
+    parser.add_argument("--minutes", type=float, default=600, help="after which no other mutant is tried")
     parser.add_argument("--more", action="store_true", help="only those of the sample that were never tried")
     parser.add_argument("--as-written", action="store_true", help="the mutants and tests of the last run")
     options = parser.parse_args()
+    until = time.monotonic() + 60 * options.minutes
     if not options.as_written:
         command = ["mutmut", "run", "--max-children", "1", "no.such.mutant"]
         subprocess.run(command, check=False, stderr=subprocess.DEVNULL)
@@ -197,7 +201,8 @@ def main():
     files = sorted(path.with_suffix("") for path in ROOT.glob("workbench/judge/*/*.py.meta"))
     pool = sorted(name for path in files for name in mutants_of(path))
     sample = random.Random(options.seed).sample(pool, min(options.sample, len(pool)))
-    results = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
+    goes_on = options.again or options.more
+    results = json.loads(RESULTS.read_text()) if goes_on and RESULTS.exists() else {}
     equal = explained(pool)
     tried = [name for name in sample if name not in equal]
     left = [name for name in tried if name in results and not is_killed(results[name])]
@@ -216,10 +221,11 @@ def main():
     sys.path.insert(0, str(ROOT))
     os.environ["MUTANT_UNDER_TEST"] = ""
     quiet = ["--rootdir=.", "-o", "addopts=", "-p", "no:terminal"]
-    if pytest.main([*quiet, *arguments], plugins=[Trials(names, options.seconds, tell)]) != 0:
+    if pytest.main([*quiet, *arguments], plugins=[Trials(names, options.seconds, until, tell)]) != 0:
         raise SystemExit("the tests cannot be collected")
     counts = defaultdict(Counter)
-    for name in sample:
+    counted = [name for name in sample if name in equal or name in results]
+    for name in counted:
         module = name.rpartition(".")[0]
         what = "explained" if name in equal else "killed" if is_killed(results[name]) else "left"
         for group in (module, module.rpartition(".")[0], "all"):
@@ -227,7 +233,7 @@ def main():
     print(f"{'':48}  killed  explained  of")
     for group, count in sorted(counts.items(), key=lambda item: (-item[0].count("."), item[0])):
         print(f"{group:48}{count['killed']:8}{count['explained']:11}{count.total():4}")
-    killed, rest = counts["all"]["killed"], len(sample) - counts["all"]["explained"]
+    killed, rest = counts["all"]["killed"], len(counted) - counts["all"]["explained"]
     print(f"{killed / rest:.1%} of those that are not explained; {len(pool)} mutants in all")
 
 

@@ -125,6 +125,10 @@ def test_an_equation_that_the_others_make_empty_says_nothing_more(assume):
 
 def test_how_numbers_are_written():
     root = NumberField((-3, 0, 1), (Fraction(0), Fraction(3))).generator
+    other = NumberField((-3, 0, 1), (Fraction(-3), Fraction(0))).generator
+    assert [str(x) for x in (other, other * -2 + 1, other * other)] == ["-√3", "1 + 2 √3", "3"]
+    half = NumberField((-1, 0, 2), (Fraction(0), Fraction(1))).generator
+    assert str(half * 3 - 1) == "-1 + 3 √(1/2)"
     assert str(root * Fraction(1, 2) + 1) == "1 + 1/2 √3" and str(-root) == "-√3" and str(root * root) == "3"
     cubic = FIELDS["cube root of 2"].generator
     assert str(cubic * cubic - 1) == "-1 + θ^2 where -2 + θ^3 = 0, θ ≈ 1.25992"

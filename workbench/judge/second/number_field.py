@@ -105,10 +105,11 @@ class Algebraic:
 
     def __str__(self) -> str:
         """Such as 1/2 + √3, or 2 θ for another θ that is then told."""
-        minimal, root = self.field.minimal, "θ"
+        minimal, root, shown = self.field.minimal, "θ", self.coefficients
         if len(minimal) == 3 and not minimal[1]:
-            root = ("" if self.field.near > 0 else "-") + f"√{-minimal[0]}"
-        text = _written(self.coefficients, root)
+            root = f"√{-minimal[0]}" if minimal[0].denominator == 1 else f"√({-minimal[0]})"
+            shown = shown if self.field.near > 0 else (*shown[:1], *_negative(shown[1:]))
+        text = _written(shown, root)
         if root == "θ" and len(self.coefficients) > 1:
             text += f" where {_written(minimal, root)} = 0, θ ≈ {self.field.near:.6g}"
         return text

@@ -69,6 +69,7 @@ _OF_LAST = rf"\forall q \geq 0 : \Big( {_same('q')} \Big) \Rightarrow \mathsf{{A
 
 
 _OF_ANY = rf"\forall p, q \geq 0 : \Big( {_same('q+p')} \Big) \Rightarrow \mathsf{{A}}_q = \mathsf{{B}}_q"
+_OF_V = [rf"\sum_{{k=0}}^{{j+i}} \mathsf{{{letter}}}_k \frac{{d^k}}{{dt^k}} \mathbf{{v}}" for letter in "AB"]
 _BEFORE_THE_LAST = Have(
     r"\mathsf{A}_{q+p+1} = \mathsf{B}_{q+p+1}",
     Follows("Y", Y=Use(0, {"q": "q+p+1"})),
@@ -87,7 +88,17 @@ THEOREMS = {
             Have(
                 _OF_ANY,
                 Induction(Given(Follows("Y", Y=Use(0, {"q": "q"}))), Given(_BEFORE_THE_LAST)),
-                Given(Follows("Y", Y=Use(1, {"p": "i", "q": "j"}))),
+                Given(
+                    Have(
+                        " = ".join(_OF_V),
+                        Follows(r"Y + Z - \mathbf{a}_n", Y=Use(2, back=True), Z=Use(2, part=2)),
+                        Have(
+                            _same("j+i"),
+                            Given(Follows("Y", Y=Use(3, {"u": "u"}))),
+                            Follows("Y", Y=Use(1, {"p": "i", "q": "j"})),
+                        ),
+                    )
+                ),
             ),
         ),
         against=At({"n": "1", "j": "0", "i": "1"}, False_()),

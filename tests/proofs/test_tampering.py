@@ -35,10 +35,13 @@ LONG = {
     "closed_form_3c_expanded",
 }
 
+#: Their proofs hold that of Theorem 6 once more.
+BEYOND_THEOREM_6 = {"exponential_is_onto", "logarithm_is_a_set"}
+
 
 def of(claims):
     """Of the claims that rest on one theorem the first; the others, and the long ones, in the slow suite."""
-    seen: set[str | None] = set(LONG)
+    seen: set[str | None] = LONG | BEYOND_THEOREM_6
     for claim in claims:
         slow = [pytest.mark.slow] if claim.theorem in seen and claim.theorem else []
         seen.add(claim.theorem)

@@ -68,9 +68,11 @@ def mutants(form, statement, base):
 def attempt(made, deep, fails=True):
     """The theorem's statement, with a proof by the given deep copies."""
     left, right = deep
-    setup = made.proof.split("  certify ")[0].removeprefix("Proof.").replace("intros ", "idtac; try intros ")
+    setup, _, rest = made.proof.partition("  certify")
+    setup = setup.removeprefix("Proof.").replace("intros ", "idtac; try intros ")
+    rule, more = ("by_either _ free", "eq_refl ") if rest.startswith("_by") else ("by_computing _", "")
     goal = re.sub(r"^Theorem \w+", "Goal forall", made.statement).replace(" :\n", ",\n", 1)
-    proof = f"(refine (@by_computing _ known0 _ _ {left} {right} _); vm_compute; reflexivity)"
+    proof = f"(refine (@{rule} known0 _ _ {left} {right} {more}_); vm_compute; reflexivity)"
     end = f"Fail {proof}.\nAbort." if fails else f"{proof}.\nQed."
     return f"{goal}\nProof. intros.{setup}  {end}\n"
 

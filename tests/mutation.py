@@ -24,6 +24,7 @@ import sys
 import time
 import tomllib
 from collections import Counter, defaultdict
+from functools import cache
 from itertools import accumulate, pairwise
 from pathlib import Path
 
@@ -80,10 +81,15 @@ def mutants_of(path):
             yield f"{module}.{name}"
 
 
+@cache
+def functions_of(module):
+    return dict(functions(ROOT.joinpath(*module.split(".")).with_suffix(".py")))
+
+
 def difference(mutant):
     """The lines that a mutant changes."""
     module, _, name = mutant.rpartition(".")
-    found = dict(functions(ROOT.joinpath(*module.split(".")).with_suffix(".py")))
+    found = functions_of(module)
     original = found[f"{name.partition('__mutmut_')[0]}__mutmut_orig"]
     lines = [ast.unparse(node).splitlines()[1:] for node in (original, found[name])]
     changes = difflib.unified_diff(*lines, lineterm="", n=0)

@@ -94,6 +94,8 @@ MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
         ("$$\\alpha(x) = \\int x$$\n\n$$\\alpha^2 x = \\alpha x$$", "the text says what \\alpha is (line 1)"),
         (r"$$x y + x z + y = x$$", "says what z is"),
         (r"$$x^2 y - x^2 y^2 = 0$$", "says what x is"),
+        (r"$$\mathbf{r} + x\mathbf{s} + \mathbf{s} = x^2 \mathbf{s}$$", "says what \\mathbf{r} is"),
+        (r"$$\widetilde{\mathbf{r}} = \mathbf{s} \mathbf{s}^T$$", "says what \\mathbf{r} is"),
         (r"$$x y + x y^2 = x + y$$", None),
         (r"$$\mathbf{r} \cdot \mathbf{s} + \mathbf{s} \cdot \mathbf{s} = 0$$", None),
         ("$$z = x + y = y - x$$\n\n$$x^2 y + y = y^2 + x$$", None),

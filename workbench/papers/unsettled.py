@@ -88,21 +88,29 @@ def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
 
 
 def _solved_for(statement: Statement, free: Sequence[Declaration]) -> str | None:
-    """Of an equation between scalars alone, the one that it may be solved for: that nothing defines and that
-    occurs in it once; any, where a side is 0."""
+    """A symbol that nothing defines, that occurs in the equation once, and that it may be solved for: alone
+    under an operation, an addend, or any where all are scalars; of scalars with a side 0, any."""
     if not isinstance(statement, Relation) or statement.operator != "=":
         return None
     names = Counter(str(each.name) for each in free)
-    alone = next(
-        (name for side in (statement.left, statement.right) if (name := _under_one_sign(side))), None
-    )
-    if alone is not None and names[alone] == 1:
-        return _SAYS.format(alone)
+    for side in (statement.left, statement.right):
+        for name in (_under_one_sign(side), *_addends(side)):
+            if name is not None and names[name] == 1:
+                return _SAYS.format(name)
     if any(each.type.kind != "scalar" for each in free):
         return None
     is_condition = _is_zero(statement.left) or _is_zero(statement.right)
     name = next((name for name, count in names.items() if count == 1 or is_condition), None)
     return name and _SAYS.format(name)
+
+
+def _addends(side: Term) -> Iterator[str]:
+    """The symbols that are addends of a sum, as the F of F + mg = m a."""
+    if isinstance(side, Apply) and side.head in ("add", "neg"):
+        for term in side.arguments:
+            if isinstance(term, Symbol):
+                yield str(term.declaration.name)
+            yield from _addends(term)
 
 
 def _under_one_sign(side: Term) -> str | None:

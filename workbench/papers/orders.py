@@ -18,10 +18,12 @@ _ONE_ORDER = re.compile(r"\s*([A-Za-z](?:_(?:\d|\{\d+\}))?)\s*=\s*(\d{1,6})\s*\.
 
 @dataclass(frozen=True)
 class Orders:
-    """`n = 1..8`, or `m = 1..3, n = 1..4`; ends included. `stated`: ranges in which a formula keeps them."""
+    """`n = 1..8`, or `m = 1..3, n = 1..4`; ends included. `stated`: ranges in which a formula keeps them.
+    `endless`: variables of which these are the first few values, and that have no last one."""
 
     ranges: Mapping[str, range]
     stated: tuple[Range, ...] = ()
+    endless: frozenset[str] = frozenset()
 
     @staticmethod
     def parse(text: str) -> Orders:
@@ -83,7 +85,7 @@ def orders_within(orders: Orders | None, stated: Sequence[Range]) -> Orders | No
     """
     if not stated:
         return orders
-    kept = replace(orders or Orders(_first_values(stated)), stated=tuple(stated))
+    kept = replace(orders or _first_values(stated), stated=tuple(stated))
     bounds = [bound for each in stated for bound in (each.lower, each.upper) if bound is not None]
     for name in {each.variable for each in stated}.union(*(bound.variables for bound in bounds)):
         if name not in kept.ranges:
@@ -99,11 +101,11 @@ def orders_within(orders: Orders | None, stated: Sequence[Range]) -> Orders | No
     return kept
 
 
-def _first_values(stated: Sequence[Range]) -> dict[str, range]:
+def _first_values(stated: Sequence[Range]) -> Orders:
     lowest = {each.variable: int(each.lower) if each.lower.is_number else 0 for each in stated}
     last = max(lowest.values()) + _FIRST_VALUES - 1
     ranges = {}
     for each in stated:
         upper = int(each.upper) if each.upper is not None and each.upper.is_number else last
         ranges[each.variable] = range(lowest[each.variable], min(last, upper) + 1)
-    return ranges
+    return Orders(ranges, endless=frozenset(each.variable for each in stated if each.upper is None))

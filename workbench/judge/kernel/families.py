@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Protocol
 
+from workbench.judge.kernel.beyond import OrderRanges, beyond
 from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
 from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
 from workbench.judge.subject.inventory import NotExact
@@ -35,16 +36,6 @@ from workbench.language.terms import (
     Symbol,
     Term,
 )
-
-
-class OrderRanges(Protocol):
-    """The values of a family's integer variables, such as `papers.Orders`. `generic`: those that may be
-    any, since no range is stated for them; their values are but examples."""
-
-    @property
-    def generic(self) -> tuple[str, ...]: ...
-
-    def assignments(self) -> Iterator[dict[str, int]]: ...
 
 
 class InstanceJudge(Protocol):
@@ -101,6 +92,7 @@ class _Distinct:
 
     orders: OrderRanges
     generic: tuple[str, ...] = ()
+    endless: frozenset[str] = frozenset()
 
     def assignments(self) -> Iterator[dict[str, int]]:
         for values in self.orders.assignments():
@@ -286,7 +278,7 @@ def _instances(
             continue
         count += 1
         if worst is None or WORST_FIRST.index(current.outcome) < WORST_FIRST.index(worst.outcome):
-            worst, place = current, ", ".join(f"{name} = {value}" for name, value in values.items())
+            worst, place = current, _shown(values)
         if current.outcome == Outcome.REFUTED:
             break
     if worst is None:
@@ -296,8 +288,16 @@ def _instances(
         figures = {"held before": count - 1} if worst.outcome == Outcome.REFUTED else {}
         fails = Evidence("each instance", f"fails for {place}", figures)
         return replace(worst, reason=reason, evidence=(*worst.evidence, fails))
+    for values in beyond(_terms(statement), judge.definitions, orders):
+        further = _instance_for(judge, statement, assume, hypothesis, values)
+        if further.outcome == Outcome.REFUTED:
+            return replace(further, reason=f"for {_shown(values)}, though it holds for {orders}")
     evidence = (*worst.evidence, Evidence("each instance", "residual is 0", {"instances": count}))
     return replace(worst, scope=str(orders), evidence=evidence)
+
+
+def _shown(values: Mapping[str, int]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in values.items())
 
 
 def _instance_for(

@@ -62,6 +62,7 @@ class Members:
 
     least: Mapping[str, int]
     generic: tuple[str, ...] = ()  # a range is stated for each
+    endless: frozenset[str] = frozenset()
 
     def assignments(self) -> Iterator[dict[str, int]]:
         values: list[dict[str, int]] = [{}]

@@ -247,10 +247,10 @@ FIELDS = r"""[symbols]
         (r"\operatorname{curl} v + \rho \times \rho = 0", None, (Outcome.REFUTED, None)),
         (r"\operatorname{curl} v + \rho \times \rho = 2 \omega", None, (Outcome.PROVED, None)),
         (r"\operatorname{curl} A_n + \rho \times \rho = 0", "n = 1..2", (Outcome.REFUTED, None)),
-        (r"\operatorname{curl} ((\omega \times \rho)^{(n)}) + \rho \times \rho = 0", "n = 1..2",
+        (r"\operatorname{curl} ((\omega \times \rho)^{(n)}) + \rho \times \rho = 0", "n = 0..2",
          (Outcome.REFUTED, None)),
         (r"\operatorname{div} ((T \rho)^{(n)}) = \operatorname{trace} T^{(n)}", "n = 0..2",
-         (Outcome.PROVED, "n = 0..2")),
+         (Outcome.UNCHECKED, None)),
     ],
 )  # fmt: skip
 def test_a_name_that_stands_for_a_field_hides_no_coordinate(tmp_path, printed, orders, expected):

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
+from workbench.judge.kernel.beyond import OrderRanges
 from workbench.judge.kernel.branches import holds_arc, judge_branch
 from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.extrema import judge_extremum
-from workbench.judge.kernel.families import SAME_TERM, WORST_FIRST, OrderRanges, judge_family
+from workbench.judge.kernel.families import SAME_TERM, WORST_FIRST, judge_family
 from workbench.judge.kernel.zero_sets import judge_inequation, judge_zeros
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.inventory import NotExact
@@ -110,8 +111,7 @@ class Judge(Setting):
         verdicts, idle = [], []
         for part, verdict in judged:
             if verdict.reason == SAME_TERM and isinstance(part, Relation):
-                nothing = apply("add", part.left, apply("neg", part.right))
-                verdict = self._judge(equated("=", nothing, zero(part.left.type)), assume)
+                verdict = self._judge(_difference(part), assume)
                 idle.append(Evidence("trivial part", SAME_TERM, {"formula": to_latex(part)}))
             verdicts.append(verdict)
         verdict = _together(verdicts)
@@ -130,6 +130,11 @@ class Judge(Setting):
             Case(self, terms, (*assume, *said.given)).require_satisfiable()
         except Unsatisfiable:
             return Verdict(Outcome.UNCHECKED, reason="the set is empty: nothing satisfies its conditions")
+        for term in terms:  # that it is the same everywhere says that it is defined everywhere
+            verdict = self._judge(_difference(term), (*assume, *said.given))
+            if verdict.outcome not in (Outcome.PROVED, Outcome.DEFINITION):
+                reason = f"{to_latex(term.left)} is not seen to be defined for all of these: {verdict.reason}"
+                return replace(verdict, outcome=Outcome.UNCHECKED, reason=reason)
         return Verdict(Outcome.DEFINITION, evidence=(Evidence("sets and maps", "well-formed"),))
 
     def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
@@ -147,6 +152,11 @@ class Judge(Setting):
                 return again
         reason = "false if the condition holds at one instant only; if it lasts, state its derivatives too"
         return Verdict(Outcome.UNCHECKED, reason=reason)
+
+
+def _difference(same: Relation) -> Relation:
+    nothing = apply("add", same.left, apply("neg", same.right))
+    return equated("=", nothing, zero(same.left.type))
 
 
 def _together(verdicts: list[Verdict]) -> Verdict:

@@ -5,7 +5,7 @@ Both engines allocate their indeterminates from this list, and a check that woul
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
@@ -15,6 +15,7 @@ from workbench.judge.subject.angles import angles_of
 from workbench.judge.subject.slopes import require_known_dependence, seeds
 from workbench.language.construct import apply, derivative, number
 from workbench.language.operators import GRADIENTS, PARTIALS
+from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
 
 
@@ -157,9 +158,15 @@ class _Survey:
                 self.inventory.reciprocals += 1  # sin ‖x‖/‖x‖
 
 
-def _require_known_places(gradient: Apply, symbols: Iterable[Symbol]) -> None:
-    """Nothing is constant in space unless it is said so."""
-    for symbol in symbols:
+def _require_known_places(gradient: Apply, orders: Mapping[Symbol, int]) -> None:
+    """Nothing is constant in space unless it is said so: the velocity ρ̇ of what is at ρ is not."""
+    for symbol, order in orders.items():
+        if symbol.declaration.coordinate and order:
+            rate = to_latex(derivative(symbol, order))
+            where = f"{rate} in the {gradient.head}"
+            raise NotExact(
+                f"{where} depends on the place as the motion says; a formula for it makes it a field"
+            )
         if not (symbol.declaration.uniform or symbol.declaration.coordinate):
             where = f"{symbol.declaration.name} in the {gradient.head}"
             raise NotExact(f"{where} may depend on the place; if not, declare uniform = true")

@@ -100,6 +100,9 @@ class Instantiation:
                 return count(term.name, tuple(self.linear(a) for a in term.arguments))
             case Symbol():
                 index = tuple(self.index(term, i) for i in term.index)
+                if index in term.declaration.apart:
+                    member = term.declaration.name.latex(index)
+                    raise IllFormed(f"{member} is declared apart, as no member of {term.declaration.name}")
                 arguments = tuple(self.term(a) for a in term.arguments)
                 if index == term.index and _same(arguments, term.arguments):
                     return term

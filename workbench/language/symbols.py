@@ -83,7 +83,11 @@ class SymbolTable:
                 refuse_operation(other, key)
                 refuse_builtin(other, declared.type, key)
                 symbols[other] = declared
-        return SymbolTable(_with_arguments(symbols, functions))
+        try:
+            return SymbolTable(_with_arguments(_with_members(symbols, functions), functions))
+        except SpecError as error:
+            keys = {str(read_key(key)[0]): key for key in specs}
+            raise SpecError(error.message, keys.get(error.key, error.key)) from None
 
     def with_notations(self, specs: Mapping[str, Any]) -> SymbolTable:
         """This table, and the notation of the paper. Raises SpecError."""
@@ -102,6 +106,8 @@ class SymbolTable:
         for name in more:
             if name in self.symbols or name in self.functions:
                 raise SpecError("this symbol is known already", str(name))
+            if family := next((known for known in self.symbols if known.index_of(name) is not None), None):
+                raise SpecError(f"this symbol is known already, as a member of {family}", str(name))
         return replace(self, symbols={**self.symbols, **more})
 
     def with_symbol(self, declaration: Declaration, formals: tuple[Declaration, ...] = ()) -> SymbolTable:
@@ -192,12 +198,37 @@ def may_be_label(symbol: Symbol, exponent: int) -> bool:
     return numbered and exponent in (0, 1) and symbol.type.kind in ("tensor", "vector")
 
 
+def _with_members(
+    symbols: Mapping[Name, Declaration], functions: Mapping[Name, Sequence[str]]
+) -> dict[Name, Declaration]:
+    """The declarations, where b_1 beside b_n is the member 1 of that family, and not another symbol that is
+    printed alike. Where it is declared as something else, the family has no such member."""
+    kept = dict(symbols)
+    for name, declaration in symbols.items():
+        for pattern, family in symbols.items() if not name.indices else ():
+            index = pattern.index_of(name)
+            if index is None:
+                continue
+            values = {f"@{place}": value for place, value in enumerate(index)}
+            weight = None if family.weight is None else family.weight.substitute(values)
+            member = replace(family, name=declaration.name, weight=weight, indices=0)
+            if member == declaration and functions.get(pattern) == functions.get(name):
+                kept.pop(name, None)
+            else:
+                kept[pattern] = replace(kept[pattern], apart=(*kept[pattern].apart, index))
+    return kept
+
+
 def _with_arguments(
     symbols: Mapping[Name, Declaration], functions: Mapping[Name, Sequence[str]]
 ) -> dict[Name, Declaration]:
     """The declarations, where each function holds the symbols that it is `of`. Raises SpecError."""
     table, made = SymbolTable(symbols), dict(symbols)
-    arguments = {name: [_argument(name, text, table) for text in names] for name, names in functions.items()}
+    arguments = {
+        name: [_argument(name, text, table) for text in names]
+        for name, names in functions.items()
+        if name in symbols
+    }
     named = {declaration.name for found in arguments.values() for declaration, _ in found}
     for pattern, declaration in symbols.items():
         if declaration.name in named and declaration.name not in functions:

@@ -96,6 +96,7 @@ class Declaration:
     independent: others are functions `of` it and it is none itself, so that ∂/∂q keeps it fixed.
     clock: the time t, whose derivative is 1.
     parameters: how many arguments a function symbol such as Φ_k(ω) takes.
+    apart: the indices at which a family has no member, since another symbol is declared that is printed so.
     introduced: only definitions introduce it, so that a member which none of them reaches is nothing.
     """
 
@@ -114,6 +115,7 @@ class Declaration:
     independent: bool = False
     clock: bool = False
     indices: int = 0
+    apart: tuple[Any, ...] = ()
     parameters: int = 0
     introduced: bool = False
 

@@ -81,3 +81,29 @@ def test_what_is_not_explained_is_refused(formula: str) -> None:
 def test_a_notation_that_cannot_be_used(specs) -> None:
     with pytest.raises(SpecError):
         SymbolTable().with_notations(specs)
+
+
+PRIMED = SymbolTable.build(
+    {"x": {"kind": "vector"}, "y": {"kind": "vector"}, "y'": {"kind": "vector"}, "T": {"kind": "tensor"}}
+)
+PRIMED = PRIMED.with_notations({"x'": {"where": {"x": "vector"}, "means": "T x"}})
+
+
+@pytest.mark.parametrize("accent", [r"\dot", r"\ddot", r"\tilde"])
+def test_an_accent_under_a_prime_is_asked_about(accent: str) -> None:
+    with pytest.raises(ReadError, match="which first"):
+        read(rf"{accent}{{x}}' = {accent}{{x}}", PRIMED)
+
+
+@pytest.mark.parametrize(
+    ("spelt", "meant"),
+    [
+        (r"(\dot{x})'", r"T \dot{x}"),
+        (r"\dot{x'}", r"\frac{d}{dt} (T x)"),
+        ("(x + y)'", "T (x + y)"),
+        (r"\dot{y}'", r"\frac{d}{dt} y'"),
+    ],
+)
+def test_a_prime_is_on_what_stands_before_it(spelt: str, meant: str) -> None:
+    (relation,) = read(f"{spelt} = {meant}", PRIMED)
+    assert relation.left == relation.right

@@ -37,6 +37,12 @@ class Scope(ABC):
 
     def rate(self, at: int, body: Term, order: Linear, frame: Node | None) -> Term:
         """d/dt, or what {}^F d/dt is: with ω of the frame, ẋ − ω × x for a vector."""
+        if (
+            frame is not None
+            and body.type.kind not in ("vector", "scalar")
+            and not isinstance(self.frame(frame), Zero)
+        ):
+            raise Fault(f"the derivative of a {body.type} in a frame: of its components, or of itself?", at)
         if body.type.kind != "vector" or (frame is None and not self.table.frames):
             return self.build(at, construct.derivative, body, order)
         if frame is None:

@@ -51,6 +51,7 @@ class _Lettering:
         self.scope = scope
         self.bracket = bracket
         self.takes_bracket = False
+        self.primes = 0  # those that are signs of the paper
 
     def read(self, node: Node, scripts: Scripts, styles: tuple[str, ...]) -> Lettered:
         match node:
@@ -68,6 +69,7 @@ class _Lettering:
                 return self.read(node.body, scripts, (*styles, node.style))
             case Accented():
                 term, sup = self.read(node.body, scripts, styles)
+                self.refuse_primed(node, scripts)
                 return self.accent(node, term), sup
             case Scripted(factorial=True):
                 return self.factorial(node), scripts.sup
@@ -79,9 +81,13 @@ class _Lettering:
             raise Fault(f"{styles[-1]} of more than one symbol", node.at)
         if scripts.sub is not None or scripts.left_sub is not None or scripts.left_sup is not None:
             raise Fault("a subscript on an expression; indices belong to symbols", node.at)
-        if scripts.primes:
+        entries = self.scope.table.notations.primes()
+        if scripts.primes and not entries:
             raise Fault("a prime on an expression", node.at)
-        return self.scope.term(node), scripts.sup
+        term = self.scope.term(node)
+        for _ in range(scripts.primes):
+            term = notated(self.scope, node.at, entries, term, "the prime")
+        return term, scripts.sup
 
     def scripted(self, node: Scripted, outer: Scripts, styles: tuple[str, ...]) -> Lettered:
         if node.sub is not None and outer.sub is not None:
@@ -113,6 +119,7 @@ class _Lettering:
         if found is None:
             raise self.unknown(Name.styled(styles, leaf.text), scripts, leaf.at)
         term = self.meant(found, leaf, scripts)
+        self.primes = found.primes
         for _ in range(found.primes):
             term = notated(scope, leaf.at, scope.table.notations.primes(), term, "the prime")
         return term, found.sup
@@ -146,8 +153,14 @@ class _Lettering:
                 term, sup = self.read(node.body, scripts, ())
             except Fault:
                 raise fault from None
+            self.refuse_primed(node, scripts)
             entries = self.scope.table.notations.accents(node.style)
             return notated(self.scope, node.at, entries, term, node.style), sup
+
+    def refuse_primed(self, node: Node, scripts: Scripts) -> None:
+        """\\dot{x}': the sign ' on x, or on what the accent makes of it?"""
+        if scripts.primes and self.primes:
+            raise Fault("which first, the accent or the prime? bracket what the prime is on", node.at)
 
     def built_in(self, name: Name, scripts: Scripts, at: int) -> Term:
         """I, ε, D, t, e^x and C_n^k."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from workbench.language.definitions import Definitions
     from workbench.language.names import Name
     from workbench.language.symbols import SymbolTable
-    from workbench.language.terms import Definition, Statement, Symbol
+    from workbench.language.terms import Definition, Relation, Statement, Symbol
 
 
 #: A proof for the goal of the claim that names it; or an argument, which is its own statement.
@@ -165,6 +166,28 @@ class Said:
 
 
 @dataclass(frozen=True)
+class Aside:
+    """A condition in a sentence of a text, such as x > 0, and what it supposes. bound: (x, >, 0), to which
+    values of x must keep.   seen: False where it says more than that, and nothing looks at it."""
+
+    latex: str
+    line: int
+    premise: Relation | None
+    bound: tuple[str, str, Fraction] | None = None
+    seen: bool = True
+
+    def allows(self, values: Mapping[str, tuple[str, ...]]) -> bool:
+        if self.bound is None or self.bound[0] not in values:
+            return self.seen
+        name, sign, number = self.bound
+        try:
+            value = Fraction(values[name][0])
+        except ValueError:
+            return False
+        return {"<": value < number, ">": value > number, "≤": value <= number, "≥": value >= number}[sign]
+
+
+@dataclass(frozen=True)
 class Claim:
     """One `[[claim]]` of a paper file, or one line of it, or one step of a display in a text.
 
@@ -175,8 +198,9 @@ class Claim:
     claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps before it in
     its chain, `skip` why its author leaves it out, `unread` why its model
     expects no verdict, `states` the symbol that it may define, `guessed` its
-    symbols whose kinds nobody has confirmed, `rests` what earlier claims say of its symbols,
-    `unsettled` why it may be true although it is false for free symbols.
+    symbols whose kinds nobody has confirmed, `rests` what earlier claims say of its symbols, `beside` what
+    its sentence and earlier ones suppose of them, `unsettled` why it may be true although it is false for
+    free symbols.
     """
 
     id: str
@@ -210,6 +234,7 @@ class Claim:
     guessed: tuple[str, ...] = ()
     rests: tuple[Said, ...] = ()
     unsettled: str | None = None
+    beside: tuple[Aside, ...] = ()
 
     @property
     def expected(self) -> Outcome:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.terms import Symbol
+from workbench.papers.asides import asides_of
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
@@ -63,6 +64,7 @@ def text_paper(
         except PaperError as error:
             faults.append(error)
             claims.append(_claim(each, None, model.guessed))
+    claims = [_with_asides(*each, text.inline) for each in zip(claims, placed, strict=True)]
     faults += _unknown_ids(entries, {claim.id for claim in claims})
     return TextPaper(
         title,
@@ -75,6 +77,13 @@ def text_paper(
         faults=(*model.faults, *faults),
         warnings=tuple(text.warnings),
     )
+
+
+def _with_asides(claim: Claim, placed: Placed, inline: Sequence[Display]) -> Claim:
+    statement = claim.printed.statement
+    if statement is None:
+        return claim
+    return replace(claim, beside=asides_of(placed.display, statement, placed.notation, inline))
 
 
 def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Notation]]) -> Iterator[Placed]:

@@ -163,6 +163,8 @@ class ClaimJudge:
         is_open = verdict.outcome is Outcome.REFUTED and claim.corrected is None
         if is_open and (why := claim.unsettled or self._left_open(claim)) is not None:
             return Verdict(Outcome.UNCHECKED, reason=why, read_back=verdict.read_back)
+        if is_open and claim.beside:
+            verdict = self._under_asides(claim, verdict)
         if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
             return Verdict(
                 Outcome.UNCHECKED, reason=_as_guessed(verdict, claim.guessed), read_back=verdict.read_back
@@ -221,6 +223,25 @@ class ClaimJudge:
                 if under.outcome is Outcome.PROVED:
                     return str(term.declaration.name)
         return None
+
+    def _under_asides(self, claim: Claim, refuted: Verdict) -> Verdict:
+        """What is false as it stands may be meant under what the sentences around it suppose."""
+        premises = [aside.premise for aside in claim.beside if aside.premise is not None]
+        verdict = Verdict(Outcome.UNCHECKED)
+        with suppress(Unsatisfiable):
+            judge = self._judge(claim.notation)
+            supposed = (*claim.supposed, *premises)
+            verdict = _undisturbed(
+                lambda: judge.judge(claim.printed.statement, supposed, orders=claim.orders)
+            )
+        against = verdict.counterexample
+        is_allowed = against is not None and all(aside.allows(against.values) for aside in claim.beside)
+        if verdict.outcome is Outcome.REFUTED and is_allowed:
+            return verdict
+        shown = ", ".join(f"{aside.latex} (line {aside.line})" for aside in claim.beside[:5])
+        what = "holds with" if verdict.outcome is Outcome.PROVED else "false without"
+        reason = f"{what} what the text says beside it, {shown}; an `assume` of it makes it a claim"
+        return Verdict(Outcome.UNCHECKED, reason=reason, read_back=refuted.read_back)
 
     @cached_property
     def _of_theorems(self) -> TheoremJudge:

@@ -11,6 +11,7 @@ _DISPLAY_END = re.compile(
     r"\\end\s*\{[^}]*\}|\\\]|\$\$|\\(?:sub)*section\*?\s*\{[^}]*\}|^#+ .*$|^.*\n[=\-~^]{4,}$", re.MULTILINE
 )
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z$\\*`(])")
+_STOP = re.compile(r"[.!?]\s*(?:\\end\s*\{[^}]*\}|\\\]|\$\$)?$")
 _COMMAND = re.compile(r"\\[A-Za-z]+\*?\s*|[{}]")
 
 
@@ -22,6 +23,18 @@ def sentence_before(text: str, start: int) -> str:
         chunk = chunk[match.end() :]
         break
     return _SENTENCE.split(" ".join(chunk.split()))[-1].strip()
+
+
+def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
+    """From where to where the sentence goes in which the display from `start` to `end` stands."""
+    first = max(0, start - _FAR)
+    before = text[first:start].rstrip()
+    ends = [m.end() for sign in (_BLANK_LINES, _SENTENCE) for m in sign.finditer(before)]
+    end += len(text[end:]) - len(text[end:].lstrip())
+    after = text[end : end + _FAR]
+    closed = _STOP.search(text[start:end].rstrip()[-40:])
+    stops = [m.start() for sign in (_BLANK_LINES, _SENTENCE) if (m := sign.search(after))]
+    return first + max(ends, default=0), end if closed else end + min(stops, default=len(after))
 
 
 def plain(latex: str) -> str:

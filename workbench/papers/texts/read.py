@@ -29,6 +29,7 @@ _MARKUP: dict[str, Find] = {
     **dict.fromkeys((".html", ".htm", ".xhtml"), web),
     ".ipynb": notebook,
 }
+_INLINE = frozenset({"$", "\\(", "math"})
 SUFFIXES = _TEX | set(_MARKUP)
 
 _DECLARATION = re.compile(r"\s*\\(?:re)?newcommand|\s*\\g?def\b|\s*\\DeclareMathOperator|\s*\\let\b")
@@ -56,16 +57,23 @@ def read_text(
         raise PaperError(path, None, None, f"expected one of {', '.join(sorted(SUFFIXES))}")
     overrides = Names() if macros is None else _macros(Path(macros))
     overrides.macros |= named(bodies or {}, path)
-    reader = TexReader(path.parent, overrides, inline)
+    text = _text(path, _read(path, TexReader(path.parent, overrides, inline)))
+    if not inline:
+        found = _read(path, TexReader(path.parent, overrides, inline=True)).displays
+        text.inline = [formula for formula in found if formula.environment in _INLINE]
+    return text
+
+
+def _read(path: Path, reader: TexReader) -> TexReader:
     find = _MARKUP.get(path.suffix.lower())
     if find is None:
         reader.read_file(path)
     else:
         source = Source.open(path)
         reader.sources.append(source)
-        for found in find(source.view(), inline):
+        for found in find(source.view(), reader.inline):
             _read_found(reader, found)
-    return _text(path, reader)
+    return reader
 
 
 def _macros(path: Path) -> Names:

@@ -34,7 +34,8 @@ class Directive:
 @dataclass
 class Text:
     """What was read. `labels`: label → number. `warnings`: with the file, line and column of each. `fences`:
-    macros that could not be expanded and seem to be brackets, each with its body."""
+    macros that could not be expanded and seem to be brackets, each with its body. `inline`: the formulas
+    inside of sentences."""
 
     path: Path
     sources: list[Source] = field(default_factory=list)
@@ -44,6 +45,7 @@ class Text:
     warnings: list[PaperError] = field(default_factory=list)
     macros: Names = field(default_factory=Names)
     fences: dict[str, str] = field(default_factory=dict)
+    inline: list[Display] = field(default_factory=list)
 
 
 class TexReader(DisplayReader):

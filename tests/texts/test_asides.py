@@ -1,0 +1,81 @@
+r"""What a text supposes in its sentences: a formula that is false only without it is not said to be false."""
+
+from pathlib import Path
+
+import pytest
+
+from workbench.judge.verdict import Outcome
+from workbench.papers import load_paper
+from workbench.verify.claims import judge_paper
+
+MODEL = "source = 'p.{}'\n[symbols]\n" + "\n".join(
+    f"'{name}' = {{{{ kind = '{kind}' }}}}"
+    for name, kind in {"a": "vector", "b": "vector", "f": "scalar", "g": "scalar", "m": "scalar"}.items()
+)
+_AFTER = {"<<": "", "[[": " "}
+CANCELLED = r"f g = f \Rightarrow g = 1"
+DISPLAYS = {
+    "tex": ("${}$", r"\[ {} \]"),
+    "md": ("${}$", "\n\n$$\n{}\n$$\n\n"),
+    "rst": (":math:`{}`", "\n\n.. math::\n\n   {}\n\n"),
+    "html": (r"\({}\)", "$${}$$"),
+}
+
+
+def verdicts(folder: Path, text: str, ending: str = "tex") -> list[Outcome]:
+    (folder / f"p.{ending}").write_text(text)
+    (folder / "p.toml").write_text(MODEL.format(ending))
+    return [result.verdict.outcome for result in judge_paper(load_paper(folder / "p.toml"))]
+
+
+def written(text: str, ending: str) -> str:
+    """The text with (…) for a formula in a sentence and […] for a display."""
+    inline, display = DISPLAYS[ending]
+    for mark, spelling in (("<<", inline), ("[[", display)):
+        pieces = text.split(mark)
+        closing = {"<<": ">>", "[[": "]]"}[mark]
+        text = pieces[0] + "".join(
+            spelling.format(*piece.split(closing)[:1]) + piece.split(closing)[1].lstrip(_AFTER[mark])
+            for piece in pieces[1:]
+        )
+    return text
+
+
+@pytest.mark.parametrize("ending", DISPLAYS)
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (f"Suppose that <<f \\neq 0>>. Then [[{CANCELLED}]]", Outcome.UNCHECKED),
+        (f"For <<f \\neq 0>> it is said that [[{CANCELLED[:-1]}2]]", Outcome.REFUTED),
+        (f"It holds that [[{CANCELLED}]] where <<f \\neq 0>> is given.", Outcome.UNCHECKED),
+        (f"It holds that [[{CANCELLED}]] without more.", Outcome.REFUTED),
+        (r"With <<m > 0>> it is [[\sqrt{m^2} = m]]", Outcome.UNCHECKED),
+        (r"With <<m > 0>> it is [[\sqrt{m^2} = -m]]", Outcome.REFUTED),
+        (r"With <<0 > m>> it is [[\sqrt{m^2} = -m]]", Outcome.UNCHECKED),
+        (r"With <<m \geq 1>> it is [[|m| = m]]", Outcome.UNCHECKED),
+        (r"With <<m > f>> it is [[|m - f| = m - f]]", Outcome.UNCHECKED),
+        (r"If <<a = g b>>, then [[a \times b = 0]]", Outcome.UNCHECKED),
+        (r"If <<a = g b>>, then [[a \times b = b]]", Outcome.REFUTED),
+        (r"If <<a = g b>>, then it is so. The next one is [[a \times b = 0]]", Outcome.REFUTED),
+        (r"Let <<g \neq 0>> be given. It is [[a \times b = 0]]", Outcome.REFUTED),
+    ],
+)  # fmt: skip
+def test_a_condition_in_the_sentence(tmp_path: Path, ending: str, text: str, expected: Outcome) -> None:
+    assert verdicts(tmp_path, written(text, ending), ending) == [expected]
+
+
+def test_the_condition_is_told_with_its_line(tmp_path: Path) -> None:
+    (tmp_path / "p.tex").write_text(
+        "\\newcommand{\\ff}{f}\nFor $\\ff \\neq 0$ it is\n\\[" + CANCELLED + "\\]"
+    )
+    (tmp_path / "p.toml").write_text(MODEL.format("tex"))
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert r"f\neq0 (line 2)" in result.verdict.reason
+
+
+def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
+    (tmp_path / "p.tex").write_text(written(r"If <<a = g b>>, then [[a \times b = 0]]", "tex"))
+    model = MODEL.format("tex") + "\n[[claim]]\nat = 'line 1'\nassume = ['a = g b']\n"
+    (tmp_path / "p.toml").write_text(model)
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.outcome == Outcome.PROVED

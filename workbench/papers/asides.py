@@ -1,0 +1,87 @@
+"""The conditions that a text states in its sentences: “suppose that $f \\neq 0$”, “for $m > 0$”.
+
+Nothing is proved by them. They keep a formula that is false without them from being said to be false.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from fractions import Fraction
+
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.printer import to_latex
+from workbench.language.terms import Apply, Relation, Statement, Symbol, Zero
+from workbench.language.types import Declaration
+from workbench.papers.formulas import read_statement
+from workbench.papers.model import Aside, Notation
+from workbench.papers.said import terms_of
+from workbench.papers.steps import steps_of
+from workbench.papers.texts import Display, spelled
+from workbench.papers.texts.prose import sentence_around
+
+_UNEQUAL = frozenset({"\\neq", "\\ne"})
+_ORDERS = {
+    **dict.fromkeys((">", "\\gt"), ">"),
+    **dict.fromkeys(("<", "\\lt"), "<"),
+    **dict.fromkeys(("\\geq", "\\ge", "\\geqslant"), "≥"),
+    **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
+}
+_TURNED = str.maketrans("<>≤≥", "><≥≤")
+
+
+def asides_of(
+    display: Display, statement: Statement, notation: Notation, inline: Sequence[Display]
+) -> tuple[Aside, ...]:
+    """What the sentence of the display says of the symbols in the statement, and what any sentence before it
+    says that they are not, or are more or less than."""
+    own = _symbols(statement)
+    first, last = sentence_around(display.source.text, display.start, display.end)
+    found = []
+    for formula in inline:
+        if formula.source.path != display.source.path or formula.start >= last or not formula.rows:
+            continue
+        found += _conditions(formula, notation, own, with_equations=formula.start >= first)
+    return tuple(dict.fromkeys(found))
+
+
+def _symbols(statement: Statement) -> set[Declaration]:
+    return {part.declaration for part in terms_of(statement) if isinstance(part, Symbol)}
+
+
+def _conditions(
+    formula: Display, notation: Notation, own: set[Declaration], with_equations: bool
+) -> Iterator[Aside]:
+    for steps in steps_of(formula, notation.words):
+        for step in steps:
+            latex, _ = step.spelled()
+            signs = [at for at, token in enumerate(step.tokens) if token.text in _ORDERS]
+            order = _ORDERS[step.tokens[signs[0]].text] if len(signs) == 1 else None
+            if order:
+                at = signs[0]
+                equal = step.tokens[at].standing_for("=")
+                latex = spelled([*step.tokens[:at], equal, *step.tokens[at + 1 :]])[0]
+            elif not (with_equations or any(token.text in _UNEQUAL for token in step.tokens)):
+                continue
+            with suppress(ReadError, IllFormedAt, ValueError):
+                statement, ranges = read_statement(latex, notation, None)
+                if isinstance(statement, Relation) and not ranges and _symbols(statement) & own:
+                    line = formula.source.place(formula.start)[0]
+                    yield _aside(spelled(step.tokens)[0], line, statement, order)
+
+
+def _aside(latex: str, line: int, said: Relation, order: str | None) -> Aside:
+    """x > 0 supposes that x ≠ 0, and of a counterexample that its x is more."""
+    if order is None:
+        return Aside(latex, line, said)
+    premise = Relation("≠", said.left, said.right) if order in "<>" else None
+    left, right = said.left, said.right
+    if isinstance(left, Apply) and left.head == "norm" and isinstance(right, Zero) and order in ">≥":
+        return Aside(latex, line, premise)
+    if isinstance(right, Symbol):
+        left, right, order = right, left, order.translate(_TURNED)
+    value = Fraction(0) if isinstance(right, Zero) else getattr(right, "value", None)
+    bound = (
+        (to_latex(left), order, value) if isinstance(left, Symbol) and isinstance(value, Fraction) else None
+    )
+    return Aside(latex, line, premise, bound, seen=bound is not None)

@@ -54,9 +54,9 @@ def written(text: str, ending: str) -> str:
         (r"With <<0 > m>> it is [[\sqrt{m^2} = -m]]", Outcome.UNCHECKED),
         (r"With <<m \geq 1>> it is [[|m| = m]]", Outcome.UNCHECKED),
         (r"With <<m > f>> it is [[|m - f| = m - f]]", Outcome.UNCHECKED),
-        (r"If <<a = g b>>, then [[a \times b = 0]]", Outcome.UNCHECKED),
-        (r"If <<a = g b>>, then [[a \times b = b]]", Outcome.REFUTED),
-        (r"If <<a = g b>>, then it is so. The next one is [[a \times b = 0]]", Outcome.REFUTED),
+        (r"If <<0 = a - g b>>, then [[a \times b = 0]]", Outcome.UNCHECKED),
+        (r"If <<0 = a - g b>>, then [[a \times b = b]]", Outcome.REFUTED),
+        (r"If <<0 = a - g b>>, then it is so. The next one is [[a \times b = 0]]", Outcome.REFUTED),
         (r"Let <<g \neq 0>> be given. It is [[a \times b = 0]]", Outcome.REFUTED),
     ],
 )  # fmt: skip
@@ -74,7 +74,7 @@ def test_the_condition_is_told_with_its_line(tmp_path: Path) -> None:
 
 
 def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
-    (tmp_path / "p.tex").write_text(written(r"If <<a = g b>>, then [[a \times b = 0]]", "tex"))
+    (tmp_path / "p.tex").write_text(written(r"If <<0 = a - g b>>, then [[a \times b = 0]]", "tex"))
     model = MODEL.format("tex") + "\n[[claim]]\nat = 'line 1'\nassume = ['a = g b']\n"
     (tmp_path / "p.toml").write_text(model)
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))

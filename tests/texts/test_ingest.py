@@ -56,6 +56,63 @@ def test_kinds_are_those_with_which_the_formulas_fit(
     assert got.items() >= kinds.items()
 
 
+PAGE = r"""\newcommand{\vect}[1]{\bm{#1}}
+Let $\vect{r}$ be a position vector, $\vect{\Omega}$ an angular velocity and $R$ a rotation matrix.
+\[ \vect{r} = R \vect{x} \]
+\[ \dot{R} = [\vect{\Omega}]_\times R \]
+\[ \vect{r} \times (\vect\Omega \times \vect{r}) = r^2 \vect\Omega - (\vect{r} \cdot \vect\Omega) \vect{r} \]
+\[ \vect\Omega \cdot \vect\Omega = \Omega^2, \quad y = r \Omega \]
+The angular momentum is $\vect{L} = J \vect\Omega$ with an inertia tensor $J$.
+\[ \dot{\vect L} = J \dot{\vect\Omega} + \vect\Omega \times \vect{L} \]
+"""
+
+
+def test_what_a_page_says_of_its_symbols_is_proposed(tmp_path: Path) -> None:
+    path = tmp_path / "p.tex"
+    path.write_text(PAGE)
+    found = ingest(path)
+    assert not found.missing()
+    assert {name: guess.kind for name, guess in found.guesses.items()} == {
+        r"\boldsymbol{r}": "vector",
+        r"\boldsymbol{x}": "vector",
+        r"\boldsymbol{\Omega}": "vector",
+        r"\boldsymbol{L}": "vector",
+        "R": "rotation",
+        "J": "tensor",
+        "r": "scalar",
+        "y": "scalar",
+        r"\Omega": "scalar",
+    }
+    assert "position" in found.guesses[r"\boldsymbol{r}"].why
+    assert {each.name: each.body for each in found.definitions} == {
+        r"\boldsymbol{r}": r"R \bm{x}",
+        r"\boldsymbol{\Omega}": r"\operatorname{vect}(\dot{R} R^T)",
+        r"\boldsymbol{L}": r"J \bm\Omega",
+        "y": r"r \Omega",
+        "r": r"\|\boldsymbol{r}\|",
+        r"\Omega": r"\|\boldsymbol{\Omega}\|",
+    }
+    assert not any(each.sure for each in found.definitions)
+
+
+@pytest.mark.parametrize(
+    ("law", "body"),
+    [
+        (r"\dot{R} = \tilde{w} R", r"\operatorname{vect}(\dot{R} R^T)"),
+        (r"\dot{R} = R \tilde{w}", r"\operatorname{vect}(R^T \dot{R})"),
+        (r"\dot{R} = \tilde{w} S", None),
+        (r"\ddot{R} = \tilde{w} R", None),
+    ],
+)
+def test_the_rate_of_a_rotation_defines_its_angular_velocity(
+    tmp_path: Path, law: str, body: str | None
+) -> None:
+    found = ingested(
+        tmp_path, f"The rotation matrix $R$, the rotation matrix $S$, the vector $w$: $$ {law} $$"
+    )
+    assert [each.body for each in found.definitions if each.name == "w"] == ([] if body is None else [body])
+
+
 @pytest.mark.parametrize(("text", "tables"), TABLES)
 def test_notation_that_a_text_shows_signs_of_is_tried(tmp_path: Path, text: str, tables: set[str]) -> None:
     found = ingested(tmp_path, text)

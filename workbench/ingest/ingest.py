@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -12,13 +13,18 @@ from workbench.ingest.features import feature_of
 from workbench.ingest.kinds import Guess, Guesser, Outcome, Prose
 from workbench.ingest.proposals import Proposal, ground_of, proposals_for, words_of
 from workbench.ingest.questions import questions_of
-from workbench.language.terms import Relation, Statement, Symbol
+from workbench.language.integers import Linear
+from workbench.language.printer import to_latex
+from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol
 from workbench.papers.model import PaperError
-from workbench.papers.said import stated
+from workbench.papers.said import stated, terms_of
 from workbench.papers.steps import Step, steps_of
 from workbench.papers.texts import Display, Text, read_text
 
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
+
+#: A formula within a sentence that is longer is no symbol alone.
+_INLINE = 60
 
 
 @dataclass(frozen=True)
@@ -26,7 +32,6 @@ class Formula:
     """One step of a display, and what came of reading it."""
 
     display: Display
-    step: Step
     latex: str
     outcome: Outcome
 
@@ -98,12 +103,21 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         text = read_text(path, macros, bodies=fences)
     if not text.displays:
         raise PaperError(path, None, None, "no displayed equation in it")
-    prose = Prose("\n".join(source.text for source in text.sources[:1]))
+    inline = _inline(path, macros, fences)
+    prose = Prose("\n".join(source.text for source in text.sources[:1]), inline)
     best = _Reading.of(_steps(text, frozenset()), [], Guesser(prose))
-    for proposal in proposals_for(best.formulas, prose.text):
-        best = best.tried(text, proposal)
-    best.guesser.improve(best.readable)
-    best = _Reading.of(best.steps, best.proposals, best.guesser)
+    known: dict[str, Guess] = {}
+    while True:
+        count = len(best.proposals)
+        for proposal in proposals_for(best.formulas, prose.text):
+            if proposal not in best.proposals:
+                best = best.tried(text, proposal, known)
+        if known and len(best.proposals) == count:
+            break
+        best.guesser.improve(best.readable)
+        best.guesser.take_magnitudes(best.readable)
+        best = _Reading.of(best.steps, best.proposals, best.guesser)
+        known = best.guesser.guesses
     made, accepted = best.made(), best.proposals
     questions = [
         *(f"Does {name} print its argument in brackets, {body}?" for name, body in fences.items()),
@@ -115,7 +129,7 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         macros,
         best.guesser.guesses,
         made,
-        _definitions(made),
+        _each_once([*_definitions(made), *_in_sentences(inline, best), *_magnitudes(made, best.guesser)]),
         list(dict.fromkeys(questions)),
         accepted,
         fences,
@@ -145,15 +159,15 @@ class _Reading:
     def readable(self) -> list[str]:
         return [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
 
-    def tried(self, text: Text, proposal: Proposal) -> _Reading:
+    def tried(self, text: Text, proposal: Proposal, known: Mapping[str, Guess]) -> _Reading:
         """With the proposal, if formulas come further with it and none is lost; one that others stand on may
-        do nothing yet."""
+        do nothing yet. `known`: what else is guessed by then."""
         concerned = [place for place, latex in enumerate(self.readable) if proposal.trigger.search(latex)]
         proposals = [*self.proposals, proposal]
         if not concerned:
             return self
         try:
-            guesser = Guesser(self.guesser.prose, ground_of(proposals))
+            guesser = Guesser(self.guesser.prose, ground_of(proposals)).knowing(known)
         except PaperError:
             return self
         words = words_of(proposals)
@@ -162,7 +176,7 @@ class _Reading:
         before, now = (
             [
                 outcome.progress
-                for outcome in each.guesser.anew().read_all([each.readable[i] for i in concerned])
+                for outcome in each.guesser.knowing(known).read_all([each.readable[i] for i in concerned])
             ]
             for each in (self, new)
         )
@@ -172,11 +186,18 @@ class _Reading:
     def made(self) -> list[Formula]:
         outcomes = iter(self.outcomes)
         return [
-            Formula(
-                display, step, latex, _blocked(display, latex) if place in self.blocked else next(outcomes)
-            )
-            for place, ((display, step), latex) in enumerate(zip(self.steps, self.formulas, strict=True))
+            Formula(display, latex, _blocked(display, latex) if place in self.blocked else next(outcomes))
+            for place, ((display, _), latex) in enumerate(zip(self.steps, self.formulas, strict=True))
         ]
+
+
+def _inline(path: Path, macros: Path | None, fences: Mapping[str, str]) -> list[Display]:
+    """The formulas within sentences; none where they cannot be told from these."""
+    try:
+        displays = read_text(path, macros, inline=True, bodies=fences).displays
+    except PaperError:
+        return []
+    return [display for display in displays if display.end - display.start < _INLINE]
 
 
 def _steps(text: Text, words: frozenset[str]) -> list[tuple[Display, Step]]:
@@ -194,25 +215,56 @@ def _blocked(display: Display, latex: str) -> Outcome:
     return Outcome(message=f"the macro {names} could not be expanded")
 
 
+def _each_once(proposed: list[Proposed]) -> list[Proposed]:
+    return list({each.name: each for each in reversed(proposed)}.values())[::-1]
+
+
+def _in_sentences(inline: list[Display], reading: _Reading) -> Iterator[Proposed]:
+    """What a sentence says of a symbol of the displays: "where $L = J \\omega$"."""
+    guesser = reading.guesser.knowing(reading.guesser.guesses)
+    shown = set().union(*(outcome.symbols for outcome in reading.outcomes))
+    for display in inline:
+        if display.latex.count("=") == 1 and not _opaque(display, display.latex):
+            (outcome,) = guesser.read_all([display.latex])
+            for each in _definitions([Formula(display, display.latex, outcome)]):
+                if each.name in shown:
+                    yield replace(each, why="a sentence says so", sure=False)
+
+
+def _magnitudes(formulas: list[Formula], guesser: Guesser) -> Iterator[Proposed]:
+    """ω as ‖𝛚‖, where both occur."""
+    for name, guess in guesser.guesses.items():
+        vector = guesser.vector_of(name) if guess.kind == "scalar" else None
+        users = [each.display.line for each in formulas if name in each.outcome.symbols]
+        if vector is not None and users:
+            yield Proposed(name, rf"\|{vector}\|", users[0], f"{vector} has the same letter", False)
+
+
 def _definitions(formulas: list[Formula]) -> list[Proposed]:
-    """Symbols alone on the left where they first occur, and where the text says so or writes := ."""
+    """Symbols alone on the left where they first occur, or written := ."""
     found: dict[str, Proposed] = {}
     seen: set[str] = set()
     for formula in formulas:
-        new = formula.outcome.symbols - seen
-        seen |= formula.outcome.symbols
-        statements = formula.outcome.statements or ()
-        if len(statements) != 1 or not isinstance(statements[0], Relation):
-            continue
-        name = _lone_left(statements[0])
-        if name is None or name in found or stated(statements[0]) is None:
-            continue
-        sure = ":=" in formula.latex
+        statements = [each for each in formula.outcome.statements or () if isinstance(each, Relation)]
+        terms = (term for each in statements for term in terms_of(each))
+        used = {str(term.declaration.name) for term in terms if isinstance(term, Symbol)}
+        new = used - seen
+        seen |= used
         words = _DEFINES.search(formula.display.before)
-        if sure or (words and name in new):
-            body = re.split(r":=|=", formula.latex, maxsplit=1)[1].strip()
-            why = "written :=" if sure else f'the text says "{words[0]}" before it'
-            found[name] = Proposed(name, body, formula.display.line, why, sure)
+        for said in statements:
+            if (spin := _spin(said)) is not None:
+                why = "what the rate of a rotation says"
+                found.setdefault(spin[0], Proposed(*spin, formula.display.line, why, False))
+                continue
+            name, sure = _lone_left(said), ":=" in formula.latex and len(statements) == 1
+            if name is None or name in found or stated(said) is None or not (sure or name in new):
+                continue
+            written = re.split(r":=|=", formula.latex, maxsplit=1)[1].strip()
+            body = written if len(statements) == 1 else to_latex(said.right)
+            why = (
+                f'the text says "{words[0]}" before it' if words else "alone on the left where it comes first"
+            )
+            found[name] = Proposed(name, body, formula.display.line, "written :=" if sure else why, sure)
     return list(found.values())
 
 
@@ -220,3 +272,25 @@ def _lone_left(statement: Statement) -> str | None:
     left = statement.left if isinstance(statement, Relation) else None
     is_plain = isinstance(left, Symbol) and not left.index and not left.arguments
     return str(left.declaration.name) if is_plain else None
+
+
+def _spin(said: Relation) -> tuple[str, str] | None:
+    """ω, and vect(Ṙ Rᵀ) or vect(Rᵀ Ṙ), of Ṙ = ω̃ R and Ṙ = R ω̃."""
+    match said:
+        case Relation(
+            left=Derivative(body=Symbol(declaration=turning), order=order),
+            right=Apply(head="mul", arguments=(one, other)),
+        ) if turning.rotation and order == Linear(1):
+            name = str(turning.name)
+        case _:
+            return None
+    match one, other:
+        case Apply(head="skew", arguments=(Symbol() as spin,)), Symbol(declaration=turned) if (
+            turned == turning
+        ):
+            return str(spin.declaration.name), rf"\operatorname{{vect}}(\dot{{{name}}} {name}^T)"
+        case Symbol(declaration=turned), Apply(head="skew", arguments=(Symbol() as spin,)) if (
+            turned == turning
+        ):
+            return str(spin.declaration.name), rf"\operatorname{{vect}}({name}^T \dot{{{name}}})"
+    return None

@@ -19,6 +19,7 @@ from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import parses
 from workbench.language.terms import Statement
 from workbench.language.types import Declaration
+from workbench.papers.texts import Display
 
 _UNKNOWN = re.compile(r"unknown symbol (.+?)(?:; known and close: .*)?$", re.DOTALL)
 _OPERATION = re.compile(r"(?:\^\{(?:T|-?\d+|\(\d+\)|\*|-T|\\top|-1|[^A-Za-z0-9{}\\]+)\}|'+)$")
@@ -30,7 +31,8 @@ _GREEK = {
     chr(code): "\\" + unicodedata.name(chr(code)).split()[-1].lower().replace("lamda", "lambda")
     for code in range(0x3B1, 0x3CA)
 }
-_USUAL = "what mechanics calls so"
+_USUAL, _CAPITAL = "what mechanics calls so", "a capital letter"
+_BOLD = re.compile(r"^\\(?:mathbf|boldsymbol|vec)\{?(\\?[A-Za-z]+)\}?")
 _VECTORS = frozenset({"\\omega", "\\alpha"})
 _WORDS = (
     (
@@ -46,7 +48,6 @@ _LABELLED = re.compile(
     r"(?:\\(?:mathbf|boldsymbol|bar|vec)\s*\{?\s*)?\\?[A-Za-z]+\}?(?:_\w|_\{\w+\})?"
     r"\s*\^\s*\{\s*\\math(?:scr|cal|frak|rm|sf)\s*\{?\s*[A-Za-z]+\s*\}?\s*\}"
 )
-_INLINE = re.compile(r"\$([^$\n]{1,40})\$|:math:`([^`\n]{1,40})`")
 _OF_KINDS = re.compile(
     r"(?:expected|transpose of|juxtaposition of) an? (?:scalar|vector|tensor|quaternion)|differ in type"
 )
@@ -101,13 +102,14 @@ class Outcome:
 class Prose:
     """What a text says of its symbols in words."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, inline: Sequence[Display] = ()) -> None:
         self.text = text
         self.has_quaternions = speaks_of_quaternions(text)
+        self._inline = inline
         self._alone: dict[str, list[str]] | None = None
 
     def guess(self, name: str) -> Guess | None:
-        beside = self._near(re.sub(r"[\s{}]", "", name))
+        beside = self._near(_flat(name))
         for pattern, kind in _WORDS:
             for near in beside:
                 if found := pattern.search(near):
@@ -120,11 +122,13 @@ class Prose:
         """The words beside each formula in the text that is the symbol alone."""
         if self._alone is None:
             self._alone = {}
-            for match in _INLINE.finditer(self.text):
-                before = self.text[max(0, match.start() - _NEAR) : match.start()]
-                after = self.text[match.end() : match.end() + _NEAR]
+            for formula in self._inline:
+                key, text = _flat(formula.latex), formula.source.text
+                before = re.sub(
+                    r"(?:\$|\\\(|:math:`)\s*$", "", text[max(0, formula.start - _NEAR) : formula.start]
+                )
+                after = re.sub(r"^\s*(?:\$|\\\)|`)", "", text[formula.end : formula.end + _NEAR])
                 before, after = re.split(r"[.;$]", before)[-1], re.split(r"[.;,$]", after)[0]
-                key = re.sub(r"[\s{}]", "", match[1] or match[2])
                 self._alone.setdefault(key, []).append(f"{before} {after}".lower())
         return self._alone.get(name, [])
 
@@ -142,10 +146,11 @@ class Guesser:
         self._symbols: dict[Guess, Mapping[Name, Declaration]] = {}
         self._read_before: dict[tuple[str, frozenset[Guess]], Outcome] = {}
 
-    def anew(self) -> Guesser:
-        """One that has guessed nothing, and remembers what was read."""
+    def knowing(self, guesses: Mapping[str, Guess]) -> Guesser:
+        """One that has guessed no more than this, and remembers what was read."""
         other = Guesser(self.prose, self.ground)
         other._symbols, other._read_before = self._symbols, self._read_before
+        other.guesses = dict(guesses)
         return other
 
     def read_all(self, formulas: Sequence[str]) -> list[Outcome]:
@@ -179,6 +184,25 @@ class Guesser:
                 if self.takes_steps:
                     return
                 self.takes_steps = True
+
+    def take_magnitudes(self, formulas: Sequence[str]) -> None:
+        """A letter without the bold of a vector is its magnitude, where no formula is lost by it."""
+        for name, guess in list(self.guesses.items()):
+            if guess.why not in (_USUAL, _CAPITAL) or not self.vector_of(name):
+                continue
+            scalar = Guess(name, "scalar", f"{self.vector_of(name)} is the vector")
+            users = [latex for latex in formulas if _flat(name) in _flat(latex)]
+            before, now = (
+                [self._read(latex, guesses).stage for latex in users]
+                for guesses in (self.guesses, self.guesses | {name: scalar})
+            )
+            if all(one <= other for one, other in zip(before, now, strict=True)):
+                self.guesses[name] = scalar
+
+    def vector_of(self, name: str) -> str | None:
+        """The vector in bold or under an arrow that has the same letter."""
+        vectors = (each.name for each in self.guesses.values() if each.kind == "vector")
+        return next((each for each in vectors if _BOLD.sub(r"\1", each) == name), None)
 
     def _improve(
         self,
@@ -364,7 +388,7 @@ def _by_typeface(name: str) -> Guess:
     if core != name:
         return Guess(name, "vector", "a letter with labels on its left")
     if is_capital:
-        return Guess(name, "tensor", "a capital letter")
+        return Guess(name, "tensor", _CAPITAL)
     return Guess(name, "scalar", "a letter in italics")
 
 
@@ -376,7 +400,8 @@ def _known(latex: str, names: Iterable[str]) -> set[str]:
 
 @cache
 def _flat(latex: str) -> str:
-    return re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
+    flat = re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
+    return flat.replace("\\bm", "\\boldsymbol")
 
 
 @cache

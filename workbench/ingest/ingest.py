@@ -25,6 +25,8 @@ _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is cal
 
 #: A formula within a sentence that is longer is no symbol alone.
 _INLINE = 60
+#: Proposals are tried, kinds are found, and with these the other proposals, so often.
+_TURNS = 3
 
 
 @dataclass(frozen=True)
@@ -107,12 +109,12 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
     prose = Prose("\n".join(source.text for source in text.sources[:1]), inline)
     best = _Reading.of(_steps(text, frozenset()), [], Guesser(prose))
     known: dict[str, Guess] = {}
-    while True:
+    for turn in range(_TURNS):
         count = len(best.proposals)
         for proposal in proposals_for(best.formulas, prose.text):
             if proposal not in best.proposals:
                 best = best.tried(text, proposal, known)
-        if known and len(best.proposals) == count:
+        if turn and len(best.proposals) == count:
             break
         best.guesser.improve(best.readable)
         best.guesser.take_magnitudes(best.readable)

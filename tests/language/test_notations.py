@@ -107,3 +107,20 @@ def test_an_accent_under_a_prime_is_asked_about(accent: str) -> None:
 def test_a_prime_is_on_what_stands_before_it(spelt: str, meant: str) -> None:
     (relation,) = read(f"{spelt} = {meant}", PRIMED)
     assert relation.left == relation.right
+
+
+@pytest.mark.parametrize("specs", [{"J_4": "J_{4}"}, {"J_4": r"2 \mathbb{J}", r"\mathbb{J}": "J_4 + J_4"}])
+def test_a_notation_that_means_itself_is_a_fault(specs: dict[str, str]) -> None:
+    with pytest.raises(SpecError, match="means itself"):
+        SymbolTable.build({}).with_notations({key: {"means": means} for key, means in specs.items()})
+
+
+@pytest.mark.parametrize(
+    ("key", "means"),
+    [(r"\check{x}", r"\check{\check{x}}"), ("[x]", "2 [x]"), (r"x^\wedge", r"(x^\wedge)^\wedge")],
+)
+def test_a_notation_that_leads_back_to_itself_is_refused_where_it_is_used(key: str, means: str) -> None:
+    table = SymbolTable.build({"a": {"kind": "vector"}})
+    table = table.with_notations({key: {"where": {"x": "vector"}, "means": means}})
+    with pytest.raises(ReadError, match="deep"):
+        read(f"{key.replace('x', 'a')} = a", table)

@@ -85,9 +85,9 @@ def test_what_a_page_says_of_its_symbols_is_proposed(tmp_path: Path) -> None:
     }
     assert "position" in found.guesses[r"\boldsymbol{r}"].why
     assert {each.name: each.body for each in found.definitions} == {
-        r"\boldsymbol{r}": r"R \bm{x}",
+        r"\boldsymbol{r}": r"R \boldsymbol{x}",
         r"\boldsymbol{\Omega}": r"\operatorname{vect}(\dot{R} R^T)",
-        r"\boldsymbol{L}": r"J \bm\Omega",
+        r"\boldsymbol{L}": r"J \bm{\Omega}",
         "y": r"r \Omega",
         "r": r"\|\boldsymbol{r}\|",
         r"\Omega": r"\|\boldsymbol{\Omega}\|",

@@ -70,6 +70,8 @@ def _placed(latex: str, make: Callable[[Lines], Result]) -> Result:
         raise ReadError(_short(str(fault)), *place(latex, fault.at)) from None
     except Misfit as misfit:
         raise IllFormedAt(misfit.fault, *place(latex, misfit.at)) from None
+    except RecursionError:
+        raise ReadError("its notation leads back to itself, or nests too deep", 1, 1) from None
 
 
 def _short(message: str) -> str:

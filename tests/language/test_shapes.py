@@ -80,6 +80,7 @@ def test_the_unit_tensor_is_square(unit: str, beside: str) -> None:
 @pytest.mark.parametrize(
     ("formula", "message"),
     [
+        (r"\begin{bmatrix} x \\ x \end{bmatrix} \mathbf{I} = 0", "one row and one column"),
         (r"\begin{bmatrix} A & x \\ \mathbf{0} & \mathbf{I} \end{bmatrix} = 0", "one row and one column"),
         (
             r"\begin{bmatrix} x & \mathbf{I} \\ \mathbf{I} & A \end{bmatrix} = 0",

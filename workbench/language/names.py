@@ -97,7 +97,9 @@ class Name:
         found: list[str] = []
         for own, its in zip(self.scripts, other.scripts, strict=True):
             match = (
-                re.fullmatch("([0-9]+)".join(map(re.escape, own)), its[0]) if own and len(its) == 1 else None
+                re.fullmatch("(0|[1-9][0-9]*)".join(map(re.escape, own)), its[0])
+                if own and len(its) == 1
+                else None
             )
             if match is None and (own or its):
                 return None

@@ -139,10 +139,6 @@ class Notations:
             for other in entries[:place]:
                 if _collide(one, other):
                     raise SpecError(f"it can match the same term as {other.key}", one.key)
-        constants = [entry for entry in entries if entry.is_constant]
-        for one in constants:
-            if _leads_to(one, one, constants, ()):
-                raise SpecError("it means itself", one.key)
         return Notations(entries)
 
     def accents(self, style: str) -> list[Notation]:
@@ -167,23 +163,6 @@ class Notations:
         alike = (entry for entry in self.entries if entry.formals and _is_alike(entry.pattern, node))
         found = ((entry, entry.matched(node)) for entry in alike)
         return [(entry, places) for entry, places in found if places is not None]
-
-
-def _leads_to(
-    one: Notation, other: Notation, among: Iterable[Notation], passed: tuple[Notation, ...]
-) -> bool:
-    """Whether what the one means is spelt with the other, or with what leads to it."""
-    for entry in among:
-        stands = entry not in passed and _stands_in(entry.pattern, one.means)
-        if stands and (entry is other or _leads_to(entry, other, among, (*passed, entry))):
-            return True
-    return False
-
-
-def _stands_in(pattern: Node, value: Any) -> bool:
-    if isinstance(value, Node) and _same(pattern, value):
-        return True
-    return any(_stands_in(pattern, part) for part in _parts(value))
 
 
 def _one(text: str, key: str) -> Node:

@@ -38,10 +38,13 @@ def filling(term: Term) -> Literal["zero", "identity"] | None:
 
 
 def shaped(term: Term, type_: Type) -> Term:
-    """A multiple of zero or of the unit tensor, as one of this type; it stays dual if it is."""
+    """A multiple of zero or of the unit tensor, as one of this type; it stays dual if it is. Raises
+    IllFormed."""
     if term.type.with_dual(False) == type_.with_dual(False):
         return term
     match term:
+        case Identity() if type_.rows == 1:
+            raise IllFormed("the unit tensor in a place of one row and one column")
         case Zero() | Identity():
             return replace(term, type=type_.with_dual(False))
         case Apply(head="mul", arguments=(left, right)) if left.type.kind == "scalar":
@@ -97,8 +100,6 @@ def fitted(entry: Term, rows: int, columns: int) -> Term:
     fills = filling(entry)
     if fills is None:
         return entry
-    if fills == "identity" and rows == 1:
-        raise IllFormed("the unit tensor in a place of one row and one column")
     return shaped(entry, Type(rows, columns))
 
 

@@ -39,9 +39,13 @@ LONG = {
 BEYOND_THEOREM_6 = {"exponential_is_onto", "logarithm_is_a_set"}
 
 
-def of(claims):
+#: Its eleven seconds are those of many witnesses.
+MANY_WITNESSES = {"representation_theorem"}
+
+
+def of(claims, long=frozenset()):
     """Of the claims that rest on one theorem the first; the others, and the long ones, in the slow suite."""
-    seen: set[str | None] = LONG | BEYOND_THEOREM_6
+    seen: set[str | None] = LONG | BEYOND_THEOREM_6 | long
     for claim in claims:
         slow = [pytest.mark.slow] if claim.theorem in seen and claim.theorem else []
         seen.add(claim.theorem)
@@ -100,7 +104,7 @@ def _asks_for_one_only(goal: Goal) -> bool:
     return isinstance(goal, Exists) and goal.unique
 
 
-@pytest.mark.parametrize("claim", list(of(GOALS)))
+@pytest.mark.parametrize("claim", list(of(GOALS, MANY_WITNESSES)))
 def test_a_proof_with_another_witness_or_expression_shows_nothing(claim):
     shown = partial(outcome, claim, claim.goal.goal)
     for proven in with_another_member(theorem(claim)):

@@ -109,3 +109,12 @@ def test_an_index_without_a_range_is_any() -> None:
 def test_they_are_judged(formula: str, outcome: Outcome) -> None:
     symbols = {"c_n": "vector", r"\alpha": "scalar", r"\beta": "scalar"}
     assert check(formula, symbols=symbols).outcome == outcome
+
+
+def test_nothing_is_claimed_where_nothing_satisfies_the_premises_behind_the_first_members() -> None:
+    """The premise has no values at n = 9, the largest number in the formula."""
+    symbols = {"f": "scalar", "g": "scalar"}
+    found = check(
+        r"\frac{(n - 9) g f}{(n - 9) g} = f, n \geq 0", symbols=symbols, assume=[r"(n - 9) g \neq 0"]
+    )
+    assert (found.outcome, found.verdict.scope) == (Outcome.PROVED, "n = 0..4")

@@ -109,3 +109,15 @@ def test_what_the_text_says_elsewhere_leaves_a_falsehood_open(
     claim = load_paper(tmp_path / "p.toml").claims[-1]
     assert claim.printed.statement is not None
     assert claim.unsettled is None if why is None else why in (claim.unsettled or "")
+
+
+@pytest.mark.parametrize(("said", "passes"), [("", True), ("corrected = 'x = y'\n", False)])
+def test_a_step_that_says_nothing_passes_only_where_nothing_else_is_expected_of_it(
+    tmp_path: Path, said: str, passes: bool
+) -> None:
+    (tmp_path / "p.md").write_text("$$x = x$$ (one)\n")
+    (tmp_path / "p.toml").write_text(
+        MODEL.replace("\n", "\ntitle = 'p'\n", 1) + f"[[claim]]\nat = 'one'\n{said}"
+    )
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert (not result.why_not) is passes

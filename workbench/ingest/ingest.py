@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -23,7 +23,7 @@ from workbench.papers.texts import Display, Text, read_text
 
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
 
-#: A formula within a sentence that is longer is no symbol alone.
+#: A formula within a sentence that is longer is no symbol alone, and says of none what it is.
 _INLINE = 60
 #: Proposals are tried, kinds are found, and with these the other proposals, so often.
 _TURNS = 3
@@ -105,7 +105,7 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         text = read_text(path, macros, bodies=fences)
     if not text.displays:
         raise PaperError(path, None, None, "no displayed equation in it")
-    inline = _inline(path, macros, fences)
+    inline = [formula for formula in text.inline if formula.end - formula.start < _INLINE]
     prose = Prose("\n".join(source.text for source in text.sources[:1]), inline)
     best = _Reading.of(_steps(text, frozenset()), [], Guesser(prose))
     known: dict[str, Guess] = {}
@@ -193,15 +193,6 @@ class _Reading:
         ]
 
 
-def _inline(path: Path, macros: Path | None, fences: Mapping[str, str]) -> list[Display]:
-    """The formulas within sentences; none where they cannot be told from these."""
-    try:
-        displays = read_text(path, macros, inline=True, bodies=fences).displays
-    except PaperError:
-        return []
-    return [display for display in displays if display.end - display.start < _INLINE]
-
-
 def _steps(text: Text, words: frozenset[str]) -> list[tuple[Display, Step]]:
     return [
         (display, step) for display in text.displays for line in steps_of(display, words) for step in line
@@ -217,8 +208,12 @@ def _blocked(display: Display, latex: str) -> Outcome:
     return Outcome(message=f"the macro {names} could not be expanded")
 
 
-def _each_once(proposed: list[Proposed]) -> list[Proposed]:
-    return list({each.name: each for each in reversed(proposed)}.values())[::-1]
+def _each_once(proposed: Iterable[Proposed]) -> list[Proposed]:
+    """Of each symbol what is proposed first."""
+    first: dict[str, Proposed] = {}
+    for each in proposed:
+        first.setdefault(each.name, each)
+    return list(first.values())
 
 
 def _in_sentences(inline: list[Display], reading: _Reading) -> Iterator[Proposed]:

@@ -14,7 +14,7 @@ from workbench.language.names import Name
 from workbench.language.reader import read_term
 from workbench.language.spelling import Named
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Bracket, Node, Product, Scripted, parse
+from workbench.language.syntax import Bracket, Node, Product, Scripted, in_a_row, parse
 from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
 from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
 
@@ -90,7 +90,7 @@ def _head(key: str, table: SymbolTable) -> _Head:
     match node:
         case Product(items=(*name, Bracket(kind="(", parts=parts))):
             formals = tuple(_formal(part, table, key) for part in parts)
-            node = name[0] if len(name) == 1 else Product(node.at, tuple(name))
+            node = in_a_row(node.at, name)
     if len(set(formals)) != len(formals):
         raise SpecError("the formal arguments must differ", key)
     spelling = key_spelling(node, key)

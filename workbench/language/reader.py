@@ -47,7 +47,7 @@ def read_formula(
 
 def _signs(latex: str) -> tuple[str, ...]:
     """The formula with the upper and with the lower signs of \\pm and \\mp, where each side has some."""
-    sides = re.split(r"=|\\\\(?:neq?|approx)(?![A-Za-z])", latex)
+    sides = latex.split("=")
     if len(sides) < 2 or not all(_SIGNS.search(side) for side in sides):
         return (latex,)
     return tuple(_SIGNS.sub(partial(_sign, above), latex) for above in (True, False))

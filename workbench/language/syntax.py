@@ -188,6 +188,11 @@ class Lines(Node):
     lines: tuple[tuple[Node, ...], ...]
 
 
+def in_a_row(at: int, items: Sequence[Node]) -> Node:
+    """The product of the items; the item, where there is but one."""
+    return items[0] if len(items) == 1 else Product(at, tuple(items))
+
+
 class _Builder(Transformer):
     """Grammar rules to nodes; a rule that holds one thing returns that thing."""
 
@@ -234,7 +239,7 @@ class _Builder(Transformer):
         return Sum(addends[0][1], tuple(addends))
 
     def product(self, children):
-        return children[0] if len(children) == 1 else Product(children[0].at, tuple(children))
+        return in_a_row(children[0].at, children)
 
     def infix(self, children):
         return Infix(children[0].start_pos, str(children[0]))

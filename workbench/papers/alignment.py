@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from workbench.language.vocabulary import LINES, goes_on, spellings
-from workbench.papers.respelling import argument, respelled
+from workbench.papers.respell import argument, respelled
 from workbench.papers.texts import Display, Token, joined
 
 _OTHER_LINES = "alignedat dcases rcases gather gather* array equation equation* multlined"

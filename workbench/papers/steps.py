@@ -16,7 +16,7 @@ from workbench.papers.alignment import (
     trimmed,
     with_depth,
 )
-from workbench.papers.respelling import argument
+from workbench.papers.respell import argument
 from workbench.papers.texts import Display, Token, joined, spelled
 
 _CONDITIONS = frozenset(["<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\lt", "\\gt", "\\in", "\\neq", "\\ne"])

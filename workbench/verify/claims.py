@@ -63,6 +63,7 @@ class ClaimJudge:
         self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[int, Judge] = {}
+        self._known: dict[tuple[int, str, str], bool] = {}  # of what a text says: whether it holds anyway
         self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
         self._memory = memory
@@ -180,7 +181,7 @@ class ClaimJudge:
         judge = self._judge(claim.notation)
         if (unit := self._if_unit(claim, judge)) is not None:
             return f"holds for a unit {unit}; if the text means one, say unit = true of it"
-        rests = [said for said in claim.rests if not _is_known(said, judge)]
+        rests = [said for said in claim.rests if not self._is_known(said, claim.notation)]
         if not rests:
             return None
         definitions = {said.name: said.definition for said in rests if said.definition is not None}
@@ -199,6 +200,20 @@ class ClaimJudge:
         if under is not None and under.outcome is Outcome.REFUTED and is_clear:
             return None
         return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
+
+    def _is_known(self, said: Said, notation: Notation) -> bool:
+        """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
+        key = id(notation), said.place, said.name
+        if key not in self._known:
+            verdict = Verdict(Outcome.UNCHECKED)
+            with suppress(Unsatisfiable, RecursionError):
+                judge = self._judge(notation)
+                verdict = _undisturbed(
+                    lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders)
+                )
+            is_for_all = (verdict.scope or "all").startswith("all")
+            self._known[key] = verdict.outcome is Outcome.PROVED and is_for_all
+        return self._known[key]
 
     def _if_unit(self, claim: Claim, judge: Judge) -> str | None:
         """The first vector or quaternion of the text's formula with whose length 1 the formula holds."""
@@ -282,15 +297,6 @@ class ClaimJudge:
                 **self.options,
             )
         return self._judges[id(notation)]
-
-
-def _is_known(said: Said, judge: Judge) -> bool:
-    """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
-    try:
-        verdict = _undisturbed(lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders))
-    except (Unsatisfiable, RecursionError):
-        return False
-    return verdict.outcome is Outcome.PROVED and (verdict.scope or "all").startswith("all")
 
 
 def _undisturbed(judge: Callable[[], Verdict]) -> Verdict:

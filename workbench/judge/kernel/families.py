@@ -7,6 +7,7 @@ them holds whatever the n-th members are; so it holds for every n from which the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Protocol
@@ -14,6 +15,7 @@ from typing import Protocol
 from workbench.judge.kernel.beyond import OrderRanges, beyond
 from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
 from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
+from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.construct import relation
@@ -289,9 +291,10 @@ def _instances(
         fails = Evidence("each instance", f"fails for {place}", figures)
         return replace(worst, reason=reason, evidence=(*worst.evidence, fails))
     for values in beyond(_terms(statement), judge.definitions, orders):
-        further = _instance_for(judge, statement, assume, hypothesis, values)
-        if further.outcome == Outcome.REFUTED:
-            return replace(further, reason=f"for {_shown(values)}, though it holds for {orders}")
+        with suppress(Unsatisfiable):  # there, nothing is claimed
+            further = _instance_for(judge, statement, assume, hypothesis, values)
+            if further.outcome == Outcome.REFUTED:
+                return replace(further, reason=f"for {_shown(values)}, though it holds for {orders}")
     evidence = (*worst.evidence, Evidence("each instance", "residual is 0", {"instances": count}))
     return replace(worst, scope=str(orders), evidence=evidence)
 

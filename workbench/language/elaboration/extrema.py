@@ -9,7 +9,7 @@ from workbench.language.elaboration.ranges import set_name
 from workbench.language.elaboration.sets import Members, letter_name, letter_spelling, members_of
 from workbench.language.errors import Fault
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Chain, Extremal, Group, Infix, Node, Product
+from workbench.language.syntax import Chain, Extremal, Group, Infix, Node, Product, in_a_row
 from workbench.language.terms import Extremum, Symbol, Term
 from workbench.language.types import SCALAR, VECTOR
 
@@ -47,7 +47,7 @@ def _extremum(reader: Elaborator, side: Product, value: Term) -> Extremum:
         table = table if symbol.declaration.name in table.symbols else table.with_symbol(symbol.declaration)
         letters.append(symbol)
     inner = Elaborator(table, reader.variables)
-    body = inner.term(rest[0] if len(rest) == 1 else Product(rest[0].at, tuple(rest)))
+    body = inner.term(in_a_row(rest[0].at, rest))
     return reader.build(side.at, Extremum.of, operator.least, tuple(letters), body, value)
 
 

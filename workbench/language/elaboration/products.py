@@ -30,6 +30,7 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     Summation,
+    in_a_row,
     is_left_script,
 )
 from workbench.language.terms import (
@@ -87,7 +88,7 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
         raise Fault("what is divided by what? write \\frac{…}{…}", solidus.at)
     *above, below = rows
     if not others:
-        fraction = Fraction(above[0][0].at, _in_a_row(above[0]), _in_a_row(below))
+        fraction = Fraction(above[0][0].at, in_a_row(above[0][0].at, above[0]), in_a_row(below[0].at, below))
         numerals = all(isinstance(part, Leaf) and _is_numeral(part) for part in (*above[0], *below))
         if numerals or rate(scope, fraction) is not None:
             return _Row(scope, [fraction]).term()
@@ -97,10 +98,6 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
     if dividend[-1].open_head or not is_one:
         raise Fault("how far does / reach? write \\frac{…}{…}", solidus.at)
     return divided(scope, (solidus.at, below[0].at), numerator, denominator)
-
-
-def _in_a_row(items: Sequence[Node]) -> Node:
-    return items[0] if len(items) == 1 else Product(items[0].at, tuple(items))
 
 
 def _refuse_reach(row: _Row, sign: Infix, operand: Term) -> None:

@@ -25,6 +25,7 @@ from workbench.language.syntax import (
     Styled,
     Sum,
     core,
+    in_a_row,
     unstyled,
 )
 from workbench.language.terms import Apply, Symbol, Term
@@ -203,7 +204,7 @@ def set_name(node: Node) -> str:
     """The canonical name of a set; SO(3) is spelled SO_3. Raises Fault."""
     match node:
         case Product(items=(*letters, Bracket(kind="(", parts=(Leaf(kind="NUMBER") as size,)))):
-            nucleus = letters[0] if len(letters) == 1 else Product(node.at, tuple(letters))
+            nucleus = in_a_row(node.at, letters)
             return set_name(Scripted(node.at, nucleus, size))
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
     styles, letter = unstyled(scripted.nucleus)

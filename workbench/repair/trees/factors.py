@@ -20,6 +20,7 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     Summation,
+    in_a_row,
     is_left_script,
     parse,
 )
@@ -59,7 +60,7 @@ def _longer_exponents(product: Product) -> Iterator[Mark]:
                     power = Group(sup.at, (Product(sup.at, (*row, *following[:taken])),))
                     longer = Scripted(item.at, item.nucleus, None, power)
                     rest = (*items[:place], longer, *following[taken:])
-                    new = longer if len(rest) == 1 else Product(product.at, rest)
+                    new = in_a_row(product.at, rest)
                     shown = latex_of(Product(item.at, following[:taken]))
                     said = f"${shown}$ belongs into the exponent of ${latex_of(item)}$"
                     yield Mark(product, new, 1, "exponent", said)

@@ -23,6 +23,7 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     core,
+    in_a_row,
     parse,
 )
 from workbench.language.terms import IllFormed
@@ -159,7 +160,7 @@ def stray_signs(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> l
             while items and isinstance(items[-1], Infix):
                 del items[-1]
             if items:
-                new = items[0] if len(items) == 1 else Product(part.at, tuple(items))
+                new = in_a_row(part.at, items)
                 marks.append(Mark(part, new, 1, "product", f"a sign of ${latex_of(part)}$ is one too many"))
     return [(marked(marks, lines), changes_of(marks))]
 

@@ -21,6 +21,7 @@ from workbench.language.syntax import (
     Styled,
     Summation,
     core,
+    in_a_row,
     unstyled,
 )
 from workbench.language.vocabulary import written
@@ -230,7 +231,7 @@ def _tildes(product: Product) -> Iterator[Mark]:
                 body = Group(run[0].at, (Product(run[0].at, inner),))
                 over = Accented(run[0].at, "~", body)
                 rest = (*items[:start], over, *items[end:])
-                new = over if len(rest) == 1 else Product(product.at, rest)
+                new = in_a_row(product.at, rest)
                 words = "is missing over" if what == "over" else "belongs over the whole of"
                 said = f"the tilde {words} ${latex_of(Product(run[0].at, inner))}$"
                 yield Mark(product, new, 1, "tilde", said, 0)

@@ -10,7 +10,7 @@ from itertools import islice, pairwise, product
 from workbench.language.latex import latex_of
 from workbench.language.names import Name
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, parse
+from workbench.language.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, in_a_row, parse
 from workbench.language.types import VECTOR
 from workbench.repair.trees.garbled import Found, changes_of, letters_of_clauses
 from workbench.repair.trees.integers import bound_variables
@@ -111,7 +111,7 @@ def _without_left(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]
     for part in below(lines):
         if isinstance(part, Product) and any(item is one.left for item in part.items):
             rest = tuple(item for item in part.items if item is not one.left)
-            new = rest[0] if len(rest) == 1 else Product(part.at, rest)
+            new = in_a_row(part.at, rest)
             said = f"the index ${latex_of(one.left)}$ does not belong there"
             marks.append(Mark(part, new, 1, "index", said))
     return replace(one, scripts=replace(one.scripts, left_sub=None, left_sup=None)), marks

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
-from workbench.papers.by_hand import as_read
-from workbench.papers.plain_tex import with_nuclei, with_typefaces
+from workbench.papers.respell.by_hand import as_read
+from workbench.papers.respell.plain_tex import with_nuclei, with_typefaces
 from workbench.papers.texts import Token
 
 _DROPPED = frozenset((

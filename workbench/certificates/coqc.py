@@ -113,16 +113,20 @@ def memory() -> Path:
 def library() -> Path:
     """The directory of the compiled library; compiled on first use (half a minute on two cores)."""
     place = memory() / _fingerprint(LIBRARY)[:16]
-    if (place / "complete").exists():
+    if _is_whole(place):
         return place
     place.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=place.parent, prefix=".unfinished-") as unfinished:
         _compile(Path(unfinished))
-        Path(unfinished, "complete").touch()
-        if not place.exists():
+        if not _is_whole(place):  # another process may have been faster
+            shutil.rmtree(place, ignore_errors=True)
             shutil.copytree(unfinished, f"{place}.unfinished-{os.getpid()}")
             os.replace(f"{place}.unfinished-{os.getpid()}", place)
     return place
+
+
+def _is_whole(place: Path) -> bool:
+    return all((place / f"{name}.vo").exists() for name in LIBRARY)
 
 
 def _compile(place: Path) -> None:

@@ -1,0 +1,37 @@
+"""The library is compiled once for each version of it, whatever an earlier run has left."""
+
+import pytest
+
+from workbench.certificates import coqc
+
+#: What stands in its directory before: none, an empty one, a part of it, all of it.
+LEFT = {
+    "none": None,
+    "empty": (),
+    "without the last": coqc.LIBRARY[:-1],
+    "without the first": coqc.LIBRARY[1:],
+    "whole": coqc.LIBRARY,
+}
+
+
+@pytest.mark.parametrize("left", LEFT)
+def test_the_library_is_compiled_once(left, tmp_path, monkeypatch):
+    compiled = []
+
+    def compile_all(place):
+        compiled.append(place)
+        for name in coqc.LIBRARY:
+            (place / f"{name}.vo").touch()
+
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(coqc, "_fingerprint", lambda names: "0" * 64)
+    monkeypatch.setattr(coqc, "_compile", compile_all)
+    if LEFT[left] is not None:
+        place = coqc.memory() / ("0" * 16)
+        place.mkdir(parents=True)
+        for name in LEFT[left]:
+            (place / f"{name}.vo").touch()
+    places = {coqc.library() for _ in range(3)}
+    assert len(compiled) == (left != "whole")
+    assert [sorted(file.stem for file in place.iterdir()) for place in places] == [sorted(coqc.LIBRARY)]
+    assert list(coqc.memory().iterdir()) == list(places)

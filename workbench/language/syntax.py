@@ -193,6 +193,18 @@ def in_a_row(at: int, items: Sequence[Node]) -> Node:
     return items[0] if len(items) == 1 else Product(at, tuple(items))
 
 
+def is_function(node: Node) -> bool:
+    """A function's name, perhaps with scripts."""
+    leaf = node.nucleus if isinstance(node, Scripted) else node
+    return isinstance(leaf, Leaf) and leaf.kind == "FUNCTION"
+
+
+def is_numeral(node: Node) -> bool:
+    """A number, perhaps with scripts."""
+    leaf = node.nucleus if isinstance(node, Scripted) else node
+    return isinstance(leaf, Leaf) and leaf.kind == "NUMBER"
+
+
 class _Builder(Transformer):
     """Grammar rules to nodes; a rule that holds one thing returns that thing."""
 

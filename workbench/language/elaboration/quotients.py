@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction as Rational
 from typing import NamedTuple
@@ -13,7 +12,18 @@ from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.operators import QUOTIENTS
 from workbench.language.scope import Scope
-from workbench.language.syntax import Fraction, Group, Leaf, Node, Product, Scripted, Styled, Sum, core
+from workbench.language.syntax import (
+    Fraction,
+    Group,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    core,
+    in_a_row,
+)
 from workbench.language.terms import IllFormed, Number, Term, Zero
 
 _PARTIAL = "\\partial"
@@ -134,10 +144,8 @@ def value_of(head: str, argument: Term) -> Term:
     return construct.apply("div", numerator, construct.apply(bottom, argument))
 
 
-def slope(
-    scope: Scope, at: int, found: Rate, body: Term, read: Callable[[Scope, Sequence[Node]], Term]
-) -> Term:
-    """∂/∂x of the body as often as it is said. read: makes the term of what stands behind a lower ∂."""
+def slope(scope: Scope, at: int, found: Rate, body: Term) -> Term:
+    """∂/∂x of the body as often as it is said."""
 
     def count(order: Node | None) -> int:
         number = Linear(1) if order is None else scope.integer(order)
@@ -149,7 +157,7 @@ def slope(
     if above != sum(orders):
         raise Misfit(IllFormed(f"a derivative of order {above} above and {sum(orders)} below"), at)
     for (variable, _), order in zip(reversed(found.by), reversed(orders), strict=True):
-        by = read(scope, variable)
+        by = scope.term(in_a_row(at, variable))
         for _ in range(order):
             body = scope.partial(at, found.head, body, by)
     return body

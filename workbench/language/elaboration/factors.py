@@ -1,0 +1,82 @@
+"""Factors in juxtaposition, each read once, and what they are together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from workbench.language import construct
+from workbench.language.errors import Fault, Misfit
+from workbench.language.scope import Scope
+from workbench.language.syntax import Bracket, Fraction, Leaf, Node, Scripted, is_numeral
+from workbench.language.terms import IllFormed, Integer, Number, Term
+
+
+@dataclass(slots=True)
+class Factor:
+    term: Term
+    at: int
+    end: int  # the item after it
+    node: Node
+
+
+class Row:
+    """Factors in juxtaposition."""
+
+    def __init__(self, scope: Scope, items: Sequence[Node], read: Callable[[Row, int], Factor]) -> None:
+        self.scope = scope
+        self._read = read
+        self.items = items
+        self._known: dict[int, Factor] = {}
+        self.open_head = ""  # what ends the row with an argument that is not bracketed
+
+    def term(self) -> Term:
+        factors, place = [], 0
+        while place < len(self.items):
+            factor = self.factor(place)
+            factors.append(factor)
+            place = factor.end
+        return self.multiply(factors)
+
+    def multiply(self, factors: Sequence[Factor]) -> Term:
+        result = factors[0].term
+        for place, factor in enumerate(factors[1:], start=1):
+            term = factor.term
+            if is_numeral(factors[place - 1].node) and is_numeral(factor.node):
+                raise Fault("two numbers side by side are printed as one; write \\cdot", factor.at)
+            is_fraction = isinstance(factor.node, Fraction) and isinstance(term, Number)
+            if is_numeral(factors[place - 1].node) and is_fraction:
+                raise Fault("a mixed number or a product? write \\cdot for the product", factor.at)
+            if result.type.kind == "operator" and term.type.kind not in ("operator", "scalar"):
+                self.operand(factor, factors[place + 1 :])
+            if place == 1 and _is_integer(factors[0]) and isinstance(term, Integer) and _is_bare(factor.node):
+                result = construct.integer(term.value * int(result.value))
+            else:
+                result = self.scope.apply(factor.at, "mul", result, term)
+        return result
+
+    def operand(self, factor: Factor, more: Sequence[Factor]) -> None:
+        """An operator acts on the factor; refused where it may act on more than that."""
+        if isinstance(factor.node, Bracket):
+            return
+        if any(other.term.type.kind != "scalar" for other in more):
+            raise Misfit(IllFormed("how far does the operator reach? bracket what it acts on"), factor.at)
+        self.open_head = "the operator"
+        if factor.term.type.kind == "tensor":
+            self.scope.tensor_operand = factor.at
+
+    def factor(self, place: int) -> Factor:
+        """The factor that begins at an item: read once, however often it is looked at."""
+        if place not in self._known:
+            with self.scope.nested(self.items[place].at):
+                self._known[place] = self._read(self, place)
+        return self._known[place]
+
+
+def _is_integer(factor: Factor) -> bool:
+    literal = isinstance(factor.node, Leaf) and isinstance(factor.term, Number)
+    return literal and factor.term.value.denominator == 1
+
+
+def _is_bare(node: Node) -> bool:
+    return isinstance(node, Leaf | Scripted)

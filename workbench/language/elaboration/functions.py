@@ -1,0 +1,154 @@
+"""Functions and derivatives in a row of factors, and how far each reaches."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from workbench.language import construct
+from workbench.language.elaboration.determinants import of_vectors
+from workbench.language.elaboration.factors import Factor, Row
+from workbench.language.elaboration.quotients import Rate, slope, value_of
+from workbench.language.errors import Fault, Misfit
+from workbench.language.integers import Linear
+from workbench.language.operators import OF_ANGLES, OF_TENSORS, word_of
+from workbench.language.spelling import linear
+from workbench.language.syntax import (
+    Bracket,
+    Fraction,
+    Group,
+    Leaf,
+    Scripted,
+    in_a_row,
+    is_function,
+    is_left_script,
+)
+from workbench.language.terms import IllFormed, Integer, Number, Term, is_rate
+
+
+def function(row: Row, place: int) -> Factor:
+    """det, sym, vect … take the run of tensors that follows, the others take one factor."""
+    item = row.items[place]
+    leaf = item.nucleus if isinstance(item, Scripted) else item
+    head = leaf.text
+    if (
+        leaf.bare
+        and leaf.name not in row.scope.table.bare_functions
+        and all(row.scope.knows(letter) for letter in leaf.name)
+    ):
+        message = f"a function and a product of symbols; write \\operatorname{{{leaf.name}}}"
+        raise Fault(f"{leaf.name} is {message}", leaf.at)
+    if place + 1 == len(row.items):
+        raise Fault(f"{word_of(head)} of nothing", leaf.at)
+    if head in ("quaternion", "atan2"):
+        return _of_two(row, leaf, place)
+    if head == "root":
+        return _root(row, leaf, place)
+    if head == "det" and item is leaf and (found := of_vectors(row.scope, row.items[place + 1])):
+        return Factor(found, leaf.at, place + 2, item)
+    argument, end = _argument(row, head, leaf, place + 1)
+    if head == "skew" and argument.type.kind == "tensor":
+        head = "antisymmetric"
+    term = row.scope.build(leaf.at, value_of, head, argument)
+    if isinstance(item, Scripted):
+        exponent = None if item.sup is None else linear(item.sup, row.scope.variables)
+        if item.sub is not None or item.primes or item.factorial or exponent is None:
+            raise Fault(f"only a power may stand on {word_of(head)}", item.at)
+        if exponent.is_number and exponent.constant < 0:
+            raise Fault("an inverse function or an inverse value? bracket the value", item.at)
+        term = row.scope.build(item.at, construct.power, term, exponent)
+    return Factor(term, leaf.at, end, item)
+
+
+def _root(row: Row, leaf: Leaf, place: int) -> Factor:
+    item = row.items[place + 1]
+    if not isinstance(item, Group) or row.items[place] is not leaf:
+        raise Fault("expected a square root, \\sqrt{x}", leaf.at)
+    return Factor(row.scope.apply(leaf.at, "root", row.scope.term(item)), leaf.at, place + 2, leaf)
+
+
+def _of_two(row: Row, leaf: Leaf, place: int) -> Factor:
+    """quat(s, x): a scalar part and a vector part; atan2(y, x)."""
+    item = row.items[place + 1]
+    if not (isinstance(item, Bracket) and len(item.parts) == 2) or row.items[place] is not leaf:
+        what = {"atan2": "two scalars, \\operatorname{atan2}(y, x)"}.get(
+            leaf.text, "a scalar and a vector, \\operatorname{quat}(s, x)"
+        )
+        raise Fault(f"expected {what}", leaf.at)
+    parts = [row.scope.term(part) for part in item.parts]
+    return Factor(row.scope.apply(leaf.at, leaf.text, *parts), leaf.at, place + 2, leaf)
+
+
+def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
+    item = row.items[place]
+    if isinstance(item, Bracket):
+        return row.scope.term(item), place + 1
+    if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket | Fraction):
+        raise Fault("a power of the function or of its argument? bracket it", item.at)
+    first = row.factor(place)
+    run, end = [first], first.end
+    name = word_of(head)
+    row.open_head = head
+    if head in OF_TENSORS:
+        while end < len(row.items) and first.term.type.kind == "tensor":
+            following = row.factor(end)
+            if following.term.type.kind != "tensor":
+                break
+            run.append(following)
+            end = following.end
+        return row.multiply(run), end
+    numeric = isinstance(first.term, Number | Integer) and head in OF_ANGLES | {"exp"}
+    if numeric and end < len(row.items):
+        run.append(row.factor(end))
+        end = run[-1].end
+    if end < len(row.items):
+        following = row.factor(end)
+        own = isinstance(following.node, Leaf | Scripted) and is_function(following.node)
+        mixes = head not in OF_ANGLES or following.term.type.kind == "scalar"
+        if mixes and not own:
+            raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
+    return row.multiply(run), end
+
+
+def derivative(row: Row, place: int, found: Rate) -> Factor:
+    scope, item = row.scope, row.items[place]
+    if found.by:
+        return _differentiated(row, place, found, lambda body: slope(scope, item.at, found, body))
+    orders = [
+        scope.integer(o) if o is not None else Linear(1) for o in (found.order_above, found.order_below)
+    ]
+    if orders[0] != orders[1]:
+        intent = "one order above and below, \\frac{d^k}{dt^k}"
+        fault = IllFormed(f"d/dt of order {orders[0]} above and {orders[1]} below", intent)
+        raise Misfit(fault, item.at)
+    if place + 1 == len(row.items) and not found.behind:
+        if found.frame is not None:
+            raise Fault("the derivative in a frame, of what?", item.at)
+        operator = construct.time_operator()
+        if orders[0] != Linear(1):
+            operator = construct.power(operator, orders[0])
+        return Factor(operator, item.at, place + 1, item)
+    return _differentiated(row, place, found, lambda body: scope.rate(item.at, body, orders[0], found.frame))
+
+
+def _differentiated(row: Row, place: int, found: Rate, rate: Callable[[Term], Term]) -> Factor:
+    """What stands behind the upper d, all of it, or else the factor behind the fraction."""
+    item = row.items[place]
+    if found.behind:
+        body = row.scope.term(in_a_row(item.at, found.behind))
+        lone = len(found.behind) == (2 if is_left_script(found.behind[0]) else 1) or (
+            isinstance(found.behind[-1], Bracket) and is_rate(body)
+        )
+        if not lone and (not found.upright or isinstance(found.behind[0], Bracket)):
+            raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
+        return Factor(rate(body), item.at, place + 1, item)
+    if place + 1 == len(row.items):
+        raise Fault("the partial derivative of what?", item.at)
+    following = row.items[place + 1]
+    if isinstance(following, Scripted) and isinstance(following.nucleus, Bracket):
+        raise Fault("a power of the derivative or of its argument? bracket it", following.at)
+    factor = row.factor(place + 1)
+    if not isinstance(following, Bracket):
+        row.open_head = "d/dt"
+    if factor.end < len(row.items) and not isinstance(following, Bracket):
+        raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
+    return Factor(rate(factor.term), item.at, factor.end, item)

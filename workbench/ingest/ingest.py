@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import Any
 
 from workbench.ingest.features import feature_of
-from workbench.ingest.kinds import Guess, Guesser, Outcome, Prose
+from workbench.ingest.kinds import Guesser, Outcome
 from workbench.ingest.proposals import Proposal, ground_of, proposals_for, words_of
+from workbench.ingest.prose import Prose
 from workbench.ingest.questions import questions_of
+from workbench.ingest.typefaces import Guess
 from workbench.language.integers import Linear
 from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol

@@ -1,16 +1,27 @@
-"""What a symbol is likely to be: by its typeface, by words near its first use, by what makes formulas fit."""
+"""Which kinds of symbols make a text's formulas fit, beginning with what typeface and words say."""
 
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import cache
 from itertools import combinations, islice
 
-from workbench.ingest.proposals import speaks_of_quaternions
+from workbench.ingest.prose import Prose
+from workbench.ingest.typefaces import (
+    CAPITAL,
+    KINDS,
+    USUAL,
+    Guess,
+    bare_name,
+    by_typeface,
+    families,
+    flat,
+    kinds_by_face,
+    letters_in,
+    without_bold,
+)
 from workbench.language.declarations import read_key
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.names import Name
@@ -19,31 +30,8 @@ from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import parses
 from workbench.language.terms import Statement
 from workbench.language.types import Declaration
-from workbench.papers.texts import Display
 
 _UNKNOWN = re.compile(r"unknown symbol (.+?)(?:; known and close: .*)?$", re.DOTALL)
-_OPERATION = re.compile(r"(?:\^\{(?:T|-?\d+|\(\d+\)|\*|-T|\\top|-1|[^A-Za-z0-9{}\\]+)\}|'+)$")
-_MARKED = re.compile(r"(?:\\(?:mathbf|boldsymbol|mathsf|underline|vec|overline|bar|hat)\{?)+(\\?[A-Za-z]+)")
-_LEFT = re.compile(r"^(?:\{\}[_^]\{(?:[^{}]|\{[^{}]*\})*\})+")
-_SCRIPTS = re.compile(r"([_^])\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}")
-_GREEK_CAPITALS = re.compile("Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Upsilon|Phi|Psi|Omega")
-_GREEK = {
-    chr(code): "\\" + unicodedata.name(chr(code)).split()[-1].lower().replace("lamda", "lambda")
-    for code in range(0x3B1, 0x3CA)
-}
-_USUAL, _CAPITAL = "what mechanics calls so", "a capital letter"
-_BOLD = re.compile(r"^\\(?:mathbf|boldsymbol|vec)\{?(\\?[A-Za-z]+)\}?")
-_VECTORS = frozenset({"\\omega", "\\alpha"})
-_WORDS = (
-    (
-        re.compile(r"rotation(?:al)? matri|orthogonal (?:matri|tensor)|rotation tensor|direction cosine"),
-        "rotation",
-    ),
-    (re.compile(r"unit(?:[- ]length|-norm)? (?:vector|axis|direction)|normali[sz]ed vector"), "unit vector"),
-    (re.compile(r"\bvectors?\b|velocit|position\b|displacement"), "vector"),
-    (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),
-    (re.compile(r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"), "scalar"),
-)
 _LABELLED = re.compile(
     r"(?:\\(?:mathbf|boldsymbol|bar|vec)\s*\{?\s*)?\\?[A-Za-z]+\}?(?:_\w|_\{\w+\})?"
     r"\s*\^\s*\{\s*\\math(?:scr|cal|frak|rm|sf)\s*\{?\s*[A-Za-z]+\s*\}?\s*\}"
@@ -53,28 +41,12 @@ _OF_KINDS = re.compile(
 )
 _MATRIX = re.compile(r"matrix \d+×\d+")
 _MOST_SIZES = 3
-_NEAR = 40
 #: More symbols than these in a text are tried in turn no further.
 MOST_TRIED = 150
 _ROUNDS = 6
 _MOST_SYMBOLS = 60
 _MOST_GROUPS = 200
 _MOST_TOGETHER = 4
-KINDS = ("scalar", "vector", "tensor")
-
-
-@dataclass(frozen=True)
-class Guess:
-    """`why`: what it rests on."""
-
-    name: str
-    kind: str
-    why: str = field(default="", compare=False)
-    unit: bool = False
-
-    @property
-    def spec(self) -> dict[str, object]:
-        return {"kind": self.kind, "unit": True} if self.unit else {"kind": self.kind}
 
 
 @dataclass
@@ -97,40 +69,6 @@ class Outcome:
     def progress(self) -> tuple[bool, str]:
         """Whether the formula is read, and what keeps it from it."""
         return self.statements is not None, self.message
-
-
-class Prose:
-    """What a text says of its symbols in words."""
-
-    def __init__(self, text: str, inline: Sequence[Display] = ()) -> None:
-        self.text = text
-        self.has_quaternions = speaks_of_quaternions(text)
-        self._inline = inline
-        self._alone: dict[str, list[str]] | None = None
-
-    def guess(self, name: str) -> Guess | None:
-        beside = self._near(_flat(name))
-        for pattern, kind in _WORDS:
-            for near in beside:
-                if found := pattern.search(near):
-                    plain = kind.removeprefix("unit ")
-                    why = f'the text says "{" ".join(found[0].split())}" near it'
-                    return Guess(name, plain, why, unit=plain != kind)
-        return None
-
-    def _near(self, name: str) -> list[str]:
-        """The words beside each formula in the text that is the symbol alone."""
-        if self._alone is None:
-            self._alone = {}
-            for formula in self._inline:
-                key, text = _flat(formula.latex), formula.source.text
-                before = re.sub(
-                    r"(?:\$|\\\(|:math:`)\s*$", "", text[max(0, formula.start - _NEAR) : formula.start]
-                )
-                after = re.sub(r"^\s*(?:\$|\\\)|`)", "", text[formula.end : formula.end + _NEAR])
-                before, after = re.split(r"[.;$]", before)[-1], re.split(r"[.;,$]", after)[0]
-                self._alone.setdefault(key, []).append(f"{before} {after}".lower())
-        return self._alone.get(name, [])
 
 
 class Guesser:
@@ -188,10 +126,10 @@ class Guesser:
     def take_magnitudes(self, formulas: Sequence[str]) -> None:
         """A letter without the bold of a vector is its magnitude, where no formula is lost by it."""
         for name, guess in list(self.guesses.items()):
-            if guess.why not in (_USUAL, _CAPITAL) or not self.vector_of(name):
+            if guess.why not in (USUAL, CAPITAL) or not self.vector_of(name):
                 continue
             scalar = Guess(name, "scalar", f"{self.vector_of(name)} is the vector")
-            users = [latex for latex in formulas if _flat(name) in _flat(latex)]
+            users = [latex for latex in formulas if flat(name) in flat(latex)]
             before, now = (
                 [self._read(latex, guesses).stage for latex in users]
                 for guesses in (self.guesses, self.guesses | {name: scalar})
@@ -202,7 +140,7 @@ class Guesser:
     def vector_of(self, name: str) -> str | None:
         """The vector in bold or under an arrow that has the same letter."""
         vectors = (each.name for each in self.guesses.values() if each.kind == "vector")
-        return next((each for each in vectors if _BOLD.sub(r"\1", each) == name), None)
+        return next((each for each in vectors if without_bold(each) == name), None)
 
     def _improve(
         self,
@@ -214,7 +152,7 @@ class Guesser:
     ) -> bool:
         now = [fits[place] for place in places]
         best, kind = now, None
-        for other in (*(kind for kind in _by_face(group[0]) if kind in self.kinds), *sizes):
+        for other in (*(kind for kind in kinds_by_face(group[0]) if kind in self.kinds), *sizes):
             if all(self.guesses[name].kind == other for name in group):
                 continue
             changed = {name: Guess(name, other) for name in group}
@@ -277,8 +215,8 @@ class Guesser:
     def _attempt(self, latex: str, guesses: Mapping[str, Guess]) -> Outcome:
         """Reading it depends on the symbols that share a letter with it, and on whether any is a
         quaternion."""
-        letters = _letters(latex) if parses(latex) else frozenset()
-        near = {guess for guess in guesses.values() if not letters.isdisjoint(_letters(guess.name))}
+        letters = letters_in(latex) if parses(latex) else frozenset()
+        near = {guess for guess in guesses.values() if not letters.isdisjoint(letters_in(guess.name))}
         quaternions = (guess for guess in guesses.values() if "quaternion" in guess.kind)
         if not any("quaternion" in guess.kind for guess in near):
             near.update(islice(quaternions, 1))
@@ -319,28 +257,13 @@ class Guesser:
             return guess
         if self.prose.has_quaternions and re.fullmatch(r"q(?:_\{\w+\})?", name):
             return Guess(name, "hamilton quaternion", "the text speaks of quaternions")
-        return _by_typeface(name)
+        return by_typeface(name)
 
 
-def bare_name(name: str) -> str:
-    """Without powers, transposes and primes, which the reader takes for operations."""
-    while (shorter := _OPERATION.sub("", name)) != name:
-        name = shorter
-    return name
-
-
-def families(names: Sequence[str]) -> list[list[str]]:
-    """Groups of names that are written alike: marks and scripts without letters; then one letter with any
-    scripts; then each alone."""
-    found: dict[str, list[str]] = {}
-    for name in names:
-        letter = _SCRIPTS.sub(r"\1·", name)
-        face = re.sub(r"\{\\?([a-z])[A-Za-z]*\}", "{x}", re.sub(r"\{\\?([A-Z])[A-Za-z]*\}", "{X}", letter))
-        keys = [letter, *([face] if face != letter else [])]
-        for key in reversed(keys):
-            found.setdefault(key, []).append(name)
-    groups = sorted((group for group in found.values() if len(group) > 1), key=len, reverse=True)
-    return [*groups, *([name] for name in names)]
+def _known(latex: str, names: Iterable[str]) -> set[str]:
+    """The names that the formula may use: by their letters."""
+    formula = flat(latex)
+    return {name for name in names if flat(name) in formula}
 
 
 def _sizes(outcomes: Iterable[Outcome]) -> list[str]:
@@ -362,49 +285,3 @@ def _together(outcomes: Sequence[Outcome], guesses: Mapping[str, Guess]) -> Iter
                 if group not in seen:
                     seen.add(group)
                     yield list(group)
-
-
-def _by_face(name: str) -> tuple[str, ...]:
-    """The kinds in the order in which a letter of this typeface is likely to have them."""
-    guess = _by_typeface(name)
-    first = "scalar" if guess.why == _USUAL else guess.kind.replace("rotation", "tensor")
-    order = {"vector": ("vector", "tensor", "scalar"), "tensor": ("tensor", "vector", "scalar")}
-    is_plain = re.fullmatch(r"[a-z](?:_.*)?", name) is not None
-    return (*order.get(first, KINDS), *(["hamilton quaternion"] if is_plain else []))
-
-
-def _by_typeface(name: str) -> Guess:
-    core = _LEFT.sub("", name)
-    marked = _MARKED.match(core)
-    letter = (marked[1] if marked else core).lstrip("\\")
-    letter = re.match(r"[A-Za-z]+", letter)[0] if re.match(r"[A-Za-z]", letter) else ""
-    is_capital = bool(_GREEK_CAPITALS.fullmatch(letter)) or (len(letter) == 1 and letter.isupper())
-    if marked is not None:
-        if is_capital:
-            return Guess(name, "rotation" if letter == "R" else "tensor", "a bold capital letter")
-        return Guess(name, "vector", "a bold or marked letter")
-    if f"\\{letter}" in _VECTORS:
-        return Guess(name, "vector", _USUAL)
-    if core != name:
-        return Guess(name, "vector", "a letter with labels on its left")
-    if is_capital:
-        return Guess(name, "tensor", _CAPITAL)
-    return Guess(name, "scalar", "a letter in italics")
-
-
-def _known(latex: str, names: Iterable[str]) -> set[str]:
-    """The names that the formula may use: by their letters."""
-    flat = _flat(latex)
-    return {name for name in names if _flat(name) in flat}
-
-
-@cache
-def _flat(latex: str) -> str:
-    flat = re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
-    return flat.replace("\\bm", "\\boldsymbol")
-
-
-@cache
-def _letters(latex: str) -> frozenset[str]:
-    """A command of a letter or more, or a letter."""
-    return frozenset(re.findall(r"\\[A-Za-z]+|[^\W\d_]", "".join(_GREEK.get(x, x) for x in latex)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from workbench.ingest.kinds import Guess
+from workbench.ingest.typefaces import Guess
 from workbench.papers.texts import Text
 
 _SIGNS = (

@@ -1,0 +1,56 @@
+"""What a text says of its symbols in words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from workbench.ingest.proposals import speaks_of_quaternions
+from workbench.ingest.typefaces import Guess, flat
+from workbench.papers.texts import Display
+
+_WORDS = (
+    (
+        re.compile(r"rotation(?:al)? matri|orthogonal (?:matri|tensor)|rotation tensor|direction cosine"),
+        "rotation",
+    ),
+    (re.compile(r"unit(?:[- ]length|-norm)? (?:vector|axis|direction)|normali[sz]ed vector"), "unit vector"),
+    (re.compile(r"\bvectors?\b|velocit|position\b|displacement"), "vector"),
+    (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),
+    (re.compile(r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"), "scalar"),
+)
+_NEAR = 40
+
+
+class Prose:
+    """What a text says of its symbols in words."""
+
+    def __init__(self, text: str, inline: Sequence[Display] = ()) -> None:
+        self.text = text
+        self.has_quaternions = speaks_of_quaternions(text)
+        self._inline = inline
+        self._alone: dict[str, list[str]] | None = None
+
+    def guess(self, name: str) -> Guess | None:
+        beside = self._near(flat(name))
+        for pattern, kind in _WORDS:
+            for near in beside:
+                if found := pattern.search(near):
+                    plain = kind.removeprefix("unit ")
+                    why = f'the text says "{" ".join(found[0].split())}" near it'
+                    return Guess(name, plain, why, unit=plain != kind)
+        return None
+
+    def _near(self, name: str) -> list[str]:
+        """The words beside each formula in the text that is the symbol alone."""
+        if self._alone is None:
+            self._alone = {}
+            for formula in self._inline:
+                key, text = flat(formula.latex), formula.source.text
+                before = re.sub(
+                    r"(?:\$|\\\(|:math:`)\s*$", "", text[max(0, formula.start - _NEAR) : formula.start]
+                )
+                after = re.sub(r"^\s*(?:\$|\\\)|`)", "", text[formula.end : formula.end + _NEAR])
+                before, after = re.split(r"[.;$]", before)[-1], re.split(r"[.;,$]", after)[0]
+                self._alone.setdefault(key, []).append(f"{before} {after}".lower())
+        return self._alone.get(name, [])

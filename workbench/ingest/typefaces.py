@@ -1,0 +1,104 @@
+"""What a symbol is likely to be by how it is written, and which symbols are written alike."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cache
+
+_OPERATION = re.compile(r"(?:\^\{(?:T|-?\d+|\(\d+\)|\*|-T|\\top|-1|[^A-Za-z0-9{}\\]+)\}|'+)$")
+_MARKED = re.compile(r"(?:\\(?:mathbf|boldsymbol|mathsf|underline|vec|overline|bar|hat)\{?)+(\\?[A-Za-z]+)")
+_LEFT = re.compile(r"^(?:\{\}[_^]\{(?:[^{}]|\{[^{}]*\})*\})+")
+_SCRIPTS = re.compile(r"([_^])\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}")
+_GREEK_CAPITALS = re.compile("Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Upsilon|Phi|Psi|Omega")
+_GREEK = {
+    chr(code): "\\" + unicodedata.name(chr(code)).split()[-1].lower().replace("lamda", "lambda")
+    for code in range(0x3B1, 0x3CA)
+}
+_BOLD = re.compile(r"^\\(?:mathbf|boldsymbol|vec)\{?(\\?[A-Za-z]+)\}?")
+_VECTORS = frozenset({"\\omega", "\\alpha"})
+USUAL, CAPITAL = "what mechanics calls so", "a capital letter"
+KINDS = ("scalar", "vector", "tensor")
+
+
+@dataclass(frozen=True)
+class Guess:
+    """`why`: what it rests on."""
+
+    name: str
+    kind: str
+    why: str = field(default="", compare=False)
+    unit: bool = False
+
+    @property
+    def spec(self) -> dict[str, object]:
+        return {"kind": self.kind, "unit": True} if self.unit else {"kind": self.kind}
+
+
+def bare_name(name: str) -> str:
+    """Without powers, transposes and primes, which the reader takes for operations."""
+    while (shorter := _OPERATION.sub("", name)) != name:
+        name = shorter
+    return name
+
+
+def families(names: Sequence[str]) -> list[list[str]]:
+    """Groups of names that are written alike: marks and scripts without letters; then one letter with any
+    scripts; then each alone."""
+    found: dict[str, list[str]] = {}
+    for name in names:
+        letter = _SCRIPTS.sub(r"\1·", name)
+        face = re.sub(r"\{\\?([a-z])[A-Za-z]*\}", "{x}", re.sub(r"\{\\?([A-Z])[A-Za-z]*\}", "{X}", letter))
+        keys = [letter, *([face] if face != letter else [])]
+        for key in reversed(keys):
+            found.setdefault(key, []).append(name)
+    groups = sorted((group for group in found.values() if len(group) > 1), key=len, reverse=True)
+    return [*groups, *([name] for name in names)]
+
+
+def kinds_by_face(name: str) -> tuple[str, ...]:
+    """The kinds in the order in which a letter of this typeface is likely to have them."""
+    guess = by_typeface(name)
+    first = "scalar" if guess.why == USUAL else guess.kind.replace("rotation", "tensor")
+    order = {"vector": ("vector", "tensor", "scalar"), "tensor": ("tensor", "vector", "scalar")}
+    is_plain = re.fullmatch(r"[a-z](?:_.*)?", name) is not None
+    return (*order.get(first, KINDS), *(["hamilton quaternion"] if is_plain else []))
+
+
+def by_typeface(name: str) -> Guess:
+    core = _LEFT.sub("", name)
+    marked = _MARKED.match(core)
+    letter = (marked[1] if marked else core).lstrip("\\")
+    letter = re.match(r"[A-Za-z]+", letter)[0] if re.match(r"[A-Za-z]", letter) else ""
+    is_capital = bool(_GREEK_CAPITALS.fullmatch(letter)) or (len(letter) == 1 and letter.isupper())
+    if marked is not None:
+        if is_capital:
+            return Guess(name, "rotation" if letter == "R" else "tensor", "a bold capital letter")
+        return Guess(name, "vector", "a bold or marked letter")
+    if f"\\{letter}" in _VECTORS:
+        return Guess(name, "vector", USUAL)
+    if core != name:
+        return Guess(name, "vector", "a letter with labels on its left")
+    if is_capital:
+        return Guess(name, "tensor", CAPITAL)
+    return Guess(name, "scalar", "a letter in italics")
+
+
+def without_bold(name: str) -> str:
+    """The letter alone of a vector in bold or under an arrow."""
+    return _BOLD.sub(r"\1", name)
+
+
+@cache
+def flat(latex: str) -> str:
+    """As it can be compared: without blanks and braces, Greek letters as commands."""
+    bare = re.sub(r"[\s{}]", "", "".join(_GREEK.get(letter, letter) for letter in latex))
+    return bare.replace("\\bm", "\\boldsymbol")
+
+
+@cache
+def letters_in(latex: str) -> frozenset[str]:
+    """A command of a letter or more, or a letter."""
+    return frozenset(re.findall(r"\\[A-Za-z]+|[^\W\d_]", "".join(_GREEK.get(x, x) for x in latex)))

@@ -63,6 +63,7 @@ SAME = [
     (r"1/2", r"\frac{1}{2}"),
     (r"\sum_{k=1}^{n} a_k/k", r"\sum_{k=1}^{n} \frac{a_k}{k}"),
     (r"d\alpha/dt + \mathrm{d}s/\mathrm{d}t", r"\dot{\alpha} + \dot{s}"),
+    (r"\frac{d}{dt} \|a\|^2", r"\frac{d}{dt} (\|a\|^2)"),
     (r"\partial(s^2)/\partial s", r"\frac{\partial (s^2)}{\partial s}"),
 ]
 
@@ -94,6 +95,8 @@ REFUSED = [
     (r"\sin(\alpha)^2", 5, "a power of the function or of its argument"),
     (r"\frac{d}{dt} a \times b", 1, "how far does d/dt reach"),
     (r"\frac{d}{dt} T a", 1, "how far does d/dt reach"),
+    (r"\frac{d}{dt} (s)^2", 14, "a power of the derivative or of its argument"),
+    (r"\frac{d}{dt} \|a\|^2 s", 1, "how far does d/dt reach"),
     (r"\frac{d a \times b}{dt}", 1, "how far does d/dt reach"),
     (r"\frac{d T a}{dt}", 1, "how far does d/dt reach"),
     (r"\frac{d(T) a}{dt}", 1, "how far does d/dt reach"),

@@ -9,6 +9,7 @@ from workbench.language.names import Name
 from workbench.language.printer import to_latex
 from workbench.language.reader import read, read_formula, read_term
 from workbench.language.symbols import SymbolTable
+from workbench.language.terms import Symbol
 
 KINDS = {
     "a": "vector",
@@ -240,6 +241,61 @@ def test_a_circle_over_a_letter_is_a_part_of_its_name() -> None:
     table = SymbolTable.build({r"\mathring{a}": {"kind": "vector"}})
     for spelt in (r"\overset{\circ}{a}", r"\overset {\circ} {a}", r"\mathring{a}"):
         assert to_latex(read_term(spelt, table)) == r"\mathring{a}"
+
+
+LABELS = [
+    r"v_\perp",
+    r"v_{\parallel}",
+    r"v_{\|}",
+    r"x_{\max}",
+    r"T^\dagger",
+    r"x_{t|t-1}",
+    r"x^\flat",
+    r"v^\perp",
+]
+
+
+@pytest.mark.parametrize("name", LABELS)
+def test_a_sign_alone_in_a_script_is_part_of_the_name(name: str) -> None:
+    table = SymbolTable.build({name: {"kind": "vector"}, "a": {"kind": "vector"}})
+    symbol = read_term(name, table)
+    assert isinstance(symbol, Symbol)
+    assert read_term(to_latex(symbol), table) == symbol
+    assert read(rf"{name} \perp a", table) == read(rf"{name} \cdot a = 0", table)
+
+
+@pytest.mark.parametrize(
+    ("printed", "meant"),
+    [
+        (r"a \perp b", r"a \cdot b = 0"),
+        (r"a \parallel b", r"a \times b = \mathbf{0}"),
+        (r"a \perp b \perp u", r"a \cdot b = 0, \quad b \cdot u = 0"),
+        (r"a = b, \quad a \perp b", r"a = b, \quad a \cdot b = 0"),
+        (
+            r"a \parallel b \Rightarrow T a \parallel T b",
+            r"a \times b = \mathbf{0} \Rightarrow T a \times T b = \mathbf{0}",
+        ),
+    ],
+)
+def test_relations_of_directions(printed: str, meant: str) -> None:
+    spelt = [to_latex(said) for said in read(printed, TABLE)]
+    assert ", ".join(spelt).replace(r"\quad ", "") == ", ".join(
+        to_latex(said) for said in read(meant, TABLE)
+    ).replace(r"\quad ", "")
+
+
+@pytest.mark.parametrize(
+    ("formula", "message"),
+    [
+        (r"a \perp T", "expected a vector"),
+        (r"\perp a", "unexpected"),
+        (r"\parallel a \parallel = s", "unexpected"),
+        (r"a \perp", "ends too early"),
+    ],
+)
+def test_directions_of_nothing(formula: str, message: str) -> None:
+    with pytest.raises((ReadError, IllFormedAt), match=message):
+        read(formula, TABLE)
 
 
 @pytest.mark.parametrize(

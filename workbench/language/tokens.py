@@ -19,6 +19,7 @@ from workbench.language.vocabulary import (
     EXPECTED,
     LINES,
     MATRICES,
+    ORIENTATIONS,
     SIZES,
     SPACING,
     WORDS,
@@ -255,6 +256,9 @@ class Tokenizer:
         if size == "left" and kind == "\\{" and re.match(r"\s*\\begin", self.text[at + len(text) :]):
             self.open.append(_Open("\\left\\{", at, "lines"))
             return
+        if side == 0 and size is None and self.parts_a_script(text, at):
+            self.emit("MARK", text, at)
+            return
         if side == 0:
             side = self.side_of_bar(kind, size)
         if side > 0:
@@ -263,6 +267,11 @@ class Tokenizer:
         else:
             self.pop(kind, text, at)
             self.emit("CLOSE", kind, at)
+
+    def parts_a_script(self, bar: str, at: int) -> bool:
+        """The one bar of x_{t|t-1} or v_{\\|} is no bracket."""
+        rest = self.text[at + len(bar) :].partition("}")[0]
+        return bool(self.open) and self.open[-1].contents == "script" and bar not in rest
 
     def side_of_bar(self, kind: str, size: str | None) -> int:
         if size and size.endswith(("l", "left")):
@@ -312,10 +321,10 @@ def _guessed(dots: str) -> str:
 
 
 def _marks(tokens: list[Token]) -> list[Token]:
-    """A sign that stands alone in a script is a mark: q^+, [x]_\\times, x^{\\wedge}."""
+    """A sign that stands alone in a script is a mark: q^+, [x]_\\times, x^{\\wedge}, v_\\perp, x_{\\max}."""
     marked = []
     for place, token in enumerate(tokens):
-        if token.type in ("INFIX", "SIGN", "MARK"):
+        if token.type in ("INFIX", "SIGN", "MARK", "EXTREMAL") or token in ORIENTATIONS:
             before = [t.type for t in tokens[max(place - 2, 0) : place]]
             closes = place + 1 < len(tokens) and tokens[place + 1].type == "RBRACE"
             alone = before[-1:] in (["SUP"], ["SUB"]) or (
@@ -324,7 +333,8 @@ def _marks(tokens: list[Token]) -> list[Token]:
             if token == "*" and token.type == "MARK" and before[-1:] and before[-1] in ENDS_A_FACTOR:
                 token = Token.new_borrow_pos("INFIX", "*", token)
             elif token.type != "MARK" and alone:
-                token = Token.new_borrow_pos("MARK", str(token), token)
+                text = f"\\{token}" if token.type == "EXTREMAL" else str(token)
+                token = Token.new_borrow_pos("MARK", text, token)
         marked.append(token)
     return marked
 

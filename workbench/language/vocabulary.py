@@ -13,6 +13,7 @@ _STYLES = (
     "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak mathscr mathds mathbfit mathbfup symup"
     " underline overline bar vec hat check breve mathring"
 )
+_LABELS = "dagger ddagger flat natural sharp bullet diamond"
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
 _SPACING = "enskip quad qquad displaystyle textstyle limits nolimits nonumber notag , ; : ! >"
 
@@ -57,6 +58,8 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "geq": ("RELATION", "≥"),
     "ge": ("RELATION", "≥"),
     "in": ("RELATION", "∈"),
+    "perp": ("RELATION", "\\perp"),
+    "parallel": ("RELATION", "\\parallel"),
     "colon": ("RELATION", ":"),
     "to": ("RELATION", "→"),
     "rightarrow": ("RELATION", "→"),
@@ -73,6 +76,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "intercal": ("MARK", "T"),
     "ast": ("MARK", "*"),
     "infty": ("MARK", "∞"),
+    **{name: ("MARK", f"\\{name}") for name in _LABELS.split()},
 }
 CHARACTERS = {
     "+": ("SIGN", "+"),
@@ -130,6 +134,9 @@ MATRICES = frozenset(
     {"matrix", "bmatrix", "pmatrix", "smallmatrix", "bsmallmatrix", "psmallmatrix", "vmatrix"}
 )
 LINES = frozenset({"cases", "aligned", "align", "align*", "gathered", "split"})
+
+#: Relations of two vectors, and the product that is then zero.
+ORIENTATIONS = {"\\perp": "dot", "\\parallel": "cross"}
 
 #: Signs without a meaning of their own: a paper says in [notation] what they are.
 OWN_SIGNS = {

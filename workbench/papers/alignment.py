@@ -166,13 +166,14 @@ def _environment(token: Token) -> str | None:
 
 
 def with_depth(tokens: Sequence[Token]) -> Iterator[tuple[Token, int]]:
-    """Each token with the number of brackets and environments around it."""
-    depth = 0
+    """Each token with the number of brackets and environments around it; a script has one more."""
+    depth, before = 0, ""
     for token in tokens:
         text = token.text
         if text.startswith("\\end{") or text in _CLOSE or text in ("\\}", "\\rangle"):
             depth = max(0, depth - 1)
-        yield token, depth
+        yield token, depth + (before in ("_", "^"))
+        before = text
         if text.startswith("\\begin{") or text in _OPEN or text in ("\\{", "\\langle"):
             depth += 1
 

@@ -31,6 +31,7 @@ from workbench.language.terms import (
     Statement,
     Term,
 )
+from workbench.language.vocabulary import ORIENTATIONS
 
 #: An index that may be any is tried with so many values; a formula has at most so many of them.
 GENERIC_VALUES, MOST_GENERIC = 3, 4
@@ -261,7 +262,7 @@ def _statement(reader: Elaborator, clause: Node) -> Statement:
 
 def _chain(reader: Elaborator, chain: Chain) -> Statement:
     for sign, at in chain.relations:
-        if sign not in "=≠":
+        if sign not in ("=", "≠", *ORIENTATIONS):
             raise Fault(f"{sign} states a range only; statements are made with = and \\neq", at)
     if any(map(is_extremal, chain.sides)):
         return _together(extrema(reader, chain))
@@ -271,10 +272,17 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
     for term, side in zip(terms, chain.sides, strict=True):
         _refuse_depth(term, side.at)
     links = tuple(
-        reader.build(at, construct.relation, sign, left, right)
+        _link(reader, sign, at, left, right)
         for (sign, at), left, right in zip(chain.relations, terms, terms[1:], strict=False)
     )
     return links[0] if len(links) == 1 else Conjunction(links)
+
+
+def _link(reader: Elaborator, sign: str, at: int, left: Term, right: Term) -> Statement:
+    if sign in ORIENTATIONS:
+        product = reader.apply(at, ORIENTATIONS[sign], left, right)
+        return reader.build(at, construct.relation, "=", product, construct.zero(product.type))
+    return reader.build(at, construct.relation, sign, left, right)
 
 
 def _refuse_applied(reader: Elaborator, terms: Sequence[Term]) -> None:

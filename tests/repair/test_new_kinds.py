@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from workbench import check
+from workbench.repair.propose.limits import Limits
 
 SYMBOLS = {
     "e": {"kind": "hamilton quaternion", "unit": True},
@@ -16,6 +17,8 @@ SYMBOLS = {
     "r": "vector",
     r"\theta": "scalar",
 }
+#: However busy the machine is.
+PATIENT = Limits(seconds=250)
 TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}"
 
 
@@ -33,7 +36,7 @@ TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \en
     ],
 )  # fmt: skip
 def test_damage_is_found(damaged: str, right: str) -> None:
-    proposed = [proposal.latex for proposal in check(damaged, SYMBOLS).repair().proposals]
+    proposed = [proposal.latex for proposal in check(damaged, SYMBOLS).repair(PATIENT).proposals]
     assert any(right in latex for latex in proposed), proposed
 
 

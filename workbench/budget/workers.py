@@ -21,8 +21,9 @@ from weakref import finalize
 
 from workbench.budget.limits import Budget, OutOfBudget
 
-#: Wall time for a call as a multiple of its processor time, on a machine that others use too.
-PATIENCE = 10.0
+#: Wall time for a call as a multiple of its processor time, on a machine that others use too; and at least so
+#: many seconds.
+PATIENCE, LEAST = 10.0, 60.0
 
 
 class Workers:
@@ -122,7 +123,7 @@ class _Worker:
         if self._process is None:
             self._start()
         if seconds is None and self._budget is not None:
-            seconds = PATIENCE * self._budget.seconds
+            seconds = max(LEAST, PATIENCE * self._budget.seconds)
         self.end_at = None if seconds is None else monotonic() + seconds
         self.pipe.send(item)
 

@@ -190,13 +190,13 @@ def _proof_of(parts: list[str]) -> str:
 
 def _relations(statement: Statement) -> Iterator[Relation]:
     match statement:
-        case Relation():
+        case Relation(operator="=" | "≠"):
             yield statement
         case Conjunction(parts=parts):
             for part in parts:
                 yield from _relations(part)
         case _:
-            own = {Extremum: "a minimum or maximum", Naming: "a set or a map"}
+            own = {Relation: "an approximation", Extremum: "a minimum or maximum", Naming: "a set or a map"}
             raise NotCertified(own.get(type(statement), f"an {type(statement).__name__.lower()}"))
 
 

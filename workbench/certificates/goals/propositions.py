@@ -197,7 +197,7 @@ def _bound(
 
 def relations(statement: Statement) -> Iterator[Relation]:
     match statement:
-        case Relation():
+        case Relation(operator="=" | "≠"):
             yield statement
         case Conjunction(parts=parts):
             for part in parts:

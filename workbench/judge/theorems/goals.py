@@ -168,10 +168,10 @@ def bound_integers(goal: Goal | None) -> set[str]:
 def equations(statement: Statement) -> Iterator[Relation]:
     """The relations of a chain or a system. Raises GoalError for a statement with ⇒ or ⇔ within."""
     match statement:
-        case Relation():
+        case Relation(operator="=" | "≠"):
             yield statement
         case Conjunction(parts=parts):
             for part in parts:
                 yield from equations(part)
         case _:
-            raise GoalError("expected equations, got an implication")
+            raise GoalError("expected equations, got an implication or an approximation")

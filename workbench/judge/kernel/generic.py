@@ -29,8 +29,8 @@ class Distinct:
 
     @staticmethod
     def of(orders: OrderRanges, terms: Sequence[Term], definitions: Definitions) -> list[Distinct]:
-        """All must refute: with sums of two addends up to such as end behind all numbers of the formula, since
-        the text may say somewhere how many there are. None at all where these would be too long."""
+        """All must refute: with sums of two addends up to such as end behind all numbers of the formula: the
+        text may say somewhere how many there are. None at all where these would be too long."""
         sums = [part for term in terms for part in term.walk() if isinstance(part, BigSum)]
         lasts = [name for name in orders.generic if any(name in each.upper.variables for each in sums)]
         if not lasts:

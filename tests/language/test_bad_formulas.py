@@ -138,7 +138,7 @@ UNREADABLE = [
     (r"\sum_{k} \omega = 0", 1, "bounds"),
     (r"\sum_{k=0} \omega = 0", 1, "upper bound"),
     (r"\sum_{k=0}^{\infty} \omega = 0", 12, "infinite"),
-    (r"\sum_{k=0}^{m} \omega = 0", 12, "integer expression"),
+    (r"\sum_{k=0}^{k_1 k_2} \omega = 0", 12, "integer expression"),
     (r"\sum_{k=0}^{3} = 0", 1, "no body"),
     (r"\sum_{k=0}^{3} \sum_{k=0}^{3} \omega = 0", 16, "already has a meaning"),
     (r"\sum_{k_1+k_1=3} \omega = 0", 1, "already has a meaning"),

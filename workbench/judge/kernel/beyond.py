@@ -35,7 +35,7 @@ def beyond(
     """Values at and behind the largest number in the terms and in what defines their symbols."""
     first, *others = orders.assignments()
     last = others[-1] if others else first
-    largest = max((abs(n) for n in _numbers(terms, definitions) if abs(n) <= _LARGEST), default=0)
+    largest = max((n for n in _numbers(terms, definitions) if n <= _LARGEST), default=0)
     further = {name: [n for n in (largest, largest + 1) if n > last[name]] for name in orders.endless}
     choices = [(value, *further.get(name, ())) for name, value in first.items()]
     for chosen in product(*choices):
@@ -44,15 +44,21 @@ def beyond(
             yield values
 
 
+def behind(terms: Iterable[Term], definitions: Definitions) -> int | None:
+    """An integer behind all that stand there; None where that would be a large one."""
+    largest = max(_numbers(terms, definitions), default=0)
+    return largest + 1 if largest <= _LARGEST else None
+
+
 def _numbers(terms: Iterable[Term], definitions: Definitions) -> Iterator[int]:
     waiting, seen = list(terms), set()
     while waiting:
         for part in waiting.pop().walk():
-            yield from (linear.constant for linear in _linear(part))
+            yield from (abs(linear.constant) for linear in _linear(part))
             if isinstance(part, Symbol) and part.declaration not in seen:
                 seen.add(part.declaration)
                 own = [d for d in definitions if d.declaration == part.declaration]
-                yield from (place.constant for definition in own for place in definition.index)
+                yield from (abs(place.constant) for definition in own for place in definition.index)
                 waiting += [definition.body for definition in own]
 
 

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Protocol
 
 from workbench.judge.kernel.beyond import OrderRanges, beyond
+from workbench.judge.kernel.generic import Distinct, judge_addends
 from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
 from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
+from workbench.judge.subject.addends import has_sums
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
@@ -80,26 +82,14 @@ def judge_family(
     if not orders.generic:
         return verdict
     if verdict.outcome is Outcome.REFUTED:
-        apart = _instances(judge, statement, assume, hypothesis, _Distinct(orders))
-        is_false = apart.outcome is Outcome.REFUTED
-        return apart if is_false else _open(orders, "fails only where two indices are the same")
+        distinct = Distinct.of(orders, list(_terms(statement)), judge.definitions)
+        apart = None if distinct is None else _instances(judge, statement, assume, hypothesis, distinct)
+        if apart is not None and apart.outcome is Outcome.REFUTED:
+            return apart
+        return _open(orders, "fails only for short sums, or where two indices are the same")
     is_for_all = (verdict.scope or "").startswith("all")
     holds = verdict.outcome in (Outcome.PROVED, Outcome.PROBABLE, Outcome.CONDITIONAL)
     return _open(orders, f"holds for {orders}") if holds and not is_for_all else verdict
-
-
-@dataclass(frozen=True)
-class _Distinct:
-    """Orders without those in which two generic variables are the same."""
-
-    orders: OrderRanges
-    generic: tuple[str, ...] = ()
-    endless: frozenset[str] = frozenset()
-
-    def assignments(self) -> Iterator[dict[str, int]]:
-        for values in self.orders.assignments():
-            if len({values[name] for name in self.orders.generic}) == len(self.orders.generic):
-                yield values
 
 
 def _open(orders: OrderRanges, seen: str) -> Verdict:
@@ -161,6 +151,8 @@ def _for_all(
     """The verdict with the lowest member of each family free; None where the statement is not of that form,
     does not hold in it, or where some definition is not in force for all of `orders`."""
     statements = (statement, *assume, *([] if hypothesis is None else [hypothesis]))
+    if any(map(has_sums, _all_terms(statements))):
+        return judge_addends(judge, statement) if len(statements) == 1 else None
     try:
         shift = _shift(_indices(statements))
         statements = _shifted(statements, shift)

@@ -12,9 +12,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
+from workbench.judge.subject.addends import addends, has_sums, spread
 from workbench.language.construct import (
     apply,
-    big_sum,
     derivative,
     integer,
     number,
@@ -35,15 +35,10 @@ from workbench.language.terms import (
     Relation,
     Symbol,
     Term,
-    Zero,
 )
 from workbench.language.types import Declaration
 
 _SHIFTS = (0, 1, -1, 2, -2)
-
-
-def has_sums(term: Term) -> bool:
-    return any(isinstance(part, BigSum) for part in term.walk())
 
 
 def without_sums(equation: Relation, least: Mapping[str, int]) -> Relation:
@@ -62,7 +57,7 @@ class _Sums:
 
     def _side(self, side: Term) -> Term:
         total: Term | None = None
-        for negative, addend in _addends(_spread(side)):
+        for negative, addend in addends(spread(side)):
             term = self._without(addend) if isinstance(addend, BigSum) else self._inside(addend)
             term = apply("neg", term) if negative else term
             total = term if total is None else apply("add", total, term)
@@ -223,58 +218,3 @@ def _base(term: Term, k: str, orders: set[Linear]) -> tuple[Term, Linear] | None
 
 def _depends(term: Term, k: str) -> bool:
     return k in free_integers(term)
-
-
-# addends
-
-
-def _addends(term: Term, negative: bool = False) -> Iterator[tuple[bool, Term]]:
-    if isinstance(term, Apply) and term.head == "add":
-        for argument in term.arguments:
-            yield from _addends(argument, negative)
-    elif isinstance(term, Apply) and term.head == "neg":
-        yield from _addends(term.arguments[0], not negative)
-    else:
-        yield negative, term
-
-
-def _spread(term: Term) -> Term:
-    """The term with its sums outermost: what is linear is brought to their addends."""
-    children = tuple(_spread(child) for child in term.children)
-    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-    term = term if unchanged else rebuild(term, children)
-    if not has_sums(term) or isinstance(term, BigSum):
-        return term
-    if isinstance(term, Derivative) and term.order.is_number:
-        return _over(term.body, lambda part: _derived(part, term.order))
-    if isinstance(term, Apply) and len(term.arguments) == 1 and term.head in COMPONENTWISE - {"neg"}:
-        return _over(term.arguments[0], lambda part: apply(term.head, part))
-    if isinstance(term, Apply) and term.head in PRODUCTS:
-        left, right = term.arguments
-        if has_sums(left) and not has_sums(right):
-            return _over(left, lambda part: apply(term.head, part, right))
-        if has_sums(right) and not has_sums(left):
-            return _over(right, lambda part: apply(term.head, left, part))
-    return term
-
-
-def _over(term: Term, linear) -> Term:
-    """linear(term), brought to the addends, and in sums to theirs."""
-    total: Term | None = None
-    for negative, addend in _addends(term):
-        if isinstance(addend, BigSum):
-            new: Term = big_sum(addend.variables, addend.lower, addend.upper, linear(addend.body))
-        else:
-            new = linear(addend)
-        new = apply("neg", new) if negative else new
-        total = new if total is None else apply("add", total, new)
-    assert total is not None
-    return total
-
-
-def _derived(term: Term, order: Linear) -> Term:
-    if isinstance(term, Zero):
-        return term
-    if isinstance(term, Derivative):
-        return derivative(term.body, term.order + order)
-    return derivative(term, order)

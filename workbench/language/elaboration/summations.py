@@ -5,40 +5,66 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from workbench.language import construct
-from workbench.language.errors import Fault
+from workbench.language.errors import Fault, Unranged
+from workbench.language.instances import free_integers
 from workbench.language.integers import Linear
 from workbench.language.scope import Scope
 from workbench.language.spelling import variable_name
 from workbench.language.syntax import Chain, Group, Leaf, Node, Sum, Summation, core
 from workbench.language.terms import Term
 
+#: What the number of all members may be called, where a text gives it no name.
+_COUNTS = "NMLKnmlk"
+
 
 def summation(scope: Scope, node: Summation, body: Callable[[], Term]) -> Term:
-    """Σ_{k=a}^{b} or Σ_{k₁+k₂=k} of the body, which is read with the variables in scope."""
+    """Σ_{k=a}^{b}, Σ_{k₁+k₂=k} or Σ_k of the body, which is read with the variables in scope."""
     lower = node.lower.parts[0] if isinstance(node.lower, Group) and node.lower.parts else node.lower
-    if not isinstance(lower, Chain) or [sign for sign, _ in lower.relations] != ["="]:
-        what = "a sum without bounds is not read; " if node.upper is None else ""
-        raise Fault(f"{what}expected the bounds of the sum, as in \\sum_{{k=0}}^{{n}}", node.at)
-    left, right = lower.sides
-    single = variable_name(left)
-    if single is not None:
-        if node.upper is None:
-            raise Fault("the sum has no upper bound", node.at)
-        names, start, end = [single], scope.integer(right), _upper_bound(scope, node.upper)
+    no_bounds = "a sum without bounds is not read; " if node.upper is None else ""
+    expected = f"{no_bounds}expected the bounds of the sum, as in \\sum_{{k=0}}^{{n}}"
+    over_all = node.upper is None and lower is not None and variable_name(lower)
+    if over_all:
+        names, start, end = [over_all], Linear(1), _last_of_all(scope, expected, node.at)
+    elif not isinstance(lower, Chain) or [sign for sign, _ in lower.relations] != ["="]:
+        raise Fault(expected, node.at)
     else:
-        names, start = _parts_of(left), None
-        if node.upper is not None:
-            raise Fault("a sum over k_1 + k_2 + … = k has no upper bound", node.upper.at)
-        end = scope.integer(right)
+        names, start, end = _bounds(scope, node, *lower.sides)
     with scope.bound(names, node.at):
         term = body()
+    if over_all and over_all not in free_integers(term):
+        raise Fault(expected, node.at)
     return scope.build(node.at, construct.big_sum, names, start, end, term)
+
+
+def _bounds(
+    scope: Scope, node: Summation, left: Node, right: Node
+) -> tuple[list[str], Linear | None, Linear]:
+    single = variable_name(left)
+    if single is None:
+        names = _parts_of(left)
+        if node.upper is not None:
+            raise Fault("a sum over k_1 + k_2 + … = k has no upper bound", node.upper.at)
+        return names, None, scope.integer(right)
+    if node.upper is None:
+        raise Fault("the sum has no upper bound", node.at)
+    return [single], scope.integer(right), _upper_bound(scope, node.upper)
+
+
+def _last_of_all(scope: Scope, expected: str, at: int) -> Linear:
+    """The number of members of the families of a formula: Σ_i is from 1 to this."""
+    name = next(letter for letter in _COUNTS if letter not in scope.table)
+    if name not in scope.variables:
+        raise Unranged(name, expected, at)
+    return Linear.variable(name)
 
 
 def _upper_bound(scope: Scope, node: Node) -> Linear:
     inner = core(node)
     if isinstance(inner, Leaf) and inner.text == "∞":
         raise Fault("an infinite sum; sums have integer bounds", node.at)
+    name = variable_name(inner)
+    if name is not None and not scope.knows(name):
+        raise Unranged(name, f"the last of the sum, {name}, has no range here", node.at)
     return scope.integer(node)
 
 

@@ -1,0 +1,68 @@
+"""Indices that nothing states a range for, and sums to an n that may be any."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from workbench.judge.kernel.beyond import OrderRanges, behind
+from workbench.judge.kernel.in_force import InstanceJudge
+from workbench.judge.subject.addends import addend_by_addend
+from workbench.judge.subject.inventory import NotExact
+from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.language.definitions import Definitions
+from workbench.language.instances import free_integers
+from workbench.language.terms import BigSum, Conjunction, IllFormed, Relation, Statement, Symbol, Term
+
+
+@dataclass(frozen=True)
+class Distinct:
+    """Values that refute: no two indices are the same, and sums end behind all numbers of the formula.
+
+    lasts: where the sums end whose last is any.
+    """
+
+    orders: OrderRanges
+    lasts: Mapping[str, int]
+    generic: tuple[str, ...] = ()
+    endless: frozenset[str] = frozenset()
+
+    @staticmethod
+    def of(orders: OrderRanges, terms: Sequence[Term], definitions: Definitions) -> Distinct | None:
+        """None where sums would have to be too long."""
+        sums = [part for term in terms for part in term.walk() if isinstance(part, BigSum)]
+        lasts = [name for name in orders.generic if any(name in each.upper.variables for each in sums)]
+        length = behind(terms, definitions) if lasts else 0
+        if length is None:
+            return None
+        return Distinct(orders, {name: max(length, len(orders.generic) + 2) for name in lasts})
+
+    def assignments(self) -> Iterator[dict[str, int]]:
+        indices = [name for name in self.orders.generic if name not in self.lasts]
+        first = next(self.orders.assignments())
+        for values in self.orders.assignments():
+            is_first = all(values[name] == first[name] for name in self.lasts)
+            if is_first and len({values[name] for name in indices}) == len(indices):
+                yield {**values, **self.lasts}
+
+
+def judge_addends(judge: InstanceJudge, statement: Statement) -> Verdict | None:
+    """`proved` for an equation of sums that holds addend by addend for a free one; None for any other."""
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return None
+    sides = (statement.left, statement.right)
+    families = {
+        part.declaration for t in sides for part in t.walk() if isinstance(part, Symbol) and part.index
+    }
+    if any(f.apart or any(d.declaration == f for d in judge.definitions) for f in families):
+        return None
+    try:
+        said = addend_by_addend(statement)
+        verdict = None if said is None else judge.judge_instance(Conjunction(tuple(said)), (), None)
+    except (NotExact, IllFormed):
+        return None
+    if verdict is None or verdict.outcome != Outcome.PROVED:
+        return None
+    names = sorted(free_integers(statement.left) | free_integers(statement.right))
+    evidence = (*verdict.evidence, Evidence("all n at once", "addend by addend, each a free function"))
+    return replace(verdict, scope=f"all {', '.join(names)}", evidence=evidence)

@@ -139,7 +139,7 @@ def _block_weight(entries: Sequence[Sequence[Term]]) -> Weight:
     return weights.pop() if len(weights) == 1 else None
 
 
-def relation(operator: Literal["=", "≠"], left: Term, right: Term) -> Relation:
+def relation(operator: Literal["=", "≠", "≈"], left: Term, right: Term) -> Relation:
     """A relation of two terms of one kind and weight; a bare 0 or I takes the other side's type."""
     left, right = agree(_as_quaternions((left, right)), "the two sides")
     return Relation(operator, left, right)

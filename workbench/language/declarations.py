@@ -21,7 +21,7 @@ from workbench.language.spelling import (
 from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, parse, unstyled
 from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
-_FLAGS = ("constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal")
+_FLAGS = ("constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal", "small")
 _FLAGGED = {
     "unit": ("vector", "hamilton quaternion"),
     "coordinate": ("vector",),
@@ -118,6 +118,8 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
     for flag, kinds in _FLAGGED.items():
         if spec.get(flag) and plain not in kinds:
             raise SpecError(f"{flag} is for a {' or a '.join(kinds)}, not for a {plain}", key)
+    if spec.get("small") and (dual or spec.get("unit") or plain in ("rotation", "transform", "operator")):
+        raise SpecError("small is for real quantities whose values are free", key)
     if dual and plain == "transform":
         raise SpecError("a transform is real; a dual rotation stands for the same motions", key)
     return Declaration(
@@ -133,6 +135,7 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
         coordinate=spec.get("coordinate", False),
         uniform=spec.get("uniform", False),
         independent=spec.get("independent", False),
+        small=spec.get("small", False),
         indices=len(index),
     )
 

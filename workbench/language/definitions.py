@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from workbench.language.construct import rebuild
@@ -125,15 +125,21 @@ def _with_arguments(body: Term, definition: Definition, symbol: Symbol) -> Term:
         return body
     actual = {p.name: a for p, a in zip(definition.parameters, symbol.arguments, strict=True)}
     used = frozenset().union(*map(free_integers, symbol.arguments))
-    return _replace(instantiate(body, {f"in {name}": Linear.variable(name) for name in used}), actual, {})
+    body = instantiate(body, {f"in {name}": Linear.variable(name) for name in used})
+    return replaced(body, lambda symbol: actual.get(symbol.declaration.name))
 
 
-def _replace(term: Term, actual: Mapping[Name, Term], done: dict[int, Term]) -> Term:
+def replaced(term: Term, given: Callable[[Symbol], Term | None]) -> Term:
+    """The term with what is given for its symbols, where something is. Raises IllFormed."""
+    return _replaced(term, given, {})
+
+
+def _replaced(term: Term, given: Callable[[Symbol], Term | None], done: dict[int, Term]) -> Term:
     if id(term) not in done:
-        if isinstance(term, Symbol) and term.declaration.name in actual:
-            done[id(term)] = actual[term.declaration.name]
-        else:
-            children = tuple(_replace(child, actual, done) for child in term.children)
+        new = given(term) if isinstance(term, Symbol) else None
+        if new is None:
+            children = tuple(_replaced(child, given, done) for child in term.children)
             unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-            done[id(term)] = term if unchanged else rebuild(term, children)
+            new = term if unchanged else rebuild(term, children)
+        done[id(term)] = new
     return done[id(term)]

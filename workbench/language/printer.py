@@ -48,7 +48,7 @@ def to_latex(formula: Term | Statement) -> str:
     """The formula as LaTeX: what a person checks the reading against."""
     match formula:
         case Relation(operator=operator):
-            sign = "=" if operator == "=" else "\\neq"
+            sign = {"=": "=", "≠": "\\neq", "≈": "\\approx"}[operator]
             left, right = _beside((formula.left, formula.right))
             return f"{left.text} {sign} {right.text}"
         case Equivalence():

@@ -175,9 +175,9 @@ class Block(Term):
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """left = right, or left ≠ right."""
+    """left = right, left ≠ right, or left ≈ right: equal to first order in all that is small."""
 
-    operator: Literal["=", "≠"]
+    operator: Literal["=", "≠", "≈"]
     left: Term
     right: Term
 

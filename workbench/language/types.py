@@ -94,6 +94,7 @@ class Declaration:
     uniform: the same at every place, so that div and curl take it for a constant.
     of: the symbols that it is a function of; nothing but them (and t, where it is among them) moves it.
     independent: others are functions `of` it and it is none itself, so that ∂/∂q keeps it fixed.
+    small: so small that what is said with ≈ holds to first order in it and its rates.
     clock: the time t, whose derivative is 1.
     parameters: how many arguments a function symbol such as Φ_k(ω) takes.
     apart: the indices at which a family has no member, since another symbol is declared that is printed so.
@@ -113,6 +114,7 @@ class Declaration:
     uniform: bool = False
     of: tuple[Any, ...] = ()
     independent: bool = False
+    small: bool = False
     clock: bool = False
     indices: int = 0
     apart: tuple[Any, ...] = ()

@@ -15,7 +15,7 @@ _LINES = LINES | set(_OTHER_LINES.split())
 _MATRICES = frozenset({"matrix", "smallmatrix"})
 _ARROWS = frozenset({"\\rightarrow", "\\to", "\\longrightarrow"})
 EQUALITIES = frozenset({"=", ":=", "\\equiv", "\\stackrel", "\\overset"})
-_UNREAD = "approx simeq sim propto le leq lt gt ll gg cong doteq subset"
+_UNREAD = "simeq sim propto le leq lt gt ll gg cong doteq subset"
 RELATIONS = EQUALITIES | {"<", *(f"\\{name}" for name in _UNREAD.split())}
 RELATIONS |= spellings("RELATION") - {":", "\\colon"}
 IMPLICATIONS = spellings("IMPLICATION") | {"\\Leftarrow", "\\impliedby", "\\Longleftarrow"}

@@ -65,7 +65,8 @@ def _conditions(
                 continue
             with suppress(ReadError, IllFormedAt, ValueError):
                 statement, ranges = read_statement(latex, notation, None)
-                if isinstance(statement, Relation) and not ranges and _symbols(statement) & own:
+                is_equation = isinstance(statement, Relation) and statement.operator != "≈"
+                if is_equation and not ranges and _symbols(statement) & own:
                     line = formula.source.place(formula.start)[0]
                     yield _aside(spelled(step.tokens)[0], line, statement, order)
 

@@ -12,7 +12,7 @@ from workbench.judge.evidence.lanes import Lanes
 from workbench.judge.evidence.motion_source import COPIES, Bindings, BoundFirst, MotionSource, Stage
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource, sample
-from workbench.judge.subject.inventory import Inventory
+from workbench.judge.subject.inventory import Inventory, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter, parts
 from workbench.language.terms import (
     Conjunction,
@@ -100,6 +100,8 @@ class Evaluation:
 
     def _truth(self, statement: Statement) -> Truth:
         match statement:
+            case Relation(operator="≈"):
+                raise NotExact("what is small on a motion")
             case Relation():
                 return self._relation(statement)
             case Conjunction(parts=conjuncts):

@@ -282,12 +282,9 @@ class ExactEngine:
         sin ‖x‖/‖x‖, and of quaternions without a scalar part the like."""
         argument = term.arguments[0]
         value = self.value(argument)
-        if all(
-            isinstance(e, Dual) and self.ring.reduce(self._algebra.polynomial(e.re)) == 0
-            for row in value
-            for e in row
-        ):
-            return add(self._algebra.diagonal(1, len(value)), value)
+        real = [self.ring.reduce(self._algebra.polynomial(real_part(e))) for row in value for e in row]
+        if term.type.dual and all(part == 0 for part in real):
+            return add(self._algebra.diagonal(1, len(value), len(value[0])), value)
         turn = angle_and_axis(argument, self._definitions)
         if turn is not None:
             angle, axis = turn

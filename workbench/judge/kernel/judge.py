@@ -15,6 +15,7 @@ from workbench.judge.kernel.families import SAME_TERM, WORST_FIRST, judge_family
 from workbench.judge.kernel.zero_sets import judge_inequation, judge_zeros
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.inventory import NotExact
+from workbench.judge.subject.small import to_first_order
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.construct import apply, zero
 from workbench.language.construct import relation as equated
@@ -88,6 +89,8 @@ class Judge(Setting):
                 return judge_branch(statement, self.definitions, lambda said: self._judge(said, assume))
             case Relation(operator="="):
                 return Equation(self, statement, assume).verdict()
+            case Relation(operator="≈"):
+                return self._approximated(statement, assume)
             case Relation():
                 return judge_inequation(self, statement, assume)
             case Equivalence(left=Relation() as left, right=Relation() as right):
@@ -101,6 +104,16 @@ class Judge(Setting):
             case Naming():
                 return self._named(statement, assume)
         raise NotExact("a statement of this form")
+
+    def _approximated(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        compared = to_first_order(said, assume, self.definitions)
+        verdict = self._judge(compared.relation, assume)
+        if verdict.outcome is Outcome.REFUTED and compared.has_plain_side:
+            return Verdict(Outcome.UNCHECKED, reason="to first order the sides differ; to order 0 is open")
+        order = f"to first order in {compared.names}"
+        evidence = Evidence("dual numbers", f"{order} and their rates, taken together")
+        holds = verdict.outcome not in (Outcome.REFUTED, Outcome.UNCHECKED)
+        return replace(verdict, scope=order if holds else None, evidence=(*verdict.evidence, evidence))
 
     def _of_parts(self, parts: Sequence[Statement], assume: tuple[Statement, ...]) -> Verdict:
         """On a chain or a system: that on its parts which say something. Of one whose sides are the same term

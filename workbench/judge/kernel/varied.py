@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from workbench.judge.subject import Lookup, NotExact
 from workbench.language.construct import apply, block, dual_unit, number, rebuild, zero
-from workbench.language.definitions import expand
+from workbench.language.definitions import expand, replaced
 from workbench.language.operators import GRADIENTS, PARTIALS
 from workbench.language.terms import (
     Apply,
@@ -76,7 +76,7 @@ class Varied:
             own = {i: values.get(first + i, 0) for i in range(letter.type.rows)}
             given[letter] = _column(own) if letter.type.rows > 1 else _weightless(own[0])
             first += letter.type.rows
-        return _replaced(term, given, {})
+        return replaced(term, given.get)
 
 
 def _weightless(value: int) -> Term:
@@ -87,18 +87,6 @@ def _column(values: Mapping[int, int]) -> Term:
     if not any(values.values()):
         return zero(VECTOR)
     return replace(block([[_weightless(values.get(i, 0))] for i in range(3)]), weight=None)
-
-
-def _replaced(term: Term, given: Mapping[Symbol, Term], done: dict[int, tuple[Term, Term]]) -> Term:
-    if id(term) not in done:
-        if isinstance(term, Symbol) and term in given:
-            new = given[term]
-        else:
-            children = [_replaced(child, given, done) for child in term.children]
-            same = all(n is old for n, old in zip(children, term.children, strict=True))
-            new = term if same else rebuild(term, children)
-        done[id(term)] = (term, new)
-    return done[id(term)][1]
 
 
 def _require_visible(letter: Symbol, body: Term) -> None:

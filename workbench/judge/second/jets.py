@@ -55,6 +55,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
+from workbench.language.types import Type
 
 
 class JetEngine:
@@ -183,18 +184,18 @@ class JetEngine:
         base, exponent = self.value(term.base, depth), int(term.exponent)
         if term.base.type.is_column:
             base, exponent = product_of(dot, base, base), exponent // 2
-        if term.type.kind == "quaternion":
-            total = self._algebra.diagonal(4, 1, depth).map(lambda x: x[:, 0])
-        else:
-            total = self.one(base.re[0].shape, depth)
+        total = self.one(term.type, depth)
         times = {"scalar": np.multiply, "quaternion": quaternion_product}.get(term.type.kind, np.matmul)
         for _ in range(exponent):
             total = product_of(times, total, base)
         return total
 
-    def one(self, shape: tuple[int, ...], depth: int) -> Value:
-        """1, or the unit matrix."""
-        return self._algebra.diagonal(shape[0], 1, depth) if shape else self._algebra.constant(1, 1, depth)
+    def one(self, type_: Type, depth: int) -> Value:
+        """1, the unit matrix, or the quaternion 1."""
+        if type_.kind == "scalar":
+            return self._algebra.constant(1, 1, depth)
+        unit = self._algebra.diagonal(type_.rows, 1, depth)
+        return unit.map(lambda x: x[:, 0]) if type_.kind == "quaternion" else unit
 
     def _block(self, term: Block, depth: int) -> Value:
         entries = [[self.value(e, depth) for e in row] for row in term.entries]

@@ -131,7 +131,7 @@ class Turns:
         value = self._engine.value(argument, depth)
         if value.du is None or any(bool(x != 0) for jet in value.re for x in jet.ravel()):
             raise NotExact(NO_EXPONENT)
-        return Value(self._engine.one(value.re[0].shape, depth).re, value.du)
+        return Value(self._engine.one(argument.type, depth).re, value.du)
 
     def _turned(self, argument: Term, cosine: Value, sine: Value, axis: Value) -> Value:
         """The rotation, or cos + u sin of a quaternion, about an axis of length 1."""

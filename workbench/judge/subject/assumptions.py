@@ -33,7 +33,7 @@ def derivatives_of(premise: Statement, claim: Statement, definitions: Lookup) ->
 
     f = 1 says nothing of ḟ at one instant, and ḟ = 0 if it lasts.
     """
-    orders = take_inventory(_sides(claim), definitions).orders
+    orders = take_inventory(sides_of(claim), definitions).orders
     found = []
     for relation in _relations(premise):
         sides = (relation.left, relation.right)
@@ -45,25 +45,26 @@ def derivatives_of(premise: Statement, claim: Statement, definitions: Lookup) ->
     return tuple(found)
 
 
-def _sides(statement: Statement) -> Iterator[Term]:
+def sides_of(statement: Statement) -> Iterator[Term]:
+    """The terms of which something is said."""
     match statement:
         case Relation():
             yield from (statement.left, statement.right)
         case Conjunction(parts=parts):
             for part in parts:
-                yield from _sides(part)
+                yield from sides_of(part)
         case Extremum():
             yield from (statement.body, statement.value)
         case Naming():
             yield from statement.terms
         case _:
-            yield from _sides(statement.left)
-            yield from _sides(statement.right)
+            yield from sides_of(statement.left)
+            yield from sides_of(statement.right)
 
 
 def _relations(statement: Statement) -> list[Relation]:
     match statement:
-        case Relation():
+        case Relation(operator="=" | "≠"):
             return [statement]
         case Conjunction():
             return [relation for part in statement.parts for relation in _relations(part)]

@@ -215,7 +215,7 @@ def _is_inequation(clause: Node) -> bool:
 def _condition(reader: Elaborator, node: Node) -> Statement:
     statement = _statement(reader, node)
     parts = statement.parts if isinstance(statement, Conjunction) else (statement,)
-    if not all(isinstance(part, Relation) for part in parts):
+    if not all(isinstance(part, Relation) and part.operator != "≈" for part in parts):
         raise Fault("a condition is an equation or an inequation (= or \\neq)", node.at)
     return statement
 
@@ -262,7 +262,10 @@ def _statement(reader: Elaborator, clause: Node) -> Statement:
 
 def _chain(reader: Elaborator, chain: Chain) -> Statement:
     for sign, at in chain.relations:
-        if sign not in ("=", "≠", *ORIENTATIONS):
+        if sign == "≈" and not any(each.small for each in reader.table.symbols.values()):
+            message = "\\approx: an approximation is not read unless symbols are declared `small = true`"
+            raise Fault(message, at)
+        if sign not in ("=", "≠", "≈", *ORIENTATIONS):
             raise Fault(f"{sign} states a range only; statements are made with = and \\neq", at)
     if any(map(is_extremal, chain.sides)):
         return _together(extrema(reader, chain))

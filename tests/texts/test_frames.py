@@ -50,8 +50,50 @@ FALSE = [
 ]
 
 
-def verdicts(path: Path, formulas: list[str]) -> list[str]:
-    (path / "p.toml").write_text(MODEL)
+CRAIG = r"""
+source = "p.md"
+[conventions]
+points = "homogeneous"
+[frames]
+base = "U"
+names = ["A", "B", "C"]
+'{}^F_G R' = "rotation to F from G"
+'{}^F_G T' = "transform to F from G"
+'{}^F P_{XORG}' = "origin of X in F"
+axes = { B = ['\hat X_B', '\hat Y_B', '\hat Z_B'] }
+[points]
+names = ["P"]
+'{}^F P' = "place of P in F"
+"""
+OF_TRANSFORMS = [
+    r"{}^A P = {}^A_B T\, {}^B P",
+    r"{}^A P = {}^A_B R\, {}^B P + {}^A P_{BORG}",
+    r"{}^A P = {}^A_B T\, {}^B_C T\, {}^C P",
+    r"{}^B_A T = {}^A_B T^{-1}",
+    r"{}^B_A T = \begin{bmatrix} {}^A_B R^T & -{}^A_B R^T {}^A P_{BORG} \\ 0 & 1 \end{bmatrix}",
+]
+TURNED = r"""
+source = "p.md"
+[frames]
+base = "N"
+names = ["A", "B", "C"]
+'{}^F\omega^G' = "angular velocity of G in F"
+'{}^F R^G' = "rotation to F from G"
+axes = { A = ['a_x', 'a_y', 'a_z'] }
+[frames.orientation]
+A = '\begin{bmatrix} \cos\psi & -\sin\psi & 0 \\ \sin\psi & \cos\psi & 0 \\ 0 & 0 & 1 \end{bmatrix}'
+B = ["A", '\begin{bmatrix} 1 & 0 & 0 \\ 0 & \cos\theta & -\sin\theta \\ 0 & \sin\theta & \cos\theta \end{bmatrix}']
+C = ['\frac{r}{\|r\|}', '\frac{(r \times s) \times r}{\|r \times s\| \|r\|}', '\frac{r \times s}{\|r \times s\|}']
+[symbols]
+'\psi' = "scalar"
+'\theta' = "scalar"
+'r' = "vector"
+'s' = "vector"
+"""
+
+
+def verdicts(path: Path, formulas: list[str], model: str = MODEL) -> list[str]:
+    (path / "p.toml").write_text(model)
     (path / "p.md").write_text("\n\n".join(f"$$\n{formula}\n$$" for formula in formulas))
     result = CliRunner().invoke(main, ["check", str(path / "p.toml"), "--no-proposals", "--json"])
     return [claim["verdict"] for claim in json.loads(result.stdout)["claims"]]
@@ -60,6 +102,44 @@ def verdicts(path: Path, formulas: list[str]) -> list[str]:
 def test_the_laws_of_frames_and_points(tmp_path: Path) -> None:
     found = verdicts(tmp_path, TRUE + FALSE)
     assert found == ["proved"] * len(TRUE) + ["refuted"] * len(FALSE)
+
+
+def test_transforms_act_on_points_as_columns_of_four(tmp_path: Path) -> None:
+    wrong = [
+        r"{}^A P = {}^B_A T\, {}^B P",
+        r"{}^A P = {}^A_B R\, {}^B P - {}^A P_{BORG}",
+        r"\hat X_B = {}^A_B T \hat X_B",  # a direction
+    ]
+    found = verdicts(tmp_path, OF_TRANSFORMS + wrong, CRAIG)
+    assert found == ["proved"] * len(OF_TRANSFORMS) + ["refuted", "refuted", "unchecked"]
+
+
+def test_frames_made_of_others_and_of_vectors(tmp_path: Path) -> None:
+    formulas = [
+        r"{}^N\omega^B = \dot\psi a_z + \dot\theta a_x",
+        r"{}^N R^B = {}^N R^A {}^A R^B",
+        r"({}^N R^C)^T r = \begin{bmatrix} \|r\| \\ 0 \\ 0 \end{bmatrix}",
+        r"{}^N R^B = {}^A R^B {}^N R^A",
+    ]
+    assert verdicts(tmp_path, formulas, TURNED) == ["proved", "proved", "conditional", "refuted"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (r"-\sin\psi", r"\sin\psi", "A is not seen to be a rotation"),
+        (r"1 \end", r"-1 \end", "A is not seen to be a rotation"),
+        (r"\|r \times s\|}'", r"\|s\|}'", "C is not seen to be a rotation"),
+        ('B = ["A", ', 'B = ["C", ', "C is to be given before"),
+        ('B = ["A", ', 'B = ["D", ', "D is not among the names"),
+        ('B = ["A", ', 'B = ["A", "A", "A", ', "expected a matrix"),
+    ],
+)
+def test_orientations_that_are_none(tmp_path: Path, old: str, new: str, message: str) -> None:
+    (tmp_path / "p.toml").write_text(TURNED.replace(old, new, 1))
+    (tmp_path / "p.md").write_text("$$\nr = r\n$$\n")
+    with pytest.raises(PaperError, match=message):
+        load_paper(tmp_path / "p.toml")
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,8 @@ from workbench.language.notations import is_shape
 from workbench.language.spelling import linear, linear_or_none, spell_label
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Group, Leaf, Node, Product, Scripted, Sum
-from workbench.language.terms import IllFormed, Term, Zero, is_rate
+from workbench.language.terms import IllFormed, Symbol, Term, Zero, is_rate
+from workbench.language.types import type_of_kind
 
 Result = TypeVar("Result")
 
@@ -98,7 +99,18 @@ class Scope(ABC):
             raise Misfit(fault, at) from None
 
     def apply(self, at: int, head: str, *arguments: Term) -> Term:
+        if head == "mul" and arguments[0].type == type_of_kind("transform"):
+            arguments = (arguments[0], self.as_point(arguments[1], at))
         return self.build(at, construct.apply, head, *arguments)
+
+    def as_point(self, term: Term, at: int) -> Term:
+        """The column (p, 1) of a point, where the paper writes p for it; anything else as it is."""
+        if self.table.directions is None or term.type.kind != "vector":
+            return term
+        own = term.declaration if isinstance(term, Symbol) else None
+        if own is None or own.unit or own.name in self.table.directions:
+            raise Fault("a point or a direction? write the column of four", at)
+        return construct.block([[term], [construct.number(1)]])
 
     @contextmanager
     def bound(self, names: Sequence[str], at: int) -> Iterator[None]:

@@ -60,6 +60,8 @@ class SymbolTable:
     gradient: str | None = None
     #: the frame in which \\dot differentiates vectors; None with frames: it is not said
     dot: str | None = None
+    #: where a transform acts on points as columns of four: the vectors that are no points
+    directions: frozenset[Name] | None = None
 
     @staticmethod
     def build(specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:

@@ -68,6 +68,9 @@ def tokenize(text: str) -> Iterator[Token]:
     return iter(Tokenizer(text).tokens())
 
 
+_EVALUATED = "a bar that says where something is evaluated is not read"
+
+
 class Tokenizer:
     """alignments: where an & stands in lines, and how many environments it stands in."""
 
@@ -87,7 +90,9 @@ class Tokenizer:
         for match in _TOKEN.finditer(self.text):
             self.match(match)
         if self.open:
-            raise Fault(f"{self.open[-1].what} is never closed", self.open[-1].at)
+            opened = self.open[-1]
+            is_bar = opened.what == "|" and self.text[opened.at + 1 :].lstrip().startswith("_")
+            raise Fault(_EVALUATED if is_bar else f"{opened.what} is never closed", opened.at)
         if self.size:
             raise Fault(f"\\{self.size} without a bracket", len(self.text))
         if self.refused:
@@ -247,7 +252,7 @@ class Tokenizer:
         """\\left\\{ \\begin{array} … \\right. is a brace around lines; no other bracket is one-sided."""
         size, self.size = self.size, None
         if size != "right" or not self.open or self.open[-1].what != "\\left\\{":
-            raise Fault("a one-sided bracket \\left. or \\right.", at)
+            raise Fault(f"a one-sided bracket \\left. or \\right.; {_EVALUATED}", at)
         self.open.pop()
 
     def bracket(self, text: str, at: int) -> None:

@@ -76,6 +76,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "top": ("MARK", "T"),
     "intercal": ("MARK", "T"),
     "ast": ("MARK", "*"),
+    "star": ("MARK", "\\star"),
     "infty": ("MARK", "∞"),
     **{name: ("MARK", f"\\{name}") for name in _LABELS.split()},
 }

@@ -14,7 +14,7 @@ from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.names import Name
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Definition, Symbol
-from workbench.papers.frames import framed
+from workbench.papers.frames import framed, require_rotations
 from workbench.papers.model import Notation
 from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot
 from workbench.papers.ties import ties
@@ -25,6 +25,7 @@ NOTATION_KEYS = (
     "points", "budget",
 )  # fmt: skip
 HAMILTON = "hamilton, scalar first"
+HOMOGENEOUS = "homogeneous"
 GRADIENTS = ("row", "column")
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
@@ -37,10 +38,11 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
         _table(files, scopes),
         arguments=_arguments(files),
         gradient=_gradient(files),
+        directions=frozenset() if any(f.text(("conventions", "points")) for f in files) else None,
         bare_functions=frozenset(n for file in files for n in file.texts(("conventions", "functions"))),
     )
     table = _spellings(files, table)
-    table, definitions = framed([*files, *scopes], table)
+    table, definitions, turns = framed([*files, *scopes], table)
     made_by_frames = frozenset(definition.declaration.name for definition in definitions)
     for file, key, body in _in_scope(files, scopes):
         definition, table = _definition(file, key, body, table)
@@ -51,6 +53,7 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     robots = [found for file in files if (found := robot(file)) is not None]
     tied = ties(bound, Definitions(definitions))
     known = Definitions([*definitions, *tied])
+    require_rotations(turns, known)
     notation = Notation(table, known, bound, robots[-1] if robots else None)
     notation = replace(notation, words=_words(files), framed=made_by_frames)
     return replace(notation, on_motions=dict(f for file in files for f in formulas(file, notation)))
@@ -130,9 +133,12 @@ def _says_hamilton(file: TomlFile) -> bool:
             continue
         if key == "gradient" and file.text(("conventions", key)) in GRADIENTS:
             continue
+        if key == "points" and file.text(("conventions", key)) == HOMOGENEOUS:
+            continue
         if key != "quaternion" or file.text(("conventions", key)) != HAMILTON:
             message = (
                 f'conventions: expected quaternion = "{HAMILTON}", gradient = "row" or "column", '
+                f'points = "{HOMOGENEOUS}", '
                 "arguments = […] or functions = […]"
             )
             raise file.error_at_key(("conventions", key), message)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from workbench.language import construct
+from workbench.language import construct, instances
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
 from workbench.language.errors import Fault, Misfit, Unranged
 from workbench.language.integers import Linear
@@ -16,9 +16,11 @@ from workbench.language.symbols import may_be_label
 from workbench.language.syntax import (
     Accented,
     Bracket,
+    Fraction,
     Group,
     Leaf,
     Node,
+    Product,
     Scripted,
     Styled,
     Sum,
@@ -278,6 +280,22 @@ def _is_upright_t(node: Node) -> bool:
     return False
 
 
+def _halves(node: Node | None) -> int | None:
+    """k of x^{k/2} with an odd k; None for any other superscript."""
+    match core(node):
+        case Sum(addends=(("-", _, inner),)):
+            found = _halves(inner)
+            return None if found is None else -found
+        case Fraction(numerator=above, denominator=below):
+            parts = core(above), core(below)
+        case Product(items=(above, Leaf(kind="MARK", text="/"), below)):
+            parts = above, below
+        case _:
+            return None
+    texts = [part.text for part in parts if isinstance(part, Leaf)]
+    return int(texts[0]) if texts in (["1", "2"], ["3", "2"], ["5", "2"]) else None
+
+
 def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spelled: str) -> Term:
     """The one of the entries that fits the term, applied to it. Raises Misfit."""
     for entry in entries:
@@ -302,6 +320,9 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
             return scope.apply(sup.at, "adjugate", term)
         case Bracket(kind="(", parts=(order,)):
             return scope.build(sup.at, construct.derivative, term, scope.integer(order))
+    if (halves := _halves(inner)) is not None:
+        root = scope.apply(sup.at, "root", term)
+        return scope.build(sup.at, instances.raised, root, Linear(halves))
     exponent = linear(inner, scope.variables)
     if exponent is None:
         known = "an integer, -1, T, *, or an order in round brackets"

@@ -271,6 +271,8 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
         return _together(extrema(reader, chain))
     reader.tensor_operand = None
     terms = [reader.term(side) for side in chain.sides]
+    if any(str(term.type) == "matrix 4×1" for term in terms):
+        terms = [reader.as_point(term, side.at) for term, side in zip(terms, chain.sides, strict=True)]
     _refuse_applied(reader, terms)
     for term, side in zip(terms, chain.sides, strict=True):
         _refuse_depth(term, side.at)

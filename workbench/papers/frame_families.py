@@ -1,0 +1,172 @@
+"""What {}^A ω^B, {}^A R_B and r^{P/O} are, by definitions over symbols of our own.
+
+Each frame has an orientation Q (I for the base), an angular velocity w = vect(Q̇ Qᵀ) and an origin o; each
+point a place p. These families are just what frames and points can do, so that what is proved by them holds,
+and what they refute is false. Written in columns of the base:
+
+    rotation to F from G    Q_Fᵀ Q_G           angular velocity of G in F    w_G − w_F
+    to P from O             p_P − p_O          derivative in F               ẋ − w_F × x
+    axes of F               Q_F e₁, Q_F e₂, Q_F e₃
+    transform to F from G   [Q_Fᵀ Q_G, Q_Fᵀ (o_G − o_F); 0 1]
+    P fixed in F            p_P = o_F + Q_F c, c constant
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from workbench.language.construct import apply, block, derivative, number, symbol, zero
+from workbench.language.errors import SpecError
+from workbench.language.names import Name
+from workbench.language.terms import Definition, Term, Zero
+from workbench.language.types import TENSOR, VECTOR, Declaration, Type, type_of_kind
+
+TRANSFORM = type_of_kind("transform")
+
+
+@dataclass
+class Frames:
+    """What the tables declare: the definitions, and the angular velocity of each frame."""
+
+    base: str
+    labels: tuple[str, ...]
+    points: tuple[str, ...] = ()
+    definitions: list[Definition] = field(default_factory=list)
+    declarations: dict[Name, Declaration] = field(default_factory=dict)
+    origins: dict[str, Term] = field(default_factory=dict)
+    places: dict[str, Term] = field(default_factory=dict)
+    given: dict[str, Term] = field(default_factory=dict)
+    directions: set[Name] = field(default_factory=set)
+
+    # the symbols behind them
+
+    def orientation(self, frame: str) -> Term | None:
+        """Q_F; None for the base, whose is I."""
+        name = _own("Q", frame)
+        if frame in self.given:
+            return self.defined(name, TENSOR, self.given[frame])
+        return None if frame == self.base else self.free(name, TENSOR, rotation=True)
+
+    def spin(self, frame: str) -> Term:
+        """w_F, which its orientation gives."""
+        turn = self.orientation(frame)
+        if turn is None:
+            return zero(VECTOR)
+        name = _own("w", frame)
+        body = apply("vect", apply("mul", derivative(turn, 1), apply("transpose", turn)))
+        return self.defined(name, VECTOR, body)
+
+    def origin(self, frame: str) -> Term:
+        if frame == self.base:
+            return zero(VECTOR)
+        if frame not in self.origins:
+            self.origins[frame] = self.free(_own("o", frame), VECTOR)
+        return self.origins[frame]
+
+    def place(self, point: str) -> Term:
+        if point not in self.places:
+            self.places[point] = self.free(_own("p", point), VECTOR)
+        return self.places[point]
+
+    def fix(self, point: str, frame: str) -> None:
+        """p = o_F + Q_F c. The first point that is fixed in a frame may be its origin."""
+        if point in self.places and frame in self.origins:
+            raise SpecError(
+                f"{point} closes a loop of frames; that is no family that can be written down", "fixed"
+            )
+        if point in self.places:
+            self.origins[frame] = self.places[point]
+        elif frame not in self.origins and frame != self.base:
+            self.places[point] = self.origin(frame)
+        else:
+            offset = self.free(_own("c", point), VECTOR, constant=True)
+            self.places[point] = plus(self.origin(frame), turned(self.orientation(frame), offset))
+
+    def free(self, name: Name, type_: Type, **flags: bool) -> Term:
+        if name not in self.declarations:
+            self.declarations[name] = Declaration(name, type_, **flags)
+        return symbol(self.declarations[name], ())
+
+    def defined(self, name: Name, type_: Type, body: Term) -> Term:
+        if name not in self.declarations:
+            self.declarations[name] = Declaration(name, type_)
+            self.definitions.append(Definition(self.declarations[name], (), (), body))
+        return symbol(self.declarations[name], ())
+
+    # what the texts write
+
+    def angular_velocity(self, of: str, seen_from: str) -> Term:
+        return minus(self.spin(of), self.spin(seen_from))
+
+    def rate(self, frame: str, body: Term) -> Term:
+        spin = self.spin(frame)
+        rate = derivative(body, 1)
+        return rate if isinstance(spin, Zero) else minus(rate, apply("cross", spin, body))
+
+    def velocity(self, point: str, frame: str) -> Term:
+        return self.rate(frame, minus(self.place(point), self.origin(frame)))
+
+    def transform(self, to: str, origin: str) -> Term:
+        shift = self.resolved(to, minus(self.origin(origin), self.origin(to)))
+        return block([[_rotation(self, to, origin), shift], [zero(Type(1, 3)), number(1)]])
+
+    def resolved(self, frame: str, body: Term) -> Term:
+        turn = self.orientation(frame)
+        return body if turn is None else apply("mul", apply("transpose", turn), body)
+
+
+def minus(one: Term, other: Term) -> Term:
+    if isinstance(other, Zero):
+        return one
+    negative = apply("neg", other)
+    return negative if isinstance(one, Zero) else apply("add", one, negative)
+
+
+def plus(one: Term, other: Term) -> Term:
+    return other if isinstance(one, Zero) else apply("add", one, other)
+
+
+def turned(turn: Term | None, body: Term) -> Term:
+    return body if turn is None else apply("mul", turn, body)
+
+
+def _rotation(frames: Frames, to: str, origin: str) -> Term:
+    one, other = frames.orientation(to), frames.orientation(origin)
+    if one is None or one == other:
+        return apply("mul", apply("transpose", one), one) if one is not None and one == other else other
+    return apply("transpose", one) if other is None else apply("mul", apply("transpose", one), other)
+
+
+#: What a spelling may be said to be → its kind, which of its letters are frames, and what it is.
+PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
+    (r"rotation to (?P<F>\w) from (?P<G>\w)", TENSOR, "FG", lambda f, F, G: _rotation(f, F, G)),
+    (r"angular velocity of (?P<G>\w) in (?P<F>\w)", VECTOR, "FG", lambda f, F, G: f.angular_velocity(G, F)),
+    (
+        r"angular acceleration of (?P<G>\w) in (?P<F>\w)",
+        VECTOR,
+        "FG",
+        lambda f, F, G: f.rate(F, f.angular_velocity(G, F)),
+    ),
+    (r"to (?P<P>\w) from (?P<Q>\w)", VECTOR, "", lambda f, P, Q: minus(f.place(P), f.place(Q))),
+    (r"velocity of (?P<P>\w) in (?P<F>\w)", VECTOR, "F", lambda f, P, F: f.velocity(P, F)),
+    (r"transform to (?P<F>\w) from (?P<G>\w)", TRANSFORM, "FG", lambda f, F, G: f.transform(F, G)),
+    (
+        r"origin of (?P<G>\w) in (?P<F>\w)",
+        VECTOR,
+        "FG",
+        lambda f, F, G: f.resolved(F, minus(f.origin(G), f.origin(F))),
+    ),
+    (
+        r"place of (?P<P>\w) in (?P<F>\w)",
+        VECTOR,
+        "F",
+        lambda f, P, F: f.resolved(F, minus(f.place(P), f.origin(F))),
+    ),
+    (r"acceleration of (?P<P>\w) in (?P<F>\w)", VECTOR, "F", lambda f, P, F: f.rate(F, f.velocity(P, F))),
+)
+
+
+def _own(letter: str, label: str) -> Name:
+    """Of the symbols behind the author's."""
+    return Name(letter, ("\\mathsf",), sub=(label,))

@@ -77,15 +77,13 @@ def judge_family(
     if orders is None:
         return _instance_for(judge, statement, assume, hypothesis, {})
     verdict = _family(judge, statement, assume, hypothesis, orders)
-    if not orders.generic:
-        return verdict
-    if verdict.outcome is Outcome.REFUTED:
+    if verdict.outcome is Outcome.REFUTED and orders.generic:
         apart = _instances(judge, statement, assume, hypothesis, _Distinct(orders))
         is_false = apart.outcome is Outcome.REFUTED
         return apart if is_false else _open(orders, "fails only where two indices are the same")
-    is_for_all = (verdict.scope or "").startswith("all")
-    holds = verdict.outcome in (Outcome.PROVED, Outcome.PROBABLE, Outcome.CONDITIONAL)
-    return _open(orders, f"holds for {orders}") if holds and not is_for_all else verdict
+    if verdict.scope != str(orders) or not (orders.generic or orders.endless):
+        return verdict
+    return _open(orders, f"holds for {orders}")
 
 
 @dataclass(frozen=True)
@@ -103,8 +101,11 @@ class _Distinct:
 
 
 def _open(orders: OrderRanges, seen: str) -> Verdict:
-    names = ", ".join(orders.generic)
-    return Verdict(Outcome.UNCHECKED, reason=f"{seen}; no range is stated for {names}")
+    """What is seen of some members, of as many as there are numbers."""
+    why = f"no range is stated for {', '.join(orders.generic)}"
+    if not orders.generic:
+        why = f"no proof for all of the endless range of {', '.join(sorted(orders.endless))} was found"
+    return Verdict(Outcome.UNCHECKED, reason=f"{seen}; {why}")
 
 
 def _family(

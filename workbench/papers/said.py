@@ -71,11 +71,8 @@ def introduced(formula: Formula, notation: Notation) -> Definition | None:
 def introduces(formula: Formula, notation: Notation) -> bool:
     """Whether it is written with a sign of definition, such as :=, and nothing says what some symbol to the
     left of a sign is: then the formula does."""
-    signs = {
-        formula.latex[token.start_pos : token.end_pos] for token in tokenize(formula.latex) if token == "="
-    }
     bound = {symbol.declaration.name for symbol in notation.motion}
-    return bool(signs - {"="}) and any(
+    return _DEFINES.search(formula.latex) is not None and any(
         isinstance(part, Symbol)
         and part.declaration.name not in bound
         and _body(part, notation.definitions) is None

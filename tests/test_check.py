@@ -97,6 +97,23 @@ def test_definitions_of_ones_own(definitions):
     assert check("K = b", AB, definitions=r"K = a \times b").outcome == Outcome.REFUTED
 
 
+@pytest.mark.parametrize("sign", [":=", r"\coloneqq", r"\triangleq", r"\stackrel{def}{=}"])
+def test_what_is_written_as_a_definition_of_something_free_is_not_false(sign):
+    known = {**AB, "c": "vector", "u": {"kind": "vector", "unit": True}}
+
+    def outcome(latex, definitions=()):
+        return check(latex.replace(":=", sign), known, definitions=definitions).outcome
+
+    assert outcome("c := a + b") == Outcome.DEFINITION
+    assert outcome("c = a + b") == Outcome.REFUTED
+    assert outcome("c := a + b", ["c = a - b"]) == Outcome.REFUTED
+    assert outcome("c := a + b", ["c = b + a"]) == Outcome.PROVED
+    for open_ in ("c := c + a", "u := a", "a + b := c", r"\dot{c} := a", "c := a = b", r"c := a, b \neq 0"):
+        assert outcome(open_) == Outcome.UNCHECKED, open_
+    assert outcome("a + b := b + a") == Outcome.PROVED
+    assert outcome(r"c := a \cdot b") == Outcome.ILL_FORMED
+
+
 def test_a_recurrence_of_ones_own_beside_the_notation_of_a_paper():
     own = {r"\Psi_1": r"\Phi_1", r"\Psi_{n+1}": r"\dot{\Psi}_n + \Psi_n \Phi_1"}
     assert check(r"\Psi_3 = \Phi_3", definitions=own).holds

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +18,7 @@ from workbench.papers import Claim, Formula, Notation, Orders, Paper
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
+from workbench.papers.said import introduced
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.report.kinds import VERDICTS
@@ -128,6 +129,8 @@ def check(
     claims = []
     for number, line in enumerate(lines, start=1):
         formula, values = _formula(line, known, given)
+        if (definition := introduced(formula, known)) is not None:
+            known = replace(known, definitions=Definitions([*known.definitions, definition]))
         supposed = tuple(_formula(whole_line(text), known, values, "assume: ")[0] for text in conditions)
         for condition in supposed:
             if condition.ill_formed:

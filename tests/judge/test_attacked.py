@@ -47,9 +47,32 @@ class TestEndlessRanges:
         found = check(r"\binom{n}{5} f + s_0 = s_0, n \geq 0", F, orders="n = 0..4")
         assert (found.outcome, found.verdict.scope) == (Outcome.PROVED, "n = 0..4")
 
-    def test_what_holds_has_the_scope_of_what_was_proved(self):
-        found = check(r"\sum_{k=0}^{n} \binom{n}{k} f^k = (1+f)^n, n \geq 0", F)
-        assert (found.outcome, found.verdict.scope) == (Outcome.PROVED, "n = 0..4")
+    @pytest.mark.parametrize(
+        ("latex", "definitions"),
+        [
+            (r"\sum_{k=0}^{n} \binom{n}{k} f^k = (1+f)^n", []),
+            (r"\binom{n}{13} f = 0", []),
+            ("n" + "".join(f"(n-{k})" for k in range(1, 20)) + " f = 0", []),
+            (
+                "s_n = f^n",
+                [f"s_{{{k}}} = f^{{{k}}}" for k in range(2, 14)] + ["s_0 = 1", "s_1 = f", "s_{n+14} = 2 f"],
+            ),
+        ],
+    )
+    def test_what_is_seen_of_the_first_few_is_not_proved_of_all(self, latex, definitions):
+        """Whether it goes on or changes behind all numbers that are looked at: no range without an end is proved
+        by some of its members."""
+        found = check(latex + r", n \geq 0", F, definitions=definitions)
+        assert (found.outcome, found.verdict.scope) == (Outcome.UNCHECKED, None)
+        assert "holds for n = 0..4; no proof for all" in found.verdict.reason
+        chosen = check(latex + r", n \geq 0", F, definitions=definitions, orders="n = 0..4")
+        assert chosen.holds and chosen.verdict.scope == "n = 0..4"
+
+    def test_what_the_recurrence_shows_is_proved_of_all(self):
+        own = ["s_0 = f", r"s_{n+1} = \dot{s}_n"]
+        found = check(r"s_{n+2} = \ddot{s}_n, n \geq 0", F, definitions=own)
+        assert (found.outcome, found.verdict.scope) == (Outcome.PROVED, "all n")
+        assert check(r"f g = g f, n \geq 0", {**F, "g": "scalar"}).outcome == Outcome.PROVED
 
 
 @pytest.mark.parametrize(

@@ -140,6 +140,14 @@ class TestKnown:
         assert found.counterexample.values == {"a": ("0", "0", "0")}
         assert outcome(r"\min_{x \in V_3} (a \cdot x - 1)^2 = 0", r"a \neq \mathbf{0}") == Outcome.PROVED
 
+    @pytest.mark.parametrize("inside", ["f x", "f x - f a", "f x - (f + 1) a"])
+    def test_where_the_rank_falls_the_quotients_of_the_proof_are_no_part_of_the_claim(self, inside):
+        """0 is defined everywhere: it is the least value, or another one is."""
+        found = verdict(rf"\min_{{x \in V_3}} \|{inside}\| = 0")
+        is_false = "f + 1" in inside
+        assert found.outcome == (Outcome.REFUTED if is_false else Outcome.PROVED)
+        assert not is_false or found.counterexample.values["f"] == ("0",)
+
     def test_definitions_are_written_out(self):
         known, table = read_definition(r"\rho", r"a + w \times b", TABLE)
         latex = r"\min_{b \in V_3} \|\rho\| = \frac{|w \cdot a|}{\|w\|}"

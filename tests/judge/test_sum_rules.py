@@ -231,3 +231,38 @@ def test_powers_of_operators():
     assert outcome(goal, Kernel()).outcome == Outcome.PROVED
     for wrong in (goal.replace("{n+1} a", "{n+2} a"), goal.replace("+ T ((", "+ 2 T ((")):
         assert outcome(wrong, Kernel()).outcome != Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("true", "false"),
+    [
+        (
+            r"\sum_{k=0}^{n} C_n^k f^{(k)} a^{(n-k)} = (f a)^{(n)}",
+            r"\sum_{k=0}^{n} C_n^k f^{(k)} a^{(n-k)} k! = (f a)^{(n)}",
+        ),
+        (
+            r"\sum_{k=0}^{n} C_n^k (a^{(n-k)} \times b^{(k)}) = (a \times b)^{(n)}",
+            r"\sum_{k=0}^{n} C_n^k ((k! a^{(n-k)}) \times b^{(k)}) = (a \times b)^{(n)}",
+        ),
+        (
+            r"\sum_{k=0}^{n} P c_k = \sum_{k=1}^{n+1} P c_{k-1}",
+            r"\sum_{k=0}^{n} P c_k = \sum_{k=1}^{n+1} P c_k",
+        ),
+        (
+            r"\sum_{k=0}^{n} P a^{(k)} = P a + \sum_{k=1}^{n} P a^{(k)}",
+            r"\sum_{k=0}^{n} P a^{(k)} = P a^{(n)} + \sum_{k=1}^{n} P a^{(k)}",
+        ),
+        (  # Q_{m-1} is none at m = 0
+            r"\sum_{k=1}^{n} Q_{k-1} T = (\sum_{k=1}^{n} Q_{k-1}) T",
+            r"\sum_{k=0}^{n} Q_{k-1} T = (\sum_{k=0}^{n} Q_{k-1}) T",
+        ),
+        (
+            r"\sum_{k=0}^{n} (f T)^{(k)} U = (\sum_{k=0}^{n} (f T)^{(k)}) U",
+            r"\sum_{k=0}^{n} \frac{1}{f} T^{(k)} U = (\sum_{k=0}^{n} \frac{1}{f} T^{(k)}) U",
+        ),
+    ],
+)
+def test_addends_that_are_compared_as_terms(true, false):
+    """No engine sees sums to n: what is left of an equation is compared term by term."""
+    assert outcome(rf"\forall n \geq 0 : {true}", Kernel()).outcome == Outcome.PROVED
+    assert outcome(rf"\forall n \geq 0 : {false}", Kernel()).outcome in (Outcome.REFUTED, Outcome.UNCHECKED)

@@ -6,6 +6,7 @@ does not say which of them are defined so.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
@@ -18,6 +19,7 @@ from workbench.language.terms import (
     Derivative,
     Extremum,
     IllFormed,
+    Implication,
     Naming,
     Relation,
     Statement,
@@ -25,8 +27,11 @@ from workbench.language.terms import (
     Term,
 )
 from workbench.language.types import Declaration
-from workbench.papers.model import Claim, Notation, Said
+from workbench.language.vocabulary import COMMANDS
+from workbench.papers.model import Claim, Formula, Notation, Said
 
+_EQUALS = (name for name, token in COMMANDS.items() if token == ("RELATION", "="))
+_DEFINES = re.compile(rf":=|\\(?:{'|'.join(_EQUALS)}|stackrel|overset)(?![A-Za-z])")
 _ROUND = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 
 
@@ -53,6 +58,38 @@ def stated(statement: Statement, notation: Notation | None = None) -> str | None
     something that they do not; an angle that occurs once."""
     found = _stated(statement, notation)
     return None if found is None else str(found[0].declaration.name)
+
+
+def introduced(formula: Formula, notation: Notation) -> Definition | None:
+    """The definition that x := … is of a free x of which nothing but its kind is declared."""
+    match formula.statement:
+        case Relation(operator="=", left=Symbol() as symbol, right=body) if introduces(formula, notation):
+            return _definition(symbol, body)
+    return None
+
+
+def introduces(formula: Formula, notation: Notation) -> bool:
+    """Whether it is written with a sign of definition, such as :=, and nothing says what some symbol to the
+    left of a sign is: then the formula does."""
+    bound = {symbol.declaration.name for symbol in notation.motion}
+    return _DEFINES.search(formula.latex) is not None and any(
+        isinstance(part, Symbol)
+        and part.declaration.name not in bound
+        and _body(part, notation.definitions) is None
+        for left in _lefts(formula.statement)
+        for part in left.walk()
+    )
+
+
+def _lefts(statement: Statement) -> Iterator[Term]:
+    match statement:
+        case Relation(operator="=", left=left):
+            yield left
+        case Conjunction(parts=parts):
+            for part in parts:
+                yield from _lefts(part)
+        case Implication(right=right):
+            yield from _lefts(right)
 
 
 def with_said(claims: Sequence[Claim]) -> list[Claim]:

@@ -18,7 +18,7 @@ from workbench.language import construct
 from workbench.language.definitions import Definitions
 from workbench.language.terms import IllFormed, Relation, Symbol
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Said, Theorem
-from workbench.papers.said import terms_of
+from workbench.papers.said import introduces, terms_of
 from workbench.papers.selection import select_claims
 from workbench.verify.memory import Keys, Memory
 from workbench.verify.results import FORMS, ClaimResult
@@ -161,6 +161,9 @@ class ClaimJudge:
         verdict = self._verdict(claim, claim.printed, claim.hypothesis)
         if verdict.outcome is Outcome.REFUTED and claim.states is not None:
             return Verdict(Outcome.UNCHECKED, reason=_states(claim.states), read_back=verdict.read_back)
+        if verdict.outcome is Outcome.REFUTED and introduces(claim.printed, claim.notation):
+            reason = "says what stands left of its sign of definition, where something is free"
+            return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
         is_open = verdict.outcome is Outcome.REFUTED and claim.corrected is None
         if is_open and (why := claim.unsettled or self._left_open(claim)) is not None:
             return Verdict(Outcome.UNCHECKED, reason=why, read_back=verdict.read_back)

@@ -239,7 +239,7 @@ class _Question:
         if self.rank > 1:
             vanish = Implication(relation("=", factor, zero()), relation("=", trace, zero()))
             if self.judge(vanish, self.assume).outcome != Outcome.PROVED:
-                yield self._elsewhere()
+                yield _unchecked(_SINGULAR)
                 return
         _, slopes, rest = self.quadratic.coefficients
         supposed = (*self.assume, *self.quadratic.vanishing)
@@ -292,9 +292,13 @@ class _Question:
         return at_zero_part(self.wanted, lambda t: self._is_zero(t, supposed))
 
     def _elsewhere(self) -> Verdict:
-        """What holds where c_r ≠ 0 only."""
+        """What holds where c_r ≠ 0 only, since elsewhere what is said to be the least value is undefined."""
+        nothing = relation("=", minus(self.wanted, self.wanted), zero(self.wanted.type))
         bare = self.judge(self._said(self.least), self.assume)
-        return bare if bare.outcome == Outcome.CONDITIONAL else _unchecked(_SINGULAR)
+        conditional = all(
+            said.outcome == Outcome.CONDITIONAL for said in (bare, self.judge(nothing, self.assume))
+        )
+        return bare if conditional else _unchecked(_SINGULAR)
 
     def _is_zero(self, term: Term, supposed: tuple[Statement, ...]) -> bool:
         return self.judge(relation("=", term, zero(term.type)), supposed).outcome == Outcome.PROVED

@@ -79,9 +79,7 @@ def judge_family(
     if orders is None:
         return _instance_for(judge, statement, assume, hypothesis, {})
     verdict = _family(judge, statement, assume, hypothesis, orders)
-    if not orders.generic:
-        return verdict
-    if verdict.outcome is Outcome.REFUTED:
+    if verdict.outcome is Outcome.REFUTED and orders.generic:
         apart = Distinct.of(orders, list(_terms(statement)), judge.definitions)
         found = [_instances(judge, statement, assume, hypothesis, values) for values in apart]
         if found and all(each.outcome is Outcome.REFUTED for each in found):
@@ -89,12 +87,16 @@ def judge_family(
         return _open(orders, "fails only for sums of some lengths, or where two indices are the same")
     is_for_all = (verdict.scope or "").startswith("all")
     holds = verdict.outcome in (Outcome.PROVED, Outcome.PROBABLE, Outcome.CONDITIONAL)
-    return _open(orders, f"holds for {orders}") if holds and not is_for_all else verdict
+    is_open = holds and not is_for_all and (orders.generic or orders.endless)
+    return _open(orders, f"holds for {orders}") if is_open else verdict
 
 
 def _open(orders: OrderRanges, seen: str) -> Verdict:
-    names = ", ".join(orders.generic)
-    return Verdict(Outcome.UNCHECKED, reason=f"{seen}; no range is stated for {names}")
+    """What is seen of some members, of as many as there are numbers."""
+    why = f"no range is stated for {', '.join(orders.generic)}"
+    if not orders.generic:
+        why = f"no proof for all of the endless range of {', '.join(sorted(orders.endless))} was found"
+    return Verdict(Outcome.UNCHECKED, reason=f"{seen}; {why}")
 
 
 def _family(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import prod
 from typing import NamedTuple
 
 from flint import fmpq
@@ -111,7 +112,7 @@ class _Spread:
 
 def solve(engine: ExactEngine, equations: Sequence[Relation]) -> Equations:
     """The equations' residuals, solved one after the other as far as possible."""
-    pending = [_Spread(p) for e in equations for p in engine.residuals(e) if p != 0]
+    pending = [_Spread(_square_free(p)) for e in equations for p in engine.residuals(e) if p != 0]
     solved: list[Pivot] = []
     rest: list[_Spread] = []
     while pending:
@@ -125,6 +126,11 @@ def solve(engine: ExactEngine, equations: Sequence[Relation]) -> Equations:
             [q for q in (p.replaced(pivot) for p in group) if q.polynomial != 0] for group in (pending, rest)
         )
     return Equations(solved, [p.polynomial for p in rest])
+
+
+def _square_free(p: Polynomial) -> Polynomial:
+    """The product of its factors: it vanishes where p does."""
+    return prod((factor for factor, _ in p.factor_squarefree()[1]), start=p.context().constant(1))
 
 
 def _pivot(engine: ExactEngine, p: Polynomial) -> Pivot | None:

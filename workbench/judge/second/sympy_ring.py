@@ -253,7 +253,7 @@ def _is_nowhere_negative(p: PolyElement) -> bool:
 def recheck(
     relation: Relation, inventory: Inventory, definitions: Lookup, equations: Sequence[Relation] = ()
 ) -> bool:
-    """Whether left − right is 0 here too, where the equations hold."""
+    """Whether left − right is 0 here too, where the equations hold: it, or a power of it."""
     ring = SympyRing(inventory)
     engine = JetEngine(PointSource(ring, ring.point), definitions)
     tops = ring.tops(engine.differences(relation.left, relation.right))
@@ -262,7 +262,9 @@ def recheck(
     supposed = [p for e in equations for p in ring.tops(engine.differences(e.left, e.right))]
     supposed = ring.over_rationals([p for p in supposed if p])
     rests = _eliminated(ring.over_rationals(tops), supposed, ring)
-    return not any(_eliminated([ring.normal(rest * rest) for rest in rests if rest], supposed, ring))
+    for _ in range(3):
+        rests = _eliminated([ring.normal(rest * rest) for rest in rests if rest], supposed, ring)
+    return not any(rests)
 
 
 def _eliminated(tops: list[PolyElement], supposed: list[PolyElement], ring: SympyRing) -> list[PolyElement]:

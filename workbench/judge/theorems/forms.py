@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from workbench.judge.kernel.in_force import InstanceJudge, exceptions, rewritten
-from workbench.judge.theorems.operators import with_operators_applied
+from workbench.judge.theorems.operators import with_free_values, with_operators_applied
 from workbench.judge.theorems.sums import without_sums
 from workbench.judge.theorems.tidy import is_same_sum, tidy
 from workbench.language.construct import relation
@@ -45,7 +45,7 @@ def forms(statement: Statement, judge: InstanceJudge, least: Mapping[str, int]) 
     for form, begin in ((statement, {}), *((form, since) for form in applied)):
         if begin is None:
             continue
-        rest = tidy(without_sums(tidy(form), least))
+        rest = with_free_values(tidy(without_sums(tidy(form), least)), definitions)
         if rest != statement:
             yield Form(rest, begin)
 

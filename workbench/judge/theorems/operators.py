@@ -1,5 +1,5 @@
 """Operators in D applied to what stands behind them. What an unknown operator or an unknown map makes of a
-term is a free function, the same one of the same term."""
+term is a free function, the same one of the same term, once no sum is left that could bind a letter in it."""
 
 from __future__ import annotations
 
@@ -31,6 +31,25 @@ def with_operators_applied(equation: Relation, definitions: Definitions) -> Rela
     return Relation(equation.operator, left, right)
 
 
+def with_free_values(equation: Relation, definitions: Definitions) -> Relation:
+    """The equation, without sums and with operators applied, with a free function for each P x and f(x) of
+    which nothing more is known."""
+    left, right = (_freed(side, definitions) for side in (equation.left, equation.right))
+    return Relation(equation.operator, left, right)
+
+
+def _freed(term: Term, definitions: Definitions) -> Term:
+    match term:
+        case Apply(head="mul", arguments=(operator, to)) if operator.type.kind == "operator" != to.type.kind:
+            name = Name(rf"\left({to_latex(operator)} {to_latex(to)}\right)", of=(operator, to))
+            return symbol(Declaration(name, to.type))
+        case Symbol(arguments=arguments) if arguments and definitions.lookup(term) is None:
+            return symbol(Declaration(Name(rf"\left({to_latex(term)}\right)", of=(term,)), term.type))
+    children = tuple(_freed(child, definitions) for child in term.children)
+    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
+    return term if unchanged else rebuild(term, children)
+
+
 def _applied(term: Term, definitions: Definitions) -> Term:
     children = tuple(_applied(child, definitions) for child in term.children)
     unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
@@ -39,8 +58,6 @@ def _applied(term: Term, definitions: Definitions) -> Term:
         case Apply(head="mul", arguments=(operator, to)) if operator.type.kind == "operator":
             if to.type.kind != "operator":
                 return _value(operator, to, definitions)
-        case Symbol(arguments=arguments) if arguments and definitions.lookup(term) is None:
-            return symbol(Declaration(Name(rf"\left({to_latex(term)}\right)", of=(term,)), term.type))
     return term
 
 
@@ -70,8 +87,7 @@ def _value(operator: Term, to: Term, definitions: Definitions) -> Term:
             return big_sum(bound, lower, upper, _value(body, to, definitions))
         case Symbol() if (body := definitions.lookup(operator)) is not None:
             return _value(_applied(body, definitions), to, definitions)
-    name = Name(rf"\left({to_latex(operator)} {to_latex(to)}\right)", of=(operator, to))
-    return symbol(Declaration(name, to.type))
+    return apply("mul", operator, to)
 
 
 def _captures(bound: Sequence[str], term: Term) -> bool:

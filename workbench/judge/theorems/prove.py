@@ -9,6 +9,7 @@ from typing import TypeAlias
 from workbench.judge.kernel.families import SAME_TERM
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
+from workbench.judge.subject.inventory import NotExact
 from workbench.judge.theorems.forms import Form, forms
 from workbench.judge.theorems.goals import (
     All,
@@ -41,8 +42,9 @@ from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Pre
 from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.construct import number, relation
+from workbench.language.definitions import expand
 from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.instances import free_integers
+from workbench.language.instances import free_integers, instantiate
 from workbench.language.printer import to_latex
 from workbench.language.terms import IllFormed, Statement
 
@@ -152,7 +154,8 @@ class _Prover:
         used = _integers(obligation)
         try:
             simpler = list(forms(obligation.statement, self.judge, used))
-            if used and any(form.is_same_sum and form.holds_from(used) for form in simpler):
+            same = used and any(form.is_same_sum and form.holds_from(used) for form in simpler)
+            if same and self._first_hold(obligation, used):
                 return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
             verdict = self._judged(obligation.statement, obligation, used)
             if verdict.outcome == Outcome.REFUTED or _is_for_all(verdict, used):
@@ -165,6 +168,21 @@ class _Prover:
         except Unsatisfiable:
             reason = "its premises contradict each other, or no example of them was found"
             return Verdict(Outcome.UNCHECKED, reason=reason)
+
+    def _first_hold(self, obligation: Obligation, used: Mapping[str, int]) -> bool:
+        """Whether the first members are defined, as what has the same addends need not be, and hold, as far
+        as the engines can speak of them."""
+        for more in (0, 2):
+            values = {name: least + more for name, least in used.items()}
+            said, *assume = (instantiate(s, values) for s in (obligation.statement, *obligation.assume))
+            try:
+                _ = [expand(side, self.judge.definitions) for side in (said.left, said.right)]
+                verdict = self.judge.judge_instance(said, tuple(assume), None)
+            except NotExact:
+                continue
+            if verdict.outcome not in _SHOWN and verdict.reason != SAME_TERM:
+                return False
+        return True
 
     def _judged(self, statement: Statement, obligation: Obligation, used: Mapping[str, int]) -> Verdict:
         asked = (statement, obligation.assume, tuple(used.items()))

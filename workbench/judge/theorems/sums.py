@@ -127,7 +127,7 @@ class _Sums:
         offset = chosen - Linear.variable(k)
         if k in top.variables or not offset.is_number:
             return None
-        result = _product(total.body, k, top, offset)
+        result = _product(_divided(total.body, found[0]), k, top, offset)
         if result is None:
             return None
         first, last = Linear(0) - offset, top - offset
@@ -179,20 +179,28 @@ def _factors(term: Term) -> Iterator[Term]:
         yield term
 
 
+def _divided(term: Term, factor: Term) -> Term | None:
+    """The product without one of its factors; None if it is none of them."""
+    if not (isinstance(term, Apply) and term.head in PRODUCTS):
+        return None
+    left, right = term.arguments
+    if factor in (left, right):
+        return right if left == factor else left
+    rest = _divided(left, factor)
+    if rest is not None:
+        return apply(term.head, rest, right)
+    rest = _divided(right, factor)
+    return None if rest is None else apply(term.head, left, rest)
+
+
 def _product(body: Term, k: str, top: Linear, offset: Linear) -> Term | None:
-    """(x y)⁽ᵐ⁾ for the addend C(m, k) x⁽ᵏ⁾ y⁽ᵐ⁻ᵏ⁾, between factors that do not depend on k; else None."""
+    """(x y)⁽ᵐ⁾ for x⁽ᵏ⁾ y⁽ᵐ⁻ᵏ⁾, between factors that do not depend on k; else None."""
     orders = {Linear.variable(k) + offset, top - Linear.variable(k) - offset}
     match body:
-        case Apply(head="mul", arguments=(Counting(), right)):
-            return _product(right, k, top, offset)
-        case Apply(head="mul", arguments=(left, Counting())):
-            return _product(left, k, top, offset)
         case Apply(head=head, arguments=(inner,)) if head in COMPONENTWISE:
             found = _product(inner, k, top, offset)
             return None if found is None else apply(head, found)
         case Apply(head=head, arguments=(left, right)) if head in PRODUCTS:
-            if isinstance(left, Apply) and left.head == "mul" and isinstance(left.arguments[0], Counting):
-                left = left.arguments[1]
             if not _depends(left, k):
                 found = _product(right, k, top, offset)
                 return None if found is None else apply(head, left, found)

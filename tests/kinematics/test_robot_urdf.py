@@ -222,6 +222,11 @@ def test_files_that_no_robot_can_be_made_of(file, text, message):
     assert str(path) in str(caught.value) and "\n" not in str(caught.value)
 
 
+def test_a_xacro_that_was_expanded_may_keep_its_commands_as_comments(file):
+    kept = file(FILE.replace("</robot>", "<!-- <xacro:if value='1'>\n<xacro:m/> --></robot>"))
+    assert Robot.from_urdf(kept).bodies == Robot.from_urdf(file(FILE)).bodies
+
+
 def test_a_missing_file_and_an_unknown_base(tmp_path, file):
     with pytest.raises(UrdfError, match="no URDF file at"):
         Robot.from_urdf(tmp_path / "none.urdf")

@@ -108,7 +108,7 @@ def motion(
                 base=base,
             )
         whole = _whole(report, until, wanted=limits is not None or plot is not None or path is not None)
-        peaks = [] if whole is None else whole.peaks(body, report.point, bounds)
+        peaks = [] if whole is None else whole.peaks(body, report.point, bounds, relative_to)
         if plot is not None:
             _draw(whole, body, report, bounds, plot)
     except (ValueError, ImportError) as error:
@@ -179,7 +179,7 @@ def _whole(report: MotionReport, until: float | None, wanted: bool) -> Motion | 
 
 def _draw(whole: Motion, body: str, report: MotionReport, bounds: Any, file: Path) -> None:
     """The file appears when it is whole."""
-    figure = whole.plot(body, report.point, bounds)
+    figure = whole.plot(body, report.point, bounds, report.relative_to)
     draft = file.with_name(f".unfinished-{os.getpid()}-{file.name}")
     try:
         figure.savefig(draft, dpi=130)

@@ -52,16 +52,26 @@ def runs(array, row_of_order, row_of_part):
 
 
 @compiled
+def read_side_by_side(source, last, blocks, axes, factors, Q, apart):
+    """Blocks of states side by side, the first from `source` on but none beyond `last`, times their factors,
+    into Q. It goes row by row, as they lie in memory, and asks for what the next turn will read."""
+    (count, of_row, rows), (runs_there, of_run, rows_apart) = axes
+    for run in range(runs_there):
+        for i in range(count):
+            at, start = run * rows_apart + i * rows, run * of_run + i * of_row
+            factor = spread(number(factors, at))
+            for block in range(blocks):
+                states = load_side_by_side(min(source + SIZE * block, last) + start, SIZE * blocks)
+                store(Q + block * apart, at, factor * states)
+
+
+@compiled
 def read_block(source, of_state, here, axes, factors, Q):
     """`here` states, `of_state` bytes apart, times their factors, into Q; the first in all other lanes."""
     (count, apart, rows), (runs_there, runs_apart, rows_apart) = axes
     for run in range(runs_there):
         row, start = run * rows_apart, source + run * runs_apart
-        if here == WIDTH and of_state == 8:
-            for i in range(count):
-                at = row + i * rows
-                store(Q, at, number(factors, at) * load_side_by_side(start + i * apart))
-        elif here == WIDTH and apart == 8 and count >= CHUNK:
+        if here == WIDTH and apart == 8 and count >= CHUNK:
             for i in range(0, count, CHUNK):
                 i = min(i, count - CHUNK)
                 load_states(start + 8 * i, of_state, factors, Q, row + i * rows, rows)
@@ -195,15 +205,20 @@ def _twists_of_states(q, plan, out):
     of_state, out_of_state = q.strides[1], out.strides[1]
     here = min(WIDTH, states)
     at_once = here == WIDTH and out_of_state == 8  # results go where they are wanted, not by way of V or W
-    turn = number(plan, 2), number(plan, 3), output_factors
-    base = (*turn, out.strides[0], out.strides[2]) if at_once else (*turn, 6 * SIZE, SIZE)
+    steps = (out.strides[0], out.strides[2], SIZE * together) if at_once else (6 * SIZE, SIZE, 0)
+    base = number(plan, 2), number(plan, 3), output_factors, *steps
     free = W if joints & 1 else V
     first = 0
     while first < states:
         blocks = min(together, (states - first + WIDTH - 1) // WIDTH)
-        for block in range(blocks):
-            state = min(first + WIDTH * block, states - here)  # the last repeats some of the one before
-            read_block(q.ctypes.data + of_state * state, of_state, here, inputs, factors, Q + block * apart)
+        if here == WIDTH and of_state == 8:
+            last = q.ctypes.data + 8 * (states - here)  # it repeats some of the block before
+            read_side_by_side(q.ctypes.data + 8 * first, last, blocks, inputs, factors, Q, apart)
+        else:
+            for block in range(blocks):
+                state = min(first + WIDTH * block, states - here)
+                start = q.ctypes.data + of_state * state
+                read_block(start, of_state, here, inputs, factors, Q + block * apart)
         result = free, apart, free + blocks * apart
         if at_once:
             result = out.ctypes.data + 8 * first, SIZE, out.ctypes.data + 8 * (states - here)

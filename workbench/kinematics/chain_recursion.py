@@ -123,7 +123,7 @@ def step(W, k, x, y, vx, vy, z, vz, link, base):
     """Store a coefficient that is given in a joint's entering frame, in the frame next to the axis
     before: turned by the twist angle, shifted by (a, b) and by the offset along that axis. At the base
     it is the result: turned about that axis by a constant angle, scaled, and stored as (ω; v), coefficient
-    k from W + k · of_order on, its parts of_part bytes apart."""
+    k from W + k · of_order on, its parts of_part bytes apart, the next turn's `ahead` bytes further."""
     cosine, sine, a, b, offset = link
     y1 = cosine * y - sine * z
     z1 = cosine * z + sine * y
@@ -131,16 +131,16 @@ def step(W, k, x, y, vx, vy, z, vz, link, base):
     vy1 = cosine * vy - sine * vz - a * z1 + offset * x
     vz1 = cosine * vz + sine * vy + a * y1 - b * x
     if base is not None:
-        cosine, sine, factors, of_order, of_part = base
+        cosine, sine, factors, of_order, of_part, ahead = base
         factor = number(factors, k)
         c, s = factor * cosine, factor * sine
         target = W + k * of_order
-        store_side_by_side(target, c * x - s * y1)
-        store_side_by_side(target + of_part, s * x + c * y1)
-        store_side_by_side(target + 2 * of_part, factor * z1)
-        store_side_by_side(target + 3 * of_part, c * vx1 - s * vy1)
-        store_side_by_side(target + 4 * of_part, s * vx1 + c * vy1)
-        store_side_by_side(target + 5 * of_part, factor * vz1)
+        store_side_by_side(target, ahead, c * x - s * y1)
+        store_side_by_side(target + of_part, ahead, s * x + c * y1)
+        store_side_by_side(target + 2 * of_part, ahead, factor * z1)
+        store_side_by_side(target + 3 * of_part, ahead, c * vx1 - s * vy1)
+        store_side_by_side(target + 4 * of_part, ahead, s * vx1 + c * vy1)
+        store_side_by_side(target + 5 * of_part, ahead, factor * vz1)
     else:
         store(W, 6 * k, x)
         store(W, 6 * k + 1, y1)

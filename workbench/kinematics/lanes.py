@@ -212,23 +212,38 @@ def store_states(typing_context, memory, index, step, target, stride):
     return types.void(*[types.int64] * 5), generate
 
 
-@intrinsic
-def load_side_by_side(typing_context, source):
-    """The number of the WIDTH doubles from the address `source` on, which need not be aligned."""
-
-    def generate(context, builder, sig, args):
-        return builder.load(builder.inttoptr(args[0], VECTOR.as_pointer()), align=8, typ=VECTOR)
-
-    return lanes(types.int64), generate
+def _ask_for(builder, address, will_write):
+    """Has the line of memory that holds the address brought to the cache, if there is such an address."""
+    pointer = builder.inttoptr(address, ir.IntType(8).as_pointer())
+    function_type = ir.FunctionType(ir.VoidType(), [pointer.type, INT32, INT32, INT32])
+    fetch = cgutils.get_or_insert_function(builder.module, function_type, "llvm.prefetch.p0")
+    builder.call(fetch, [pointer, INT32(will_write), INT32(3), INT32(1)])
 
 
 @intrinsic
-def store_side_by_side(typing_context, target, value):
+def load_side_by_side(typing_context, source, ahead):
+    """The number of the WIDTH doubles from the address `source` on, which need not be aligned; what lies
+    `ahead` bytes further will be read later."""
+
     def generate(context, builder, sig, args):
-        builder.store(args[1], builder.inttoptr(args[0], VECTOR.as_pointer()), align=8)
+        source, ahead = args
+        _ask_for(builder, builder.add(source, ahead), 0)
+        return builder.load(builder.inttoptr(source, VECTOR.as_pointer()), align=8, typ=VECTOR)
+
+    return lanes(types.int64, types.int64), generate
+
+
+@intrinsic
+def store_side_by_side(typing_context, target, ahead, value):
+    """The same for writing."""
+
+    def generate(context, builder, sig, args):
+        target, ahead, value = args
+        builder.store(value, builder.inttoptr(target, VECTOR.as_pointer()), align=8)
+        _ask_for(builder, builder.add(target, ahead), 1)
         return context.get_dummy_value()
 
-    return types.void(types.int64, lanes), generate
+    return types.void(types.int64, types.int64, lanes), generate
 
 
 @intrinsic

@@ -7,7 +7,7 @@ import csv
 import os
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 if TYPE_CHECKING:
+    from workbench.kinematics.robot.frames import PointMotion
     from workbench.kinematics.robot.states import States
 
 ORDERS = ("position", "velocity", "acceleration", "jerk", "snap")
@@ -57,75 +58,73 @@ class Peak:
         return f"{order_name(self.order)} of {self.of}: {value}{against}"
 
 
-def peaks(motion: States, body: str | None, point: ArrayLike, limits: Limits | None) -> list[Peak]:
+def point_of(motion: States, body: str, point: ArrayLike, relative_to: str | None) -> PointMotion:
+    frame = motion.frame(body)
+    return (frame if relative_to is None else frame.relative_to(motion.frame(relative_to))).point(point)
+
+
+def peaks(
+    motion: States, body: str | None, point: ArrayLike, limits: Limits | None, relative_to: str | None
+) -> list[Peak]:
     """See `Motion.peaks`."""
     if motion.path is None:
         raise ValueError("expected a motion along a path (`Robot.along`), which has times between its states")
-    robot, path, order = motion.robot, motion.path, motion.order
-    known = known_limits(robot, limits)
+    asked = _asked(motion.robot, body, motion.order, known_limits(motion.robot, limits))
+
+    def values_at(times: np.ndarray) -> np.ndarray:
+        return _values(motion.at(times), body, point, relative_to, asked)
+
     start, end = motion.times.min(), motion.times.max()
     times = np.unique(
         np.concatenate(
-            [np.linspace(start, end, SAMPLES), motion.times.ravel(), _around_breaks(path, start, end)]
+            [np.linspace(start, end, SAMPLES), motion.times.ravel(), _around_breaks(motion.path, start, end)]
         )
     )
-    values = _sizes(motion.at(times), body, point)
+    values = values_at(times)
     at = np.argmax(values, axis=1)
     lows, highs = times[np.maximum(at - 1, 0)], times[np.minimum(at + 1, len(times) - 1)]
     best, best_time = values[np.arange(len(values)), at], times[at]
     for _ in range(2):  # each quantity in its own bracket
         inside = np.linspace(lows, highs, REFINED, axis=1)
-        refined = _sizes(motion.at(inside), body, point)
+        refined = values_at(inside)
         rows = np.arange(len(refined))
         own = refined[rows, rows]
         at = np.argmax(own, axis=1)
         better = own[rows, at] > best
         best, best_time = np.where(better, own[rows, at], best), np.where(better, inside[rows, at], best_time)
         lows, highs = inside[rows, np.maximum(at - 1, 0)], inside[rows, np.minimum(at + 1, REFINED - 1)]
-    found = []
-    names = _quantities(robot, body, order)
-    for (of, n, unit), value, time in zip(names, best, best_time, strict=True):
-        found.append(Peak(of, n, float(value), float(time), known.get(of, {}).get(order_name(n)), unit))
-    return found + _positions(robot, path, times, known)
+    return [
+        replace(peak, value=float(-value if peak.bound == "lower" else value) + 0.0, time=float(time))
+        for peak, value, time in zip(asked, best, best_time, strict=True)
+    ]
 
 
-def _positions(robot, path, times, known) -> list[Peak]:
-    """The coordinates beside their limits lower and upper."""
-    found = []
-    q = path.derivatives(times, 0)[0]
-    for i, name in enumerate(robot.positions):
-        for bound, pick in (("lower", np.argmin), ("upper", np.argmax)):
-            limit = known.get(name, {}).get(bound)
-            if limit is not None:
-                at = pick(q[:, i])
-                found.append(
-                    Peak(name, 0, float(q[at, i]), float(times[at]), limit, _unit(robot, name), bound)
-                )
-    return found
+def _asked(robot, body: str | None, order: int, known: dict[str, dict[str, float]]) -> list[Peak]:
+    """What is sought: of each joint derivative, of those of the point, of each coordinate with a limit."""
+    units = {name: j.unit(name) for j in robot.joints for name in (*j.coordinates, *j.velocities)}
+    per = {n: "/s" if n == 1 else f"/s^{n}" for n in range(1, order + 1)}
+    sizes = [(name, n, units[name] + per[n]) for n in per for name in robot.velocities]
+    sizes += [("point", n, "m" + per[n]) for n in per if body is not None]
+    return [
+        Peak(of, n, np.nan, np.nan, known.get(of, {}).get(order_name(n)), unit) for of, n, unit in sizes
+    ] + [
+        Peak(name, 0, np.nan, np.nan, known[name][bound], units[name], bound)
+        for name in robot.positions
+        for bound in ("lower", "upper")
+        if bound in known.get(name, {})
+    ]
 
 
-def _quantities(robot, body: str | None, order: int) -> list[tuple[str, int, str]]:
-    per = ["", "/s", *(f"/s^{n}" for n in range(2, order + 1))]
-    velocities = [(name, _unit(robot, name)) for name in robot.velocities]
-    of_joints = [(name, n, unit + per[n]) for n in range(1, order + 1) for name, unit in velocities]
-    return of_joints + ([] if body is None else [("point", n, f"m{per[n]}") for n in range(1, order + 1)])
-
-
-def _unit(robot, name: str) -> str:
-    """Of a coordinate or velocity: m of a shift, rad of an angle, 1 of a quaternion's component."""
-    if name.endswith("_qw"):
-        return "1"
-    shifts = {joint.name for joint in robot.joints if joint.kind == "prismatic"}
-    suffixes = ("_x", "_y", "_z", "_vx", "_vy", "_vz", "_shift")
-    return "m" if name in shifts or name.endswith(suffixes) else "rad"
-
-
-def _sizes(motion: States, body: str | None, point: ArrayLike) -> np.ndarray:
-    """(quantities, ...) in the order of `_quantities`."""
-    sizes = list(np.abs(np.moveaxis(motion.rates, -1, 1)).reshape(-1, *motion.shape))
+def _values(motion: States, body, point, relative_to, asked: list[Peak]) -> np.ndarray:
+    """(asked, ...): what is largest where the peaks are."""
+    values = list(np.abs(np.moveaxis(motion.rates, -1, 1)).reshape(-1, *motion.shape))
     if body is not None:
-        sizes += list(np.linalg.norm(motion.frame(body).point(point).derivatives[1:], axis=-1))
-    return np.array(sizes)
+        derivatives = point_of(motion, body, point, relative_to).derivatives
+        values += list(np.linalg.norm(derivatives[1:], axis=-1))
+    for peak in asked[len(values) :]:
+        q = motion.q[..., motion.robot.positions.index(peak.of)]
+        values.append(-q if peak.bound == "lower" else q)
+    return np.array(values)
 
 
 def _around_breaks(path: Any, start: float, end: float) -> np.ndarray:
@@ -177,7 +176,9 @@ def read_limits(file: str | Path) -> dict[str, dict[str, float]]:
     return data
 
 
-def table(motion: States, body: str | None, point: ArrayLike) -> dict[str, np.ndarray]:
+def table(
+    motion: States, body: str | None, point: ArrayLike, relative_to: str | None
+) -> dict[str, np.ndarray]:
     """See `Motion.table`: the columns by name, each (states,)."""
     if len(motion.shape) != 1:
         raise ValueError(f"expected a motion at a row of states, got the shape {motion.shape}")
@@ -186,7 +187,7 @@ def table(motion: States, body: str | None, point: ArrayLike) -> dict[str, np.nd
     for k, rates in enumerate(motion.rates, start=1):
         columns |= {f"{order_name(k)} {name}": rates[:, i] for i, name in enumerate(motion.robot.velocities)}
     if body is not None:
-        for n, values in enumerate(motion.frame(body).point(point).derivatives):
+        for n, values in enumerate(point_of(motion, body, point, relative_to).derivatives):
             columns |= {f"{body} {order_name(n)} {axis}": values[:, i] for i, axis in enumerate("xyz")}
             if n:
                 columns[f"{body} {order_name(n)} size"] = np.linalg.norm(values, axis=-1)

@@ -105,6 +105,13 @@ class TreeJoint:
     def velocities(self) -> tuple[str, ...]:
         return tuple(self.name + suffix for suffix in COORDINATES[self.kind][1])
 
+    def unit(self, name: str) -> str:
+        """Of a coordinate or velocity: m of a shift, rad of an angle, 1 of a quaternion's component."""
+        part = name.removeprefix(self.name)
+        if self.kind in ("ball", "floating") and part in QUATERNION:
+            return "1"
+        return "m" if self.kind == "prismatic" or part in (*PLACE, *SPEED, "_shift") else "rad"
+
     def moves(self) -> tuple[Move, ...]:
         """X_FM as a product of motions, from F to M; their coordinates and velocities within the joint's."""
         if self.kind == "fixed":

@@ -22,38 +22,56 @@ class Motion(States):
     whole path."""
 
     def peaks(
-        self, body: str | None = None, point: ArrayLike = (0, 0, 0), limits: Limits | None = None
+        self,
+        body: str | None = None,
+        point: ArrayLike = (0, 0, 0),
+        limits: Limits | None = None,
+        relative_to: str | None = None,
     ) -> list[Peak]:
-        """The largest size on the path of every joint derivative, and of those of a point of a body, with
-        its time.
+        """The largest size on the path of every joint derivative, and of those of a point of a body (as
+        another one, `relative_to`, sees it), with its time.
 
         limits: by joint, or "*" for all, or "point": {"velocity": ..., "acceleration": ..., "jerk": ...,
         "snap": ..., "lower": ..., "upper": ...}; beside them the robot's own. Between the samples it is
         searched for.
         """
-        return answers.peaks(self, body, point, limits)
+        return answers.peaks(self, body, point, limits, relative_to)
 
-    def table(self, body: str | None = None, point: ArrayLike = (0, 0, 0)) -> dict[str, np.ndarray]:
+    def table(
+        self, body: str | None = None, point: ArrayLike = (0, 0, 0), relative_to: str | None = None
+    ) -> dict[str, np.ndarray]:
         """The columns t, coordinates, their derivatives, and those of a point of a body, each (states,)."""
-        return answers.table(self, body, point)
+        return answers.table(self, body, point, relative_to)
 
-    def to_dataframe(self, body: str | None = None, point: ArrayLike = (0, 0, 0)) -> Any:
+    def to_dataframe(
+        self, body: str | None = None, point: ArrayLike = (0, 0, 0), relative_to: str | None = None
+    ) -> Any:
         """`table` as a pandas.DataFrame; ImportError where pandas is not installed."""
         try:
             import pandas
         except ImportError:
             raise ImportError("a data frame needs pandas: pip install pandas (or use `to_csv`)") from None
-        return pandas.DataFrame(self.table(body, point))
+        return pandas.DataFrame(self.table(body, point, relative_to))
 
-    def to_csv(self, file: str | Path, body: str | None = None, point: ArrayLike = (0, 0, 0)) -> None:
+    def to_csv(
+        self,
+        file: str | Path,
+        body: str | None = None,
+        point: ArrayLike = (0, 0, 0),
+        relative_to: str | None = None,
+    ) -> None:
         """`table` as a CSV file. Raises ValueError where it cannot be written."""
-        answers.write_csv(self.table(body, point), file)
+        answers.write_csv(self.table(body, point, relative_to), file)
 
     def plot(
-        self, body: str | None = None, point: ArrayLike = (0, 0, 0), limits: Limits | None = None
+        self,
+        body: str | None = None,
+        point: ArrayLike = (0, 0, 0),
+        limits: Limits | None = None,
+        relative_to: str | None = None,
     ) -> Figure:
         """A matplotlib figure: each order of the joints' derivatives and of the point's, limits dashed."""
-        return plots.plot(self, body, point, limits)
+        return plots.plot(self, body, point, limits, relative_to)
 
     def show(
         self, meshcat: Any, body: str, point: ArrayLike = (0, 0, 0), orders: Sequence[int] = (1, 2, 3)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.robot.answers import Limits, known_limits, order_name, peaks
+from workbench.kinematics.robot.answers import Limits, known_limits, order_name, peaks, point_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from workbench.kinematics.robot.states import States
 
 
-def plot(motion: States, body: str | None, point: ArrayLike, limits: Limits | None) -> Figure:
+def plot(
+    motion: States, body: str | None, point: ArrayLike, limits: Limits | None, relative_to: str | None
+) -> Figure:
     """See `Motion.plot`."""
     try:
         from matplotlib.figure import Figure
@@ -27,7 +29,7 @@ def plot(motion: States, body: str | None, point: ArrayLike, limits: Limits | No
         raise ValueError("expected a motion along a path at a row of times (`Robot.along`)")
     robot, times, order = motion.robot, motion.times, motion.order
     known = known_limits(robot, limits)
-    found = peaks(motion, body, point, limits)
+    found = peaks(motion, body, point, limits, relative_to)
     columns = 1 if body is None else 2
     figure = Figure(figsize=(5.2 * columns, 1.9 * order), layout="constrained")
     axes = figure.subplots(order, columns, sharex=True, squeeze=False)
@@ -39,7 +41,7 @@ def plot(motion: States, body: str | None, point: ArrayLike, limits: Limits | No
             _limit_lines(axes[n - 1, 0], (limit, -limit) if limit else (), line.get_color())
         axes[n - 1, 0].set_ylabel(f"{order_name(n)} (rad or m)/{per}")
         if body is not None:
-            sizes = np.linalg.norm(motion.frame(body).point(point).derivative(n), axis=-1)
+            sizes = np.linalg.norm(point_of(motion, body, point, relative_to).derivative(n), axis=-1)
             axes[n - 1, 1].plot(times, sizes, lw=1.2, color="black")
             peak = next(p for p in found if p.of == "point" and p.order == n)
             axes[n - 1, 1].plot([peak.time], [peak.value], "o", ms=4, color="black")
@@ -49,7 +51,8 @@ def plot(motion: States, body: str | None, point: ArrayLike, limits: Limits | No
         axes[0, 0].legend(fontsize=6, ncols=2)
     axes[0, 0].set_title(f"joints of {robot.name}", fontsize=9)
     if body is not None:
-        axes[0, 1].set_title(f"point of {body}", fontsize=9)
+        beside = "" if relative_to is None else f" relative to {relative_to}"
+        axes[0, 1].set_title(f"point of {body}{beside}", fontsize=9)
     for axis in axes[-1]:
         axis.set_xlabel("t (s)")
     return figure

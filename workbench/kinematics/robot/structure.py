@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -42,10 +43,12 @@ class Structure:
         self.name = name
         self.joints = tuple(joints)
         self.world = world
-        names = [joint.name for joint in self.joints]
-        for joint in self.joints:
-            if names.count(joint.name) > 1:
-                raise ValueError(f"joint {joint.name!r} is there twice: expected one of each name")
+        names = Counter(
+            name for joint in self.joints for name in {joint.name, *joint.coordinates, *joint.velocities}
+        )
+        for name, count in names.items():
+            if count > 1:
+                raise ValueError(f"joint {name!r} is there twice: expected one of each name")
         self._place_bodies()
         self._follow_mimics()
 

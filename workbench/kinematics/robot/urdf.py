@@ -6,6 +6,7 @@ nothing with Drake's parser, so that the one can be held against the other.
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from math import pi
@@ -65,17 +66,16 @@ def read_urdf(path: str | Path) -> Urdf:
 def parse_urdf(text: bytes | str) -> Urdf:
     """The robot in the text of a URDF file; errors as `read_urdf`."""
     text = text.encode() if isinstance(text, str) else text
+    if b"<xacro:" in re.sub(rb"<!--.*?-->", b"", text, flags=re.DOTALL):
+        raise UrdfError(XACRO)
     if b"<drake:" in text and b"xmlns:drake" not in text:
         text = text.replace(b"<robot", b'<robot xmlns:drake="http://drake.mit.edu"', 1)
     try:
         robot = ET.fromstring(text)
     except ET.ParseError as error:
-        raise UrdfError(XACRO if b"<xacro:" in text else f"not XML: {error}") from None
+        raise UrdfError(f"not XML: {error}") from None
     if robot.tag != "robot":
         raise UrdfError(f"expected a URDF, whose outermost tag is <robot>, got <{robot.tag}>")
-    tags = {element.tag for element in robot.iter() if isinstance(element.tag, str)}
-    if b"<xacro:" in text or any("xacro" in tag for tag in tags):
-        raise UrdfError(XACRO)
     links = tuple(_attribute(link, "name", "a link") for link in robot.findall("link"))
     if not links:
         raise UrdfError("expected a <robot> with at least one <link>, got none")

@@ -43,6 +43,11 @@ SUMS = r"\sum_{{l=0}}^{{{0}}} a^{{(l)}} = \sum_{{l=0}}^{{{0}}} b^{{(l)}}"
             rf"\forall n \geq 0 : {below('n')} \Rightarrow a^{{(n)}} = b^{{(n)}}",
             BY_LEMMA,
         ),
+        (  # of the same members
+            rf"\forall n \geq 0 : {below('n+2')} \Rightarrow a^{{(n)}} = b^{{(n)}}",
+            r"\forall n \geq 0 : \Big( \forall k < n+2 : k a^{(k)} = k b^{(k)} \Big) \Rightarrow a^{(n)} = b^{(n)}",
+            BY_LEMMA,
+        ),
         (  # another n
             rf"\forall n \geq 0 : \forall j \geq 0 : {below('n+j+1')} \Rightarrow a^{{(n)}} = b^{{(n)}}",
             rf"\forall n \geq 0 : \forall j \geq 0 : {below('j+1')} \Rightarrow a^{{(n)}} = b^{{(n)}}",

@@ -176,6 +176,16 @@ def test_sums_by_leibniz(n):
         (r"\exists c \in V_3 : \forall s \in V_3 : c = x", Witness({"c": "x"}), "binds behind it"),
         # a premise at an instant says nothing of derivatives
         (r"a = b \Rightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0)), "may not be differentiated"),
+        (
+            r"a = b \Rightarrow \dot{a} = \dot{b}",
+            Follows(r"\mathbf{D} Y", Y=Use(0)),
+            "may not be differentiated",
+        ),
+        (
+            r"a = b \Rightarrow \dot{a} - T a = \dot{b} - T b",
+            Follows(r"(\mathbf{D} - T) Y", Y=Use(0)),
+            "may not be differentiated",
+        ),
         # what is constant under a derivative, with something that moves
         (
             r"\Big( \forall c \in V_3 : \frac{d}{dt} (T c) = \dot{T} c \Big) \Rightarrow"

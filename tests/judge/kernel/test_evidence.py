@@ -171,7 +171,7 @@ def test_a_member_that_says_nothing_hides_none_that_does():
 def test_a_random_point_tells_what_differs(latex, screened):
     (statement,) = read(latex, PHI_TABLE)
     equation = Equation(Judge(Definitions()), statement, ())
-    assert equation._screen() is screened
+    assert equation.screen() is screened
 
 
 FALSE_RECHECKS = [

@@ -54,7 +54,7 @@ class Equation(Case):
         """The proof of a dear relation by a cheaper one that holds just where it does, if there is one. That
         the relation itself is zero at a random point tells that it was rewritten without a mistake."""
         cheaper = in_rotated_frame(self.relation, self.definitions)
-        if cheaper is None or self.assumptions.equations or not self._screen():
+        if cheaper is None or self.assumptions.equations or not self.screen():
             return None
         rotated = Equation(self.setting, cheaper, self.assume, self.definitions)
         residuals = rotated.exact.residuals(cheaper)
@@ -70,7 +70,7 @@ class Equation(Case):
             return None
         try:
             bare = Equation(self.setting, self.relation, self.assume, NoDefinitions())
-            screened = bare._screen()
+            screened = bare.screen()
             if screened is False:
                 return None
             residuals = bare.exact.residuals(self.relation)
@@ -82,7 +82,7 @@ class Equation(Case):
 
     def _by_definitions(self) -> Verdict:
         relation = self.relation
-        screened = self._screen()
+        screened = self.screen()
         residuals = self.exact.residuals(relation)
         vanishes = self._vanishes(residuals)
         if screened is False and vanishes and not self.assumptions.equations:
@@ -97,7 +97,7 @@ class Equation(Case):
             Outcome.DEFINITION, evidence=(Evidence("definitions", "well-formed, and the one in force"),)
         )
 
-    def _screen(self) -> bool | None:
+    def screen(self) -> bool | None:
         """Zero at a random point modulo the prime, by the second engine; None where it does not apply."""
         if self.assumptions.equations or not self.setting.second_engine:
             return None

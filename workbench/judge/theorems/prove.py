@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
+from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.families import SAME_TERM
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
@@ -45,12 +47,15 @@ from workbench.language.construct import number, relation
 from workbench.language.definitions import expand
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.instances import free_integers, instantiate
+from workbench.language.operators import LINEAR, PRODUCTS
 from workbench.language.printer import to_latex
-from workbench.language.terms import IllFormed, Statement
+from workbench.language.terms import Apply, IllFormed, Statement
 
 #: Verdicts of one judge on equations, by what is claimed, what is supposed and the integers with their least
 #: values.
 Lemmas: TypeAlias = "dict[tuple[Statement, tuple[Statement, ...], tuple[tuple[str, int], ...]], Verdict]"
+
+_DEFINED_EVERYWHERE = LINEAR | {*PRODUCTS, "add", "det"}
 
 _SHOWN = (Outcome.PROVED, Outcome.DEFINITION)
 
@@ -170,18 +175,21 @@ class _Prover:
             return Verdict(Outcome.UNCHECKED, reason=reason)
 
     def _first_hold(self, obligation: Obligation, used: Mapping[str, int]) -> bool:
-        """Whether the first members are defined, as what has the same addends need not be, and hold, as far
-        as the engines can speak of them."""
+        """Whether the first members, which may be undefined on both sides, are defined and hold: at a random
+        point; where something is divided by, as the kernel says."""
         for more in (0, 2):
             values = {name: least + more for name, least in used.items()}
             said, *assume = (instantiate(s, values) for s in (obligation.statement, *obligation.assume))
-            try:
-                _ = [expand(side, self.judge.definitions) for side in (said.left, said.right)]
-                verdict = self.judge.judge_instance(said, tuple(assume), None)
-            except NotExact:
-                continue
-            if verdict.outcome not in _SHOWN and verdict.reason != SAME_TERM:
-                return False
+            sides = [expand(side, self.judge.definitions) for side in (said.left, said.right)]
+            heads = {part.head for side in sides for part in side.walk() if isinstance(part, Apply)}
+            with suppress(NotExact):
+                if heads <= _DEFINED_EVERYWHERE:
+                    holds = Equation(self.judge, said, tuple(assume)).screen() is not False
+                else:
+                    verdict = self.judge.judge_instance(said, tuple(assume), None)
+                    holds = verdict.outcome in _SHOWN or verdict.reason == SAME_TERM
+                if not holds:
+                    return False
         return True
 
     def _judged(self, statement: Statement, obligation: Obligation, used: Mapping[str, int]) -> Verdict:

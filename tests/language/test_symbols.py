@@ -11,7 +11,8 @@ from workbench.language.defining import read_definitions
 from workbench.language.errors import ReadError, SpecError
 from workbench.language.integers import Linear
 from workbench.language.names import Name
-from workbench.language.reader import read_term
+from workbench.language.printer import to_latex
+from workbench.language.reader import read, read_term
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Apply, Symbol
 from workbench.language.types import VECTOR, Declaration
@@ -128,7 +129,7 @@ BAD_SPECS = [
     ({"a b": {"kind": "vector"}}, "expected one symbol"),
     ({"a = b": {"kind": "vector"}}, "expected one symbol"),
     ({r"\dot{x}": {"kind": "vector"}}, "expected one symbol"),
-    ({r"\tilde{\omega}": {"kind": "tensor"}}, "expected one symbol"),
+    ({r"\tilde{\omega}": {"kind": "tensor"}}, "the skew tensor of a vector"),
     ({"x^T": {"kind": "tensor"}}, "the transpose"),
     ({"x^2": {"kind": "scalar"}}, "a power"),
     ({"x^n": {"kind": "scalar"}}, "a power"),
@@ -146,3 +147,37 @@ def test_bad_entries(specs: dict, part: str) -> None:
         SymbolTable.build(specs)
     assert part in str(caught.value)
     assert caught.value.key in specs
+
+
+TILDES = {
+    "x": "vector",
+    r"\tilde{x}": "vector",
+    r"\hat{x}": "vector",
+    "y": "vector",
+    "a_i": "scalar",
+    r"\tilde{a}_i": "scalar",
+}
+
+
+@pytest.mark.parametrize(
+    ("formula", "printed"),
+    [
+        (r"\tilde{x} = x - \hat{x}", r"\tilde{x} = x - \hat{x}"),
+        (r"\operatorname{skew}(x) y = x \times y", r"\left(\operatorname{skew} x\right) y = x \times y"),
+        (r"\operatorname{skew}(\dot{x}) y = \dot{x} \times y", r"\left(\operatorname{skew} \dot{x}\right) y = \dot{x} \times y"),
+        (r"\tilde{\tilde{x}} y = \tilde{x} \times y", r"\tilde{\tilde{x}} y = \tilde{x} \times y"),
+        (r"\tilde{y} \tilde{x} = y \times \tilde{x}", r"\tilde{y} \tilde{x} = y \times \tilde{x}"),
+        (r"\tilde{a}_1 = a_1", r"\tilde{a}_{1} = a_{1}"),
+    ],
+)  # fmt: skip
+def test_a_letter_with_a_tilde_may_be_a_symbol_of_its_own(formula, printed):
+    table = SymbolTable.build({key: {"kind": kind} for key, kind in TILDES.items()})
+    (statement,) = read(formula, table)
+    assert to_latex(statement) == printed
+    assert read(printed, table) == (statement,)
+
+
+def test_a_tilde_over_a_known_vector_stays_its_skew_tensor():
+    table = SymbolTable.build({"x": {"kind": "vector"}})
+    with pytest.raises(SpecError, match="read as a skew tensor"):
+        table.with_specs({r"\tilde{x}": {"kind": "vector"}})

@@ -16,7 +16,12 @@ SYMBOLS = {
     "g": {"kind": "vector", "constant": True},
     "r": "vector",
     r"\theta": "scalar",
+    "u": {"kind": "vector", "unit": True},
+    "H": "transform",
+    "G": "transform",
 }
+HALF = r"\cos\frac{\theta}{2}, \sin\frac{\theta}{2} u"
+TURNED = r"\operatorname{quat}(0, \exp(\theta \tilde{u}) r)"
 #: However busy the machine is.
 PATIENT = Limits(seconds=250)
 TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}"
@@ -29,6 +34,11 @@ TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \en
         (r"(p q)^* = q^* p", r"\left(p q\right)^{*} = q^{*} p^{*}"),
         (r"\sin\theta = \sin\frac{\theta}{2} \cos\frac{\theta}{2}", "2"),
         (r"\frac{d}{dt} \sin\theta = \dot{\theta} \sin\theta", r"\dot{\theta} \cos \theta"),
+        (rf"[{HALF}] r [{HALF}] = {TURNED}", "^{*}"),
+        (rf"\exp([0, \theta u]) r \exp([0, -\frac{{\theta}}{{2}} u]) = {TURNED}", r"\frac{1}{2} \left(\theta u\right)"),
+        (r"\sin\theta = 2 \sin\frac{\theta}{2} \cos\theta", r"\cos\left(\frac{1}{2} \theta\right)"),
+        (r"(H G)^{-1} = H^{-1} G^{-1}", "G^{-1} H^{-1}"),
+        (r"\exp(\theta \tilde{u}) = \mathbf{I} + \cos\theta \, \tilde{u} + (1 - \cos\theta) \tilde{u}^2", r"\sin \theta"),
         (
             rf"{TURN} \begin{{bmatrix}} \cos\theta & \sin\theta \\ \sin\theta & \cos\theta \end{{bmatrix}} = \mathbf{{I}}",
             r"\cos \theta & \sin \theta \\ -\sin \theta & \cos \theta",

@@ -18,7 +18,7 @@ from workbench.language.spelling import (
     prefixed,
     spell,
 )
-from workbench.language.syntax import Chain, Group, Leaf, Node, Product, Scripted, parse, unstyled
+from workbench.language.syntax import Accented, Chain, Group, Leaf, Node, Product, Scripted, parse, unstyled
 from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
 _FLAGS = ("constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal", "small")
@@ -56,6 +56,8 @@ def refuse_operation(name: Name, key: str) -> None:
 def refuse_builtin(name: Name, type_: Type, key: str) -> None:
     """Raises SpecError for a name that has a meaning of its own, in which it is read and printed back."""
     meaning = BUILTIN.get(name)
+    if "\\tilde" in name.styles and type_.kind == "tensor":
+        meaning = "the skew tensor of a vector"
     if name == CLOCK.name and type_.kind == "scalar":
         meaning = "the time of x(t) and \\frac{d}{dt}"
     if meaning is not None:
@@ -83,6 +85,9 @@ def key_spelling(node: Node, key: str) -> Spelling:
             node = prefixed(mark, right) or node
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
     styles, letter = unstyled(scripted.nucleus)
+    if isinstance(letter, Accented) and letter.accent == "~":
+        below, letter = unstyled(letter.body)
+        styles = (*styles, "\\tilde", *below)
     if not isinstance(letter, Leaf):
         raise SpecError("expected one symbol: a letter with its font and scripts", key)
     is_figure = letter.kind == "NUMBER" and letter.text != "0" and styles

@@ -29,6 +29,7 @@ _OUTERMOST_FIRST = (
     "\\check",
     "\\breve",
     "\\mathring",
+    "\\tilde",
 )
 
 

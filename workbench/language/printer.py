@@ -227,11 +227,18 @@ def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> _Text | None:
         case Symbol(arguments=()):
             level = _FACTOR if term.declaration.name.sup else _ATOM
             return _Text(_accented(term, accents), level, "symbol")
-        case Apply(head="skew", arguments=(body,)):
+        case Apply(head="skew", arguments=(body,)) if not _is_tilded(body):
             return _under_accents(body, (*accents, "\\tilde"))
         case Derivative(order=Linear(constant=order, coefficients=())) if 1 <= order <= 4:
             return _under_accents(term.body, (*accents, written("ACCENT", str(order))))
     return None
+
+
+def _is_tilded(term: Term) -> bool:
+    """Whether a tilde over the term would make another symbol of it."""
+    while isinstance(term, Derivative):
+        term = term.body
+    return isinstance(term, Symbol) and term.declaration.tilded
 
 
 def _derivative(term: Derivative) -> _Text:
@@ -291,7 +298,7 @@ def _apply(term: Apply) -> _Text:
         case "quaternion" | "atan2":
             inner = ", ".join(_print(a).text for a in arguments)
             return _Text(f"{command_of(head)}{_bracket(inner)}", _FACTOR)
-        case "skew":
+        case "skew" if not _is_tilded(arguments[0]):
             over = _under_accents(term)
             return over or _Text(f"\\widetilde{{{_print(arguments[0]).text}}}", _ATOM)
     return _function(head, arguments[0])

@@ -86,7 +86,8 @@ class SymbolTable:
                 refuse_builtin(other, declared.type, key)
                 symbols[other] = declared
         try:
-            return SymbolTable(_with_arguments(_with_members(symbols, functions), functions))
+            known = _tilded(_with_members(symbols, functions))
+            return SymbolTable(_with_arguments(known, functions))
         except SpecError as error:
             keys = {str(read_key(key)[0]): key for key in specs}
             raise SpecError(error.message, keys.get(error.key, error.key)) from None
@@ -108,6 +109,7 @@ class SymbolTable:
         for name in more:
             if name in self.symbols or name in self.functions:
                 raise SpecError("this symbol is known already", str(name))
+            self.refuse_tilde(name)
             if family := next((known for known in self.symbols if known.index_of(name) is not None), None):
                 raise SpecError(f"this symbol is known already, as a member of {family}", str(name))
         return replace(self, symbols={**self.symbols, **more})
@@ -115,6 +117,7 @@ class SymbolTable:
     def with_symbol(self, declaration: Declaration, formals: tuple[Declaration, ...] = ()) -> SymbolTable:
         """This table and one more symbol; with formal arguments it is a function symbol."""
         place = {declaration.name.without_arguments(): declaration}
+        self.refuse_tilde(declaration.name)
         if not formals:
             return replace(self, symbols={**self.symbols, **place})
         known = {**self.formals, declaration.name: formals}
@@ -131,6 +134,18 @@ class SymbolTable:
                 is_known = not declaration.introduced or self.defines(declaration.name, index)
                 return (declaration, index) if is_known else None
         return None
+
+    def refuse_tilde(self, name: Name) -> None:
+        """Raises SpecError for \\tilde{x} beside a vector x, whose skew tensor was written so before."""
+        if "\\tilde" in name.styles and name not in self.symbols:
+            plain = self.symbols.get(_without_tilde(name))
+            if plain is not None and plain.type.kind == "vector":
+                raise SpecError("it is read as a skew tensor; declare it in [symbols]", str(name))
+
+    @cached_property
+    def has_tildes(self) -> bool:
+        """Whether a letter with a tilde may be a symbol of its own."""
+        return any("\\tilde" in name.styles for name in self.symbols)
 
     @cached_property
     def has_quaternions(self) -> bool:
@@ -219,6 +234,17 @@ def _with_members(
             else:
                 kept[pattern] = replace(kept[pattern], apart=(*kept[pattern].apart, index))
     return kept
+
+
+def _without_tilde(name: Name) -> Name:
+    return replace(name, styles=tuple(style for style in name.styles if style != "\\tilde"))
+
+
+def _tilded(symbols: dict[Name, Declaration]) -> dict[Name, Declaration]:
+    """The declarations, where each holds whether the same with a tilde is one too."""
+    plain = {_without_tilde(name) for name in symbols if "\\tilde" in name.styles}
+    owners = {declaration.name for name, declaration in symbols.items() if name in plain}
+    return {n: replace(d, tilded=True) if d.name in owners else d for n, d in symbols.items()}
 
 
 def _with_arguments(

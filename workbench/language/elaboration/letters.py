@@ -69,6 +69,8 @@ class _Lettering:
                 return self.accented_by_the_paper(node, scripts, styles)
             case Styled():
                 return self.read(node.body, scripts, (*styles, node.style))
+            case Accented(accent="~") if (found := self.own_tilde(node, scripts, styles)) is not None:
+                return found
             case Accented():
                 term, sup = self.read(node.body, scripts, styles)
                 self.refuse_primed(node, scripts)
@@ -143,6 +145,15 @@ class _Lettering:
         arguments = [self.scope.term(part) for part in self.bracket.parts]
         self.scope.build(leaf.at, self.scope.table.check_arguments, declaration, arguments)
         return self.scope.build(leaf.at, construct.symbol, declaration, index, arguments)
+
+    def own_tilde(self, node: Accented, scripts: Scripts, styles: tuple[str, ...]) -> Lettered | None:
+        """\\tilde{x}, if that is a symbol."""
+        if "\\tilde" in styles or not self.scope.table.has_tildes:
+            return None
+        try:
+            return self.read(node.body, scripts, (*styles, "\\tilde"))
+        except Fault:
+            return None
 
     def accented_by_the_paper(self, node: Styled, scripts: Scripts, styles: tuple[str, ...]) -> Lettered:
         """\\hat{x}: the name, if there is one; else what the paper says of the accent."""

@@ -17,6 +17,7 @@ from workbench.language.terms import (
     Equivalence,
     IllFormed,
     Implication,
+    Number,
     Statement,
     Term,
 )
@@ -66,7 +67,7 @@ def edits(
         is_addend = len(place) == _depth_of_sides(statement, place) or id(term) in of_sums
         if isinstance(term, Apply) and term.head == "add":
             of_sums.update(map(id, term.arguments))
-        if isinstance(term, Block):
+        if isinstance(term, Block) or (isinstance(term, Apply) and term.head == "quaternion"):
             of_sums.update(map(id, term.children))  # an entry has a sign of its own
         if place[: len(within)] != within:
             continue
@@ -75,6 +76,8 @@ def edits(
             new = None
             try:
                 new = make()
+                if _is_negative(new) and _is_denominator(statement, place):
+                    continue
                 changed = replaced(statement, place, new)
             except IllFormed as fault:
                 yield Edit(kind, place, said, term, new, None, str(fault))
@@ -82,6 +85,15 @@ def edits(
             if changed not in seen:
                 seen.add(changed)
                 yield Edit(kind, place, said, term, new, changed)
+
+
+def _is_negative(term: Term) -> bool:
+    return isinstance(term, Number) and term.value < 0
+
+
+def _is_denominator(statement: Statement, place: Place) -> bool:
+    parent = subterm(statement, place[:-1]) if len(place) > 1 else None
+    return isinstance(parent, Apply) and parent.head == "div" and place[-1] == 1
 
 
 def _depth_of_sides(statement: Statement, place: Place) -> int:

@@ -262,6 +262,10 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
             yield "swap", said, partial(apply, "triple", b, a, c)
         case "mul":
             yield from _factors(term)
+        case "sin" | "cos" if coefficient(arguments[0]) == 1:
+            for factor in _FACTORS[:2]:
+                said = ("the angle {} gets the factor {}", arguments[0], factor)
+                yield "coefficient", said, lambda factor=factor: apply(head, times(factor, arguments[0]))
         case "div":
             said = ("the denominator of {} is dropped", term)
             yield "coefficient", said, lambda: arguments[0]

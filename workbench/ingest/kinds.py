@@ -85,10 +85,14 @@ class Guesser:
         self._read_before: dict[tuple[str, frozenset[Guess]], Outcome] = {}
 
     def knowing(self, guesses: Mapping[str, Guess]) -> Guesser:
-        """One that has guessed no more than this, and remembers what was read."""
+        """One that has guessed no more than this, and remembers what was read. What the notation or the
+        frames spell is no symbol to be guessed."""
         other = Guesser(self.prose, self.ground)
         other._symbols, other._read_before = self._symbols, self._read_before
-        other.guesses = dict(guesses)
+        for name, guess in guesses.items():
+            with suppress(SpecError):
+                self._declared(guess)
+                other.guesses[name] = guess
         return other
 
     def read_all(self, formulas: Sequence[str]) -> list[Outcome]:
@@ -139,7 +143,7 @@ class Guesser:
 
     def vector_of(self, name: str) -> str | None:
         """The vector in bold or under an arrow that has the same letter."""
-        vectors = (each.name for each in self.guesses.values() if each.kind == "vector")
+        vectors = (each.name for each in self.guesses.values() if each.kind == "vector" and each.name != name)
         return next((each for each in vectors if without_bold(each) == name), None)
 
     def _improve(
@@ -255,8 +259,6 @@ class Guesser:
     def _guess(self, name: str) -> Guess:
         if (guess := self.prose.guess(name)) is not None:
             return guess
-        if self.prose.has_quaternions and re.fullmatch(r"q(?:_\{\w+\})?", name):
-            return Guess(name, "hamilton quaternion", "the text speaks of quaternions")
         return by_typeface(name)
 
 

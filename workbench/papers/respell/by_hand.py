@@ -14,7 +14,7 @@ _LETTERS = r"""
 """
 _GAP_NAMES = r"\, \; \: \! ~"
 _FACES, _TEXTS = frozenset(_FACE_NAMES.split()), frozenset({"\\text", "\\mbox", "\\textrm"})
-_GAPS = frozenset([" ", "\\ ", *_GAP_NAMES.split()])
+_GAPS = frozenset([" ", "\\ ", "\\\n", *_GAP_NAMES.split()])
 _GREEK = frozenset(_LETTERS.split())
 _CAPITALS = "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 _VARIANTS = frozenset(_CAPITALS.split())
@@ -23,7 +23,9 @@ _VARIANTS = frozenset(_CAPITALS.split())
 def as_read(tokens: Sequence[Token]) -> list[Token]:
     """Every token stays in its place."""
     made = list(tokens)
-    for pattern in (_variant, _buildrel, _table, _grouped_table, _label, _nested_text, _prime, _of_time):
+    for pattern in (
+        _variant, _buildrel, _table, _grouped_table, _label, _nested_text, _prime, _of_time, _left_script, _wide, _row,
+    ):  # fmt: skip
         made = _everywhere(made, pattern)
     return made
 
@@ -152,6 +154,65 @@ def _of_time(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     return tokens[after : close - 1], close
 
 
+def _left_script(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """^A x behind a sign, a bracket or a space that prints as {}^A x."""
+    if tokens[place].text not in ("^", "_"):
+        return None
+    before = tokens[place - 1] if place else None
+    if before is not None and before.text == " ":
+        before = next((token for token in reversed(tokens[:place]) if token.text != " "), None)
+    follows_nothing = before is None or before.text in _NO_NUCLEUS or before.text.startswith("\\begin{")
+    if not follows_nothing:
+        return None
+    return [*(tokens[place].standing_for(text) for text in "{}"), tokens[place]], place + 1
+
+
+def _wide(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """Two spaces or more as the wide one that they print."""
+    if tokens[place].text not in _SPACES_OF_A_WORD:
+        return None
+    end = _past(tokens, place)
+    count = sum(token.text in _SPACES_OF_A_WORD for token in tokens[place:end])
+    return ([tokens[place].standing_for("\\quad")], end) if count > 1 else None
+
+
+def _row(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """[a \\quad b], in which nothing else stands between the two, as a row of a matrix."""
+    if tokens[place].text != "[":
+        return None
+    parts: list[list[Token]] = [[]]
+    depth = 0
+    for end in range(place + 1, len(tokens)):
+        text = tokens[end].text
+        if depth == 0 and text == "]":
+            break
+        if depth == 0 and (text in _APART or text in _BETWEEN):
+            if text not in _APART:
+                return None
+            parts.append([tokens[end].standing_for("&")])
+            continue
+        depth += (text in _OPEN) - (text in _CLOSE)
+        parts[-1].append(tokens[end])
+    else:
+        return None
+    if len(parts) < 2 or not all(any(t.text not in _GAPS | {"&"} for t in part) for part in parts):
+        return None
+    if tokens[end - 1].text in ("\\right", "\\big", "\\Big") or (place and tokens[place - 1].text == "\\left"):
+        return None
+    first, last = tokens[place], tokens[end]
+    inside = [token for part in parts for token in part]
+    return [first.standing_for("\\begin{bmatrix}"), *inside, last.standing_for("\\end{bmatrix}")], end + 1
+
+
+_SPACES_OF_A_WORD = frozenset({"\\ ", "\\\n", "~", "\\;", "\\enspace"})
+_APART = frozenset({"\\quad", "\\qquad", "\\enspace"})
+#: What relates or separates the parts of a bracket in another way.
+_BETWEEN = frozenset(["=", ",", ";", "+", "-", "|", "&", "\\\\", "\\times", "\\cdot", "\\text", "\\mathrm", "\\in"])
+_OPEN = frozenset({"(", "[", "{", "\\{"})
+_CLOSE = frozenset({")", "]", "}", "\\}"})
+#: What no script can belong to.
+_NO_NUCLEUS = frozenset(("=", "+", "-", "&", "(", "[", ",", "\\\\", "\\times", "\\cdot", "\\otimes", "\\circ", ":=", "\\equiv"))
+_NO_NUCLEUS |= _GAPS - {" "}
 _TIMES = (("(", "t", ")"), ("\\left", "(", "t", "\\right", ")"), ("{", "(", "t", ")"))
 
 

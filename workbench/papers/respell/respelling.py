@@ -120,7 +120,8 @@ def _with_words(tokens: list[Token], words: Collection[str]) -> Iterator[Token]:
     place = 0
     while place < len(tokens):
         word = next((word for word in words if _spells(tokens[place : place + len(word)], word)), None)
-        if word is None or _spells(tokens[max(0, place - 3) : place], "arc"):
+        is_inverse = any(_spells(tokens[max(0, place - len(arc)) : place], arc) for arc in ("arc", "a"))
+        if word is None or is_inverse:
             yield tokens[place]
             place += 1
             continue

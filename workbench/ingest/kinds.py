@@ -32,10 +32,16 @@ from workbench.language.terms import Statement
 from workbench.language.types import Declaration
 
 _UNKNOWN = re.compile(r"unknown symbol (.+?)(?:; known and close: .*)?$", re.DOTALL)
-_LABELLED = re.compile(
-    r"(?:\\(?:mathbf|boldsymbol|bar|vec)\s*\{?\s*)?\\?[A-Za-z]+\}?(?:_\w|_\{\w+\})?"
-    r"\s*\^\s*\{\s*\\math(?:scr|cal|frak|rm|sf)\s*\{?\s*[A-Za-z]+\s*\}?\s*\}"
+_LETTER = (
+    r"(?:\\(?:math(?:bf|rm|sf|cal|it)|boldsymbol|bar|vec|hat|underline)\s*\{?\s*)*"
+    r"(?:\\[A-Za-z]+|[A-Za-df-z])\}*"
 )
+_BELOW = r"\s*_\s*(?:\w|\\[A-Za-z]+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})"
+_ABOVE = (
+    r"\s*\^\s*(?:[A-SU-Z](?![A-Za-z])|\{\s*(?:(?!T\s*\})[A-Z][A-Za-z0-9]{0,3}(?:\s*[/,]\s*[A-Z])?"
+    r"|\\math(?:scr|cal|frak|rm|sf|bf)\s*\{?\s*[A-Za-z]+\s*\}?)\s*\})"
+)
+_LABELLED = re.compile(rf"{_LETTER}(?:{_ABOVE}{_BELOW}|(?:{_BELOW})?{_ABOVE})")
 _OF_KINDS = re.compile(
     r"(?:expected|transpose of|juxtaposition of) an? (?:scalar|vector|tensor|quaternion)|differ in type"
 )
@@ -248,7 +254,8 @@ class Guesser:
         return self._symbols[guess]
 
     def _labelled(self, latex: str, guesses: Mapping[str, Guess]) -> str | None:
-        """A symbol with a script letter as a superscript, which is no power, and which is not known yet."""
+        """A symbol with a capital or a script letter as a superscript, which is no power, and which is not
+        known yet."""
         for match in _LABELLED.finditer(latex):
             with suppress(SpecError):
                 key = read_key(match[0])[0]

@@ -124,7 +124,10 @@ _LEFT = (
     r" & \operatorname{Sc}(q) \mathbf{I} %s \operatorname{skew}(\operatorname{Vec}(q)) \end{bmatrix}"
 )
 #: One symbol in square brackets, which group nothing then.
-_IN_BRACKETS = r"\[\s*(?:\\[a-z]+\s*\{?\s*)*\\?[A-Za-z]+\}*(?:_\s*(?:\w|\{[^{}]*\}))?\}*\s*(?:\\right\s*)?\](?!\s*[_^]\s*\{?\s*\\times)"
+_IN_BRACKETS = (
+    r"\[\s*(?:\\[a-z]+\s*\{?\s*)*\\?[A-Za-z]+\}*(?:_\s*(?:\w|\{[^{}]*\}))?\}*\s*(?:\\right\s*)?\]"
+    r"(?!\s*[_^]\s*\{?\s*\\times)"
+)
 _Q = {"q": "quaternion"}
 _OF_QUATERNIONS: tuple[tuple[str, str, dict[str, str], str], ...] = (
     (r"\*|\\ast", "q^*", _Q, r"\operatorname{conj}(q)"),
@@ -170,7 +173,14 @@ _NOTATION: tuple[tuple[str, str, dict[str, str], str, str, str], ...] = (
         r"Is x^\wedge the skew tensor of x?",
     ),
     *(
-        (trigger, key, {"x": "vector"}, _SKEW, "a bracket or a cross on a symbol", f"Is {key} the skew tensor of x?")
+        (
+            trigger,
+            key,
+            {"x": "vector"},
+            _SKEW,
+            "a bracket or a cross on a symbol",
+            f"Is {key} the skew tensor of x?",
+        )
         for trigger, key in (
             (r"\]\s*_\s*\{?\s*\\times", r"[x]_\times"),
             (r"\]\s*\^\s*\{?\s*\\times", r"[x]^\times"),

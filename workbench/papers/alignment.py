@@ -30,7 +30,9 @@ _KINDS = {
     for text in texts
 }
 WORD_COMMANDS = frozenset({"\\text", "\\mbox", "\\textrm", "\\textit", "\\textnormal", "\\hbox"})
-_SPACES = frozenset({" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\n", "~", "\\>", "\\par", "\\enspace", "\\thinspace"})
+_SPACES = frozenset(
+    {" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\n", "~", "\\>", "\\par", "\\enspace", "\\thinspace"}
+)
 WIDE = frozenset({"\\quad", "\\qquad", "\\hspace"})
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
 _ENDS = frozenset({".", ",", ";"})

@@ -1,4 +1,4 @@
-"""What spaces say: that a script stands on the left of what follows, that another formula or column begins."""
+"""What spaces say: that a script stands on the left of what follows, that a formula or column begins."""
 
 from __future__ import annotations
 

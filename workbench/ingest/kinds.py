@@ -23,7 +23,7 @@ from workbench.ingest.typefaces import (
     without_bold,
 )
 from workbench.language.declarations import read_key
-from workbench.language.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.errors import SAYS_NOTHING, IllFormedAt, ReadError, SpecError
 from workbench.language.names import Name
 from workbench.language.reader import read
 from workbench.language.symbols import SymbolTable
@@ -244,6 +244,8 @@ class Guesser:
         except IllFormedAt as error:
             return Outcome(message=error.message, ill_formed=True)
         except ReadError as error:
+            if error.message == SAYS_NOTHING:
+                return Outcome(())
             message = error.message.partition("; known and close: ")[0]
             return Outcome(message=message, ill_formed=bool(_OF_KINDS.search(message)))
 

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from workbench.language.terms import IllFormed
 
+#: The message of a formula that only says what its symbols are declared to be.
+SAYS_NOTHING = "the formula says nothing"
+
 
 class ReadError(ValueError):
     """The text is not a formula of the claim language. `line` and `column` count from 1."""

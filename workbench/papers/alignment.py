@@ -33,6 +33,8 @@ WORD_COMMANDS = frozenset({"\\text", "\\mbox", "\\textrm", "\\textit", "\\textno
 _SPACES = frozenset(
     {" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\n", "~", "\\>", "\\par", "\\enspace", "\\thinspace"}
 )
+#: Spaces that the author asks for.
+EXPLICIT = frozenset({"\\ ", "\\\n", "~", "\\;"})
 WIDE = frozenset({"\\quad", "\\qquad", "\\hspace"})
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
 _ENDS = frozenset({".", ",", ";"})

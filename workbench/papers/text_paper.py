@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.errors import SAYS_NOTHING, IllFormedAt, ReadError
 from workbench.language.terms import Symbol
 from workbench.papers.asides import asides_of
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
@@ -21,6 +21,7 @@ from workbench.papers.text_model import Entry, TextModel, names_of
 from workbench.papers.texts import Display, Text, Token, spelled
 from workbench.papers.unsettled import with_unsettled
 
+_AS_DECLARED = "says only what its symbols are declared to be"
 _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 
@@ -310,7 +311,8 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
         return Formula(latex, ill_formed=_message(error), at=at), orders
     except ReadError as error:
         at = _at(latex, owners, error.line, error.column)
-        return Formula(latex, unread=f"cannot be read: {error.message}", at=at), orders
+        why = f"cannot be read: {error.message}" if error.message != SAYS_NOTHING else _AS_DECLARED
+        return Formula(latex, unread=why, at=at), orders
     except ValueError as error:
         return Formula(latex, unread=str(error)), orders
 

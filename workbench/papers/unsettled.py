@@ -68,7 +68,8 @@ def _lone(left: str) -> Iterator[str]:
 
 
 def _flat(name: str) -> str:
-    return re.sub(r"[\s{}]|\\(?:left|right|,|;|!)", "", name)
+    """The name, without the dots of its derivatives: what says what \\dot{x} is says something of x."""
+    return re.sub(r"[\s{}]|\\(?:left|right|,|;|!)|\\d+ot(?![A-Za-z])", "", name)
 
 
 def _of_unread(free: Sequence[Declaration], unread: Mapping[str, str]) -> str | None:

@@ -56,5 +56,10 @@ def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] 
     if end == len(tokens) or len(parts) < 2 or any(past(part, 1) >= len(part) for part in parts[1:]):
         return None
     first, last = tokens[place], tokens[end]
+    above = past(tokens, end + 1)
+    is_transposed = [token.text for token in tokens[above : above + 1]] == ["^"]
     inside = [token for part in parts for token in part]
+    if is_transposed:  # [a, b]^T, which a reader may take for a column
+        apart = (token.standing_for(",") if token.text == "&" else token for token in inside)
+        return [first, *apart, last], end + 1
     return [first.standing_for("\\begin{bmatrix}"), *inside, last.standing_for("\\end{bmatrix}")], end + 1

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from workbench.papers.respell.between import left_script, row_of_a_matrix, wide_space
-from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, past
+from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, group, past, printed
 from workbench.papers.respell.rates import derivative_by_name, seen_from
 from workbench.papers.texts import Token
 
@@ -160,4 +160,41 @@ def _is_letter(token: Token) -> bool:
     return (len(token.text) == 1 and token.text.isalpha()) or is_greek
 
 
-_PATTERNS = (_variant, _buildrel, _table, _grouped_table, _label, _nested_text, _prime, _of_time)
+def _inverse_function(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\tan^{-1} as \\arctan."""
+    head = tokens[place]
+    mark = past(tokens, place + 1)
+    if head.text not in ("\\sin", "\\cos", "\\tan") or [t.text for t in tokens[mark : mark + 1]] != ["^"]:
+        return None
+    power, end = group(tokens, past(tokens, mark + 1))
+    return ([head.standing_for(f"\\arc{head.text[1:]}")], end) if printed(power) == ["-", "1"] else None
+
+
+def _line(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """A line between the rows of a matrix, which is no row."""
+    if tokens[place].text == "\\hline":
+        return [], place + 1
+    if tokens[place].text != "\\rule":
+        return None
+    position = past(tokens, place + 1)
+    if tokens[position : position + 1] and tokens[position].text == "[":
+        position = next((i for i in range(position, len(tokens)) if tokens[i].text == "]"), position) + 1
+    for _ in range(2):
+        _, position = group(tokens, past(tokens, position))
+    position = past(tokens, position)
+    is_row = [token.text for token in tokens[position : position + 1]] == ["\\\\"]
+    return [], position + is_row
+
+
+_PATTERNS = (
+    _inverse_function,
+    _line,
+    _variant,
+    _buildrel,
+    _table,
+    _grouped_table,
+    _label,
+    _nested_text,
+    _prime,
+    _of_time,
+)

@@ -260,8 +260,8 @@ class Guesser:
         known yet."""
         for match in _LABELLED.finditer(latex):
             with suppress(SpecError):
-                key = read_key(match[0])[0]
-                if key not in self.ground.symbols and str(key) not in guesses:
+                key, places = read_key(match[0])
+                if not places and key not in self.ground.symbols and str(key) not in guesses:
                     return str(key)
         return None
 

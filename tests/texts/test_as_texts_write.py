@@ -51,6 +51,8 @@ SPELLED = [
         r"x = \begin{bmatrix} a \\ \rule[.5ex]{1em}{1pt} \\ b \end{bmatrix}",
         [r"x = \begin{bmatrix} a \\   b \end{bmatrix}"],
     ),
+    (r"\sum \mathbf{F}^W = \sum M", [r"\mathbf{F}_{\Sigma}^W = M_{\Sigma}"]),
+    (r"\sum m v = \sum_i F_i", [r"\sum m v = \sum_i F_i"]),
     (r"x \in \R^3", [r"x \in\mathbb{R}^3"]),
 ]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.papers.respell.places import GAPS, group, past, printed
+from workbench.papers.respell.places import FACES, GAPS, braced, group, past, printed
 from workbench.papers.texts import Token
 
 _SPACES_OF_A_WORD = frozenset({"\\ ", "\\\n", "~", "\\;", "\\enspace"})
@@ -13,6 +13,7 @@ _SIGNS = frozenset(
 )
 #: What relates or separates the parts of a bracket in another way, or ends it as a large one.
 _NO_ROW = _SIGNS | frozenset([";", "|", "\\text", "\\mathrm", "\\in", "\\right", "\\left"])
+_ENDS_A_SUM = frozenset(["=", "&", "+", "-", ",", ".", "\\\\"])
 
 
 def left_script(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
@@ -26,6 +27,27 @@ def left_script(tokens: list[Token], place: int) -> tuple[list[Token], int] | No
     if not label or label[0] == "T" or not (label[0].isalpha() or label[0].startswith("\\math")):
         return None
     return [*(tokens[place].standing_for(text) for text in "{}"), tokens[place]], place + 1
+
+
+def net_sum(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\sum \\mathbf{F}, all that there is of F, as a symbol of its own: \\mathbf{F}_{\\Sigma}."""
+    head = tokens[place]
+    start = past(tokens, place + 1)
+    if head.text != "\\sum" or start >= len(tokens):
+        return None
+    if tokens[start].text in FACES | {"\\vec", "\\bar"}:
+        _, end = group(tokens, past(tokens, start + 1))
+    elif tokens[start].text.isalpha():
+        end = start + 1
+    else:
+        return None
+    after = past(tokens, end)
+    if printed(tokens[after : after + 1]) == ["^"]:
+        after = past(tokens, group(tokens, past(tokens, after + 1))[1])
+    if after < len(tokens) and tokens[after].text not in _ENDS_A_SUM:
+        return None
+    label = [head.standing_for("_"), *braced(head, [head.standing_for("\\Sigma")])]
+    return [*tokens[start:end], *label], end
 
 
 def wide_space(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:

@@ -114,6 +114,7 @@ def test_i_j_k_are_the_units_of_quaternions(tmp_path: Path) -> None:
         (r"$${}^A R_C = {}^A R_B {}^B R_C$$", {"{}^{A}R_{B}": "rotation"}),
         (r"$$\mathbf{v}^B_{P/B} = \mathbf{u}^B$$ $$\mathbf{u} = \mathbf{v}_{P/B}$$", {r"\mathbf{v}_{P / B}^{B}": "vector", r"\mathbf{u}^{B}": "vector"}),
         (r"$$[\mathbf{a}] \mathbf{b} = \mathbf{a} \times \mathbf{b}$$", {r"\mathbf{a}": "vector"}),
+        (r"$$a \cdot b$$ $$a \times b = 0$$", {"a": "vector"}),
         (r"$$f^B_{kin} = f_{kin} x$$", {"x": "scalar"}),
         (r"$${}^A\omega^C_D = {}^A\omega^B_D$$", {r"{}^{A}\omega_{D}^{C}": "vector"}),
     ],
@@ -177,13 +178,23 @@ def test_what_holds_for_no_special_symbol_is_refuted(tmp_path: Path, text: str) 
 def test_that_a_product_is_in_a_set_is_a_claim_and_a_declared_symbol_says_nothing(tmp_path: Path) -> None:
     (tmp_path / "p.md").write_text(
         "\n\n".join(
-            [r"$$\dot{Q} Q^T \in so(3)$$", r"$$Q Q \in SO(3)$$", r"$$Q a \in \R^3$$", r"$$R \in SO(3)$$"]
+            [
+                r"$$\dot{Q} Q^T \in so(3)$$",
+                r"$$Q Q \in SO(3)$$",
+                r"$$Q a \in \R^3$$",
+                r"$$R \in SO(3)$$",
+                r"$$a \times R b$$",
+            ]
         )
     )
     (tmp_path / "p.toml").write_text(MODEL)
-    skew, product, declared, tensor = (
+    skew, product, declared, tensor, expression = (
         result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml"))
     )
     assert skew.outcome is product.outcome is Outcome.PROVED
     assert declared.outcome is tensor.outcome is Outcome.UNCHECKED
-    assert "declared to be" in declared.reason and "here it is a tensor" in tensor.reason
+    assert (
+        "an expression" in expression.reason
+        and "declared to be" in declared.reason
+        and "here it is a tensor" in tensor.reason
+    )

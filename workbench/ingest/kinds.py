@@ -23,9 +23,9 @@ from workbench.ingest.typefaces import (
     without_bold,
 )
 from workbench.language.declarations import read_key
-from workbench.language.errors import SAYS_NOTHING, IllFormedAt, ReadError, SpecError
+from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.names import Name
-from workbench.language.reader import read
+from workbench.language.reader import read, unclaimed
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import parses
 from workbench.language.terms import Statement
@@ -239,13 +239,16 @@ class Guesser:
         symbols = dict(self.ground.symbols)
         for guess in guesses:
             symbols |= self._declared(guess)
+        table = replace(self.ground, symbols=symbols)
         try:
-            return Outcome(read(latex, replace(self.ground, symbols=symbols)))
+            try:
+                return Outcome(read(latex, table))
+            except ReadError as error:
+                unclaimed(error, latex, table)
+                return Outcome(())
         except IllFormedAt as error:
             return Outcome(message=error.message, ill_formed=True)
         except ReadError as error:
-            if error.message == SAYS_NOTHING:
-                return Outcome(())
             message = error.message.partition("; known and close: ")[0]
             return Outcome(message=message, ill_formed=bool(_OF_KINDS.search(message)))
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from workbench.language.terms import IllFormed
 
-#: The message of a formula that only says what its symbols are declared to be.
+#: The messages of formulas that only say what their symbols are declared to be, and of expressions.
 SAYS_NOTHING = "the formula says nothing"
+ALONE = "expected a relation (= or \\neq), got an expression alone"
 
 
 class ReadError(ValueError):

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from workbench.language.errors import SAYS_NOTHING, IllFormedAt, ReadError
+from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.reader import unclaimed
 from workbench.language.terms import Symbol
 from workbench.papers.asides import asides_of
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
@@ -21,7 +23,6 @@ from workbench.papers.text_model import Entry, TextModel, names_of
 from workbench.papers.texts import Display, Text, Token, spelled
 from workbench.papers.unsettled import with_unsettled
 
-_AS_DECLARED = "says only what its symbols are declared to be"
 _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 
@@ -311,10 +312,15 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
         return Formula(latex, ill_formed=_message(error), at=at), orders
     except ReadError as error:
         at = _at(latex, owners, error.line, error.column)
-        why = f"cannot be read: {error.message}" if error.message != SAYS_NOTHING else _AS_DECLARED
-        return Formula(latex, unread=why, at=at), orders
+        return Formula(latex, unread=_why_unread(error, latex, placed.notation), at=at), orders
     except ValueError as error:
         return Formula(latex, unread=str(error)), orders
+
+
+def _why_unread(error: ReadError, latex: str, notation: Notation) -> str:
+    with suppress(ReadError, IllFormedAt):
+        return unclaimed(error, latex, notation.symbols)
+    return f"cannot be read: {error.message}"
 
 
 def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], Formula]:

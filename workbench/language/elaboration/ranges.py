@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from workbench.language.construct import apply, identity, number, relation
-from workbench.language.errors import Fault
+from workbench.language.errors import ALONE, Fault
 from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
@@ -167,7 +167,7 @@ def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[
 def refuse_alone(members: Sequence[Node]) -> None:
     """Raises Fault if there are expressions of which nothing is said."""
     if members:
-        raise Fault("expected a relation (= or \\neq), got an expression alone", members[0].at)
+        raise Fault(ALONE, members[0].at)
 
 
 # sets

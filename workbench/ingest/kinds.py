@@ -25,17 +25,23 @@ from workbench.ingest.typefaces import (
 from workbench.language.declarations import read_key
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.names import Name
-from workbench.language.reader import read
+from workbench.language.reader import read, unclaimed
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import parses
 from workbench.language.terms import Statement
 from workbench.language.types import Declaration
 
 _UNKNOWN = re.compile(r"unknown symbol (.+?)(?:; known and close: .*)?$", re.DOTALL)
-_LABELLED = re.compile(
-    r"(?:\\(?:mathbf|boldsymbol|bar|vec)\s*\{?\s*)?\\?[A-Za-z]+\}?(?:_\w|_\{\w+\})?"
-    r"\s*\^\s*\{\s*\\math(?:scr|cal|frak|rm|sf)\s*\{?\s*[A-Za-z]+\s*\}?\s*\}"
+_LETTER = (
+    r"(?:\\(?:math(?:bf|rm|sf|cal|it)|boldsymbol|bar|vec|hat|underline)\s*\{?\s*)*"
+    r"(?:\\[A-Za-z]+|[A-Za-df-z])\}*"
 )
+_BELOW = r"\s*_\s*(?:\w|\\[A-Za-z]+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})"
+_ABOVE = (
+    r"\s*\^\s*(?:[A-SU-Z](?![A-Za-z])|\{\s*(?:(?!T\s*\})[A-Z][A-Za-z0-9]{0,3}(?:\s*[/,]\s*[A-Z])?"
+    r"|\\math(?:scr|cal|frak|rm|sf|bf)\s*\{?\s*[A-Za-z]+\s*\}?)\s*\})"
+)
+_LABELLED = re.compile(rf"{_LETTER}(?:{_ABOVE}{_BELOW}|(?:{_BELOW})?{_ABOVE})")
 _OF_KINDS = re.compile(
     r"(?:expected|transpose of|juxtaposition of) an? (?:scalar|vector|tensor|quaternion)|differ in type"
 )
@@ -85,10 +91,14 @@ class Guesser:
         self._read_before: dict[tuple[str, frozenset[Guess]], Outcome] = {}
 
     def knowing(self, guesses: Mapping[str, Guess]) -> Guesser:
-        """One that has guessed no more than this, and remembers what was read."""
+        """One that has guessed no more than this, and remembers what was read. What the notation or the
+        frames spell is no symbol to be guessed."""
         other = Guesser(self.prose, self.ground)
         other._symbols, other._read_before = self._symbols, self._read_before
-        other.guesses = dict(guesses)
+        for name, guess in guesses.items():
+            with suppress(SpecError):
+                self._declared(guess)
+                other.guesses[name] = guess
         return other
 
     def read_all(self, formulas: Sequence[str]) -> list[Outcome]:
@@ -139,7 +149,7 @@ class Guesser:
 
     def vector_of(self, name: str) -> str | None:
         """The vector in bold or under an arrow that has the same letter."""
-        vectors = (each.name for each in self.guesses.values() if each.kind == "vector")
+        vectors = (each.name for each in self.guesses.values() if each.kind == "vector" and each.name != name)
         return next((each for each in vectors if without_bold(each) == name), None)
 
     def _improve(
@@ -229,8 +239,13 @@ class Guesser:
         symbols = dict(self.ground.symbols)
         for guess in guesses:
             symbols |= self._declared(guess)
+        table = replace(self.ground, symbols=symbols)
         try:
-            return Outcome(read(latex, replace(self.ground, symbols=symbols)))
+            try:
+                return Outcome(read(latex, table))
+            except ReadError as error:
+                unclaimed(error, latex, table)
+                return Outcome(())
         except IllFormedAt as error:
             return Outcome(message=error.message, ill_formed=True)
         except ReadError as error:
@@ -244,19 +259,18 @@ class Guesser:
         return self._symbols[guess]
 
     def _labelled(self, latex: str, guesses: Mapping[str, Guess]) -> str | None:
-        """A symbol with a script letter as a superscript, which is no power, and which is not known yet."""
+        """A symbol with a capital or a script letter as a superscript, which is no power, and which is not
+        known yet."""
         for match in _LABELLED.finditer(latex):
             with suppress(SpecError):
-                key = read_key(match[0])[0]
-                if key not in self.ground.symbols and str(key) not in guesses:
+                key, places = read_key(match[0])
+                if not places and key not in self.ground.symbols and str(key) not in guesses:
                     return str(key)
         return None
 
     def _guess(self, name: str) -> Guess:
         if (guess := self.prose.guess(name)) is not None:
             return guess
-        if self.prose.has_quaternions and re.fullmatch(r"q(?:_\{\w+\})?", name):
-            return Guess(name, "hamilton quaternion", "the text speaks of quaternions")
         return by_typeface(name)
 
 

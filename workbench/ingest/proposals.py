@@ -35,7 +35,11 @@ _BRACKET = re.compile(
     r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
     r"((?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z]))\s*(?:\\right)?\)"
 )
-_TYPED = {name: re.compile(rf"(?<!\\)(?<!\\arc)(?<!arc){name}(?![A-Za-z])") for name in FUNCTIONS}
+_TYPED = {name: re.compile(rf"(?<!\\)(?<!\\arc)(?<!arc)(?<!a){name}(?![A-Za-z2])") for name in FUNCTIONS}
+#: The sum of a quaternion's parts, or i j k = -1: by the font of the units.
+_UNITS_OF_QUATERNIONS = re.compile(
+    r"(?P<font>\\(?:mathbf|boldsymbol|hat|vec|mathrm)\s*\{?|)(?<![\\A-Za-z])?\s*i\}?(?:\s*\+[^=+]*|\s*)(?P=font)\s*j\}?(?:\s*\+[^=+]*|\s*)(?P=font)\s*k(?![A-Za-z])"
+)
 
 
 @dataclass(frozen=True)
@@ -86,7 +90,10 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
         yield Proposal("conventions", hamilton, why, _QUATERNIONS, re.compile(""), stands=True)
         for trigger, key, where, means in _OF_QUATERNIONS:
             why = "a sign between or on quaternions"
-            yield replace(_notation(trigger, key, where, means, why, _QUATERNIONS), stands=True)
+            entry = _notation(trigger, key, where, means, why, _QUATERNIONS)
+            yield replace(entry, stands="matrix" not in key)
+        for units in dict.fromkeys(match["font"] for match in _UNITS_OF_QUATERNIONS.finditer(together)):
+            yield _units(units.strip().rstrip("{"))
     for name, pattern in _TYPED.items():
         why = f"{name} stands without a backslash"
         question = f"Is {name} the function {name}?"
@@ -116,6 +123,11 @@ _LEFT = (
     r"\begin{bmatrix} \operatorname{Sc}(q) & -(\operatorname{Vec}(q))^T \\ \operatorname{Vec}(q)"
     r" & \operatorname{Sc}(q) \mathbf{I} %s \operatorname{skew}(\operatorname{Vec}(q)) \end{bmatrix}"
 )
+#: One symbol in square brackets, which group nothing then.
+_IN_BRACKETS = (
+    r"\[\s*(?:\\[a-z]+\s*\{?\s*)*\\?[A-Za-z]+\}*(?:_\s*(?:\w|\{[^{}]*\}))?\}*\s*(?:\\right\s*)?\]"
+    r"(?!\s*[_^]\s*\{?\s*\\times)"
+)
 _Q = {"q": "quaternion"}
 _OF_QUATERNIONS: tuple[tuple[str, str, dict[str, str], str], ...] = (
     (r"\*|\\ast", "q^*", _Q, r"\operatorname{conj}(q)"),
@@ -124,6 +136,18 @@ _OF_QUATERNIONS: tuple[tuple[str, str, dict[str, str], str], ...] = (
     (
         r"\[[^\],]*(?:,[^\],]*){3}\]",
         "[s, x, y, z]",
+        dict.fromkeys("sxyz", "scalar"),
+        r"\operatorname{quat}(s, \begin{bmatrix} x \\ y \\ z \end{bmatrix})",
+    ),
+    (
+        r"\\begin\{[bp]matrix",
+        r"\begin{bmatrix} s \\ v \end{bmatrix}",
+        {"s": "scalar", "v": "vector"},
+        r"\operatorname{quat}(s, v)",
+    ),
+    (
+        r"\\begin\{[bp]matrix",
+        r"\begin{bmatrix} s \\ x \\ y \\ z \end{bmatrix}",
         dict.fromkeys("sxyz", "scalar"),
         r"\operatorname{quat}(s, \begin{bmatrix} x \\ y \\ z \end{bmatrix})",
     ),
@@ -148,13 +172,22 @@ _NOTATION: tuple[tuple[str, str, dict[str, str], str, str, str], ...] = (
         "a wedge as a superscript",
         r"Is x^\wedge the skew tensor of x?",
     ),
-    (
-        r"\]\s*_\s*\{?\s*\\times",
-        r"[x]_\times",
-        {"x": "vector"},
-        _SKEW,
-        "a bracket with a cross",
-        r"Is [x]_\times the skew tensor of x?",
+    *(
+        (
+            trigger,
+            key,
+            {"x": "vector"},
+            _SKEW,
+            "a bracket or a cross on a symbol",
+            f"Is {key} the skew tensor of x?",
+        )
+        for trigger, key in (
+            (r"\]\s*_\s*\{?\s*\\times", r"[x]_\times"),
+            (r"\]\s*\^\s*\{?\s*\\times", r"[x]^\times"),
+            (r"\\rfloor\s*_\s*\{?\s*\\times", r"\lfloor x \rfloor_\times"),
+            (r"[A-Za-z}]\s*\^\s*\{?\s*\\times", r"x^\times"),
+            (_IN_BRACKETS, "[x]"),
+        )
     ),
     (
         r"(?<![\^{*])\*(?![*}])",
@@ -174,6 +207,19 @@ def _notation(
     given = f"where = {{ {formal} }}, " if where else ""
     entry = {f"'{key}'": f"{{ {given}means = '{means}' }}"}
     return Proposal("notation", entry, why, question, re.compile(trigger))
+
+
+def _units(font: str) -> Proposal:
+    """i, j and k in this font as the quaternions that they are."""
+    spelled = [f"{font}{{{letter}}}" if font else letter for letter in "ijk"]
+    columns = (r" \\ ".join(str(int(place == other)) for other in range(3)) for place in range(3))
+    entries = {
+        f"'{unit}'": rf"{{ means = '\operatorname{{quat}}(0, \begin{{bmatrix}} {column} \end{{bmatrix}})' }}"
+        for unit, column in zip(spelled, columns, strict=True)
+    }
+    question = f"Are {', '.join(spelled)} the units of the quaternions?"
+    trigger = re.compile("|".join(map(re.escape, spelled)))
+    return Proposal("notation", entries, "i, j and k in a quaternion", question, trigger, stands=True)
 
 
 def _prime(kinds: Sequence[str]) -> Proposal:

@@ -14,12 +14,18 @@ _WORDS = (
         re.compile(r"rotation(?:al)? matri|orthogonal (?:matri|tensor)|rotation tensor|direction cosine"),
         "rotation",
     ),
+    (re.compile(r"homogeneous|transformation matri|rigid[- ](?:body )?transform"), "matrix 4×4"),
     (re.compile(r"unit(?:[- ]length|-norm)? (?:vector|axis|direction)|normali[sz]ed vector"), "unit vector"),
     (re.compile(r"\bvectors?\b|velocit|position\b|displacement"), "vector"),
     (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),
     (re.compile(r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"), "scalar"),
 )
 _NEAR = 40
+#: A q in any font; the parts of one have names of their own.
+_QUATERNION = re.compile(
+    r"(?:\\(?:mathbf|boldsymbol|mathsf|bar|vec|hat|underline)\{)?q\}?(?:_\{(?P<part>[^{}]*)\})?(?:\^\{[^{}]*\})?"
+)
+_PARTS = {"v": "vector", **dict.fromkeys("swxyz", "scalar")}
 
 
 class Prose:
@@ -28,6 +34,7 @@ class Prose:
     def __init__(self, text: str, inline: Sequence[Display] = ()) -> None:
         self.text = text
         self.has_quaternions = speaks_of_quaternions(text)
+        self._numbers_parts = all(re.search(rf"q_\{{?{part}", text) for part in "0123")
         self._inline = inline
         self._alone: dict[str, list[str]] | None = None
 
@@ -39,6 +46,11 @@ class Prose:
                     plain = kind.removeprefix("unit ")
                     why = f'the text says "{" ".join(found[0].split())}" near it'
                     return Guess(name, plain, why, unit=plain != kind)
+        if self.has_quaternions and (quaternion := _QUATERNION.fullmatch(name)):
+            part = quaternion["part"] or ""
+            is_number = bool(part) and part in "0123" and self._numbers_parts
+            kind = "scalar" if is_number else _PARTS.get(part, "hamilton quaternion")
+            return Guess(name, kind, "the text speaks of quaternions")
         return None
 
     def _near(self, name: str) -> list[str]:

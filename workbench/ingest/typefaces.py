@@ -19,6 +19,12 @@ _GREEK = {
 }
 _BOLD = re.compile(r"^\\(?:mathbf|boldsymbol|vec)\{?(\\?[A-Za-z]+)\}?")
 _VECTORS = frozenset({"\\omega", "\\alpha"})
+#: ω_x and R_{31}; v_1 may be a vector.
+_COMPONENT = re.compile(r"\\?[A-Za-z]+_\{(?:[xyz]{1,2}|[1-3][1-3])\}")
+#: R_{A B}, R_A^B and {}^A R_B, with labels that are letters.
+_BETWEEN_FRAMES = re.compile(
+    r"_\{\s*[A-Za-z]\s*[A-Za-z]\s*\}$|_\{[A-Za-z]\}\^\{[A-Za-z]\}|^\{\}[_^]\{[A-Za-z]\}[A-Z][_^]\{[A-Za-z]\}$"
+)
 USUAL, CAPITAL = "what mechanics calls so", "a capital letter"
 KINDS = ("scalar", "vector", "tensor")
 
@@ -77,9 +83,13 @@ def by_typeface(name: str) -> Guess:
         if is_capital:
             return Guess(name, "rotation" if letter == "R" else "tensor", "a bold capital letter")
         return Guess(name, "vector", "a bold or marked letter")
+    if _COMPONENT.fullmatch(core):
+        return Guess(name, "scalar", "a component")
     if f"\\{letter}" in _VECTORS:
         return Guess(name, "vector", USUAL)
-    if core != name:
+    if letter in ("R", "C") and _BETWEEN_FRAMES.search(name):
+        return Guess(name, "rotation", "a letter of rotations between two labels")
+    if core != name and not is_capital:
         return Guess(name, "vector", "a letter with labels on its left")
     if is_capital:
         return Guess(name, "tensor", CAPITAL)

@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from workbench.language.terms import IllFormed
 
+#: The messages of formulas that only say what their symbols are declared to be, and of expressions.
+SAYS_NOTHING = "the formula says nothing"
+ALONE = "expected a relation (= or \\neq), got an expression alone"
+
 
 class ReadError(ValueError):
     """The text is not a formula of the claim language. `line` and `column` count from 1."""

@@ -10,12 +10,12 @@ from typing import TypeVar
 
 from workbench.language.elaboration.ranges import Range
 from workbench.language.elaboration.statements import Reading, reading_of, term_of
-from workbench.language.errors import Fault, IllFormedAt, Misfit, ReadError, place
+from workbench.language.errors import ALONE, SAYS_NOTHING, Fault, IllFormedAt, Misfit, ReadError, place
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Lines, parse
 from workbench.language.terms import Statement, Term
 
-__all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term"]
+__all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term", "unclaimed"]
 
 Result = TypeVar("Result")
 
@@ -61,6 +61,17 @@ def read_term(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> T
     """The term of an expression without relations. Raises as `read`."""
     names = frozenset(integers)
     return _placed(latex, lambda lines: term_of(lines, table, names))
+
+
+def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> str:
+    """What a formula is that states nothing. Raises `error` for one that cannot be read as a statement, and
+    as `read` where it is an expression that cannot be read."""
+    if error.message == SAYS_NOTHING:
+        return "says only what its symbols are declared to be"
+    if error.message != ALONE:
+        raise error
+    read_term(latex, table, integers)
+    return "an expression, which claims nothing"
 
 
 def _placed(latex: str, make: Callable[[Lines], Result]) -> Result:

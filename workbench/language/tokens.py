@@ -19,9 +19,11 @@ from workbench.language.vocabulary import (
     EXPECTED,
     LINES,
     MATRICES,
+    NAMES,
     ORIENTATIONS,
     SIZES,
     SPACING,
+    UPRIGHT,
     WORDS,
     goes_on,
 )
@@ -144,6 +146,8 @@ class Tokenizer:
             case "letters":
                 if text in FUNCTIONS:
                     self.emit("FUNCTION", text, at)
+                elif text in NAMES and not self.in_script():
+                    self.words(text, text, at)
                 else:
                     for i, letter in enumerate(text):
                         self.emit("LETTER", letter, at + i)
@@ -163,12 +167,17 @@ class Tokenizer:
             self.emit("FUNCTION", f"\\{plain}", at)
         elif (word := plain[:1].lower() + plain[1:]) in WORDS:
             self.joining(WORDS[word], word, at)
-        elif plain.isalpha() and text.startswith("\\mathrm"):
+        elif text.startswith("\\mathrm") and (len(plain) == 1 or plain in UPRIGHT or self.in_script()):
             self.label(plain, at)
         elif plain in EXPECTED:
             self.refused = self.refused or Fault(f"{text}: {EXPECTED[plain]}", at)
         elif plain:
             raise Fault(f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}", at)
+
+    def in_script(self) -> bool:
+        """Whether what comes is a script, or the first letter of what comes."""
+        opens = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
+        return opens or any(opened.contents == "script" for opened in self.open)
 
     def joining(self, kind: str, word: str, at: int) -> None:
         """ "and", "where" and the like: a comma before them goes; "for all" without one begins conditions."""
@@ -243,8 +252,7 @@ class Tokenizer:
         elif text in BRACKETS:
             self.bracket(text, at)
         elif text == "/":
-            in_script = any(opened.contents == "script" for opened in self.open)
-            self.emit("MARK" if in_script else "INFIX", text, at)  # r^{P/O}
+            self.emit("MARK" if self.in_script() else "INFIX", text, at)  # r^{P/O}
         else:
             raise Fault(f"unexpected character {text!r} (U+{ord(text):04X})", at)
 

@@ -160,6 +160,11 @@ WORDS = {
     "if and only if": "IMPLICATION",
 }
 
+#: What operations are called: no product of letters, with or without a backslash.
+NAMES = frozenset(["Ad", "Exp", "Log", "diag", "log", "rank", "sgn", "sign", "vec", "vex", "Rot", "Trans"])
+#: What stands upright and is more than one letter, and no word: groups and differentials.
+UPRIGHT = frozenset(["SO", "SE", "so", "se", "dt", "dx", "dy", "dz", "dq", "ds"])
+
 #: Ellipses; none of them can be read.
 DOTS = frozenset({"dots", "ldots", "cdots", "vdots", "ddots", "dotsb", "dotsc", "dotsi", "dotsm", "dotso"})
 #: What to write in place of commands that cannot be read.

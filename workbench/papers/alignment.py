@@ -30,7 +30,11 @@ _KINDS = {
     for text in texts
 }
 WORD_COMMANDS = frozenset({"\\text", "\\mbox", "\\textrm", "\\textit", "\\textnormal", "\\hbox"})
-_SPACES = frozenset({" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "~", "\\>", "\\par", "\\enspace", "\\thinspace"})
+_SPACES = frozenset(
+    {" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\n", "~", "\\>", "\\par", "\\enspace", "\\thinspace"}
+)
+#: Spaces that the author asks for.
+EXPLICIT = frozenset({"\\ ", "\\\n", "~", "\\;"})
 WIDE = frozenset({"\\quad", "\\qquad", "\\hspace"})
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
 _ENDS = frozenset({".", ",", ";"})

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from workbench.papers.alignment import (
+    EXPLICIT,
     IMPLICATIONS,
     RELATIONS,
     WIDE,
@@ -121,8 +122,9 @@ def _pieces(tokens: list[Token]) -> Iterator[list[Token]]:
     for place, (token, depth) in enumerate(with_depth(tokens)):
         if place < skip_to:
             continue
+        behind_column = depth == 0 and token.text in EXPLICIT and _ends_a_column(tokens[:place])
         is_word = depth == 0 and token.text in WORD_COMMANDS and _words(tokens, place) in _SEPARATING
-        if is_word or (depth == 0 and (token.text in (",", ";") or token.text in WIDE)):
+        if is_word or (depth == 0 and (token.text in (",", ";") or token.text in WIDE)) or behind_column:
             if is_word:
                 _, skip_to = argument(tokens, place + 1)
             if piece := trimmed(piece):
@@ -132,6 +134,16 @@ def _pieces(tokens: list[Token]) -> Iterator[list[Token]]:
             piece.append(token)
     if piece := trimmed(piece):
         yield piece
+
+
+def _ends_a_column(tokens: Sequence[Token]) -> bool:
+    """Whether a literal column stands last, which is a factor of nothing behind it."""
+    tokens = trimmed(tokens)
+    if not tokens or not tokens[-1].text.startswith("\\end{") or "matrix" not in tokens[-1].text:
+        return False
+    opening = tokens[-1].text.replace("\\end", "\\begin")
+    start = max(place for place, token in enumerate(tokens) if token.text == opening)
+    return all(token.text != "&" for token in tokens[start:])
 
 
 def _chain(tokens: list[Token], conditions: list[Token]) -> Iterator[tuple[list[Token], list[Token]]]:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 
 from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.reader import unclaimed
 from workbench.language.terms import Symbol
 from workbench.papers.asides import asides_of
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
@@ -310,9 +312,15 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
         return Formula(latex, ill_formed=_message(error), at=at), orders
     except ReadError as error:
         at = _at(latex, owners, error.line, error.column)
-        return Formula(latex, unread=f"cannot be read: {error.message}", at=at), orders
+        return Formula(latex, unread=_why_unread(error, latex, placed.notation), at=at), orders
     except ValueError as error:
         return Formula(latex, unread=str(error)), orders
+
+
+def _why_unread(error: ReadError, latex: str, notation: Notation) -> str:
+    with suppress(ReadError, IllFormedAt):
+        return unclaimed(error, latex, notation.symbols)
+    return f"cannot be read: {error.message}"
 
 
 def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], Formula]:

@@ -7,7 +7,17 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from workbench.language.terms import Apply, Number, Relation, Statement, Symbol, Term, Zero
+from workbench.language.terms import (
+    Apply,
+    Conjunction,
+    Implication,
+    Number,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    Zero,
+)
 from workbench.language.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import terms_of
@@ -58,7 +68,8 @@ def _lone(left: str) -> Iterator[str]:
 
 
 def _flat(name: str) -> str:
-    return re.sub(r"[\s{}]|\\(?:left|right|,|;|!)", "", name)
+    """The name, without the dots of its derivatives: what says what \\dot{x} is says something of x."""
+    return re.sub(r"[\s{}]|\\(?:left|right|,|;|!)|\\d+ot(?![A-Za-z])", "", name)
 
 
 def _of_unread(free: Sequence[Declaration], unread: Mapping[str, str]) -> str | None:
@@ -88,29 +99,44 @@ def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
 
 
 def _solved_for(statement: Statement, free: Sequence[Declaration]) -> str | None:
-    """A symbol that nothing defines, that occurs in the equation once, and that it may be solved for: alone
-    under an operation, an addend, or any where all are scalars; of scalars with a side 0, any."""
-    if not isinstance(statement, Relation) or statement.operator != "=":
-        return None
+    """A symbol that nothing defines, that occurs in the statement once, and that one of its equations, or of
+    the conclusions that it draws, may be solved for: alone under an operation, an addend or a multiple of
+    one, or any where all are scalars; of scalars with a side 0, any."""
     names = Counter(str(each.name) for each in free)
-    for side in (statement.left, statement.right):
-        for name in (_under_one_sign(side), *_addends(side)):
-            if name is not None and names[name] == 1:
-                return _SAYS.format(name)
-    if any(each.type.kind != "scalar" for each in free):
+    equations = [each for each in _concluded(statement) if each.operator == "="]
+    for equation in equations:
+        for side in (equation.left, equation.right):
+            for name in (_under_one_sign(side), *_addends(side)):
+                if name is not None and names[name] == 1:
+                    return _SAYS.format(name)
+    if not isinstance(statement, Relation) or any(each.type.kind != "scalar" for each in free):
         return None
-    is_condition = _is_zero(statement.left) or _is_zero(statement.right)
-    name = next((name for name, count in names.items() if count == 1 or is_condition), None)
+    is_condition = any(_is_zero(each.left) or _is_zero(each.right) for each in equations)
+    name = next((name for name, count in names.items() if equations and (count == 1 or is_condition)), None)
     return name and _SAYS.format(name)
 
 
+def _concluded(statement: Statement) -> Iterator[Relation]:
+    if isinstance(statement, Relation):
+        yield statement
+    elif isinstance(statement, Implication):
+        yield from _concluded(statement.right)
+    elif isinstance(statement, Conjunction):
+        for part in statement.parts:
+            yield from _concluded(part)
+
+
 def _addends(side: Term) -> Iterator[str]:
-    """The symbols that are addends of a sum, as the F of F + mg = m a."""
-    if isinstance(side, Apply) and side.head in ("add", "neg"):
+    """The symbols that are addends of a sum, as the F of F + mg = m a, with or without a scalar factor."""
+    if isinstance(side, Symbol):
+        yield str(side.declaration.name)
+    elif isinstance(side, Apply) and side.head in ("add", "neg"):
         for term in side.arguments:
-            if isinstance(term, Symbol):
-                yield str(term.declaration.name)
             yield from _addends(term)
+    elif isinstance(side, Apply) and side.head in ("mul", "div"):
+        others = [term for term in side.arguments if term.type.kind != "scalar"]
+        if len(others) == 1:
+            yield from _addends(others[0])
 
 
 def _under_one_sign(side: Term) -> str | None:

@@ -14,11 +14,10 @@ from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
-from workbench.language import construct
 from workbench.language.definitions import Definitions
-from workbench.language.terms import IllFormed, Relation, Symbol
+from workbench.language.terms import Definition, Relation
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Said, Theorem
-from workbench.papers.said import introduces, terms_of
+from workbench.papers.said import introduces
 from workbench.papers.selection import select_claims
 from workbench.verify.memory import Keys, Memory
 from workbench.verify.results import FORMS, ClaimResult
@@ -181,9 +180,8 @@ class ClaimJudge:
         statement = claim.printed.statement
         if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
             return "the sides are equal in places: are they said to differ always, or in general?"
-        judge = self._judge(claim.notation)
-        if (unit := self._if_unit(claim, judge)) is not None:
-            return f"holds for a unit {unit}; if the text means one, say unit = true of it"
+        if (why := self._if_special(claim, ())) is not None:
+            return why
         rests = [said for said in claim.rests if not self._is_known(said, claim.notation)]
         if not rests:
             return None
@@ -201,8 +199,14 @@ class ClaimJudge:
             return f"holds with what the text says of {shown}; a definition makes it proved"
         is_clear = len(definitions) == len(rests)
         if under is not None and under.outcome is Outcome.REFUTED and is_clear:
-            return None
+            return self._if_special(claim, tuple(definitions.values()))
         return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
+
+    def _if_special(self, claim: Claim, said: Sequence[Definition]) -> str | None:
+        from workbench.verify.special import special_case
+
+        found = _undisturbed(lambda: special_case(claim, said, self.options))
+        return found and f"holds for {found}; if the text means one, declare it so"
 
     def _is_known(self, said: Said, notation: Notation) -> bool:
         """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
@@ -217,30 +221,6 @@ class ClaimJudge:
             is_for_all = (verdict.scope or "all").startswith("all")
             self._known[key] = verdict.outcome is Outcome.PROVED and is_for_all
         return self._known[key]
-
-    def _if_unit(self, claim: Claim, judge: Judge) -> str | None:
-        """The first vector or quaternion of the text's formula with whose length 1 the formula holds."""
-        statement, known = (
-            claim.printed.statement,
-            {each.declaration.name for each in claim.notation.definitions},
-        )
-        found = terms_of(statement) if claim.span is not None and isinstance(statement, Relation) else ()
-        for term in dict.fromkeys(term for term in found if isinstance(term, Symbol)):
-            is_free = term.declaration.name not in known and not term.declaration.unit
-            if not is_free or term.type.kind not in ("vector", "quaternion") or term.type.dual:
-                continue
-            length = (
-                construct.apply("dot", term, term)
-                if term.type.kind == "vector"
-                else construct.apply("norm", term)
-            )
-            unit = Relation("=", length, construct.number(1))
-            with suppress(Unsatisfiable, RecursionError, IllFormed):
-                assume = (*claim.supposed, unit)
-                under = _undisturbed(lambda given=assume: judge.judge(statement, given, orders=claim.orders))
-                if under.outcome is Outcome.PROVED:
-                    return str(term.declaration.name)
-        return None
 
     def _under_asides(self, claim: Claim, refuted: Verdict) -> Verdict:
         """What is false as it stands may be meant under what the sentences around it suppose."""

@@ -6,10 +6,11 @@ Nothing is supposed by ∈: a symbol that is not declared as what the formula sa
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from workbench.language.errors import Fault
+from workbench.language.construct import apply, identity, number, relation
+from workbench.language.errors import ALONE, Fault
 from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
@@ -28,8 +29,8 @@ from workbench.language.syntax import (
     in_a_row,
     unstyled,
 )
-from workbench.language.terms import Apply, Symbol, Term
-from workbench.language.types import Type
+from workbench.language.terms import Apply, Relation, Symbol, Term
+from workbench.language.types import TENSOR, VECTOR, Type
 
 NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}
 
@@ -44,6 +45,17 @@ _SETS = {
     ("SE", "3"): "transform",
     ("so", "3"): "skew tensor",
     ("S", "2"): "unit vector",
+}
+#: What is true of the members of a set alone: by what they are called, and by their type.
+_EQUATIONS: dict[str | None, dict[Type, Callable[[Term], list[tuple[Term, Term]]]]] = {
+    "skew tensor": {TENSOR: lambda x: [(apply("transpose", x), apply("neg", x))]},
+    "rotation": {
+        TENSOR: lambda x: [
+            (apply("mul", apply("transpose", x), x), identity(TENSOR)),
+            (apply("det", x), number(1)),
+        ]
+    },
+    "unit vector": {VECTOR: lambda x: [(apply("dot", x, x), number(1))]},
 }
 _STYLE = re.compile(r"\\(mathbb|mathbf|mathrm|mathcal|mathfrak|mathsf|boldsymbol|underline)|[{}\s]")
 _OF_TIME = re.compile(r"\^\{\\mathbb\{R\}\}$")
@@ -155,7 +167,7 @@ def _in_set(members: tuple[Node, ...], where: Node, table: SymbolTable) -> list[
 def refuse_alone(members: Sequence[Node]) -> None:
     """Raises Fault if there are expressions of which nothing is said."""
     if members:
-        raise Fault("expected a relation (= or \\neq), got an expression alone", members[0].at)
+        raise Fault(ALONE, members[0].at)
 
 
 # sets
@@ -172,6 +184,17 @@ def require_member(term: Term, where: Node, at: int) -> None:
             "rotation" if _is(term, "rotation") else str(term.type.with_dual(False))
         )
         raise Fault(f"a member of {name} is a {dual}{kind}; here it is a {got}, as declared", at)
+
+
+def member_claims(term: Term, where: Node, at: int) -> list[Relation]:
+    """What says that a term is in the set: equations, none for what is declared to be in it. Raises
+    Fault."""
+    kind = kind_of_members(where)
+    is_shaped = term.type in _EQUATIONS.get(kind, {})
+    if is_shaped and not isinstance(term, Symbol) and not _is(term, kind):
+        return [relation("=", left, right) for left, right in _EQUATIONS[kind][term.type](term)]
+    require_member(term, where, at)
+    return []
 
 
 def kind_of_members(where: Node) -> str | None:

@@ -13,11 +13,12 @@ from workbench.language.elaboration.ranges import (
     Membership,
     Range,
     is_range,
+    member_claims,
     ranges_of,
     refuse_alone,
     require_member,
 )
-from workbench.language.errors import Fault, Misfit, Unranged
+from workbench.language.errors import SAYS_NOTHING, Fault, Misfit, Unranged
 from workbench.language.integers import Linear
 from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
@@ -67,14 +68,20 @@ def _reading(lines: Lines, table: SymbolTable, integers: frozenset[str], as_cond
     rows = [_Row.sorted(clauses, table, integers, as_condition) for clauses in _rows_of(lines)]
     stated = tuple(dict.fromkeys(r for row in rows for r in row.ranges))
     reader = Elaborator(table, integers.union(r.variable for r in stated))
+    is_alone = not any(row.claims or row.conditions for row in rows)
+    statements: list[Statement] = []
     for row in rows:
         for membership in row.memberships:
             for member in membership.members:
-                require_member(reader.term(member), membership.where, member.at)
-    statements = tuple(statement for row in rows for statement in row.statements(reader))
+                term = reader.term(member)
+                if is_alone:
+                    statements += member_claims(term, membership.where, member.at)
+                else:
+                    require_member(term, membership.where, member.at)
+    statements += [statement for row in rows for statement in row.statements(reader)]
     if not statements:
-        raise Fault("the formula says nothing", lines.at)
-    return Reading(statements, stated)
+        raise Fault(SAYS_NOTHING, lines.at)
+    return Reading(tuple(statements), stated)
 
 
 def term_of(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> Term:

@@ -5,16 +5,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from workbench.papers.respell.between import left_script, net_sum, row_of_a_matrix, wide_space
+from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, group, past, printed
+from workbench.papers.respell.rates import derivative_by_name, seen_from
 from workbench.papers.texts import Token
 
-_FACE_NAMES = r"\mathcal \mathscr \mathsf \mathrm \mathbf \boldsymbol \mathfrak"
 _LETTERS = r"""
     alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi
     chi psi omega
 """
-_GAP_NAMES = r"\, \; \: \! ~"
-_FACES, _TEXTS = frozenset(_FACE_NAMES.split()), frozenset({"\\text", "\\mbox", "\\textrm"})
-_GAPS = frozenset([" ", "\\ ", *_GAP_NAMES.split()])
 _GREEK = frozenset(_LETTERS.split())
 _CAPITALS = "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 _VARIANTS = frozenset(_CAPITALS.split())
@@ -23,7 +22,15 @@ _VARIANTS = frozenset(_CAPITALS.split())
 def as_read(tokens: Sequence[Token]) -> list[Token]:
     """Every token stays in its place."""
     made = list(tokens)
-    for pattern in (_variant, _buildrel, _table, _grouped_table, _label, _nested_text, _prime, _of_time):
+    for pattern in (
+        *_PATTERNS,
+        derivative_by_name,
+        seen_from,
+        left_script,
+        wide_space,
+        row_of_a_matrix,
+        net_sum,
+    ):
         made = _everywhere(made, pattern)
     return made
 
@@ -55,7 +62,7 @@ def _buildrel(tokens: list[Token], place: int) -> tuple[list[Token], int] | None
     over = next(
         (i for i in range(place + 1, min(place + 12, len(tokens))) if tokens[i].text == "\\over"), None
     )
-    sign = None if over is None else _past(tokens, over + 1)
+    sign = None if over is None else past(tokens, over + 1)
     if sign is None or sign >= len(tokens) or tokens[sign].text != "=":
         return None
     return [tokens[sign].standing_for(":=")], sign + 1
@@ -65,10 +72,10 @@ def _table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """The columns {*{20}{c}} of an array, which the reader counts itself."""
     if tokens[place].text != "\\begin{array}":
         return None
-    start = _past(tokens, place + 1)
+    start = past(tokens, place + 1)
     if start >= len(tokens) or tokens[start].text != "{":
         return None
-    end = _behind(tokens, start)
+    end = behind(tokens, start)
     if not any(token.text in "*@!>" for token in tokens[start:end]):
         return None
     return [tokens[place], tokens[start], tokens[start].standing_for("c"), tokens[end - 1]], end
@@ -76,14 +83,14 @@ def _table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 def _grouped_table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """{\\begin{array}…\\end{array}}, in braces that print nothing."""
-    first = _past(tokens, place + 1)
+    first = past(tokens, place + 1)
     if tokens[place].text != "{" or first >= len(tokens) or not tokens[first].text.startswith("\\begin{"):
         return None
-    end = _behind(tokens, place)
-    last = _ahead(tokens, end - 1)
+    end = behind(tokens, place)
+    last = ahead(tokens, end - 1)
     if last is None or tokens[last].text != tokens[first].text.replace("\\begin", "\\end"):
         return None
-    before = _ahead(tokens, place)
+    before = ahead(tokens, place)
     opens = before is not None and (
         tokens[before].text in ("[", "(", "|", "\\|") or tokens[before].text == "="
     )
@@ -92,9 +99,9 @@ def _grouped_table(tokens: list[Token], place: int) -> tuple[list[Token], int] |
 
 def _label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """_\\mathcal{B/N} as _{\\mathcal{B}/\\mathcal{N}}."""
-    if tokens[place].text not in _FACES or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
+    if tokens[place].text not in FACES or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
         return None
-    end = _behind(tokens, place + 1)
+    end = behind(tokens, place + 1)
     inside = [token for token in tokens[place + 2 : end - 1] if token.text not in ("{", "}", " ")]
     if [token.text for token in inside[1::2]] != ["/"] or len(inside) != 3:
         return None
@@ -111,18 +118,18 @@ def _nested_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | N
     """\\text{\\text{sc}} as \\text{sc}; \\textit{sc} too, which is a label as well."""
     if tokens[place].text in ("\\textit", "\\textsf", "\\textup", "\\textnormal", "\\textsl", "\\texttt"):
         return [tokens[place].standing_for("\\text")], place + 1
-    if tokens[place].text not in _TEXTS or place + 2 >= len(tokens) or tokens[place + 1].text != "{":
+    if tokens[place].text not in TEXTS or place + 2 >= len(tokens) or tokens[place + 1].text != "{":
         return None
-    inner = tokens[place + 2].text in _TEXTS and _behind(tokens, place + 3) == _behind(tokens, place + 1) - 1
-    return (tokens[place + 2 : _behind(tokens, place + 1) - 1], _behind(tokens, place + 1)) if inner else None
+    inner = tokens[place + 2].text in TEXTS and behind(tokens, place + 3) == behind(tokens, place + 1) - 1
+    return (tokens[place + 2 : behind(tokens, place + 1) - 1], behind(tokens, place + 1)) if inner else None
 
 
 def _prime(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """^{\\prime\\prime} as ''."""
     if tokens[place].text != "^":
         return None
-    start = _past(tokens, place + 1)
-    end = _behind(tokens, start)
+    start = past(tokens, place + 1)
+    end = behind(tokens, start)
     primes = [token for token in tokens[start:end] if token.text not in ("{", "}", " ")]
     if not primes or any(token.text != "\\prime" for token in primes):
         return None
@@ -133,22 +140,22 @@ def _of_time(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """R(t)^T as R^T: that R depends on the time says nothing of it."""
     if tokens[place].text not in ("(", "\\left", "{"):
         return None
-    texts = [token.text for token in tokens[place : place + 14] if token.text not in _GAPS]
+    texts = [token.text for token in tokens[place : place + 14] if token.text not in GAPS]
     opening = next((each for each in _TIMES if texts[: len(each)] == list(each)), None)
-    before = _ahead(tokens, place)
+    before = ahead(tokens, place)
     is_after = before is not None and (tokens[before].text == "}" or _is_letter(tokens[before]))
     if opening is None or not is_after:
         return None
     count, end = len(opening), place
     while count:
-        count -= tokens[end].text not in _GAPS
+        count -= tokens[end].text not in GAPS
         end += 1
-    after = _past(tokens, end)
+    after = past(tokens, end)
     if after >= len(tokens) or tokens[after].text not in ("^", "'"):
         return None
     if tokens[place].text != "{":
         return [], after
-    close = _behind(tokens, place)
+    close = behind(tokens, place)
     return tokens[after : close - 1], close
 
 
@@ -161,31 +168,41 @@ def _is_letter(token: Token) -> bool:
     return (len(token.text) == 1 and token.text.isalpha()) or is_greek
 
 
-def _behind(tokens: Sequence[Token], place: int) -> int:
-    """The place behind the group, or the one token, that stands at `place`."""
-    if place >= len(tokens) or tokens[place].text != "{":
-        is_faced = place < len(tokens) and tokens[place].text in _FACES | _TEXTS
-        return _behind(tokens, _past(tokens, place + 1)) if is_faced else min(place + 1, len(tokens))
-    return _closing(tokens, place) or len(tokens)
+def _inverse_function(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\tan^{-1} as \\arctan."""
+    head = tokens[place]
+    mark = past(tokens, place + 1)
+    if head.text not in ("\\sin", "\\cos", "\\tan") or [t.text for t in tokens[mark : mark + 1]] != ["^"]:
+        return None
+    power, end = group(tokens, past(tokens, mark + 1))
+    return ([head.standing_for(f"\\arc{head.text[1:]}")], end) if printed(power) == ["-", "1"] else None
 
 
-def _closing(tokens: Sequence[Token], place: int) -> int | None:
-    depth = 0
-    for end in range(place, len(tokens)):
-        depth += (tokens[end].text == "{") - (tokens[end].text == "}")
-        if depth == 0:
-            return end + 1
-    return None
+def _line(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """A line between the rows of a matrix, which is no row."""
+    if tokens[place].text == "\\hline":
+        return [], place + 1
+    if tokens[place].text != "\\rule":
+        return None
+    position = past(tokens, place + 1)
+    if tokens[position : position + 1] and tokens[position].text == "[":
+        position = next((i for i in range(position, len(tokens)) if tokens[i].text == "]"), position) + 1
+    for _ in range(2):
+        _, position = group(tokens, past(tokens, position))
+    position = past(tokens, position)
+    is_row = [token.text for token in tokens[position : position + 1]] == ["\\\\"]
+    return [], position + is_row
 
 
-def _past(tokens: Sequence[Token], place: int) -> int:
-    while place < len(tokens) and tokens[place].text in _GAPS:
-        place += 1
-    return place
-
-
-def _ahead(tokens: Sequence[Token], place: int) -> int | None:
-    place -= 1
-    while place >= 0 and tokens[place].text in _GAPS:
-        place -= 1
-    return None if place < 0 else place
+_PATTERNS = (
+    _inverse_function,
+    _line,
+    _variant,
+    _buildrel,
+    _table,
+    _grouped_table,
+    _label,
+    _nested_text,
+    _prime,
+    _of_time,
+)

@@ -32,10 +32,17 @@ _GROUPS = frozenset({"SO", "SE", "so", "se"})
 _OVER = frozenset({"overset", "stackrel", "underset"})
 _NO_NOTES = frozenset({"\\sim", "\\approx", "\\cdot", "\\circ", "\\wedge", "\\triangle", "\\Delta"})
 _BOLD = frozenset({"\\boldmath", "\\bf", "\\bfseries"})
+#: Sets by the commands that KaTeX has for them.
+_BLACKBOARD = frozenset("RNZC")
 _TYPED = {(":", "="): ":=", ("=", ">"): "\\Rightarrow"}
 _RENAMED = {
     **dict.fromkeys(("mathbfit", "symbf", "symbfit", "bm", "pmb", "mathbold"), "\\boldsymbol"),
     "vb": "\\mathbf",
+    "va": "\\vec",
+    "vu": "\\hat",
+    "cross": "\\times",
+    "vdot": "\\cdot",
+    "overrightarrow": "\\vec",
     "mathbfup": "\\mathbf",
     "lbrace": "\\{",
     "rbrace": "\\}",
@@ -120,7 +127,8 @@ def _with_words(tokens: list[Token], words: Collection[str]) -> Iterator[Token]:
     place = 0
     while place < len(tokens):
         word = next((word for word in words if _spells(tokens[place : place + len(word)], word)), None)
-        if word is None or _spells(tokens[max(0, place - 3) : place], "arc"):
+        is_inverse = any(_spells(tokens[max(0, place - len(arc)) : place], arc) for arc in ("arc", "a"))
+        if word is None or is_inverse:
             yield tokens[place]
             place += 1
             continue
@@ -172,6 +180,8 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             yield from _respelled(inner)
             if word in _LIMITS_ARE_NOTES:
                 place = _past_script(tokens, place)
+        elif word in _BLACKBOARD:
+            yield from (token.standing_for(text) for text in ("\\mathbb", "{", word, "}"))
         elif word in _OPERATORS and (differential := _differential(tokens, place)) is not None:
             yield token.standing_for("d")
             place = differential

@@ -1,0 +1,200 @@
+"""What texts write in their own ways is read as what they print, refused where readers would differ, and no
+guess that an author confirms unseen makes a verdict that the text does not deserve."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from workbench.ingest import ingest, model_text
+from workbench.ingest.kinds import Guesser
+from workbench.ingest.proposals import ground_of, proposals_for
+from workbench.ingest.prose import Prose
+from workbench.ingest.typefaces import Guess
+from workbench.judge.verdict import Outcome
+from workbench.language.errors import ReadError
+from workbench.language.reader import read
+from workbench.language.symbols import SymbolTable
+from workbench.papers import load_paper
+from workbench.papers.steps import steps_of
+from workbench.papers.texts import read_text
+from workbench.verify.claims import judge_paper
+
+#: What a text writes, and its steps as they are read.
+SPELLED = [
+    (r"\left.\frac{dx}{dt}\right|_B = y", [r"\frac{{}^{B}dx}{dt} = y"]),
+    (r"\left( \frac{dx}{dt} \right)_{\mathcal{B}} = y", [r"\frac{{}^{\mathcal{B}}dx}{dt} = y"]),
+    (r"\frac{d^2x}{(dt^N)^2} = y", [r"\frac{{}^{N}d^2x}{dt^2} = y"]),
+    (r"\frac{d^2x}{dt^2} = y", [r"\frac{d^2x}{dt^2} = y"]),
+    (r"\left(\frac{dx}{dt}\right)_{t=0} = y", [r"\left(\frac{dx}{dt}\right)_{t=0} = y"]),
+    (r"\left(\frac{x}{y}\right)_B = y", [r"\left(\frac{x}{y}\right)_B = y"]),
+    (r"\dv[2]{x}{t} = \dv{t}(x)", [r"\frac{d^{2} x}{d t^{2}} = \frac{d }{d t}(x)"]),
+    (r"\pdv{x}{y} = y", [r"\frac{\partial x}{\partial y} = y"]),
+    (r"x = ^A y + R~^B y", [r"x = {}^A y + R~{}^B y"]),
+    (r"x = R\,^T y", [r"x = R\,^T y"]),
+    (r"\theta = \tan^{-1} x", [r"\theta = \arctan x"]),
+    (r"x = a \ \ y = b", ["x = a", "y = b"]),
+    (
+        r"x = \begin{bmatrix} 1 \\ 2 \end{bmatrix} \ y = b",
+        [r"x = \begin{bmatrix} 1 \\ 2 \end{bmatrix}", "y = b"],
+    ),
+    (
+        r"x = \begin{bmatrix} 1 & 2 \end{bmatrix} \ y = b",
+        [r"x=\begin{bmatrix} 1 & 2 \end{bmatrix} \ y", r"\begin{bmatrix} 1 & 2 \end{bmatrix} \ y=b"],
+    ),
+    (r"R = [a \quad b\ \ c]", [r"R = \begin{bmatrix}a &b&c\end{bmatrix}"]),
+    (r"x = [a \quad b]^T", ["x = [a ,b]^T"]),
+    (r"x = [a + b \quad c]", [r"x = [a + b \quad c]"]),
+    (
+        r"x = \begin{bmatrix} a \\ \rule[.5ex]{1em}{1pt} \\ b \end{bmatrix}",
+        [r"x = \begin{bmatrix} a \\   b \end{bmatrix}"],
+    ),
+    (r"\sum \mathbf{F}^W = \sum M", [r"\mathbf{F}_{\Sigma}^W = M_{\Sigma}"]),
+    (r"\sum m v = \sum_i F_i", [r"\sum m v = \sum_i F_i"]),
+    (r"x \in \R^3", [r"x \in\mathbb{R}^3"]),
+]
+
+
+@pytest.mark.parametrize(("written", "steps"), SPELLED)
+def test_what_stands_there_is_spelled_as_what_it_prints(
+    tmp_path: Path, written: str, steps: list[str]
+) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(f"$$ {written} $$")
+    (display,) = read_text(path).displays
+    spelled = [step.spelled()[0] for line in steps_of(display) for step in line]
+    assert [re.sub(r"\s", "", each) for each in spelled] == [re.sub(r"\s", "", each) for each in steps]
+
+
+LETTERS = SymbolTable.build({letter: {"kind": "scalar"} for letter in "AELRTdeopxgl"})
+
+
+@pytest.mark.parametrize(
+    "word", ["Ad", "Exp", "Log", r"\mathrm{Ad}", r"\mathrm{rank}", r"\mathrm{Log}", r"\operatorname{Exp}"]
+)
+def test_a_word_is_no_product_of_its_letters(word: str) -> None:
+    with pytest.raises(ReadError, match=r"words in a formula|logarithms"):
+        read(f"{word} x = x", LETTERS)
+
+
+def test_letters_in_scripts_and_upright_differentials_are_no_words() -> None:
+    table = SymbolTable.build({"v_{Ad}": {"kind": "scalar"}, "x": {"kind": "scalar"}})
+    assert read(r"v_{Ad} = \frac{\mathrm{d}x}{\mathrm{dt}}", table)
+
+
+QUATERNIONS = "A quaternion, two quaternions, more quaternions. "
+
+
+def blindly(tmp_path: Path, text: str) -> dict[str, Outcome]:
+    """The verdicts where the author confirms all that is guessed, unseen."""
+    path = tmp_path / "p.md"
+    path.write_text(text)
+    found = ingest(path)
+    assert not found.missing()
+    model = re.sub(r"(?ms)^guessed = \[.*?^\]$", "", model_text(found, tmp_path / "p.toml"))
+    (tmp_path / "p.toml").write_text(model)
+    return {
+        result.claim.id: result.verdict.outcome for result in judge_paper(load_paper(tmp_path / "p.toml"))
+    }
+
+
+def test_i_j_k_are_the_units_of_quaternions(tmp_path: Path) -> None:
+    text = QUATERNIONS + "$$q = q_0 + q_1 i + q_2 j + q_3 k$$\n\n$$ij = k = -ji$$\n\n$$i j k = -1$$"
+    assert list(blindly(tmp_path, text).values()) == [Outcome.UNCHECKED, *[Outcome.PROVED] * 3]
+
+
+@pytest.mark.parametrize(
+    ("text", "kinds"),
+    [
+        (QUATERNIONS + r"$$\mathbf{q} = [q_w, \mathbf{q}_v]$$", {r"\mathbf{q}": "hamilton quaternion", "q_{w}": "scalar", r"\mathbf{q}_{v}": "vector"}),
+        (QUATERNIONS + r"$$\dot{\mathbf{q}} = \mathbf{q} \otimes \begin{bmatrix} 0 \\ \boldsymbol{\omega} \end{bmatrix}$$", {r"\mathbf{q}": "hamilton quaternion"}),
+        (r"$$\omega = \begin{bmatrix} \omega_x \\ \omega_y \\ \omega_z \end{bmatrix}$$", {r"\omega": "vector", r"\omega_{x}": "scalar"}),
+        (r"$${}^A R_C = {}^A R_B {}^B R_C$$", {"{}^{A}R_{B}": "rotation"}),
+        (r"$$\mathbf{v}^B_{P/B} = \mathbf{u}^B$$ $$\mathbf{u} = \mathbf{v}_{P/B}$$", {r"\mathbf{v}_{P / B}^{B}": "vector", r"\mathbf{u}^{B}": "vector"}),
+        (r"$$[\mathbf{a}] \mathbf{b} = \mathbf{a} \times \mathbf{b}$$", {r"\mathbf{a}": "vector"}),
+        (r"$$a \cdot b$$ $$a \times b = 0$$", {"a": "vector"}),
+        (r"$$f^B_{kin} = f_{kin} x$$", {"x": "scalar"}),
+        (r"$${}^A\omega^C_D = {}^A\omega^B_D$$", {r"{}^{A}\omega_{D}^{C}": "vector"}),
+    ],
+)  # fmt: skip
+def test_kinds_of_parts_labels_and_brackets(tmp_path: Path, text: str, kinds: dict[str, str]) -> None:
+    (tmp_path / "p.md").write_text(text)
+    found = ingest(tmp_path / "p.md")
+    assert not found.missing()
+    assert {name: guess.kind for name, guess in found.guesses.items()}.items() >= kinds.items()
+
+
+def test_what_frames_spell_is_guessed_no_more() -> None:
+    """A symbol may be guessed before the frames that spell it are."""
+    formula = r"\frac{{}^A d x}{dt} = {}^A R^B x"
+    (frames,) = (each for each in proposals_for([formula], "") if each.table == "frames")
+    guesser = Guesser(Prose(""), ground_of([frames]))
+    knowing = guesser.knowing({"{}^{A}R^{B}": Guess("{}^{A}R^{B}", "tensor"), "x": Guess("x", "vector")})
+    assert list(knowing.guesses) == ["x"] and knowing.read_all([formula])[0].statements
+
+
+MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
+    f"'{name}' = \"{kind}\"\n"
+    for name, kind in {
+        "R": "tensor", "S": "tensor", "Q": "rotation", "a": "vector", "b": "vector", "c": "vector", "p": "vector", "x": "scalar",
+    }.items()
+)  # fmt: skip
+OPEN = [
+    (r"$$R (a \times b) = R a \times R b$$", "a rotation R"),
+    (r"$$R S (a \times b) = R S a \times R S b$$", "a rotation R, S"),
+    (r"$$a \cdot R b = R a \cdot b$$", "a symmetric R"),
+    (r"$$\frac{d}{dt} (Q c) = \dot{Q} c$$", "a constant c"),
+    (r"$$p = R a$$ $$p \cdot p = a \cdot a$$", "a rotation R"),
+    (r"$$a = 2 b \Rightarrow x p = a \times b + b$$", "says what p is"),
+    (r"Here $\dot{a} = \int b$. $$a \times b = b$$", "the text says what a is"),
+]
+FALSE = [
+    r"$$R (a \times b) = R b \times R a$$",
+    r"$$\frac{d}{dt} (Q c) = \dot{Q} c + 2 Q \dot{c}$$",
+    r"$$a = 2 b \Rightarrow a \cdot a = 2 b \cdot b$$",
+    r"$$2 Q Q \in SO(3)$$",
+]
+
+
+@pytest.mark.parametrize(("text", "why"), OPEN)
+def test_what_holds_for_a_special_symbol_is_not_refuted(tmp_path: Path, text: str, why: str) -> None:
+    (tmp_path / "p.md").write_text(text)
+    (tmp_path / "p.toml").write_text(MODEL)
+    last = judge_paper(load_paper(tmp_path / "p.toml"))[-1].verdict
+    assert last.outcome is Outcome.UNCHECKED and why in last.reason
+
+
+@pytest.mark.parametrize("text", FALSE)
+def test_what_holds_for_no_special_symbol_is_refuted(tmp_path: Path, text: str) -> None:
+    (tmp_path / "p.md").write_text(text)
+    (tmp_path / "p.toml").write_text(MODEL)
+    assert Outcome.REFUTED in {
+        result.verdict.outcome for result in judge_paper(load_paper(tmp_path / "p.toml"))
+    }
+
+
+def test_that_a_product_is_in_a_set_is_a_claim_and_a_declared_symbol_says_nothing(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text(
+        "\n\n".join(
+            [
+                r"$$\dot{Q} Q^T \in so(3)$$",
+                r"$$Q Q \in SO(3)$$",
+                r"$$Q a \in \R^3$$",
+                r"$$R \in SO(3)$$",
+                r"$$a \times R b$$",
+            ]
+        )
+    )
+    (tmp_path / "p.toml").write_text(MODEL)
+    skew, product, declared, tensor, expression = (
+        result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml"))
+    )
+    assert skew.outcome is product.outcome is Outcome.PROVED
+    assert declared.outcome is tensor.outcome is Outcome.UNCHECKED
+    assert (
+        "an expression" in expression.reason
+        and "declared to be" in declared.reason
+        and "here it is a tensor" in tensor.reason
+    )

@@ -1,0 +1,87 @@
+"""What spaces say: that a script stands on the left of what follows, that a formula or column begins."""
+
+from __future__ import annotations
+
+from workbench.papers.respell.places import FACES, GAPS, braced, group, past, printed
+from workbench.papers.texts import Token
+
+_SPACES_OF_A_WORD = frozenset({"\\ ", "\\\n", "~", "\\;", "\\enspace"})
+_WIDE = frozenset({"\\quad", "\\qquad"})
+_OPEN, _CLOSE = frozenset(["(", "[", "{", "\\{"]), frozenset([")", "]", "}", "\\}"])
+_SIGNS = frozenset(
+    ["=", ":=", "\\equiv", "+", "-", "&", ",", "\\\\", "\\times", "\\cdot", "\\otimes", "\\circ"]
+)
+#: What relates or separates the parts of a bracket in another way, or ends it as a large one.
+_NO_ROW = _SIGNS | frozenset([";", "|", "\\text", "\\mathrm", "\\in", "\\right", "\\left"])
+_ENDS_A_SUM = frozenset(["=", "&", "+", "-", ",", ".", "\\\\"])
+
+
+def left_script(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """^A x behind a sign, a bracket or a space that prints as {}^A x."""
+    if tokens[place].text not in ("^", "_"):
+        return None
+    before = next((token.text for token in reversed(tokens[:place]) if token.text != " "), "(")
+    if before not in _SIGNS | (GAPS - {" "}) | {"(", "["} and not before.startswith("\\begin{"):
+        return None
+    label = printed(group(tokens, past(tokens, place + 1))[0])
+    if not label or label[0] == "T" or not (label[0].isalpha() or label[0].startswith("\\math")):
+        return None
+    return [*(tokens[place].standing_for(text) for text in "{}"), tokens[place]], place + 1
+
+
+def net_sum(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\sum \\mathbf{F}, all that there is of F, as a symbol of its own: \\mathbf{F}_{\\Sigma}."""
+    head = tokens[place]
+    start = past(tokens, place + 1)
+    if head.text != "\\sum" or start >= len(tokens):
+        return None
+    if tokens[start].text in FACES | {"\\vec", "\\bar"}:
+        _, end = group(tokens, past(tokens, start + 1))
+    elif tokens[start].text.isalpha():
+        end = start + 1
+    else:
+        return None
+    after = past(tokens, end)
+    if printed(tokens[after : after + 1]) == ["^"]:
+        after = past(tokens, group(tokens, past(tokens, after + 1))[1])
+    if after < len(tokens) and tokens[after].text not in _ENDS_A_SUM:
+        return None
+    label = [head.standing_for("_"), *braced(head, [head.standing_for("\\Sigma")])]
+    return [*tokens[start:end], *label], end
+
+
+def wide_space(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """Two spaces or more as the wide one that they print."""
+    if tokens[place].text not in _SPACES_OF_A_WORD:
+        return None
+    end = past(tokens, place)
+    count = sum(token.text in _SPACES_OF_A_WORD for token in tokens[place:end])
+    return ([tokens[place].standing_for("\\quad")], end) if count > 1 else None
+
+
+def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """[a \\quad b], in which nothing else stands between the two, as a row of a matrix."""
+    if tokens[place].text != "[" or (place and tokens[place - 1].text == "\\left"):
+        return None
+    parts: list[list[Token]] = [[]]
+    depth, end = 0, place + 1
+    while end < len(tokens) and (depth or tokens[end].text != "]"):
+        text = tokens[end].text
+        if not depth and text in _NO_ROW:
+            return None
+        if not depth and text in _WIDE:
+            parts.append([tokens[end].standing_for("&")])
+        else:
+            parts[-1].append(tokens[end])
+        depth += (text in _OPEN) - (text in _CLOSE)
+        end += 1
+    if end == len(tokens) or len(parts) < 2 or any(past(part, 1) >= len(part) for part in parts[1:]):
+        return None
+    first, last = tokens[place], tokens[end]
+    above = past(tokens, end + 1)
+    is_transposed = [token.text for token in tokens[above : above + 1]] == ["^"]
+    inside = [token for part in parts for token in part]
+    if is_transposed:  # [a, b]^T, which a reader may take for a column
+        apart = (token.standing_for(",") if token.text == "&" else token for token in inside)
+        return [first, *apart, last], end + 1
+    return [first.standing_for("\\begin{bmatrix}"), *inside, last.standing_for("\\end{bmatrix}")], end + 1

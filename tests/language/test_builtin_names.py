@@ -167,7 +167,6 @@ def test_the_superscript_t_is_the_transpose_whatever_t_is() -> None:
         "tr",
         "T^T",
         "2",
-        r"\tilde{x}",
         r"\dot{x}",
         r"\frac{d}{dt}",
         r"\cdot",

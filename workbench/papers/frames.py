@@ -8,8 +8,6 @@ from dataclasses import replace
 from itertools import product
 from typing import Any, NamedTuple
 
-from workbench.judge.kernel.judge import Judge
-from workbench.judge.verdict import Outcome
 from workbench.language.construct import apply, block, identity, number, relation
 from workbench.language.declarations import key_spelling
 from workbench.language.definitions import Definitions
@@ -40,6 +38,11 @@ class Turn(NamedTuple):
 
 def require_rotations(turns: Sequence[Turn], definitions: Definitions) -> None:
     """Raises PaperError for a matrix that is not seen to be a rotation wherever it is defined."""
+    if not turns:
+        return
+    from workbench.judge.kernel.judge import Judge
+    from workbench.judge.verdict import Outcome
+
     for turn in turns:
         square = relation("=", apply("mul", apply("transpose", turn.matrix), turn.matrix), identity())
         proper = relation("=", apply("det", turn.matrix), number(1))

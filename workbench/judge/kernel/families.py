@@ -85,10 +85,8 @@ def judge_family(
         if found and all(each.outcome is Outcome.REFUTED for each in found):
             return found[0]
         return _open(orders, "fails only for sums of some lengths, or where two indices are the same")
-    is_for_all = (verdict.scope or "").startswith("all")
-    holds = verdict.outcome in (Outcome.PROVED, Outcome.PROBABLE, Outcome.CONDITIONAL)
-    is_open = holds and not is_for_all and (orders.generic or orders.endless)
-    return _open(orders, f"holds for {orders}") if is_open else verdict
+    is_open = verdict.scope is not None and not verdict.scope.startswith("all")
+    return _open(orders, f"holds for {orders}") if is_open and (orders.generic or orders.endless) else verdict
 
 
 def _open(orders: OrderRanges, seen: str) -> Verdict:

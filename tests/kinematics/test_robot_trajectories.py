@@ -182,6 +182,30 @@ def test_the_peak_of_a_point_is_found_between_samples():
     assert peak.value == pytest.approx(sizes.max(), rel=1e-6)
 
 
+def test_a_coordinate_is_held_against_its_limits_between_samples_too():
+    """sin(t + 1)/2 is −1/2 at 3π/2 − 1, which is none of the times."""
+    robot = Robot("r", [TreeJoint("tilt_x", "revolute", "world", "b")])
+    limits = {"tilt_x": {"lower": -0.5 + 1e-9, "upper": 0.5}}
+    found = robot.along(SinePath(1), np.linspace(0, 4, 5), 1).peaks(limits=limits)
+    low, high = (peak for peak in found if peak.order == 0)
+    assert (low.value, low.time) == (pytest.approx(-0.5, abs=1e-9), pytest.approx(1.5 * np.pi - 1, abs=1e-4))
+    assert (low.within, high.within) == (False, True)
+    assert {peak.unit for peak in found} == {
+        "rad",
+        "rad/s",
+    }  # by the joint's kind, whatever its name ends with
+
+
+def test_a_point_s_peaks_are_those_that_another_body_sees():
+    motion = arm().along(quintic(), np.linspace(0, 1, 401), 2)
+    seen = motion.frame("b2").relative_to(motion.frame("b0")).point((0, 0, 0.4))
+    found = motion.peaks("b2", (0, 0, 0.4), relative_to="b0")[-2:]
+    sizes = np.linalg.norm(seen.derivatives[1:], axis=-1).max(axis=1)
+    np.testing.assert_allclose([peak.value for peak in found], sizes, rtol=1e-4)
+    table = motion.table("b2", (0, 0, 0.4), relative_to="b0")
+    np.testing.assert_array_equal(table["b2 velocity x"], seen.velocity[:, 0])
+
+
 def test_a_jump_at_a_break_is_seen_from_both_sides():
     path = PiecewisePolynomial.FirstOrderHold([0.0, 0.3003, 1.0], [[0.0, 1.0, 1.5]] * 3)
     found = arm().along(path, order=1, samples=3).peaks()

@@ -111,5 +111,7 @@ def _exponent(factors: tuple[Term, ...], size: int) -> Term:
 
 def _order(term: Term) -> int:
     """How often something below is differentiated."""
+    if isinstance(term, Derivative) and not term.order.is_number:
+        raise NotExact("a derivative of order n of an exponential")
     own = int(term.order) if isinstance(term, Derivative) else 0
     return own + max(map(_order, term.children), default=0)

@@ -52,10 +52,15 @@ def test_laws_hold_for_every_n_and_damaged_ones_do_not(addend: str, other: str) 
 @pytest.mark.parametrize(
     ("formula", "reason"),
     [
-        (r"\sum_{i=1}^{n} a_i = a_1 + a_2 + \sum_{i=3}^{n} a_i", "some lengths"),  # false for n = 1
-        (r"\sum_{i=1}^{n} m_i x_i = m_1 x_1 + m_2 x_2", "some lengths"),  # a text may say n = 2 somewhere
-        (r"\sum_{i=1}^{n} a_i = \sum_{i=1}^{20} a_i + \sum_{i=21}^{n} a_i", "some lengths"),
+        (r"\sum_{i=1}^{n} a_i = a_1 + a_2 + \sum_{i=3}^{n} a_i", "fails for some sums"),  # false for n = 1
+        (
+            r"\sum_{i=1}^{n} m_i x_i = m_1 x_1 + m_2 x_2",
+            "fails for some sums",
+        ),  # a text may say n = 2 somewhere
+        (r"\sum_{i=1}^{n} a_i = \sum_{i=1}^{20} a_i + \sum_{i=21}^{n} a_i", "fails for some sums"),
         (r"\sum_{i=1}^{n} i = \frac{n(n+1)}{2}", "no range is stated for n"),
+        (r"M y_1 = \sum_i m_i x_i", "it may say something of"),
+        (r"\sum_i m_i x_i = 0", "it may say something of"),
     ],
 )
 def test_what_is_not_seen_for_every_n_is_open(formula: str, reason: str) -> None:

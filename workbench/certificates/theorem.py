@@ -155,7 +155,8 @@ def theorem(
             _suppose(emitter, premise)
     for relation in _relations(statement):
         if relation.operator != "=":
-            raise NotCertified("an inequation to be proved")
+            kind = "an inequation" if relation.operator == "≠" else "an approximation"
+            raise NotCertified(f"{kind} to be proved")
         _conclude(made, relation)
     return made
 

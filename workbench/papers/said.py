@@ -132,7 +132,7 @@ def _rests(
 
 
 def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, Definition | None] | None:
-    if not isinstance(statement, Relation) or statement.operator != "=":
+    if not isinstance(statement, Relation) or statement.operator not in ("=", "≈"):
         return None
     definitions = Definitions() if notation is None else notation.definitions
     known = {definition.declaration.name for definition in definitions}
@@ -146,7 +146,8 @@ def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, De
             if _free([other], definitions) - _free(bodies, definitions):
                 return symbol, None
         elif symbol.declaration.name not in known:
-            return symbol, None if order else _definition(symbol, other)
+            is_exact = statement.operator == "=" and not order
+            return symbol, _definition(symbol, other) if is_exact else None
     angle = _only_angle(statement, known)
     return None if angle is None else (angle, None)
 

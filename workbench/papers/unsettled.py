@@ -103,7 +103,7 @@ def _solved_for(statement: Statement, free: Sequence[Declaration]) -> str | None
     the conclusions that it draws, may be solved for: alone under an operation, an addend or a multiple of
     one, or any where all are scalars; of scalars with a side 0, any."""
     names = Counter(str(each.name) for each in free)
-    equations = [each for each in _concluded(statement) if each.operator == "="]
+    equations = [each for each in _concluded(statement) if each.operator in ("=", "≈")]
     for equation in equations:
         for side in (equation.left, equation.right):
             for name in (_under_one_sign(side), *_addends(side)):

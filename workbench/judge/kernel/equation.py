@@ -23,6 +23,8 @@ from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdi
 from workbench.language.printer import to_latex
 from workbench.language.terms import Relation, Statement, Symbol
 
+IN_FORCE = "well-formed, and the one in force"
+
 
 class Equation(Case):
     """One equation, with the assumptions it stands under."""
@@ -93,9 +95,7 @@ class Equation(Case):
 
     def _definition(self) -> Verdict:
         self.exact.value(self.relation.right)
-        return Verdict(
-            Outcome.DEFINITION, evidence=(Evidence("definitions", "well-formed, and the one in force"),)
-        )
+        return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
 
     def screen(self) -> bool | None:
         """Zero at a random point modulo the prime, by the second engine; None where it does not apply."""

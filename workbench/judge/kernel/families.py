@@ -64,6 +64,7 @@ WORST_FIRST = (
     Outcome.DEFINITION,
 )
 
+_WHY_OPEN = "fails for some sums, which it may say something of, or where two indices are the same"
 SAME_TERM = "both sides are the same term, so nothing is tested"
 
 
@@ -80,11 +81,11 @@ def judge_family(
         return _instance_for(judge, statement, assume, hypothesis, {})
     verdict = _family(judge, statement, assume, hypothesis, orders)
     if verdict.outcome is Outcome.REFUTED and orders.generic:
-        apart = Distinct.of(orders, list(_terms(statement)), judge.definitions)
+        apart = Distinct.of(orders, statement, list(_terms(statement)), judge.definitions)
         found = [_instances(judge, statement, assume, hypothesis, values) for values in apart]
         if found and all(each.outcome is Outcome.REFUTED for each in found):
             return found[0]
-        return _open(orders, "fails only for sums of some lengths, or where two indices are the same")
+        return _open(orders, _WHY_OPEN)
     is_open = verdict.scope is not None and not verdict.scope.startswith("all")
     return _open(orders, f"holds for {orders}") if is_open and (orders.generic or orders.endless) else verdict
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from workbench.judge.kernel.beyond import OrderRanges, behind
 from workbench.judge.kernel.in_force import InstanceJudge
-from workbench.judge.subject.addends import addend_by_addend
+from workbench.judge.subject.addends import addend_by_addend, has_sums
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.definitions import Definitions
@@ -28,15 +28,18 @@ class Distinct:
     endless: frozenset[str] = frozenset()
 
     @staticmethod
-    def of(orders: OrderRanges, terms: Sequence[Term], definitions: Definitions) -> list[Distinct]:
+    def of(
+        orders: OrderRanges, statement: Statement, terms: Sequence[Term], definitions: Definitions
+    ) -> list[Distinct]:
         """All must refute: with sums of two addends up to such as end behind all numbers of the formula: the
-        text may say somewhere how many there are. None at all where these would be too long."""
+        text may say somewhere how many there are. None at all where these would be too long, and for
+        M c = Σ m_i x_i or Σ a_i = 0, which may say what stands there."""
         sums = [part for term in terms for part in term.walk() if isinstance(part, BigSum)]
         lasts = [name for name in orders.generic if any(name in each.upper.variables for each in sums)]
         if not lasts:
             return [Distinct(orders, {})]
         longest = behind(terms, definitions)
-        if longest is None:
+        if longest is None or not (isinstance(statement, Relation) and all(map(has_sums, terms))):
             return []
         lengths = range(2, max(longest, len(orders.generic) + 2) + 1)
         return [Distinct(orders, dict.fromkeys(lasts, length)) for length in lengths]

@@ -9,11 +9,12 @@ from dataclasses import dataclass, replace
 from workbench.judge.kernel.beyond import OrderRanges
 from workbench.judge.kernel.branches import holds_arc, judge_branch
 from workbench.judge.kernel.case import Case, Setting
-from workbench.judge.kernel.equation import Equation
+from workbench.judge.kernel.equation import IN_FORCE, Equation
 from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import SAME_TERM, WORST_FIRST, judge_family
 from workbench.judge.kernel.zero_sets import judge_inequation, judge_zeros
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
+from workbench.judge.subject.exponentials import holds_exponentials, without_exponentials
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.subject.small import to_first_order
 from workbench.judge.verdict import Evidence, Outcome, Verdict
@@ -28,6 +29,7 @@ from workbench.language.terms import (
     Naming,
     Relation,
     Statement,
+    Symbol,
 )
 
 
@@ -87,6 +89,8 @@ class Judge(Setting):
                 return self._of_parts(parts, assume)
             case Relation() if holds_arc(statement):
                 return judge_branch(statement, self.definitions, lambda said: self._judge(said, assume))
+            case Relation(operator="=") if holds_exponentials(statement, self.definitions):
+                return self._exponential(statement, assume)
             case Relation(operator="="):
                 return Equation(self, statement, assume).verdict()
             case Relation(operator="≈"):
@@ -106,6 +110,18 @@ class Judge(Setting):
             case Naming():
                 return self._named(statement, assume)
         raise NotExact("a statement of this form")
+
+    def _exponential(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        found = without_exponentials(said, self.definitions)
+        is_definition = isinstance(said.left, Symbol) and self.definitions.lookup(said.left) == said.right
+        judged = _difference(found.relation) if is_definition else found.relation
+        verdict = self._judge(judged, (*assume, *found.supposed))
+        if is_definition and verdict.outcome is Outcome.PROVED:
+            return Verdict(Outcome.DEFINITION, evidence=(Evidence("definitions", IN_FORCE),))
+        if verdict.outcome is Outcome.REFUTED:
+            return Verdict(Outcome.UNCHECKED, reason="does not follow from what derivatives of e^x are")
+        evidence = Evidence("exponentials", "any functions E that are nowhere 0, with the rates of e^x")
+        return replace(verdict, evidence=(*verdict.evidence, evidence))
 
     def _approximated(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         compared = to_first_order(said, assume, self.definitions)

@@ -38,7 +38,7 @@ class _Parts:
 def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
     """The definitions under which every free angle in the terms is a whole multiple of a free one."""
     denominators: dict[Symbol, int] = {}
-    for argument in _arguments(terms, definitions, set()):
+    for argument in round_terms(terms, definitions, set()):
         for angle, part in _parts(argument, definitions):
             if isinstance(angle, Symbol) and part.denominator > 1:
                 denominators[angle] = lcm(denominators.get(angle, 1), part.denominator)
@@ -50,7 +50,7 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
     """The angle as a rational combination of free scalars and of other terms, each a product, a norm, ….
     Raises NotExact where a number stands in it."""
     parts: dict[Term, Fraction] = {}
-    for factors, coefficient in _sum(angle, definitions).items():
+    for factors, coefficient in sum_of_products(angle, definitions).items():
         if not factors:
             raise NotExact(NO_ANGLE)
         if len(factors) > 1 and len(set(factors)) == 1:
@@ -82,7 +82,7 @@ def _parts(argument: Apply, definitions: Lookup) -> Iterable[tuple[Term, Fractio
         return ()  # the inventory says so
 
 
-def _arguments(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> Iterator[Apply]:
+def round_terms(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> Iterator[Apply]:
     """The sines, cosines and exponentials, in definitions too."""
     for term in terms:
         if term in seen:
@@ -91,35 +91,36 @@ def _arguments(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> I
         if isinstance(term, Apply) and term.head in ("sin", "cos", "exp"):
             yield term
         body = definitions.lookup(term) if isinstance(term, Symbol) else None
-        yield from _arguments(term.children if body is None else (body, *term.children), definitions, seen)
+        yield from round_terms(term.children if body is None else (body, *term.children), definitions, seen)
 
 
-def _sum(term: Term, definitions: Lookup) -> Sum:
+def sum_of_products(term: Term, definitions: Lookup) -> Sum:
+    """The scalar multiplied out."""
     match term:
         case Zero():
             return {}
         case Number(value=value):
             return {(): value}
         case Symbol() if (body := definitions.lookup(term)) is not None:
-            return _sum(body, definitions)
+            return sum_of_products(body, definitions)
         case Apply(head="re", arguments=(inner,)):
-            return _sum(inner, definitions)
+            return sum_of_products(inner, definitions)
         case Apply(head="neg", arguments=(inner,)):
-            return {factors: -c for factors, c in _sum(inner, definitions).items()}
+            return {factors: -c for factors, c in sum_of_products(inner, definitions).items()}
         case Apply(head="add", arguments=addends):
             total: Sum = {}
             for addend in addends:
-                for factors, c in _sum(addend, definitions).items():
+                for factors, c in sum_of_products(addend, definitions).items():
                     total[factors] = total.get(factors, Fraction(0)) + c
             return total
         case Apply(head="mul", arguments=(left, right)):
-            return _product(_sum(left, definitions), _sum(right, definitions))
+            return _product(sum_of_products(left, definitions), sum_of_products(right, definitions))
         case Apply(head="div", arguments=(top, bottom)):
-            return _product(_sum(top, definitions), _reciprocal(bottom, definitions))
+            return _product(sum_of_products(top, definitions), _reciprocal(bottom, definitions))
         case Power(base=base, exponent=exponent) if base.type.kind == "scalar" and exponent.is_number:
             total = {(): Fraction(1)}
             for _ in range(int(exponent)):
-                total = _product(total, _sum(base, definitions))
+                total = _product(total, sum_of_products(base, definitions))
             return total
         case Apply(head="norm", arguments=(inner,)):
             size, rest = _scaled(inner, definitions)
@@ -137,7 +138,7 @@ def _product(left: Sum, right: Sum) -> Sum:
 
 
 def _reciprocal(term: Term, definitions: Lookup) -> Sum:
-    below = _sum(term, definitions)
+    below = sum_of_products(term, definitions)
     if len(below) == 1 and () in below and below[()]:
         return {(): 1 / below[()]}
     return {(apply("div", number(1), term),): Fraction(1)}

@@ -82,7 +82,7 @@ def _degree(term: Term) -> int:
     match term:
         case Derivative() | Block() | BigSum() | Apply(head="add" | "quaternion"):
             return max(degrees)
-        case Power(exponent=exponent):
+        case Power(exponent=exponent) if exponent.is_number:
             return min(degrees[0] * abs(int(exponent)), _BEYOND)
         case Apply(head="div") if not degrees[1]:
             return degrees[0]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from workbench.language import construct, instances
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
@@ -18,6 +19,7 @@ from workbench.language.syntax import (
     Bracket,
     Fraction,
     Group,
+    Infix,
     Leaf,
     Node,
     Product,
@@ -187,7 +189,7 @@ class _Lettering:
             case "\\mathbf{D}":
                 return construct.time_operator()
         if name in EXPONENTIALS:
-            return self.scope.apply(scripts.sup.at, "exp", self.scope.term(scripts.sup))
+            return self.scope.apply(scripts.sup.at, "exp", self.scope.term(_with_quotients(scripts.sup)))
         if self.scope.table.has_letter(name.base):
             what = "write the number of combinations as \\binom{n}{k}"
             raise Fault(f"{name} is a symbol too; {what}", at)
@@ -289,6 +291,20 @@ def _is_upright_t(node: Node) -> bool:
         case Styled(style="\\mathrm" | "\\mathsf", body=Leaf(text="T") | Group(parts=(Leaf(text="T"),))):
             return True
     return False
+
+
+def _with_quotients(node: Node) -> Node:
+    """The exponent of e, where / is a quotient and no part of a label."""
+    match node:
+        case Group(parts=parts) | Bracket(parts=parts):
+            return replace(node, parts=tuple(map(_with_quotients, parts)))
+        case Sum(addends=addends):
+            return replace(node, addends=tuple((s, at, _with_quotients(each)) for s, at, each in addends))
+        case Product(items=items):
+            return replace(node, items=tuple(map(_with_quotients, items)))
+        case Leaf(kind="MARK", text="/"):
+            return Infix(node.at, "/")
+    return node
 
 
 def _halves(node: Node | None) -> int | None:

@@ -1,0 +1,64 @@
+"""e^x of scalars: laws of powers and of derivatives are proved; what is not, is not refuted either."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from workbench import check
+
+SYMBOLS = {
+    **{name: "scalar" for name in "xyz"},
+    **{name: {"kind": "scalar", "constant": True} for name in (r"\lambda", r"\omega", "c")},
+    r"\theta": {"kind": "scalar", "small": True},
+}
+ATOMS = ("x", "y", "x y", "x^2", r"\lambda t", r"\frac{x}{3}", r"\cos y")
+
+
+def _exponent(counts: dict[str, int]) -> str:
+    return " + ".join(f"{count} {atom}" for atom, count in counts.items()).replace("+ -", "- ")
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_products_of_powers(seed: int) -> None:
+    source = random.Random(seed)
+    one, other = ({a: source.choice((-3, -2, 2, 3)) for a in source.sample(ATOMS, 3)} for _ in range(2))
+    total = {a: one.get(a, 0) + other.get(a, 0) for a in {**one, **other}}
+    left = rf"e^{{{_exponent(one)}}} e^{{{_exponent(other)}}}"
+    assert check(rf"{left} = e^{{{_exponent(total)}}}", SYMBOLS).verdict.outcome == "proved"
+    more = rf"e^{{{_exponent(total)} + {source.choice(list(total))}}}"
+    assert check(f"{left} = {more}", SYMBOLS).verdict.outcome == "unchecked"
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        r"\frac{d^2}{dt^2} e^{x y} = (\ddot{x} y + 2 \dot{x} \dot{y} + x \ddot{y} + (\dot{x} y + x \dot{y})^2) e^{x y}",
+        r"\frac{d}{dt} (e^{-\lambda t} \cos(\omega t)) = -e^{-\lambda t} (\lambda \cos(\omega t) + \omega \sin(\omega t))",
+        r"\frac{d}{dt} e^{e^{x}} = \dot{x} e^{x} e^{e^{x}}",
+        r"e^{x/2} e^{-x} = \frac{1}{e^{x/2}}",
+        r"e^{\theta} \approx 1 + \theta",
+    ],
+)  # fmt: skip
+def test_rates_and_quotients(formula: str) -> None:
+    assert check(formula, SYMBOLS).verdict.outcome == "proved"
+
+
+def test_a_damped_oscillation_satisfies_its_equation() -> None:
+    z = [r"z = c e^{-\lambda t} \sin(\omega t)"]
+    equation = r"\ddot{z} + 2 \lambda \dot{z} + (\lambda^2 {} \omega^2) z = 0"
+    assert check(equation.replace("{}", "+"), SYMBOLS, definitions=z).verdict.outcome == "proved"
+    assert check(equation.replace("{}", "-"), SYMBOLS, definitions=z).verdict.outcome == "unchecked"
+    assert check(z[0], SYMBOLS, definitions=z).verdict.outcome == "definition"
+
+
+@pytest.mark.parametrize("formula", [r"e^{x y} = e^{x} e^{y}", r"e^{x} = 0", r"\frac{d}{dt} e^{x} = e^{x}"])
+def test_what_is_false_is_not_proved(formula: str) -> None:
+    assert check(formula, SYMBOLS).verdict.outcome in ("unchecked", "ill-formed")
+
+
+def test_a_symbol_e_is_no_exponential() -> None:
+    assert check("e^2 = 2 e", {"e": "scalar"}).verdict.outcome == "refuted"
+    with pytest.raises(ValueError, match="expected an integer"):
+        check("x^{y/2} = x", SYMBOLS)

@@ -1,0 +1,117 @@
+"""e^x of scalars: of each nothing is supposed but what its derivatives are, and that it is not 0.
+
+In e^{2x + xy/3} the exponent is a sum of products of scalars; each product p has a symbol E = e^{p/n} with
+Ė = ṗ E/n. What holds for all such E holds for exponentials, and e^x e^y = e^{x+y} is then a law of powers.
+What does not hold for all E may still hold for exponentials, so nothing is refuted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import reduce
+from math import lcm
+from typing import NamedTuple
+
+from workbench.judge.subject import NotExact
+from workbench.judge.subject.angles import Sum, round_terms, sum_of_products
+from workbench.language.construct import apply, derivative, number, rebuild, relation, symbol, zero
+from workbench.language.definitions import Definitions, expand
+from workbench.language.instances import raised
+from workbench.language.integers import Linear
+from workbench.language.names import Name
+from workbench.language.printer import to_latex
+from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol, Term
+from workbench.language.types import SCALAR, Declaration
+
+#: No derivatives of higher order than this are supposed of an exponential, no larger powers taken.
+_HIGHEST, _LARGEST = 4, 20
+
+
+class Exponentials(NamedTuple):
+    """relation: with symbols for exponentials.   supposed: what is known of these."""
+
+    relation: Relation
+    supposed: tuple[Statement, ...]
+
+
+def holds_exponentials(said: Relation, definitions: Definitions) -> bool:
+    return any(map(_is_exponential, round_terms((said.left, said.right), definitions, set())))
+
+
+def without_exponentials(said: Relation, definitions: Definitions) -> Exponentials:
+    """Raises NotExact for powers and derivatives beyond what is supposed."""
+    sides = [expand(side, definitions) for side in (said.left, said.right)]
+    sizes: dict[tuple[Term, ...], int] = {}
+    _Pass(sizes).all(sides, definitions)
+    made = _Pass(sizes)
+    left, right = made.all(sides, definitions)
+    highest = max(map(_order, sides))
+    if highest > _HIGHEST:
+        raise NotExact(f"a derivative of order {highest} of an exponential")
+    supposed: list[Statement] = []
+    for factors, own in made.symbols.items():
+        supposed.append(relation("≠", own, zero()))
+        rate = apply("mul", derivative(_exponent(factors, sizes[factors]), 1), own)
+        for order in range(highest):
+            known = derivative(rate, order) if order else rate
+            supposed.append(relation("=", derivative(own, order + 1), known))
+    return Exponentials(relation("=", left, right), tuple(supposed))
+
+
+def _is_exponential(term: Term) -> bool:
+    return isinstance(term, Apply) and term.head == "exp" and term.type == SCALAR
+
+
+class _Pass:
+    """sizes: the common denominator of the coefficients that each product has in exponents."""
+
+    def __init__(self, sizes: dict[tuple[Term, ...], int]) -> None:
+        self.sizes = sizes
+        self.symbols: dict[tuple[Term, ...], Symbol] = {}
+        self.done: dict[int, Term] = {}
+
+    def all(self, sides: Sequence[Term], definitions: Definitions) -> list[Term]:
+        return [self.term(side, definitions) for side in sides]
+
+    def term(self, term: Term, definitions: Definitions) -> Term:
+        if id(term) not in self.done:
+            children = [self.term(child, definitions) for child in term.children]
+            if _is_exponential(term):
+                new = self.power(sum_of_products(children[0], definitions))
+            else:
+                same = all(a is b for a, b in zip(children, term.children, strict=True))
+                new = term if same else rebuild(term, children)
+            self.done[id(term)] = new
+        return self.done[id(term)]
+
+    def power(self, exponent: Sum) -> Term:
+        result: Term = number(1)
+        for factors, coefficient in exponent.items():
+            size = self.sizes[factors] = lcm(self.sizes.get(factors, 1), coefficient.denominator)
+            count = coefficient * size
+            if abs(count) > _LARGEST:
+                raise NotExact(f"the power {count} of an exponential")
+            if count:
+                result = apply("mul", result, raised(self.own(factors, size), Linear(int(count))))
+        return result
+
+    def own(self, factors: tuple[Term, ...], size: int) -> Symbol:
+        if factors not in self.symbols:
+            exponent = _exponent(factors, size)
+            name = Name(f"e^{{{to_latex(exponent)}}}", of=(exponent,))
+            self.symbols[factors] = symbol(Declaration(name, SCALAR, Linear(0), constant=not factors))
+        return self.symbols[factors]
+
+
+def _exponent(factors: tuple[Term, ...], size: int) -> Term:
+    parts = factors if size == 1 and factors else (number(Fraction(1, size)), *factors)
+    return reduce(lambda one, other: apply("mul", one, other), parts)
+
+
+def _order(term: Term) -> int:
+    """How often something below is differentiated."""
+    if isinstance(term, Derivative) and not term.order.is_number:
+        raise NotExact("a derivative of order n of an exponential")
+    own = int(term.order) if isinstance(term, Derivative) else 0
+    return own + max(map(_order, term.children), default=0)

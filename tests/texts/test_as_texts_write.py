@@ -148,9 +148,16 @@ OPEN = [
     (r"$$\frac{d}{dt} (Q c) = \dot{Q} c$$", "a constant c"),
     (r"$$p = R a$$ $$p \cdot p = a \cdot a$$", "a rotation R"),
     (r"$$a = 2 b \Rightarrow x p = a \times b + b$$", "says what p is"),
+    (
+        r"$$\begin{bmatrix} a \\ b \end{bmatrix} = \begin{bmatrix} b \\ a \times c \end{bmatrix}$$",
+        "says what c is",
+    ),
+    (r"$$R p = R S a + S a$$", "says what p is"),
+    (r"$$R^* S = S R^*$$", "of which the text does not speak"),
     (r"Here $\dot{a} = \int b$. $$a \times b = b$$", "the text says what a is"),
 ]
 FALSE = [
+    r"The adjugate: $$R^* S = S R^*$$",
     r"$$R (a \times b) = R b \times R a$$",
     r"$$\frac{d}{dt} (Q c) = \dot{Q} c + 2 Q \dot{c}$$",
     r"$$a = 2 b \Rightarrow a \cdot a = 2 b \cdot b$$",

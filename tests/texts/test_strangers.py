@@ -97,7 +97,8 @@ MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
         (r"$$\mathbf{r} + x\mathbf{s} + \mathbf{s} = x^2 \mathbf{s}$$", "says what \\mathbf{r} is"),
         (r"$$\widetilde{\mathbf{r}} = \mathbf{s} \mathbf{s}^T$$", "says what \\mathbf{r} is"),
         (r"$$x y + x y^2 = x + y$$", None),
-        (r"$$\mathbf{r} \cdot \mathbf{s} + \mathbf{s} \cdot \mathbf{s} = 0$$", None),
+        (r"$$\mathbf{r} \cdot \mathbf{s} + \mathbf{s} \cdot \mathbf{s} = 0$$", "says what \\mathbf{r} is"),
+        (r"$$\mathbf{r} \cdot \mathbf{s} = -\mathbf{s} \cdot \mathbf{r}$$", None),
         ("$$z = x + y = y - x$$\n\n$$x^2 y + y = y^2 + x$$", None),
     ],
 )

@@ -29,6 +29,8 @@ _AXIS = re.compile(
 )
 #: The frame in which the others move, where the text names none.
 _NOWHERE = "O"
+#: Capitals that mechanics has for rotations; X and T may be transforms.
+_ROTATIONS = frozenset("ACDQRS")
 _LABELS = re.compile(r"\{\}\s*[_^]|/|\\hat")
 _UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
 _BRACKET = re.compile(
@@ -309,7 +311,7 @@ def _meaning(core: str) -> tuple[str, str] | None:
         return "frames", "angular velocity of G in F"
     if letter == "\\alpha":
         return "frames", "angular acceleration of G in F"
-    if re.fullmatch("[A-Z]", letter):
+    if letter in _ROTATIONS:
         return "frames", "rotation to F from G"
     return {"v": ("points", "velocity of P in F"), "a": ("points", "acceleration of P in F")}.get(letter)
 

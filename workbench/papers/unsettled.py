@@ -27,6 +27,8 @@ _INLINE = re.compile(r"(?:(?<![$\\])\$(?!\$)|\\\(|:math:`)\s*([^$`=]{1,60}?)\s*:
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _LONE = re.compile(r"(?:\\[a-z]+)*(?:\\?[A-Za-z]+)'*(?:[_^](?:\\?[A-Za-z0-9]+|[A-Za-z0-9,]+))*")
 _SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
+_ADJUGATE = re.compile(r"adjugate|adjoint|cofactor|\\\\adj", re.IGNORECASE)
+_NO_ADJUGATE = "^* is read as the adjugate, of which the text does not speak; [notation] can say what it is"
 _COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 
 
@@ -40,7 +42,12 @@ def with_unsettled(claims: Sequence[Claim], sources: Sequence[Source]) -> list[C
             known = {definition.declaration.name for definition in claim.notation.definitions}
             symbols = (term.declaration for term in terms_of(statement) if isinstance(term, Symbol))
             free = [each for each in symbols if each.name not in known]
-            why = _of_unread(free, unread) or _of_components(free, claim) or _solved_for(statement, free)
+            why = (
+                _of_unread(free, unread)
+                or _of_components(free, claim)
+                or _solved_for(statement, free)
+                or _of_a_star(statement, sources)
+            )
             claim = replace(claim, unsettled=why)
         made.append(claim)
     return made
@@ -99,21 +106,26 @@ def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
 
 
 def _solved_for(statement: Statement, free: Sequence[Declaration]) -> str | None:
-    """A symbol that nothing defines, that occurs in the statement once, and that one of its equations, or of
-    the conclusions that it draws, may be solved for: alone under an operation, an addend or a multiple of
-    one, or any where all are scalars; of scalars with a side 0, any."""
-    names = Counter(str(each.name) for each in free)
+    """A symbol that nothing defines and that occurs in the statement once, in an equation or in one that is
+    concluded: no identity has such a symbol, so that this says something of it. Of scalars with a side 0,
+    any."""
+    names = Counter(each.name for each in free)
     equations = [each for each in _concluded(statement) if each.operator == "="]
-    for equation in equations:
-        for side in (equation.left, equation.right):
-            for name in (_under_one_sign(side), *_addends(side)):
-                if name is not None and names[name] == 1:
-                    return _SAYS.format(name)
-    if not isinstance(statement, Relation) or any(each.type.kind != "scalar" for each in free):
-        return None
-    is_condition = any(_is_zero(each.left) or _is_zero(each.right) for each in equations)
-    name = next((name for name, count in names.items() if equations and (count == 1 or is_condition)), None)
-    return name and _SAYS.format(name)
+    said = (term.declaration for each in equations for term in terms_of(each) if isinstance(term, Symbol))
+    types = {each.left.type for each in equations}
+    is_condition = all(each.type.kind == "scalar" for each in free) and any(
+        _is_zero(each.left) or _is_zero(each.right) for each in equations
+    )
+    unknown = [each for each in said if names[each.name] == 1 or (is_condition and each.name in names)]
+    first = min(unknown, key=lambda each: each.type not in types, default=None)
+    return first and _SAYS.format(first.name)
+
+
+def _of_a_star(statement: Statement, sources: Sequence[Source]) -> str | None:
+    """T^*, where the text does not say that it is the adjugate."""
+    stars = (term for term in terms_of(statement) if isinstance(term, Apply) and term.head == "adjugate")
+    is_said = any(_ADJUGATE.search(source.text) for source in sources)
+    return None if is_said or next(stars, None) is None else _NO_ADJUGATE
 
 
 def _concluded(statement: Statement) -> Iterator[Relation]:
@@ -124,27 +136,6 @@ def _concluded(statement: Statement) -> Iterator[Relation]:
     elif isinstance(statement, Conjunction):
         for part in statement.parts:
             yield from _concluded(part)
-
-
-def _addends(side: Term) -> Iterator[str]:
-    """The symbols that are addends of a sum, as the F of F + mg = m a, with or without a scalar factor."""
-    if isinstance(side, Symbol):
-        yield str(side.declaration.name)
-    elif isinstance(side, Apply) and side.head in ("add", "neg"):
-        for term in side.arguments:
-            yield from _addends(term)
-    elif isinstance(side, Apply) and side.head in ("mul", "div"):
-        others = [term for term in side.arguments if term.type.kind != "scalar"]
-        if len(others) == 1:
-            yield from _addends(others[0])
-
-
-def _under_one_sign(side: Term) -> str | None:
-    """A^{-1}, R^T, \\tilde{\\omega}: the symbol, with an operation of its own on it."""
-    is_one = isinstance(side, Apply) and len(side.arguments) == 1 and side.type.kind != "scalar"
-    return (
-        str(side.arguments[0].declaration.name) if is_one and isinstance(side.arguments[0], Symbol) else None
-    )
 
 
 def _is_zero(term: Term) -> bool:

@@ -56,8 +56,8 @@ def written(text: str, ending: str) -> str:
         (r"With <<m > f>> it is [[|m - f| = m - f]]", Outcome.UNCHECKED),
         (r"If <<0 = a - g b>>, then [[a \times b = 0]]", Outcome.UNCHECKED),
         (r"If <<0 = a - g b>>, then [[a \times b = b]]", Outcome.REFUTED),
-        (r"If <<0 = a - g b>>, then it is so. The next one is [[a \times b = 0]]", Outcome.REFUTED),
-        (r"Let <<g \neq 0>> be given. It is [[a \times b = 0]]", Outcome.REFUTED),
+        (r"If <<0 = a - g b>>, then it is so. The next one is [[a \times b = b \times a]]", Outcome.REFUTED),
+        (r"Let <<g \neq 0>> be given. It is [[a \times b = b \times a]]", Outcome.REFUTED),
     ],
 )  # fmt: skip
 def test_a_condition_in_the_sentence(tmp_path: Path, ending: str, text: str, expected: Outcome) -> None:

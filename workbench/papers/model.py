@@ -199,8 +199,8 @@ class Claim:
     its chain, `skip` why its author leaves it out, `unread` why its model
     expects no verdict, `states` the symbol that it may define, `guessed` its
     symbols whose kinds nobody has confirmed, `rests` what earlier claims say of its symbols, `beside` what
-    its sentence and earlier ones suppose of them, `unsettled` why it may be true although it is false for
-    free symbols.
+    its sentence and earlier ones suppose of them, `says` and `unsettled` why it may be true although it is
+    false for free symbols: it may say what one is, or the text says more of them than was read.
     """
 
     id: str
@@ -234,6 +234,7 @@ class Claim:
     guessed: tuple[str, ...] = ()
     rests: tuple[Said, ...] = ()
     unsettled: str | None = None
+    says: str | None = None
     beside: tuple[Aside, ...] = ()
 
     @property

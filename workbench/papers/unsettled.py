@@ -42,13 +42,8 @@ def with_unsettled(claims: Sequence[Claim], sources: Sequence[Source]) -> list[C
             known = {definition.declaration.name for definition in claim.notation.definitions}
             symbols = (term.declaration for term in terms_of(statement) if isinstance(term, Symbol))
             free = [each for each in symbols if each.name not in known]
-            why = (
-                _of_unread(free, unread)
-                or _of_components(free, claim)
-                or _solved_for(statement, free)
-                or _of_a_star(statement, sources)
-            )
-            claim = replace(claim, unsettled=why)
+            why = _of_unread(free, unread) or _of_components(free, claim) or _of_a_star(statement, sources)
+            claim = replace(claim, unsettled=why, says=_solved_for(statement, free))
         made.append(claim)
     return made
 

@@ -184,7 +184,7 @@ class ClaimJudge:
             return why
         rests = [said for said in claim.rests if not self._is_known(said, claim.notation)]
         if not rests:
-            return None
+            return None if claim.beside else claim.says
         definitions = {said.name: said.definition for said in rests if said.definition is not None}
         under = None
         if definitions.keys() == {said.name for said in rests}:

@@ -85,9 +85,7 @@ def judge_family(
         if found and all(each.outcome is Outcome.REFUTED for each in found):
             return found[0]
         return _open(orders, "fails only for sums of some lengths, or where two indices are the same")
-    is_for_all = (verdict.scope or "").startswith("all")
-    holds = verdict.outcome in (Outcome.PROVED, Outcome.PROBABLE, Outcome.CONDITIONAL)
-    is_open = holds and not is_for_all and (orders.generic or orders.endless)
+    is_open = verdict.scope == str(orders) and (orders.generic or orders.endless)
     return _open(orders, f"holds for {orders}") if is_open else verdict
 
 

@@ -37,6 +37,7 @@ def test_products_of_powers(seed: int) -> None:
         r"\frac{d^2}{dt^2} e^{x y} = (\ddot{x} y + 2 \dot{x} \dot{y} + x \ddot{y} + (\dot{x} y + x \dot{y})^2) e^{x y}",
         r"\frac{d}{dt} (e^{-\lambda t} \cos(\omega t)) = -e^{-\lambda t} (\lambda \cos(\omega t) + \omega \sin(\omega t))",
         r"\frac{d}{dt} e^{e^{x}} = \dot{x} e^{x} e^{e^{x}}",
+        r"\frac{d}{dt} (e^{x/2} e^{x/3}) = \frac{5}{6} \dot{x} e^{5x/6}",
         r"e^{x/2} e^{-x} = \frac{1}{e^{x/2}}",
         r"e^{\theta} \approx 1 + \theta",
     ],

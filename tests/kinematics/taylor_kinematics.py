@@ -111,5 +111,14 @@ def joint(kind, q, axis=(1, 0, 0), pitch=0):
     return X
 
 
+def twist(X):
+    """The series of (ω; v) in Ẋ X⁻¹, v being the velocity at the origin: a term less."""
+    rate, inverse = X[1:] * np.arange(1, len(X))[:, None, None], pose(terms=len(X) - 1)
+    inverse[:, :3, :3] = X[:-1, :3, :3].swapaxes(1, 2)
+    inverse[:, :3, 3] = -product(inverse[:, :3, :3], X[:-1, :3, 3])
+    W = product(rate, inverse)
+    return np.stack([W[:, 2, 1], W[:, 0, 2], W[:, 1, 0], *W[:, :3, 3].T], axis=-1)
+
+
 def derivatives(series):
     return np.array([(mp.factorial(k) * row).astype(float) for k, row in enumerate(series)])

@@ -4,7 +4,7 @@ from math import comb
 
 import numpy as np
 import pytest
-from random_robots import KINDS, NEAR, motion, series_pose, tree
+from random_robots import NEAR, motion, series_pose, tree
 
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
 from workbench.kinematics.robot.leibniz import composed_twist
@@ -32,18 +32,6 @@ def test_twists_are_the_derivatives_of_the_poses(seed):
             tolerance = {1: 1e-7, 2: 1e-5, 3: 1e-2}[n] * size
             np.testing.assert_allclose(frame.acceleration(n), rate[:3, 3], atol=tolerance)
             np.testing.assert_allclose(frame.Phi[n] @ X[2, :3, :3], rate[:3, :3], atol=tolerance)
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_each_joint_alone_against_differences(kind):
-    robot = tree(5, ["revolute", kind, "prismatic"])
-    q = np.random.default_rng(5).normal(size=(3, len(robot.positions)))
-    h = 1e-4
-    before, now, after = (series_pose(robot, q, "b2", t) for t in (-h, 0, h))
-    frame = robot.motion(q).frame("b2")
-    np.testing.assert_allclose(frame.point().velocity, (after - before)[:3, 3] / (2 * h), atol=1e-6)
-    second = (after - 2 * now + before)[:3, 3] / (h * h)
-    np.testing.assert_allclose(frame.point().acceleration, second, atol=1e-5)
 
 
 def test_the_engine_of_chains_and_the_recursion_over_the_tree_agree():

@@ -73,17 +73,18 @@ def test_a_joint_of_a_urdf(type_, tmp_path):
         assert_moves_so(robot, q, "c", X)
 
 
-def test_a_cylindrical_joint_and_one_that_mimics():
+def test_joints_that_no_file_has_and_one_that_mimics():
     arm = TreeJoint("arm", "cylindrical", "world", "b", axis=AXIS)
     lid = TreeJoint("lid", "revolute", "b", "c", axis=AXIS, mimic=Mimic("key", -2.0, 0.3))
     key = TreeJoint("key", "helical", "c", "d", axis=(0, 1, 0), pitch=PITCH)
-    q = coordinates(3)
+    head = TreeJoint("head", "ball", "d", "e")
+    q = coordinates(7)
     series = taylor(q)
-    follows = -2 * series[:, 2:]
+    follows = -2 * series[:, 2:3]
     follows[0] += mpf(0.3)
     X = product(joint("cylindrical", series[:, :2], AXIS), joint("revolute", follows, AXIS))
-    X = product(X, joint("helical", series[:, 2:], (0, 1, 0), PITCH))
-    assert_moves_so(Robot("r", [arm, lid, key]), q, "d", X)
+    X = product(product(X, joint("helical", series[:, 2:3], (0, 1, 0), PITCH)), joint("ball", series[:, 3:]))
+    assert_moves_so(Robot("r", [arm, lid, key, head]), q, "e", X)
 
 
 OF_PLANT = {  # kind: Drake's class and what it wants after the frames

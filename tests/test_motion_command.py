@@ -68,13 +68,18 @@ def test_units_stand_in_text_and_json(arm):
     assert data["orders"][2]["units"]["point_acceleration"] == "m/s^3"
 
 
-def test_relative_motion_and_a_floating_base(arm):
+def test_relative_motion_and_a_floating_base(arm, tmp_path):
+    limits = tmp_path / "limits.toml"
+    limits.write_text("[point]\njerk = 1e-9\n")
     relative = json.loads(run(arm, "--frame", "hand", "--relative-to", "column", "--json").stdout)
     w = np.array([order["w_WB"] for order in relative["orders"]])
     np.testing.assert_allclose(w[:, [0, 2]], 0, atol=1e-14)
     np.testing.assert_allclose(
         w[:, 1], [np.cos(2) / 2, -np.sin(2) / 2, -np.cos(2) / 2, np.sin(2) / 2], atol=1e-12
     )
+    still = run(arm, "--frame", "hand", "--relative-to", "hand", "--until", "1", "--limits", limits, "--json")
+    peaks = [peak["value"] for peak in json.loads(still.stdout)["peaks"] if peak["of"] == "point"]
+    np.testing.assert_allclose(peaks, 0, atol=1e-12)
     assert run(arm, "--frame", "finger", "--base", "floating", "--order", "3").exit_code == 0
 
 

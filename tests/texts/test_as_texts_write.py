@@ -153,7 +153,7 @@ OPEN = [
         "says what c is",
     ),
     (r"$$R p = R S a + S a$$", "says what p is"),
-    (r"$$R^* S = S R^*$$", "of which the text does not speak"),
+    (r"The adjoint map: $$R^* S = S R^*$$", "of which the text does not speak"),
     (r"Here $\dot{a} = \int b$. $$a \times b = b$$", "the text says what a is"),
 ]
 FALSE = [

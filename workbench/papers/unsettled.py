@@ -27,7 +27,7 @@ _INLINE = re.compile(r"(?:(?<![$\\])\$(?!\$)|\\\(|:math:`)\s*([^$`=]{1,60}?)\s*:
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _LONE = re.compile(r"(?:\\[a-z]+)*(?:\\?[A-Za-z]+)'*(?:[_^](?:\\?[A-Za-z0-9]+|[A-Za-z0-9,]+))*")
 _SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
-_ADJUGATE = re.compile(r"adjugate|adjoint|cofactor|\\\\adj", re.IGNORECASE)
+_ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _NO_ADJUGATE = "^* is read as the adjugate, of which the text does not speak; [notation] can say what it is"
 _COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 

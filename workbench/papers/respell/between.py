@@ -1,8 +1,8 @@
-"""What spaces say: that a script stands on the left of what follows, that a formula or column begins."""
+"""What stands between the formulas and columns of a line, and a sum without bounds."""
 
 from __future__ import annotations
 
-from workbench.papers.respell.places import FACES, GAPS, braced, group, past, printed
+from workbench.papers.respell.places import FACES, braced, group, past, printed
 from workbench.papers.texts import Token
 
 _SPACES_OF_A_WORD = frozenset({"\\ ", "\\\n", "~", "\\;", "\\enspace"})
@@ -14,19 +14,6 @@ _SIGNS = frozenset(
 #: What relates or separates the parts of a bracket in another way, or ends it as a large one.
 _NO_ROW = _SIGNS | frozenset([";", "|", "\\text", "\\mathrm", "\\in", "\\right", "\\left"])
 _ENDS_A_SUM = frozenset(["=", "&", "+", "-", ",", ".", "\\\\"])
-
-
-def left_script(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """^A x behind a sign, a bracket or a space that prints as {}^A x."""
-    if tokens[place].text not in ("^", "_"):
-        return None
-    before = next((token.text for token in reversed(tokens[:place]) if token.text != " "), "(")
-    if before not in _SIGNS | (GAPS - {" "}) | {"(", "["} and not before.startswith("\\begin{"):
-        return None
-    label = printed(group(tokens, past(tokens, place + 1))[0])
-    if not label or label[0] == "T" or not (label[0].isalpha() or label[0].startswith("\\math")):
-        return None
-    return [*(tokens[place].standing_for(text) for text in "{}"), tokens[place]], place + 1
 
 
 def net_sum(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:

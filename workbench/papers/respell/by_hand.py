@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from workbench.papers.respell.between import left_script, net_sum, row_of_a_matrix, wide_space
+from workbench.papers.respell.between import net_sum, row_of_a_matrix, wide_space
 from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, group, past, printed
 from workbench.papers.respell.rates import derivative_by_name, seen_from
 from workbench.papers.texts import Token
@@ -22,15 +22,7 @@ _VARIANTS = frozenset(_CAPITALS.split())
 def as_read(tokens: Sequence[Token]) -> list[Token]:
     """Every token stays in its place."""
     made = list(tokens)
-    for pattern in (
-        *_PATTERNS,
-        derivative_by_name,
-        seen_from,
-        left_script,
-        wide_space,
-        row_of_a_matrix,
-        net_sum,
-    ):
+    for pattern in (*_PATTERNS, derivative_by_name, seen_from, wide_space, row_of_a_matrix, net_sum):
         made = _everywhere(made, pattern)
     return made
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.evidence.points import Trial
@@ -19,7 +18,7 @@ def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Stateme
     trial = case.find(lambda t: t.differences(relation) is not None and not t.holds(relation))
     if trial is not None:
         return case.refuted(trial, relation)
-    residuals = case.exact.residuals(replace(relation, operator="="))
+    residuals = case.exact.residuals(relation)
     if not any(p.is_constant() and p != 0 for p in residuals):
         return Verdict(Outcome.UNCHECKED, reason="no zero was found and none was excluded")
     if unimplied(case.exact, case.assumptions.nonzero):

@@ -231,7 +231,8 @@ class TestConditions:
         assert verdict(latex).outcome == Outcome.PROVED
 
     def test_a_condition_that_lasts_has_to_be_said(self):
-        assert verdict(r"\dot{f} = 0 \text{ where } f = 1").outcome == Outcome.UNCHECKED
+        open_ = verdict(r"\dot{f} = 0 \text{ where } f = 1")
+        assert open_.outcome == Outcome.UNCHECKED and "at one instant only" in open_.reason
         assert verdict(r"\dot{f} = 0 \text{ where } f = 1 \text{ and } \dot{f} = 0").outcome == Outcome.PROVED
         assert verdict(r"\dot{f} = g \text{ where } f = 1").outcome == Outcome.REFUTED
 

@@ -3,14 +3,17 @@
 import pytest
 
 from workbench import check
+from workbench.judge.kernel.judge import Judge
 from workbench.judge.kernel.symbolic_orders import symbolic_orders, with_free_derivatives
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome
+from workbench.language.definitions import Definitions
 from workbench.language.instances import instantiate
-from workbench.language.reader import read_term
+from workbench.language.reader import read, read_term
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Derivative
 from workbench.papers import load_paper
+from workbench.papers.orders import Orders
 from workbench.verify.claims import judge_paper
 
 SYMBOLS = {
@@ -57,6 +60,18 @@ def test_linear_laws_hold_for_all_n(latex):
     found = check(latex, symbols=SYMBOLS, orders="n = 1..4")
     assert found.outcome == Outcome.PROVED
     assert found.verdict.scope == "all n"
+
+
+def test_a_hypothesis_and_a_denominator_are_of_all_n():
+    """The member that is not n alone is told by the term that it is made of."""
+    equal, same = (
+        read(text, SymbolTable.build(SYMBOLS), {"n"})[0] for text in ("T^{(n)} x = T^{(n)} y", "x = y")
+    )
+    found = Judge(Definitions()).judge(equal, hypothesis=same, orders=Orders.parse("n = 1..2"))
+    assert (found.outcome, found.scope) == (Outcome.CONDITIONAL, "all n")
+    found = check(r"\frac{f^{(n)}}{f^{(n)}} = 1", symbols=SYMBOLS, orders="n = 1..2")
+    assert (found.outcome, found.verdict.scope) == (Outcome.CONDITIONAL, "all n")
+    assert found.verdict.counterexample.values == {r"\left(f\right)^{(n)}": ("0",)}
 
 
 @pytest.mark.parametrize("latex", NOT_ALL_N)

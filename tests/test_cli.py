@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from bad_papers import BAD_PAPERS, SYMBOL_FAULTS, BadPaper
+from bad_papers import BAD_PAPERS, HEAD, SYMBOL_FAULTS, BadPaper
 from click.testing import CliRunner, Result
 
 from workbench.cli.commands import main
@@ -183,8 +183,26 @@ def test_a_report_that_fails_midway_leaves_the_old_one(tmp_path, monkeypatch):
 def test_a_bad_paper_is_unusable(bad: BadPaper, tmp_path):
     path = tmp_path / "bad.toml"
     path.write_bytes(bad.content.encode())
-    line, column = bad.place
-    assert_one_message(run("check", str(path)), f"{path}:{line}:{column}: ")
+    place = "Error: {}:{}:{}: ".format(path, *bad.place)
+    result = run("check", str(path), "--no-motions", "--no-proposals")
+    assert result.exit_code == 1 + (result.stdout == "")  # 1 where other claims could be judged
+    told = [line for line in result.stderr.splitlines() if line.startswith(place)]
+    assert told and len({*told}) == len(told) and "Traceback" not in result.stderr
+
+
+def test_each_fault_has_a_caret_and_each_format_tells_all(tmp_path):
+    path = tmp_path / "bad.toml"
+    path.write_text(f"{HEAD}'a' = {{ kind = 'vektor' }}\n[[claim]]\nid = 'x'\nprinted = '\\omega = \\psi'\n")
+    result = run("check", str(path))
+    assert result.exit_code == 2 and result.stdout == ""
+    shown = result.stderr.splitlines()
+    assert [line.endswith("^") for line in shown] == [False, False, True] * 2
+    assert [shown[2].index("^"), shown[5].index("^")] == [9, 9 + len("printed = '\\omega = ")]
+    for form in ("github", "rdjsonl"):
+        told = run("check", str(path), "--format", form)
+        assert told.exit_code == 2 and len(told.stdout.splitlines()) == 2
+    assert len(json.loads(run("check", str(path), "--format", "sarif").stdout)["runs"][0]["results"]) == 2
+    assert len(json.loads(run("check", str(path), "--format", "json").stdout)["faults"]) == 2
 
 
 BAD_CALLS = [

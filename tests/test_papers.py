@@ -46,12 +46,63 @@ def test_a_bad_paper_gets_one_message_that_points_at_the_fault(bad: BadPaper, tm
     with pytest.raises(PaperError) as caught:
         load_paper(path)
     assert time.perf_counter() - start < 5
-    error = caught.value
-    assert (error.line, error.column) == bad.place
+    assert caught.value.__cause__ is None
+    (error,) = [fault for fault in caught.value.faults if (fault.line, fault.column) == bad.place][:1]
     assert str(error).startswith(f"{path}:{error.line}:{error.column}: ")
     assert bad.says in error.message
     assert len(str(error)) < 1000
-    assert error.__cause__ is None
+
+
+#: Where each stands in a file, and lines with one fault each: none of them follows from another.
+FAULTY = (
+    ("top", "titel = 'x'«", "did you mean title?"),
+    ("top", "section = 7«", "expected a string"),
+    ("symbols", "'\\alpha' = { kind = 'vektor' }«", "kind is 'vektor'"),
+    ("symbols", "'\\beta' = { kind = 'vector', wieght = 1 }«", "wieght"),
+    ("symbols", "'\\gamma' = { kind = 'vector', aliases = ['\\rho'] }«", "declared twice"),
+    ("definitions", "'\\delta' = '\\rho \\rho'«", "juxtaposition"),
+    ("definitions", "'\\eta' = '\\rho + \\nowhere'«", "\\nowhere"),
+    ("notation", "'x^\\wedge' = { where = { x = 'vectr' }, means = 'x' }«", "vectr"),
+    ("conventions", "gradient = 'up'«", "conventions"),
+    ("claims", "[[claim]]\nid = 'a'\nprintd = '\\rho = \\rho'«", "did you mean printed?"),
+    ("claims", "[[claim]]\nid = 'b'\nprinted = '\\rho = \\psi'«", "\\psi"),
+    ("claims", "[[claim]]\nid = 'c d'«\nprinted = '\\rho = \\rho'", "without blanks"),
+    ("claims", "[[claim]]\nid = '1'«\nprinted = '\\rho = \\rho'", "used twice"),
+    ("claims", "[[claim]]\nid = 'e'\nprinted = '\\rho = \\rho'\norders = 3«", "expected a string"),
+    ("claims", "[[claim]]\nid = 'f'\nprinted = '\\rho = \\rho'\nassume = ['{']«", "never closed"),
+    ("claims", "[[claim]]\nid = 'g'\nprinted = '\\rho = \\rho'\ninherits = ['nowhere']«", "no claim"),
+)
+
+
+@given(st.sets(st.sampled_from(range(len(FAULTY))), min_size=1))
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_all_faults_are_told_at_once(tmp_path, chosen):
+    parts = {"top": ["title = 'A paper'"], "symbols": ["'\\rho' = { kind = 'vector' }"]}
+    parts["claims"] = ["[[claim]]\nid = '1'\nprinted = '\\rho \\times \\rho = 0'"]
+    for place in sorted(chosen):
+        parts.setdefault(FAULTY[place][0], []).append(FAULTY[place][1])
+    lines = list(parts["top"])
+    for name in ("symbols", "definitions", "notation", "conventions"):
+        lines += [f"[{name}]", *parts[name]] if name in parts else []
+    text = "\n".join([*lines, *parts["claims"]])
+    marked = [number for number, line in enumerate(text.split("\n"), 1) if "«" in line]
+    path = tmp_path / "many.toml"
+    path.write_text(text.replace("«", ""))
+    with pytest.raises(PaperError) as caught:
+        load_paper(path)
+    faults = caught.value.faults
+    assert [fault.line for fault in faults] == marked
+    said = sorted(FAULTY[place][2] for place in chosen)
+    assert all(any(each in fault.message for fault in faults) for each in said)
+
+
+def test_what_follows_from_a_fault_is_not_told(tmp_path):
+    head = "title = 'x'\n[symbols]\n'a' = { kind = 'vektor' }\n'b' = 'vector'\n[definitions]\n'c' = 'a + b'\n"
+    path = tmp_path / "follows.toml"
+    path.write_text(f"{head}[[claim]]\nid = '1'\nprinted = 'c \\times a = b'\n")
+    with pytest.raises(PaperError) as caught:
+        load_paper(path)
+    assert [fault.line for fault in caught.value.faults] == [3]
 
 
 def test_bytes_that_are_not_utf8_are_placed(tmp_path):

@@ -45,7 +45,7 @@ class PaperFile(pytest.File):
         try:
             paper = load_paper(self.path)
         except PaperError as error:
-            raise self.CollectError(str(error)) from None
+            raise self.CollectError("\n".join(str(fault) for fault in error.faults)) from None
         if paper.faults:
             raise self.CollectError("\n".join(str(error) for error in paper.faults))
         judge = PaperJudge(paper)

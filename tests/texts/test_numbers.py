@@ -149,6 +149,55 @@ DEPTH = r"""
 """
 DEPTH_NUMBERS = {"a1": "1.0.1", "a2": "1.1.1", "a3": ".0.2", "a4": "A.0.1"}
 
+#: One body for many classes: what each prints, and what its starred sections, front matter and appendix do.
+SECTIONED = r"""
+\begin{equation}\label{e0} a\end{equation}
+\section{A}\label{s1}
+\begin{equation}\label{e1} a\end{equation}
+\subsection{B}\label{s2}\subsubsection{C}\label{s3}
+\section*{D}\subsection{E}\label{s4}
+\begin{equation}\label{e2} a\end{equation}
+\section{F}\label{s5}
+\appendix
+\begin{equation}\label{e3} a\end{equation}
+\section{G}\label{s6}
+\begin{equation}\label{e4} a\end{equation}
+\end{document}
+"""
+CHAPTERS = r"""
+\frontmatter
+\begin{equation}\label{e0} a\end{equation}
+\chapter{A}\section{B}
+\begin{equation}\label{e1} a\end{equation}
+\mainmatter\chapter{C}\label{c1}\section{D}
+\begin{equation}\label{e2} a\end{equation}
+\section*{D}\subsection{E}
+\begin{equation}\label{e3} a\end{equation}
+\backmatter\chapter{F}
+\begin{equation}\label{e4} a\end{equation}
+\end{document}
+"""
+
+
+def of_class(name: str, body: str, numbers: str, preamble: str = "") -> tuple[str, dict[str, str]]:
+    """`numbers`: those of the labels in their order."""
+    text = rf"\documentclass{{{name}}}\usepackage{{amsmath}}{preamble}\begin{{document}}{body}"
+    return text, dict(zip(re.findall(r"\\label\{(\w+)\}", body), numbers.split(","), strict=True))
+
+
+WITHIN = r"\numberwithin{equation}{section}"
+CLASSES = {
+    "beamer": of_class("beamer", SECTIONED, "0.1,1,1.1,1,1,1,2.1,3,3.1,4,4.1", WITHIN),
+    "scrartcl": of_class("scrartcl", SECTIONED, "0.1,1,1.1,1.1,1.1.1,1.1,1.1,2,.1,A,A.1", WITHIN),
+    "elsarticle": of_class("elsarticle", SECTIONED, "1,1,2,1.1,1.1.1,1.2,3,2,.1,A,A.1"),
+    "llncs": of_class("llncs", SECTIONED, "1,1,2,1.1,1.1,1.2,3,2,4,A,5"),
+    "scrbook": of_class("scrbook", CHAPTERS, "1,1,1,1.1,1.2,1"),
+    "amsbook": of_class("amsbook", CHAPTERS, "1,2,2,3,4,5"),
+    "memoir": of_class("memoir", CHAPTERS, "1,2,1,1.1,1.2,1.3"),
+    "revtex4-2": of_class("revtex4-2", SECTIONED, "1,I,2,I A,I A 1,I B,3,II,4,A,A1"),
+    "IEEEtran": of_class("IEEEtran", SECTIONED, "1,I,2,I-A,I-A1,I-B,3,II,4,A,5"),
+}
+
 DOCUMENTS = {
     "article": (ARTICLE, ARTICLE_NUMBERS),
     "report": (REPORT, REPORT_NUMBERS),
@@ -158,7 +207,7 @@ DOCUMENTS = {
 }
 
 
-@pytest.mark.parametrize(("text", "numbers"), DOCUMENTS.values(), ids=DOCUMENTS)
+@pytest.mark.parametrize(("text", "numbers"), (DOCUMENTS | CLASSES).values(), ids=DOCUMENTS | CLASSES)
 def test_every_label_has_the_number_that_latex_gives(
     tmp_path: Path, text: str, numbers: dict[str, str]
 ) -> None:
@@ -169,14 +218,18 @@ def test_every_label_has_the_number_that_latex_gives(
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no pdflatex")
-@pytest.mark.parametrize(("text", "numbers"), DOCUMENTS.values(), ids=DOCUMENTS)
+@pytest.mark.parametrize(("text", "numbers"), (DOCUMENTS | CLASSES).values(), ids=DOCUMENTS | CLASSES)
 def test_pdflatex_agrees(tmp_path: Path, text: str, numbers: dict[str, str]) -> None:
     path = tmp_path / "paper.tex"
     path.write_text(text)
     command = ["pdflatex", "-draftmode", "-interaction=batchmode", path.name]
-    subprocess.run(command, cwd=tmp_path, check=False, capture_output=True, timeout=120)
-    told = re.findall(r"\\newlabel\{([^}]*)\}\{\{\{?([^{}]*)\}", path.with_suffix(".aux").read_text())
-    assert {label: number for label, number in told if not label.startswith("toc")} == numbers
+    done = subprocess.run(command, cwd=tmp_path, check=False, capture_output=True, timeout=120)
+    if b".cls' not found" in done.stdout + path.with_suffix(".log").read_bytes():
+        pytest.skip("this class is not installed")
+    aux = re.sub(r"\\mbox\s*\{(.*?)\}", r"\1", path.with_suffix(".aux").read_text())
+    aux = re.sub(r"\\M@TitleReference |Appendix \\nobreakspace\s*\{\}", "", aux)
+    told = re.findall(r"\\newlabel\{([^}]*)\}\{\{\{?([^{}]*)\}", aux.replace(r"\,", " "))
+    assert {label: number for label, number in told if label in numbers} == numbers
 
 
 def test_a_document_that_includes_itself_is_read_once(tmp_path: Path) -> None:

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from rich.text import Text
 
-from workbench.report.findings import Finding
+from workbench.papers.model import PaperError, Span
+from workbench.report.findings import Finding, fault_finding
 
 _STYLES = {"error": "red", "warning": "yellow", "note": "dim"}
 _MOST_LINES = 4
@@ -22,6 +23,10 @@ def finding_lines(finding: Finding, lines: Sequence[str]) -> Iterator[Text]:
     style = _STYLES[finding.level]
     message = printable(finding.message)
     yield Text.assemble(printable(place), (f"{finding.level}: ", style), message, (name, "dim"))
+    yield from _marked(span, lines, style)
+
+
+def _marked(span: Span, lines: Sequence[str], style: str) -> Iterator[Text]:
     for number in range(span.line, min(span.end_line, span.line + _MOST_LINES - 1) + 1):
         if not 0 < number <= len(lines):
             continue
@@ -34,6 +39,17 @@ def finding_lines(finding: Finding, lines: Sequence[str]) -> Iterator[Text]:
         yield Text.assemble(f"{'':>6} | {' ' * start}", ("^" * max(1, end - start), style))
 
 
+def faults_text(faults: Sequence[PaperError]) -> str:
+    """Each fault with its place, and a caret under it."""
+    shown = []
+    for fault in faults:
+        shown.append(f"Error: {printable(str(fault))}")
+        if fault.file is not None and fault.column is not None:
+            span = fault_finding(fault, Path(fault.file)).span
+            shown += [line.plain for line in _marked(span, lines_of(span.file), "")]
+    return "\n".join(shown)
+
+
 def printable(text: str) -> str:
     """One character for each: what a terminal would obey is shown as a mark."""
     return "".join(" " if c == "\t" else c if c.isprintable() else "\ufffd" for c in text)
@@ -41,7 +57,6 @@ def printable(text: str) -> str:
 
 def lines_of(path: Path) -> list[str]:
     """The lines of a text as they are counted in findings; none if it cannot be read."""
-    from workbench.papers import PaperError
     from workbench.papers.texts import Source
 
     try:

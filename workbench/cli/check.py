@@ -14,7 +14,7 @@ from workbench.cli.options import Unusable, reports_faults
 from workbench.cli.printed import print_judged
 
 if TYPE_CHECKING:
-    from workbench.papers import Paper
+    from workbench.papers import Paper, PaperError
     from workbench.verify.results import ClaimResult
 
 FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
@@ -71,20 +71,15 @@ def check(
     from workbench.papers import PaperError, load_paper
 
     papers: list[tuple[str, Paper]] = []
-    unusable = False
+    unusable: list[PaperError] = []
     for file in dict.fromkeys(files):
         try:
             papers.append((str(file), load_paper(file, faults=[])))
         except PaperError as error:
-            if len(files) == 1:
-                raise
-            click.echo(f"Error: {error}", err=True)
-            unusable = True
-    if not papers:
-        sys.exit(2)
+            unusable += error.faults
     found = judged_papers(papers, jobs, scheduler, **engines)
     judged = [(paper, results) for (_, paper), results in zip(papers, found, strict=True)]
-    print_judged(judged, json_out, form, proposals)
+    print_judged(judged, json_out, form, proposals, unusable)
     sys.exit(max([_status(paper, results) for paper, results in judged], default=2) if not unusable else 2)
 
 

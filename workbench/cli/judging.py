@@ -13,7 +13,7 @@ import click
 from workbench.cli.options import Unusable, cache_option, memory_of_verdicts, print_json
 
 if TYPE_CHECKING:
-    from workbench.papers import Paper
+    from workbench.papers import Paper, PaperError
     from workbench.verify.results import ClaimResult
 
 proposals_flag = click.option(
@@ -98,9 +98,15 @@ def judged_papers(
 
 def as_expected(paper: Paper, results: Sequence[ClaimResult]) -> bool:
     """Whether each verdict is the expected one; tells what of a model does not fit its text."""
-    for fault in paper.faults:
-        click.echo(f"Error: {fault}", err=True)
+    print_faults(paper.faults)
     return not paper.faults and all(result.passed for result in results)
+
+
+def print_faults(faults: Sequence[PaperError]) -> None:
+    from workbench.cli.carets import faults_text
+
+    if faults:
+        click.echo(faults_text(faults), err=True)
 
 
 def print_results(paper: Paper, results: Sequence[ClaimResult], as_json: bool) -> None:

@@ -111,7 +111,7 @@ def _is_paper(path: Path) -> bool:
 
 def _judge(server: LanguageServer, known: dict[Path, Judged], path: Path, motions: bool) -> None:
     from workbench.papers import PaperError, load_paper
-    from workbench.report.findings import Finding, findings
+    from workbench.report.findings import fault_finding, findings
     from workbench.verify.claims import judge_paper
 
     try:
@@ -121,9 +121,7 @@ def _judge(server: LanguageServer, known: dict[Path, Judged], path: Path, motion
         found = findings(paper, results)
         judged = Judged(paper, results)
     except PaperError as error:
-        line, column = error.line or 1, error.column or 1
-        place = _span(Path(error.file or path), line, column)
-        found, judged = [Finding("error", "model", error.message, place)], None
+        found, judged = [fault_finding(fault, path) for fault in error.faults], None
     told = known[path].told if path in known else ()
     by_file: dict[Path, list[Finding]] = {each: [] for each in (path, *told)}
     for each in found:
@@ -203,12 +201,6 @@ def _whole(result: ClaimResult) -> Span:
     from workbench.report.findings import place_of
 
     return result.claim.span or place_of(result)
-
-
-def _span(file: Path, line: int, column: int) -> Span:
-    from workbench.papers.model import Span
-
-    return Span(file, line, column, line, column + 1)
 
 
 def _range(server: LanguageServer, span: Span) -> Range:

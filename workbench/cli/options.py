@@ -30,7 +30,7 @@ class Defect(click.ClickException):
 
 
 def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
-    """Turns the errors that bad input gets into one message and exit status 2."""
+    """Turns the errors that bad input gets into messages and exit status 2."""
 
     @wraps(command)
     def guarded(*arguments: Any, **options: Any) -> None:
@@ -41,7 +41,11 @@ def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
 
         try:
             command(*arguments, **options)
-        except (PaperError, SelectError, ReportError) as error:
+        except PaperError as error:
+            from workbench.cli.carets import faults_text
+
+            raise Unusable(faults_text(error.faults).removeprefix("Error: ")) from None
+        except (SelectError, ReportError) as error:
             raise Unusable(str(error)) from None
         except KeyboardInterrupt:
             click.echo("interrupted", err=True)

@@ -9,27 +9,34 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from workbench.cli.judging import print_results, write_atomically
+from workbench.cli.judging import print_faults, print_results, write_atomically
 from workbench.cli.options import json_text, print_json
 from workbench.cli.repair import with_proposals
 from workbench.report.counts import versions
 from workbench.report.to_json import report_json
 
 if TYPE_CHECKING:
-    from workbench.papers import Paper
+    from workbench.papers import Paper, PaperError
     from workbench.report.findings import Finding
     from workbench.verify.results import ClaimResult
 
 
 def print_judged(
-    judged: Sequence[tuple[Paper, Sequence[ClaimResult]]], json_out: str | None, form: str, proposals: bool
+    judged: Sequence[tuple[Paper, Sequence[ClaimResult]]],
+    json_out: str | None,
+    form: str,
+    proposals: bool,
+    unusable: Sequence[PaperError] = (),
 ) -> None:
+    """`unusable`: what is wrong in papers of which nothing could be judged."""
     if form in ("github", "sarif", "rdjsonl"):
-        _print_findings(judged, form)
+        _print_findings(judged, unusable, form)
         return
+    print_faults(unusable)
     judged = [(paper, with_proposals(results, proposals)) for paper, results in judged]
     if form == "json" or json_out is not None:
         told = [report_json(paper, results) | _faults_json(paper) for paper, results in judged]
+        told += [{"faults": [_fault_json(fault) for fault in unusable]}] if unusable else []
         text = json_text(told[0] if len(told) == 1 else told)
         if form == "json" or json_out == "-":
             click.echo(text, nl=False)
@@ -41,11 +48,14 @@ def print_judged(
         _print_text(paper, results)
 
 
-def _print_findings(judged: Sequence[tuple[Paper, Sequence[ClaimResult]]], form: str) -> None:
+def _print_findings(
+    judged: Sequence[tuple[Paper, Sequence[ClaimResult]]], unusable: Sequence[PaperError], form: str
+) -> None:
     from workbench.cli.carets import lines_of
-    from workbench.report.findings import findings, github, rdjsonl, sarif
+    from workbench.report.findings import fault_finding, findings, github, rdjsonl, sarif
 
-    found = [finding for paper, results in judged for finding in findings(paper, results)]
+    found = [fault_finding(fault, Path()) for fault in unusable]
+    found += [finding for paper, results in judged for finding in findings(paper, results)]
     if form == "github":
         click.echo(github(found), nl=False)
     elif form == "sarif":
@@ -67,8 +77,7 @@ def _print_text(paper: Paper, results: Sequence[ClaimResult]) -> None:
         if (hint := _hint(paper, results)) is not None:
             terminal.print(hint, markup=False)
     else:
-        for fault in paper.faults:
-            click.echo(f"Error: {fault}", err=True)
+        print_faults(paper.faults)
         print_results(paper, results, False)
     for result in results:
         if result.proposed:
@@ -109,7 +118,8 @@ def _faults_json(paper: Paper) -> dict[str, Any]:
         kinds.append(("warnings", paper.warnings))
     elif not paper.faults:
         return {}
-    return {
-        key: [{"file": str(e.file), "line": e.line, "column": e.column, "message": e.message} for e in errors]
-        for key, errors in kinds
-    }
+    return {key: [_fault_json(error) for error in errors] for key, errors in kinds}
+
+
+def _fault_json(error: PaperError) -> dict[str, Any]:
+    return {"file": str(error.file), "line": error.line, "column": error.column, "message": error.message}

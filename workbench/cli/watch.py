@@ -78,6 +78,7 @@ def _judged(
     engines: dict[str, bool],
 ) -> list[Path]:
     """Judges a file; the paths that it stands on."""
+    from workbench.cli.judging import print_faults
     from workbench.cli.printed import print_judged
     from workbench.papers import PaperError, load_paper
     from workbench.verify.claims import judge_paper
@@ -87,7 +88,7 @@ def _judged(
         paper = load_paper(file, faults=[])
         results = judge_paper(paper, jobs=jobs, budget=budget, memory=memory, **engines)
     except PaperError as error:
-        click.echo(f"Error: {error}", err=True)
+        print_faults(error.faults)
         return before or [file, file.with_suffix(".toml")]
     print_judged([(paper, results)], None, form, proposals=False)
     if form == "text":

@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -148,20 +149,27 @@ class _Reading:
     steps: list[tuple[Display, Step]]
     formulas: list[str]
     blocked: set[int]
-    guesser: Guesser
-    outcomes: list[Outcome]
+    start: Guesser
 
     @staticmethod
     def of(steps: list[tuple[Display, Step]], proposals: list[Proposal], guesser: Guesser) -> _Reading:
         formulas = [step.spelled()[0] for _, step in steps]
         blocked = {place for place, (display, _) in enumerate(steps) if _opaque(display, formulas[place])}
-        made = _Reading(proposals, steps, formulas, blocked, guesser, [])
-        made.outcomes = guesser.read_all(made.readable)
-        return made
+        return _Reading(proposals, steps, formulas, blocked, guesser)
 
-    @property
+    @cached_property
     def readable(self) -> list[str]:
         return [latex for place, latex in enumerate(self.formulas) if place not in self.blocked]
+
+    @cached_property
+    def outcomes(self) -> list[Outcome]:
+        return self.guesser.read_all(self.readable)
+
+    @cached_property
+    def guesser(self) -> Guesser:
+        """It knows all symbols by the time that all is read."""
+        self.start.read_all(self.readable)
+        return self.start
 
     def tried(self, text: Text, proposal: Proposal, known: Mapping[str, Guess]) -> _Reading:
         """With the proposal, if formulas come further with it and none is lost; one that others stand on may
@@ -171,21 +179,26 @@ class _Reading:
         if not concerned:
             return self
         try:
-            guesser = Guesser(self.guesser.prose, ground_of(proposals)).knowing(known)
+            guesser = Guesser(self.start.prose, ground_of(proposals))
         except PaperError:
             return self
         words = words_of(proposals)
-        steps = self.steps if words == words_of(self.proposals) else _steps(text, words)
-        new = _Reading.of(steps, proposals, guesser)
+        if words == words_of(self.proposals):
+            new = replace(self, proposals=proposals, start=guesser)
+        else:
+            new = _Reading.of(_steps(text, words), proposals, guesser)
         before, now = (
             [
                 outcome.progress
-                for outcome in each.guesser.knowing(known).read_all([each.readable[i] for i in concerned])
+                for outcome in each.start.knowing(known).read_all([each.readable[i] for i in concerned])
             ]
             for each in (self, new)
         )
         lost = any(one[0] > other[0] for one, other in zip(before, now, strict=True))
-        return self if lost or not (proposal.stands or before != now) else new
+        if lost or not (proposal.stands or before != now):
+            return self
+        new.start = guesser.knowing(known)
+        return new
 
     def made(self) -> list[Formula]:
         outcomes = iter(self.outcomes)

@@ -31,7 +31,7 @@ from workbench.language.syntax import parses
 from workbench.language.terms import Statement
 from workbench.language.types import Declaration
 
-_UNKNOWN = re.compile(r"unknown symbol (.+?)(?:; known and close: .*)?$", re.DOTALL)
+_UNKNOWN = re.compile(r"unknown symbol (.+)", re.DOTALL)
 _LETTER = (
     r"(?:\\(?:math(?:bf|rm|sf|cal|it)|boldsymbol|bar|vec|hat|underline)\s*\{?\s*)*"
     r"(?:\\[A-Za-z]+|[A-Za-df-z])\}*"
@@ -77,6 +77,37 @@ class Outcome:
         return self.statements is not None, self.message
 
 
+@dataclass
+class _Asks:
+    """What the reader asks next, and what comes of each answer. name: whose kind; None: which are known."""
+
+    name: Name | None
+    then: dict[object, _Asks | Outcome] = field(default_factory=dict)
+
+
+@dataclass
+class _Asked(Mapping[Name, Declaration]):
+    """Symbols, and what was asked of them."""
+
+    symbols: Mapping[Name, Declaration]
+    asked: dict[Name | None, None] = field(default_factory=dict)
+
+    def __getitem__(self, name: Name) -> Declaration:
+        self.asked[name] = None
+        return self.symbols[name]
+
+    def __iter__(self) -> Iterator[Name]:
+        self.asked[None] = None
+        return iter(self.symbols)
+
+    def __len__(self) -> int:
+        return len(self.symbols)
+
+    def values(self) -> Iterable[Declaration]:
+        """The reader looks for a quaternion among them."""
+        return self.symbols.values()
+
+
 class Guesser:
     """Reads formulas with guessed symbols, declaring each when it is met."""
 
@@ -88,13 +119,15 @@ class Guesser:
         self.refused: dict[str, str] = {}
         self.takes_steps = False
         self._symbols: dict[Guess, Mapping[Name, Declaration]] = {}
-        self._read_before: dict[tuple[str, frozenset[Guess]], Outcome] = {}
+        self._names: dict[Name, str] = {}
+        self._read_before: dict[object, _Asks | Outcome] = {}
+        self._near_before: dict[str, tuple[int, list[str], frozenset[str]]] = {}
 
     def knowing(self, guesses: Mapping[str, Guess]) -> Guesser:
         """One that has guessed no more than this, and remembers what was read. What the notation or the
         frames spell is no symbol to be guessed."""
         other = Guesser(self.prose, self.ground)
-        other._symbols, other._read_before = self._symbols, self._read_before
+        other._symbols, other._names, other._read_before = self._symbols, self._names, self._read_before
         for name, guess in guesses.items():
             with suppress(SpecError):
                 self._declared(guess)
@@ -103,7 +136,10 @@ class Guesser:
 
     def read_all(self, formulas: Sequence[str]) -> list[Outcome]:
         """Declares what the formulas need; each is read with all the symbols that are known by then."""
-        return [self._read(latex, self.guesses) for latex in formulas]
+        return [
+            replace(self._read(latex, self.guesses), symbols=_known(latex, self.guesses))
+            for latex in formulas
+        ]
 
     def improve(self, formulas: Sequence[str]) -> None:
         """Other kinds where more formulas then fit: type errors tell what typeface did not. Symbols that are
@@ -121,8 +157,10 @@ class Guesser:
             groups = families(list(self.guesses)[:MOST_TRIED])
             if turn:
                 groups += _together(outcomes, self.guesses)
+            groups.sort(key=lambda group: any(self.guesses[name].is_said for name in group))
             for group in groups[:_MOST_GROUPS]:
                 places = sorted(set().union(*(users.get(name, set()) for name in group)))
+                places.sort(key=lambda place: fits[place] == 3)  # what cannot gain is read last, if at all
                 if any(fits[place] < 3 for place in places):
                     sizes = _sizes(outcomes[place] for place in places) if turn else ()
                     changed |= self._improve(
@@ -220,42 +258,69 @@ class Guesser:
                 self.refused[name] = str(refused)
                 break
             guesses[name] = self.guesses[name] = guess
-        return replace(outcome, symbols=_known(latex, self.guesses))
+        return outcome
 
     def _attempt(self, latex: str, guesses: Mapping[str, Guess]) -> Outcome:
-        """Reading it depends on the symbols that share a letter with it, and on whether any is a
-        quaternion."""
-        letters = letters_in(latex) if parses(latex) else frozenset()
-        near = {guess for guess in guesses.values() if not letters.isdisjoint(letters_in(guess.name))}
+        """Reading it depends on the kinds that the reader asks for until it fails, on which symbols share a
+        letter with it, and on whether any is a quaternion."""
+        near, names = self._near(latex, guesses)
         quaternions = (guess for guess in guesses.values() if "quaternion" in guess.kind)
-        if not any("quaternion" in guess.kind for guess in near):
-            near.update(islice(quaternions, 1))
-        key = (latex, frozenset(near))
-        if key not in self._read_before:
-            self._read_before[key] = self._fresh(latex, near)
-        return self._read_before[key]
+        quaternion = next(quaternions, None) if self.prose.has_quaternions else None
 
-    def _fresh(self, latex: str, guesses: Iterable[Guess]) -> Outcome:
+        def answer(name: Name | None) -> object:
+            guess = guesses.get(self._names.get(name, ""))
+            return names if name is None else guess and (guess.kind, guess.unit)
+
+        key = (latex, quaternion is None)
+        known = self._read_before.get(key)
+        while isinstance(known, _Asks):
+            known = known.then.get(answer(known.name))
+        if known is None:
+            outcome, asked = self._fresh(
+                latex, [*(guesses[name] for name in near), *filter(None, [quaternion])]
+            )
+            place, slot = self._read_before, key
+            for name in asked:
+                if not isinstance(place.get(slot), _Asks):
+                    place[slot] = _Asks(name)
+                place, slot = place[slot].then, answer(name)
+            known = place[slot] = outcome
+        return known
+
+    def _near(self, latex: str, guesses: Mapping[str, Guess]) -> tuple[list[str], frozenset[str]]:
+        """The names that share a letter with the formula; names only ever join, behind the others."""
+        count, near, names = self._near_before.get(latex, (0, [], frozenset()))
+        if count < len(guesses):
+            letters = letters_in(latex) if parses(latex) else frozenset()
+            new = islice(guesses, count, None)
+            near = [*near, *(name for name in new if not letters.isdisjoint(letters_in(name)))]
+            names = frozenset(near)
+            self._near_before[latex] = len(guesses), near, names
+        return near, names
+
+    def _fresh(self, latex: str, guesses: Iterable[Guess]) -> tuple[Outcome, Iterable[Name | None]]:
         symbols = dict(self.ground.symbols)
         for guess in guesses:
             symbols |= self._declared(guess)
-        table = replace(self.ground, symbols=symbols)
+        asked = _Asked(symbols)
+        table = replace(self.ground, symbols=asked, names_close=False)
         try:
             try:
-                return Outcome(read(latex, table))
+                outcome = Outcome(read(latex, table))
             except ReadError as error:
                 unclaimed(error, latex, table)
-                return Outcome(())
+                outcome = Outcome(())
         except IllFormedAt as error:
-            return Outcome(message=error.message, ill_formed=True)
+            outcome = Outcome(message=error.message, ill_formed=True)
         except ReadError as error:
-            message = error.message.partition("; known and close: ")[0]
-            return Outcome(message=message, ill_formed=bool(_OF_KINDS.search(message)))
+            outcome = Outcome(message=error.message, ill_formed=bool(_OF_KINDS.search(error.message)))
+        return outcome, asked.asked
 
     def _declared(self, guess: Guess) -> Mapping[Name, Declaration]:
         """The symbol as a table has it. Raises SpecError, ReadError."""
         if guess not in self._symbols:
             self._symbols[guess] = self.ground.with_specs({guess.name: guess.spec}).symbols
+            self._names |= dict.fromkeys(self._symbols[guess].keys() - self.ground.symbols.keys(), guess.name)
         return self._symbols[guess]
 
     def _labelled(self, latex: str, guesses: Mapping[str, Guess]) -> str | None:

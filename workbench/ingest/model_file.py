@@ -8,8 +8,8 @@ from pathlib import Path
 
 from workbench.ingest.ingest import Ingested, Proposed
 from workbench.ingest.proposals import tables_of
-from workbench.papers.model import PaperError
-from workbench.papers.text_load import paper_of_model
+from workbench.papers.faults import Faults
+from workbench.papers.text_load import model_of
 from workbench.papers.toml_file import TomlFile
 
 _WIDTH = 100
@@ -20,15 +20,15 @@ def model_text(ingested: Ingested, path: Path) -> str:
     chosen = [proposed for proposed in ingested.definitions if proposed.sure]
     refused: dict[str, str] = {}
     while True:
-        text = "\n".join(_lines(ingested, path, chosen, refused)) + "\n"
-        try:
-            paper_of_model(TomlFile(path, text), ingested.text)
-            return text
-        except PaperError as error:
-            if not chosen:
-                raise
-            refused[chosen[-1].name] = error.message
-            chosen = chosen[:-1]
+        written = "\n".join(_lines(ingested, path, chosen, refused)) + "\n"
+        faults = Faults()
+        model_of(TomlFile(path, written), ingested.text, faults).notations()
+        wrong = {str(fault.path[-1]): fault.message for fault in faults if fault.path[:1] == ("definitions",)}
+        if not wrong:
+            faults.stop()
+            return written
+        refused |= wrong
+        chosen = [proposed for proposed in chosen if proposed.name not in refused]
 
 
 def _lines(ingested: Ingested, path: Path, chosen: list[Proposed], refused: dict[str, str]) -> Iterator[str]:

@@ -16,7 +16,7 @@ _WORDS = (
     ),
     (re.compile(r"homogeneous|transformation matri|rigid[- ](?:body )?transform"), "matrix 4×4"),
     (re.compile(r"unit(?:[- ]length|-norm)? (?:vector|axis|direction)|normali[sz]ed vector"), "unit vector"),
-    (re.compile(r"\bvectors?\b|velocit|position\b|displacement"), "vector"),
+    (re.compile(r"\bvectors?\b|velocit|position\b|displacement|angular momentum|torque"), "vector"),
     (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),
     (re.compile(r"\bscalars?\b|\bangles?\b|\bmass\b|\bcoordinates?\b|\blength\b|\bdistance\b"), "scalar"),
 )
@@ -54,11 +54,11 @@ class Prose:
         return None
 
     def _near(self, name: str) -> list[str]:
-        """The words beside each formula in the text that is the symbol alone."""
+        """The words beside each formula in the text that is the symbol alone, or says what it is."""
         if self._alone is None:
             self._alone = {}
             for formula in self._inline:
-                key, text = flat(formula.latex), formula.source.text
+                key, text = flat(formula.latex.partition("=")[0]), formula.source.text
                 before = re.sub(
                     r"(?:\$|\\\(|:math:`)\s*$", "", text[max(0, formula.start - _NEAR) : formula.start]
                 )

@@ -39,6 +39,11 @@ class Guess:
     unit: bool = False
 
     @property
+    def is_said(self) -> bool:
+        """Whether it rests on words of the text, which weigh more than a typeface."""
+        return self.why.startswith("the text says")
+
+    @property
     def spec(self) -> dict[str, object]:
         return {"kind": self.kind, "unit": True} if self.unit else {"kind": self.kind}
 

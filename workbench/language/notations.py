@@ -26,7 +26,7 @@ from workbench.language.syntax import (
     parse,
 )
 from workbench.language.terms import Term, Zero
-from workbench.language.types import type_of_kind
+from workbench.language.types import KINDS, type_of_kind
 
 _ALLOWED = ("where", "means")
 
@@ -64,6 +64,9 @@ class Notation:
         for letter in formals:
             if not _occurs(letter, notation.pattern):
                 raise SpecError(f"where: {letter} does not stand in it", key)
+            kind = formals[letter].removeprefix("dual ")
+            if type_of_kind(kind) is None and kind not in map(str, KINDS.values()):
+                raise SpecError(f"where: {letter} is {kind!r}; expected a kind such as vector", key)
         if not formals and _letter(notation.pattern) is None:
             raise SpecError("a notation without arguments is a symbol: a letter or a number in its font", key)
         return notation

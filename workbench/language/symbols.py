@@ -62,6 +62,8 @@ class SymbolTable:
     dot: str | None = None
     #: where a transform acts on points as columns of four: the vectors that are no points
     directions: frozenset[Name] | None = None
+    #: whether what it says of an unknown symbol names those that are close
+    names_close: bool = True
 
     @staticmethod
     def build(specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
@@ -196,6 +198,8 @@ class SymbolTable:
             if declaration is not None and declaration.introduced:
                 known = (declaration.name.shown(member) for member in self.defined[declaration.name])
                 return f"{text} is not defined; defined before it: {', '.join(known)}"
+        if not self.names_close:
+            return f"unknown symbol {text}"
         letters = {str(d.name): d.name.letter for d in (*self.symbols.values(), *self.functions.values())}
         alike = sorted(name for name, letter in letters.items() if letter == spelling.letter.letter)
         alike += [

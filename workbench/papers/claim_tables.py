@@ -53,10 +53,11 @@ class ClaimTable:
     def claims(self) -> list[Claim]:
         toml = self.toml
         toml.allow_keys(self.path, _CLAIM_KEYS)
-        name = self._required("id")
-        if _ID.fullmatch(name) is None:
+        name = self._text("id") or ""
+        if name and _ID.fullmatch(name) is None:
             message = f"id: expected letters, digits and . _ - + * ' without blanks, got {name!r}"
             raise toml.error_at_value((*self.path, "id"), message)
+        self._refuse_used(name)
         self._refuse_contradictions()
         printed, quote = self._printed()
         formula = self._text("formula")
@@ -81,11 +82,15 @@ class ClaimTable:
         )
         special = claim.theorem is not None or self._text("goal") is not None
         claims = [self._theorem(claim)] if special else self._lines(claim)
+        self._required("id")
         for part in claims:
-            if part.id in self.owners:
-                raise toml.error_at_value((*self.path, "id"), f"id {part.id!r} is used twice")
+            self._refuse_used(part.id)
             self.owners[part.id] = name
         return claims
+
+    def _refuse_used(self, name: str) -> None:
+        if name in self.owners:
+            raise self.toml.error_at_value((*self.path, "id"), f"id {name!r} is used twice")
 
     def _printed(self) -> tuple[str | None, str | None]:
         """What is printed: a formula, or a sentence, which stands in quotation marks “ ”."""
@@ -171,6 +176,10 @@ class ClaimTable:
     def _lines(self, claim: Claim) -> list[Claim]:
         """The claim, or one claim for each line of its printed formula."""
         if not claim.printed.latex:
+            for key in ("reading", "corrected", "hypothesis"):
+                self._reader(claim).intended(key)
+            self._reader(claim).intended_list("assume")
+            self._required("id")
             self._required("formula" if claim.quote is not None else "printed")
         lines = split_lines(claim.printed.latex)
         readings = self._matching("reading", lines)

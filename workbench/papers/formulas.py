@@ -11,7 +11,7 @@ from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.lines import Line, whole_line
 from workbench.language.reader import Range, read_formula
 from workbench.language.terms import Conjunction, Statement
-from workbench.papers.model import Formula, Notation, UnreadFormula
+from workbench.papers.model import Formula, Notation
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.toml_file import TomlFile
 from workbench.papers.toml_places import KeyPath
@@ -83,8 +83,7 @@ class FormulaReader:
     def _fail(self, place: KeyPath, within: Line, error: ReadError | IllFormedAt) -> NoReturn:
         inside = within.place(error.line, error.column)
         message = f"{place[0]}: {error.message}"
-        found = self.toml.error_in_string((*self.path, *place), *inside, message)
-        raise UnreadFormula(found.file, found.line, found.column, message) from None
+        raise self.toml.error_in_string((*self.path, *place), *inside, message) from None
 
 
 def _is_latex(latex: str) -> bool:

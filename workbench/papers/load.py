@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
 from workbench.budget import Budget
 from workbench.papers.claim_tables import ClaimTable
+from workbench.papers.faults import Faults
 from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
-from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError, Theorem, UnreadFormula
+from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError, Theorem
 from workbench.papers.motion import require_claims
 from workbench.papers.notation import NOTATION_KEYS, notation_chain, notation_of
 from workbench.papers.sisters import claim_ids, sisters_of
@@ -24,8 +25,9 @@ _NO_FILES = "the installed paper has no claim files"
 
 
 def load_paper(path: Path | str, faults: list[PaperError] | None = None) -> Paper:
-    """The paper of one file: a paper file, a text, or the model beside one. Raises PaperError, with line and
-    column, if the file cannot be used. faults: where those of single claims are put, if not raised."""
+    """The paper of one file: a paper file, a text, or the model beside one. Raises PaperError, with all that
+    is wrong and where, if the file cannot be used. faults: where those of single claims are put, if not
+    raised."""
     path = Path(path)
     if is_text(path):
         return load_text(path)
@@ -35,9 +37,11 @@ def load_paper(path: Path | str, faults: list[PaperError] | None = None) -> Pape
 
 def load_notation(path: Path | str) -> Notation:
     """The notation of a paper file or a notation file, which need not have claims. Raises PaperError."""
-    toml = TomlFile(Path(path))
-    toml.allow_keys((), _PAPER_KEYS)
-    return notation_of(notation_chain(toml))
+    toml, faults = TomlFile(Path(path)), Faults()
+    faults.past(lambda: toml.allow_keys((), _PAPER_KEYS))
+    notation = faults.past(lambda: notation_of(notation_chain(toml)))
+    faults.stop()
+    return notation
 
 
 @cache
@@ -84,10 +88,11 @@ def merge(
     """One paper of several files, in their order; ids are unique over all. Each file keeps its own notation.
 
     theorems: name → proof; if None, those of the installed paper that the first file is part of.
-    faults: where those of single claims are put, which are left out then; if None, the first is raised.
+    faults: where those of single claims are put, which are left out then; if None, they are raised.
     """
-    shared_notations: dict[tuple[Path, ...], Notation] = {}
-    files = [_PaperFile.open(Path(path), shared_notations) for path in paths]
+    found, shared_notations = Faults(), dict[tuple[Path, ...], Notation]()
+    files = [_PaperFile.open(Path(path), shared_notations, found) for path in paths]
+    is_usable = not found
     if theorems is None:
         needed = any("theorem" in claim for file in files for claim in file.claims)
         theorems = paper_of(files[0].toml.path).theorems if needed else {}
@@ -95,20 +100,13 @@ def merge(
     owners: dict[str, str] = {}
     skipped: list[str] = []
     for file in files:
-        for index in range(len(file.claims)):
-            try:
-                claims += ClaimTable(
-                    file.toml, ("claim", index), file.notation, file.section, owners, theorems
-                ).claims()
-            except UnreadFormula as error:
-                if faults is None:
-                    raise
-                faults.append(error)
-                if isinstance(name := file.claims[index].get("id"), str):
-                    skipped.append(name)
-        require_claims(file.toml, owners)
-    if faults and not claims:
-        raise faults[0]
+        for index, claim in enumerate(file.claims):
+            table = ClaimTable(file.toml, ("claim", index), file.notation, file.section, owners, theorems)
+            made = found.past(table.claims, whole=True)
+            claims += made or ()
+            if made is None and isinstance(name := claim.get("id"), str):
+                skipped.append(name)
+        found.past(partial(require_claims, file.toml, {*owners, *skipped}))
     parts: dict[str, list[str]] = {name: [] for name in skipped}
     for claim in claims:
         parts.setdefault(owners[claim.id], []).append(claim.id)
@@ -118,18 +116,20 @@ def merge(
         sisters = list(dict.fromkeys(path for file in files for path in sisters_of(file.toml.path)))
         parts = claim_ids(sisters) | parts
         for file in files:
-            file.check_inheritance(parts, sisters)
+            file.check_inheritance(parts, sisters, found)
+    if faults is None or not is_usable or not claims:
+        found.stop()
+    if faults is not None:
+        faults += found
     claims = [
-        replace(claim, inherits=tuple(part for name in claim.inherits for part in parts[name]))
+        replace(claim, inherits=tuple(part for name in claim.inherits for part in parts.get(name, ())))
         for claim in claims
     ]
     first = files[0]
     shared = (file.shared_notation for file in files if file.shared_notation is not None)
     notation = first.notation if len(files) == 1 else next(shared, first.notation)
     budget = next((file.budget for file in files if file.budget is not None), None)
-    citation = {
-        key: text for file in files for key in CITATION_KEYS if (text := file.toml.text(("citation", key)))
-    }
+    citation = {key: text for file in files for key, text in file.citation.items() if text}
     return Paper(
         first.title,
         first.doi,
@@ -139,7 +139,7 @@ def merge(
         dict(theorems),
         budget,
         citation,
-        faults=tuple(faults or ()),
+        faults=tuple(found),
     )
 
 
@@ -154,43 +154,43 @@ class _PaperFile:
     notation: Notation
     shared_notation: Notation | None
     budget: Budget | None
+    citation: Mapping[str, str | None]
     claims: list[dict[str, Any]] = field(default_factory=list)
 
     @staticmethod
-    def open(path: Path, known: dict[tuple[Path, ...], Notation]) -> _PaperFile:
-        """`known`: the notations of the files that others stand on, read once for all of them."""
-        toml = TomlFile(path)
-        toml.allow_keys((), _PAPER_KEYS)
-        claims = toml.value(("claim",), list, [])
+    def open(path: Path, known: dict[tuple[Path, ...], Notation], faults: Faults) -> _PaperFile:
+        """`known`: the notations of the files that others stand on, read once for all of them. Raises
+        PaperError where the claims cannot even be looked at."""
+        toml, past = TomlFile(path), faults.past
+        past(lambda: toml.allow_keys((), _PAPER_KEYS))
+        claims = past(lambda: toml.tables(("claim",)))
         if not claims:
-            raise PaperError(path, 1, 1, "no claims; expected at least one [[claim]]")
-        for index, claim in enumerate(claims):
-            if not isinstance(claim, dict):
-                raise toml.error_at_value(("claim", index), "claim: expected tables, written [[claim]]")
-        toml.allow_keys(("citation",), CITATION_KEYS)
-        chain = notation_chain(toml)
-        title = next((found for file in reversed(chain) if (found := file.text(("title",)))), None)
+            faults.tell(toml.error_at_key((), "no claims; expected at least one [[claim]]"))
+        past(lambda: toml.allow_keys(("citation",), CITATION_KEYS))
+        citation = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
+        chain = past(lambda: notation_chain(toml)) or [toml]
+        title, doi, budget = (
+            past(lambda read=read: next((found for file in reversed(chain) if (found := read(file))), None))
+            for read in (lambda file: file.text(("title",)), lambda file: file.text(("doi",)), _budget)
+        )
         if title is None:
-            raise PaperError(path, 1, 1, "missing key 'title'")
-        doi = next((found for file in reversed(chain) if (found := file.text(("doi",)))), None)
+            faults.tell(toml.error_at_key((), "missing key 'title'"))
         below = tuple(file.path for file in chain[:-1])
         if below and below not in known:
-            known[below] = notation_of(chain[:-1])
-        budget = next((found for file in reversed(chain) if (found := _budget(file))), None)
-        section, notation = toml.text(("section",)), notation_of(chain)
-        return _PaperFile(toml, title, doi, section, notation, known.get(below), budget, claims)
+            known[below] = past(lambda: notation_of(chain[:-1]))
+        section, notation = past(lambda: toml.text(("section",))), past(lambda: notation_of(chain))
+        if notation is None:
+            faults.stop()
+        return _PaperFile(toml, title, doi, section, notation, known.get(below), budget, citation, claims)
 
-    def check_inheritance(self, known: Mapping[str, object], sisters: Sequence[Path]) -> None:
+    def check_inheritance(self, known: Collection[str], sisters: Sequence[Path], faults: Faults) -> None:
         elsewhere = f", here or in {', '.join(path.name for path in sisters)}" if sisters else ""
         for index, claim in enumerate(self.claims):
-            for place, name in enumerate(claim.get("inherits", [])):
-                if name not in known:
-                    path = ("claim", index, "inherits", place)
-                    raise self.toml.error_at_value(path, f"inherits: no claim has the id {name!r}{elsewhere}")
-            by = claim.get("mended_by")
-            if by is not None and by not in known:
-                path = ("claim", index, "mended_by")
-                raise self.toml.error_at_value(path, f"mended_by: no claim has the id {by!r}{elsewhere}")
+            named = [(("inherits", place), name) for place, name in enumerate(claim.get("inherits", ()))]
+            for path, name in [*named, (("mended_by",), claim.get("mended_by"))]:
+                if isinstance(name, str) and name not in known:
+                    message = f"{path[0]}: no claim has the id {name!r}{elsewhere}"
+                    faults.tell(self.toml.error_at_value(("claim", index, *path), message))
 
 
 def _budget(file: TomlFile) -> Budget | None:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 from workbench.budget import Budget
 from workbench.judge.verdict import Outcome
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from workbench.language.names import Name
     from workbench.language.symbols import SymbolTable
     from workbench.language.terms import Definition, Relation, Statement, Symbol
+    from workbench.papers.toml_places import KeyPath
 
 
 #: A proof for the goal of the claim that names it; or an argument, which is its own statement.
@@ -32,24 +33,54 @@ FAULTS = ("error", "misprint", "transcription", "wording", "hypothesis")
 CITATION_KEYS = ("authors", "source", "year", "pages", "commit", "licence", "read", "recheck")
 
 
-class PaperError(ValueError):
-    """A paper that cannot be used: the file and, where the fault has one, the line and column, from 1."""
+class Entries(Protocol):
+    """A file that can be read without one of its entries."""
 
-    def __init__(self, file: Path | str | None, line: int | None, column: int | None, message: str) -> None:
+    def set_aside(self, path: KeyPath) -> Callable[[], None] | None: ...
+
+
+class PaperError(ValueError):
+    """A paper that cannot be used: the file and, where the fault has one, the line and column, from 1. Of a
+    TOML file also the entry; `latex`: the formula there that cannot be read."""
+
+    def __init__(
+        self,
+        file: Path | str | None,
+        line: int | None,
+        column: int | None,
+        message: str,
+        toml: Entries | None = None,
+        path: KeyPath = (),
+        latex: str | None = None,
+    ) -> None:
         place = ":".join(str(part) for part in (file, line, column) if part is not None)
         super().__init__(f"{place}: {message}" if place else message)
         self.file, self.line, self.column, self.message = file, line, column, message
+        self.toml, self.path, self.latex = toml, path, latex
+
+    @property
+    def faults(self) -> Sequence[PaperError]:
+        return (self,)
 
     def __reduce__(self) -> tuple:
         """So that it can come from another process."""
         return PaperError, (self.file, self.line, self.column, self.message)
 
 
-class UnreadFormula(PaperError):
-    """A formula of one claim that cannot be read: no fault of the file around it."""
+class PaperErrors(PaperError):
+    """Several faults at once; it speaks of the first."""
+
+    def __init__(self, faults: Sequence[PaperError]) -> None:
+        first = faults[0]
+        super().__init__(first.file, first.line, first.column, first.message)
+        self._faults = tuple(faults)
+
+    @property
+    def faults(self) -> Sequence[PaperError]:
+        return self._faults
 
     def __reduce__(self) -> tuple:
-        return UnreadFormula, (self.file, self.line, self.column, self.message)
+        return PaperErrors, (self._faults,)
 
 
 @dataclass(frozen=True)

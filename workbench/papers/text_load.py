@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import tomllib
+from functools import partial
 from pathlib import Path
 
+from workbench.papers.faults import Faults
 from workbench.papers.model import CITATION_KEYS
 from workbench.papers.notation import notation_chain
 from workbench.papers.text_model import MODEL_KEYS, TextModel, read_directives, read_entries, read_scopes
@@ -27,27 +29,38 @@ def load_text(path: Path) -> TextPaper:
 
 def load_model(toml: TomlFile) -> TextPaper:
     """A model and the text that it names. Raises PaperError."""
-    toml.allow_keys((), MODEL_KEYS)
-    path = _beside(toml, "source")
-    if isinstance(toml.data.get("macros"), dict):
-        bodies = {name: toml.text(("macros", name)) for name in toml.value(("macros",), dict)}
-        bodies.pop("from", None)
-        text = read_text(path, _beside(toml, "macros", "from"), bodies=bodies)
-    else:
-        text = read_text(path, _beside(toml, "macros"))
-    return paper_of_model(toml, text)
+    path, faults = _beside(toml, "source"), Faults()
+    text = faults.past(lambda: _with_macros(toml, path))
+    if text is None:
+        faults.stop()
+    model, past = model_of(toml, text, faults), faults.past
+    title, doi = past(lambda: toml.text(("title",))), past(lambda: toml.text(("doi",)))
+    past(lambda: toml.allow_keys(("citation",), CITATION_KEYS))
+    told = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
+    citation = {key: text for key, text in told.items() if text}
+    return text_paper(text, model, title or text.path.name, doi, (toml.path, text.path), citation)
 
 
-def paper_of_model(toml: TomlFile, text: Text) -> TextPaper:
-    """The model and the text that was read for it. Raises PaperError."""
-    model = TextModel(notation_chain(toml), guessed=toml.texts(("guessed",)))
+def _with_macros(toml: TomlFile, path: Path) -> Text:
+    if not isinstance(toml.data.get("macros"), dict):
+        return read_text(path, _beside(toml, "macros"))
+    bodies = {name: toml.text(("macros", name)) for name in toml.value(("macros",), dict)}
+    bodies.pop("from", None)
+    return read_text(path, _beside(toml, "macros", "from"), bodies=bodies)
+
+
+def model_of(toml: TomlFile, text: Text, faults: Faults) -> TextModel:
+    """What the model and the comments in its text say. Raises PaperError if it names no notation."""
+    faults.past(lambda: toml.allow_keys((), MODEL_KEYS))
+    chain = faults.past(lambda: notation_chain(toml))
+    guessed = faults.past(lambda: toml.texts(("guessed",)))
+    if chain is None:
+        faults.stop()
+    model = TextModel(chain, guessed=guessed or (), faults=faults)
     read_scopes(toml, text.displays, model)
     read_directives(text.directives, text.displays, model)
-    model.entries[:0] = read_entries(toml)
-    title = toml.text(("title",)) or text.path.name
-    toml.allow_keys(("citation",), CITATION_KEYS)
-    citation = {key: said for key in CITATION_KEYS if (said := toml.text(("citation", key)))}
-    return text_paper(text, model, title, toml.text(("doi",)), (toml.path, text.path), citation)
+    model.entries[:0] = read_entries(toml, faults)
+    return model
 
 
 def model_beside(text: Path) -> Path | None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+from workbench.papers.faults import Faults
 from workbench.papers.mends import MEND_KEYS
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.notation import notation_of
@@ -90,55 +92,63 @@ class TextModel:
     scopes: list[tuple[int, Table]] = field(default_factory=list)
     guessed: tuple[str, ...] = ()
     entries: list[Entry] = field(default_factory=list)
-    faults: list[PaperError] = field(default_factory=list)
+    faults: Faults = field(default_factory=Faults)
 
     def notations(self) -> list[tuple[int, Notation]]:
         """From which display on each notation holds. Raises PaperError."""
-        made = [(0, notation_of(self.chain))]
-        for count in range(1, len(self.scopes) + 1):
-            start = self.scopes[count - 1][0]
-            made.append((start, notation_of(self.chain, [table for _, table in self.scopes[:count]])))
+        made = []
+        for count in range(len(self.scopes) + 1):
+            start = self.scopes[count - 1][0] if count else 0
+            tables = [table for _, table in self.scopes[:count]]
+            made.append((start, self.faults.past(partial(notation_of, self.chain, tables))))
+        if any(notation is None for _, notation in made):
+            self.faults.stop()
         return made
 
 
-def read_entries(toml: TomlFile) -> list[Entry]:
-    """The [[claim]] tables. Raises PaperError at a table that does not say where it belongs."""
+def read_entries(toml: TomlFile, faults: Faults) -> list[Entry]:
+    """The [[claim]] tables that say where they belong."""
     entries = []
-    for index, claim in enumerate(toml.value(("claim",), list, [])):
+    for index in range(len(faults.past(lambda: toml.tables(("claim",))) or ())):
         path = ("claim", index)
-        if not isinstance(claim, dict):
-            raise toml.error_at_value(path, "claim: expected tables, written [[claim]]")
-        toml.allow_keys(path, CLAIM_KEYS)
-        if "at" not in claim:
-            raise toml.error_at_key(
-                path, "missing key 'at': a label, an equation number, an id or \"line N\", or a list of such"
-            )
-        is_list = isinstance(claim["at"], list)
-        places = toml.texts((*path, "at")) if is_list else (toml.text((*path, "at")),)
-        if not places:
-            raise toml.error_at_value((*path, "at"), "at: expected a place, or a list of places, got none")
-        entries += [Entry(Table(toml, path), at) for at in places]
+        faults.past(partial(toml.allow_keys, path, CLAIM_KEYS))
+        entries += [Entry(Table(toml, path), at) for at in faults.past(partial(_places, toml, path)) or ()]
     return entries
+
+
+def _places(toml: TomlFile, path: KeyPath) -> Sequence[str]:
+    at = toml.value(path, dict).get("at")
+    if at is None:
+        raise toml.error_at_key(
+            path, "missing key 'at': a label, an equation number, an id or \"line N\", or a list of such"
+        )
+    places = toml.texts((*path, "at")) if isinstance(at, list) else (toml.text((*path, "at")),)
+    if not places:
+        raise toml.error_at_value((*path, "at"), "at: expected a place, or a list of places, got none")
+    return places
 
 
 def read_scopes(toml: TomlFile, displays: Sequence[Display], model: TextModel) -> None:
     """The [[scope]] tables, each from its place on."""
-    for index, scope in enumerate(toml.value(("scope",), list, [])):
+    for index in range(len(model.faults.past(lambda: toml.tables(("scope",))) or ())):
         path = ("scope", index)
-        if not isinstance(scope, dict):
-            raise toml.error_at_value(path, "scope: expected tables, written [[scope]]")
-        toml.allow_keys(path, _SCOPE_KEYS)
-        start = toml.text((*path, "from"))
-        if start is None:
-            raise toml.error_at_key(
-                path, "missing key 'from': a label, an equation number, a section or \"line N\""
-            )
-        place = place_of(start, displays)
-        if place is None:
-            model.faults.append(toml.error_at_value((*path, "from"), f"from: the text has no {start!r}"))
-        else:
+        model.faults.past(partial(toml.allow_keys, path, _SCOPE_KEYS))
+        place = model.faults.past(partial(_start, toml, path, displays))
+        if place is not None:
             model.scopes.append((place, Table(toml, path)))
     model.scopes.sort(key=lambda scope: scope[0])
+
+
+def _start(toml: TomlFile, path: KeyPath, displays: Sequence[Display]) -> int:
+    start = toml.text((*path, "from"))
+    if start is None:
+        raise toml.error_at_key(
+            path, "missing key 'from': a label, an equation number, a section or \"line N\""
+        )
+    place = place_of(start, displays)
+    if place is None:
+        raise toml.error_at_value((*path, "from"), f"from: the text has no {start!r}")
+    return place
 
 
 def place_of(name: str, displays: Sequence[Display]) -> int | None:
@@ -170,21 +180,21 @@ def read_directives(directives: Sequence[Directive], displays: Sequence[Display]
         at = text.find(directive.text, column - 1)
         payload = " " * at + directive.text
         if _CLAIM_KEY.match(directive.text):
-            try:
-                toml = TomlFile(directive.source.path, "\n" * (line - 1) + payload)
-                toml.allow_keys((), CLAIM_KEYS)
-                display = _following(directive, displays)
-                if display is None:
-                    raise PaperError(directive.source.path, line, column, "no display follows this comment")
+            toml = model.faults.past(partial(TomlFile, directive.source.path, "\n" * (line - 1) + payload))
+            display = _following(directive, displays)
+            if display is None:
+                message = "no display follows this comment"
+                model.faults.tell(PaperError(directive.source.path, line, column, message))
+            elif toml is not None:
+                model.faults.past(partial(toml.allow_keys, (), CLAIM_KEYS))
                 model.entries.append(Entry(Table(toml, ()), display))
-            except PaperError as error:
-                model.faults.append(error)
         else:
             notation.setdefault(directive.source.path, {})[line] = payload
     for path, lines in notation.items():
         text = "\n".join(lines.get(number, "") for number in range(1, max(lines) + 1))
         toml = TomlFile(path, text)
-        toml.allow_keys((), ("title", "doi", "conventions", "symbols", "definitions", "motion"))
+        known = ("title", "doi", "conventions", "symbols", "definitions", "motion")
+        model.faults.past(partial(toml.allow_keys, (), known))
         model.chain.append(toml)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from functools import partial
 from pathlib import Path
 
 from workbench.language.errors import IllFormedAt, ReadError
@@ -21,6 +22,7 @@ from workbench.papers.said import stated, terms_of, with_said
 from workbench.papers.steps import Step, steps_of
 from workbench.papers.text_model import Entry, TextModel, names_of
 from workbench.papers.texts import Display, Text, Token, spelled
+from workbench.papers.toml_file import TomlFile
 from workbench.papers.unsettled import with_unsettled
 
 _NO_ID = re.compile(r"[^\w.+*'-]+")
@@ -54,20 +56,18 @@ def text_paper(
     citation: Mapping[str, str] | None = None,
 ) -> TextPaper:
     """Raises PaperError where the notation cannot be used; any other fault is one of the paper's `faults`."""
-    notations = model.notations()
+    notations, faults = model.notations(), model.faults
+    spoilt = any(_spoils(fault, model.chain) for fault in faults)
     placed = list(placed_steps(text.displays, notations))
     if not placed:
         raise PaperError(text.path, None, None, "no displayed equation in it")
-    entries, faults = _assigned(model, placed, text.displays)
-    claims = []
-    for each in placed:
-        try:
-            claims.append(_claim(each, entries.get(each.id), model.guessed))
-        except PaperError as error:
-            faults.append(error)
-            claims.append(_claim(each, None, model.guessed))
+    entries = _assigned(model, placed, text.displays)
+    claims = [_usable_claim(each, entries.get(each.id, ()), model) for each in placed]
     claims = [_with_asides(*each, text.inline) for each in zip(claims, placed, strict=True)]
-    faults += _unknown_ids(entries, {claim.id for claim in claims})
+    for fault in _unknown_ids(entries, {claim.id for claim in claims}):
+        faults.tell(fault)
+    if spoilt:
+        faults.stop()
     return TextPaper(
         title,
         doi,
@@ -76,7 +76,7 @@ def text_paper(
         tuple(with_unsettled(with_said(claims), text.sources)),
         citation=citation or {},
         text=text,
-        faults=(*model.faults, *faults),
+        faults=tuple(faults),
         warnings=tuple(text.warnings),
     )
 
@@ -115,26 +115,31 @@ def _base(display: Display, step: Step) -> str:
     return cleaned or f"L{display.line}"
 
 
+def _spoils(fault: PaperError, chain: Sequence[TomlFile]) -> bool:
+    """Whether no formula may be judged: what they are written in is not what the author meant."""
+    return fault.toml in chain and fault.path[:1] != ("claim",) and fault.path[2:] != ("from",)
+
+
 def _assigned(
     model: TextModel, placed: Sequence[Placed], displays: Sequence[Display]
-) -> tuple[dict[str, list[Entry]], list[PaperError]]:
-    """What the model says of each claim, and what it says of none."""
+) -> dict[str, list[Entry]]:
+    """What the model says of each claim; what it says of none is a fault."""
     assigned: dict[str, list[Entry]] = {}
-    faults: list[PaperError] = []
     for entry in model.entries:
         found = [each for each in placed if _means(entry.at, each)]
         if not found:
-            faults.append(_nowhere(entry, placed, displays))
-            continue
-        try:
-            _check_printed(entry, found, placed)
-            _check_single(entry, found)
-        except PaperError as error:
-            faults.append(error)
-            continue
-        for each in found:
-            assigned.setdefault(each.id, []).append(entry)
-    return assigned, faults
+            model.faults.tell(_nowhere(entry, placed, displays))
+        elif model.faults.past(partial(_fits, entry, found, placed), whole=True):
+            for each in found:
+                assigned.setdefault(each.id, []).append(entry)
+    return assigned
+
+
+def _fits(entry: Entry, found: Sequence[Placed], placed: Sequence[Placed]) -> bool:
+    """Raises PaperError where the text says something else there, or too much."""
+    _check_printed(entry, found, placed)
+    _check_single(entry, found)
+    return True
 
 
 def _means(at: str | Display, placed: Placed) -> bool:
@@ -209,9 +214,18 @@ def _check_single(entry: Entry, found: Sequence[Placed]) -> None:
             )
 
 
-def _claim(placed: Placed, entries: Sequence[Entry] | None, guessed: Sequence[str]) -> Claim:
+def _usable_claim(placed: Placed, entries: Sequence[Entry], model: TextModel) -> Claim:
+    claim = model.faults.past(partial(_claim, placed, entries, model.guessed), whole=True)
+    if claim is not None:
+        return claim
+    bare = _claim(placed, (), model.guessed)
+    why = "what the model says of it cannot be used"
+    return replace(bare, printed=replace(bare.printed, statement=None, ill_formed=None, unread=why))
+
+
+def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> Claim:
     """Raises PaperError for a key of the model that cannot be used."""
-    tables = [entry.table for entry in entries or ()]
+    tables = [entry.table for entry in entries]
     display, step = placed.display, placed.step
     orders = _orders(tables)
     has_reading = any(table.text(("reading",)) for table in tables)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import re
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -48,14 +48,19 @@ class TomlFile:
     def value(self, path: KeyPath, expected: type, default: Any = None) -> Any:
         """The value at `path`, which must be of the expected type; `default` if the key is not there."""
         node: Any = self.data
-        for part in path:
+        for depth, part in enumerate(path):
+            if not isinstance(node, dict | list):
+                raise self._wrong_kind(path[:depth], dict, node)
             if isinstance(node, dict) and part not in node:
                 return default
             node = node[part]
         if type(node) is not expected:
-            got = _TYPE_NAMES.get(type(node), f"a {type(node).__name__}")
-            raise self.error_at_value(path, f"{path[-1]}: expected {_TYPE_NAMES[expected]}, got {got}")
+            raise self._wrong_kind(path, expected, node)
         return node
+
+    def _wrong_kind(self, path: KeyPath, expected: type, node: Any) -> PaperError:
+        got = _TYPE_NAMES.get(type(node), f"a {type(node).__name__}")
+        return self.error_at_value(path, f"{path[-1]}: expected {_TYPE_NAMES[expected]}, got {got}")
 
     def text(self, path: KeyPath) -> str | None:
         """A string that is not blank, or None if the key is not there."""
@@ -72,6 +77,15 @@ class TomlFile:
                 raise self.error_at_value(place, f"{path[-1]}: expected a list of strings that are not empty")
         return tuple(items)
 
+    def tables(self, path: KeyPath) -> list[dict[str, Any]]:
+        """The tables written [[path]]."""
+        items = self.value(path, list, [])
+        for index, item in enumerate(items):
+            if not isinstance(item, dict):
+                message = f"{path[-1]}: expected tables, written [[{path[-1]}]]"
+                raise self.error_at_value((*path, index), message)
+        return items
+
     def allow_keys(self, path: KeyPath, allowed: Iterable[str]) -> None:
         """Raises PaperError at the first key of the table at `path` that is not among `allowed`."""
         allowed = list(allowed)
@@ -82,17 +96,39 @@ class TomlFile:
                 hint = f"did you mean {near[0]}?" if near else f"expected one of {', '.join(allowed)}"
                 raise self.error_at_key((*path, key), f"unknown key {key!r}; {hint}")
 
+    def set_aside(self, path: KeyPath) -> Callable[[], None] | None:
+        """Takes out the entry, so that the rest can be read; what puts it back. None where nothing stands
+        there, or a table of a list."""
+        *above, key = path or ("",)
+        holder: Any = self.data
+        for part in above:
+            holder = holder[part]
+        if isinstance(key, int):
+            return None if isinstance(holder[key], dict) else self.set_aside(tuple(above))
+        if key not in holder:
+            return None
+        before = dict(holder)
+        del holder[key]
+
+        def put_back() -> None:
+            holder.clear()
+            holder.update(before)
+
+        return put_back
+
     def error_at_key(self, path: KeyPath, message: str) -> PaperError:
-        return PaperError(self.path, *self.places.of_key(path), message)
+        return PaperError(self.path, *self.places.of_key(path), message, self, path)
 
     def error_at_value(self, path: KeyPath, message: str) -> PaperError:
-        return PaperError(self.path, *self.places.of_value(path), message)
+        return PaperError(self.path, *self.places.of_value(path), message, self, path)
 
     def error_in_string(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
-        return PaperError(self.path, *self.places.in_string(path, line, column), message)
+        place = self.places.in_string(path, line, column)
+        return PaperError(self.path, *place, message, self, path, self.value(path, str))
 
     def error_in_key(self, path: KeyPath, line: int, column: int, message: str) -> PaperError:
-        return PaperError(self.path, *self.places.in_key(path, line, column), message)
+        place = self.places.in_key(path, line, column)
+        return PaperError(self.path, *place, message, self, path, str(path[-1]))
 
     def _text(self) -> str:
         raw = file_bytes(self.path, "a TOML file", MOST_BYTES)

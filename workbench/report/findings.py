@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -51,9 +51,12 @@ class Finding:
 def findings(paper: Paper, results: Sequence[ClaimResult]) -> list[Finding]:
     """All of them, in the order of the text; nothing for a claim that is proved or a definition."""
     found = [finding for finding in _of_results(results)]
-    found += [_of_error("error", "model", error, paper) for error in paper.faults]
+    found += [fault_finding(fault, paper.paths[0]) for fault in paper.faults]
     if isinstance(paper, TextPaper):
-        found += [_of_error("warning", "text", error, paper) for error in paper.warnings]
+        found += [
+            replace(fault_finding(warning, paper.paths[0]), level="warning", code="text")
+            for warning in paper.warnings
+        ]
     return sorted(found, key=lambda each: (str(each.span.file), each.span.line, each.span.column))
 
 
@@ -110,10 +113,11 @@ def place_of(result: ClaimResult) -> Span:
     return Span(claim.file or Path(), claim.line or 1, 1, claim.line or 1, 1)
 
 
-def _of_error(level: str, code: str, error: PaperError, paper: Paper) -> Finding:
+def fault_finding(error: PaperError, file: Path) -> Finding:
+    """`file`: where it stands, if it does not say so."""
     line, column = error.line or 1, error.column or 1
-    span = Span(Path(error.file or paper.paths[0]), line, column, line, column + 1)
-    return Finding(level, code, error.message, span)
+    span = Span(Path(error.file or file), line, column, line, column + 1)
+    return Finding("error", "model", error.message, span)
 
 
 def github(found: Sequence[Finding]) -> str:

@@ -18,6 +18,7 @@ _VERBATIM = frozenset((
     "verbatim", "verbatim*", "Verbatim", "lstlisting", "minted", "comment", "alltt", "filecontents",
     "filecontents*", "listing", "tcblisting", "pyconsole", "sagesilent", "luacode", "tikzpicture",
 ))  # fmt: skip
+_CLASS = ("documentclass", "LoadClass", "LoadClassWithOptions")
 _STYLES = (".sty", ".cls", ".def", ".clo")
 _MOST_FILES = 500
 
@@ -142,6 +143,8 @@ class TexReader(DisplayReader):
             self._display(token, name)
         elif name == "subequations":
             self.counters.begin_subequations()
+        elif name == "appendices":
+            self.counters.appendix()
         elif name in self.theorems:
             self.counters.step(self.theorems[name] or name)
         elif name in ("figure", "table", "figure*", "table*"):
@@ -168,8 +171,14 @@ class TexReader(DisplayReader):
         starred = self.star()
         self.optional()
         self.heading = plain(joined(self.argument()))
-        if not starred:
-            self.counters.step_section(name)
+        self.counters.step_section(name, starred)
+
+    def unnumbered(self, token: Token) -> None:
+        """\\addchap and \\addsec."""
+        outer = self.counters.values["secnumdepth"]
+        self.counters.values["secnumdepth"] = -9
+        self._section({"addchap": "chapter", "addsec": "section"}[token.word])
+        self.counters.values["secnumdepth"] = outer
 
     def verb(self, token: Token) -> None:
         lexer = self.lexer()
@@ -200,7 +209,7 @@ class TexReader(DisplayReader):
         if token.word == "documentclass":
             self.global_options += given
         for name in (part.strip() for part in self.word().split(",")):
-            if token.word in ("documentclass", "LoadClass"):
+            if token.word in _CLASS:
                 self.counters.use_class(name)
             if (path := self._find(name, (".sty", ".cls"))) is not None:
                 outer, self.waiting = self.waiting, []  # what it leaves open ends with it
@@ -320,7 +329,9 @@ class TexReader(DisplayReader):
 
 _COMMANDS = {
     **dict.fromkeys(("input", "include", "subfile", "import", "subimport"), TexReader.include),
-    **dict.fromkeys(("usepackage", "RequirePackage", "documentclass", "LoadClass"), TexReader.use),
+    **dict.fromkeys(
+        ("usepackage", "RequirePackage", "documentclass", "LoadClass", "LoadClassWithOptions"), TexReader.use
+    ),
     **dict.fromkeys(("numberwithin", "counterwithin"), TexReader.number_within),
     "@addtoreset": lambda reader, token: reader.counters.within.update({reader.word(): reader.word()}),
     **dict.fromkeys(("counterwithout", "@removefromreset"), TexReader.without),
@@ -333,7 +344,8 @@ _COMMANDS = {
     "newtheorem": TexReader.new_theorem,
     "newcounter": TexReader.new_counter,
     "label": TexReader.label,
-    "appendix": lambda reader, token: reader.counters.appendix(),
+    **dict.fromkeys(("appendix", "appendices"), lambda reader, token: reader.counters.appendix()),
+    **dict.fromkeys(("addchap", "addsec"), TexReader.unnumbered),
     "mainmatter": lambda reader, token: reader.counters.matter(main=True),
     **dict.fromkeys(("frontmatter", "backmatter"), lambda reader, token: reader.counters.matter(main=False)),
     "ExplSyntaxOn": TexReader.expl3,

@@ -8,6 +8,31 @@ SECTIONS = ("part", "chapter", "section", "subsection", "subsubsection", "paragr
 _BOOKS = frozenset(
     {"book", "report", "memoir", "scrbook", "scrreprt", "amsbook", "extbook", "extreport", "tufte-book"}
 )
+_FLOATS = ("equation", "figure", "table")
+_KOMA = frozenset({"scrbook", "scrreprt", "scrartcl"})
+#: How deep a class numbers its sections, where that is not 3.
+_DEPTHS = {"memoir": 1, "llncs": 2, **dict.fromkeys(_BOOKS - {"memoir", "amsbook"}, 2)}
+#: How a class prints what it numbers, where that differs; and in its appendix, where equations begin anew.
+_PRINTED = {
+    "revtex4": {
+        "section": "\\Roman{section}",
+        "subsection": "\\thesection{} \\Alph{subsection}",
+        "subsubsection": "\\thesubsection{} \\arabic{subsubsection}",
+    },
+    "IEEEtran": {
+        "section": "\\Roman{section}",
+        "subsection": "\\thesection-\\Alph{subsection}",
+        "subsubsection": "\\thesubsection\\arabic{subsubsection}",
+    },
+    "beamer": {name: f"\\arabic{{{name}}}" for name in SECTIONS[3:5]},
+}
+_IN_APPENDIX = {
+    "revtex4": {
+        "subsection": "\\thesection{} \\arabic{subsection}",
+        "equation": "\\thesection\\arabic{equation}",
+    },
+    "elsarticle": {"equation": "\\Alph{section}.\\arabic{equation}"},
+}
 _PIECE = re.compile(
     r"\\the([A-Za-z]+)\s*|\\(arabic|[aA]lph|[rR]oman)\s*\{\s*([A-Za-z@]+)\s*\}|\\[A-Za-z]+\s*|[{}$]|\\(.)"
 )
@@ -31,36 +56,45 @@ class Counters:
             **{name: f"\\the{outer}.\\arabic{{{name}}}" for name, outer in self.within.items()},
         }
         self.current = ""  # what a label refers to
-        self.top = "section"
+        self.top, self.document_class = "section", ""
         self.is_book, self._is_main = False, True
         self._saved: tuple[int, str | None] | None = None  # of the equations around subequations
 
     def use_class(self, name: str) -> None:
-        if name.startswith("tufte-"):
-            self.values["secnumdepth"] = -1
+        self.document_class = "revtex4" if name.startswith("revtex4") else name
+        self.values["secnumdepth"] = -1 if name.startswith("tufte-") else _DEPTHS.get(name, 3)
+        self.printed |= _PRINTED.get(self.document_class, {})
         if name in _BOOKS:
             self.is_book, self.top = True, "chapter"
             self.within["section"] = "chapter"
             if name != "amsbook":
-                floats = ("equation", "figure", "table")
-                self.within |= dict.fromkeys(floats, "chapter")
+                self.within |= dict.fromkeys(_FLOATS, "chapter")
                 self.printed["section"] = "\\thechapter.\\arabic{section}"
-                if name.startswith("scr"):  # a 0 before the first chapter, too
-                    self.printed |= {each: f"\\thechapter.\\arabic{{{each}}}" for each in floats}
+                if name in _KOMA:  # a 0 before the first chapter, too
+                    self.printed |= {each: f"\\thechapter.\\arabic{{{each}}}" for each in _FLOATS}
 
     def step(self, name: str) -> None:
         self.values[name] = self.values.get(name, 0) + 1
         self._reset_below(name)
         self.current = self.number(name)
 
-    def step_section(self, name: str) -> None:
+    def step_section(self, name: str, starred: bool = False) -> None:
         """One deeper than secnumdepth has no number, nor has a chapter outside of the main matter."""
-        is_numbered = SECTIONS.index(name) - 1 <= self.values["secnumdepth"]
-        if is_numbered and (name != "chapter" or self._is_main):
+        is_deep = SECTIONS.index(name) - 1 > self.values["secnumdepth"]
+        is_outside = not self._is_main and (name == "chapter" or self.document_class == "memoir")
+        if self.document_class == "beamer" or not (starred or is_deep or is_outside):
             self.step(name)
+        elif self.document_class in _KOMA and not (starred and name == "chapter"):
+            self._reset_below(name)
 
     def matter(self, main: bool) -> None:
-        self._is_main = main
+        self._is_main = main or self.document_class == "amsbook"
+        if self.document_class in _KOMA:
+            for name in ("section", *_FLOATS):
+                plain = f"\\arabic{{{name}}}"
+                forms = (plain, f"\\thechapter.{plain}")
+                if self.printed.get(name) in forms:
+                    self.printed[name] = forms[main]
 
     def set(self, name: str, value: int, add: bool = False) -> None:
         self.values[name] = value + (self.values.get(name, 0) if add else 0)
@@ -80,10 +114,17 @@ class Counters:
 
     def appendix(self) -> None:
         """Its \\setcounter resets what it names, and nothing below."""
+        if self.document_class == "beamer":
+            return
         self.values[self.top] = self.values["section"] = 0
         if not self.is_book:
             self.values["subsection"] = 0
         self.printed[self.top] = f"\\Alph{{{self.top}}}"
+        if anew := _IN_APPENDIX.get(self.document_class):
+            self.printed |= anew
+            self.within["equation"] = "section"
+        if self.document_class == "elsarticle":
+            self.values["equation"] = 0
 
     def number(self, name: str) -> str:
         """\\thename."""

@@ -124,7 +124,7 @@ def test_a_model_says_what_the_text_does_not(tmp_path: Path) -> None:
 
 
 def test_what_no_longer_fits_the_text_is_named_all_at_once(tmp_path: Path) -> None:
-    displays = "$$ a \\times b = b \\times a $$ (one)\n\n$$ a = a $$ (two)\n"
+    displays = "$$ a \\times b = b \\times a $$ (one)\n\n$$ a = a $$ (two)\n\n$$ a \\times a = 0 $$\n"
     (tmp_path / "p.md").write_text(displays)
     (tmp_path / "p.toml").write_text(
         MODEL.split("[[claim]]")[0]

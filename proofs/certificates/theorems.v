@@ -7,36 +7,36 @@ Notation T i := (Var false Tensor i). Notation U i := (Var false Vector i). Nota
 Notation DT i := (Var true Tensor i). Notation DU i := (Var true Vector i). Notation DS i := (Var true Scalar i).
 (* on 14: for every n *)
 Theorem c_14_all (K : diff_ring) (R : tensor K) (rho_Q r : vector K) (R_ok : rotation R) (r_ok : constant (K := K) (d := false) r) :
-  forall n : nat, (Dn n (rho_Q + R @ r) : vector K) - Dn n rho_Q ≡ ((Dn n R : tensor K) ∘ transpose R) @ ((rho_Q + R @ r) - rho_Q).
+  forall n : nat, (der n (rho_Q + R @ r) : vector K) - der n rho_Q ≡ ((der n R : tensor K) ∘ transpose R) @ ((rho_Q + R @ r) - rho_Q).
 Proof.
   intros n.
-  assert (A : (Dn n (rho_Q + R @ r) : vector K) ≡ (Dn n rho_Q : vector K) + (Dn n R : tensor K) @ r).
+  assert (A : (der n (rho_Q + R @ r) : vector K) ≡ (der n rho_Q : vector K) + (der n R : tensor K) @ r).
   { induction n as [|n IH].
     - under (@nil premise) [(false, Tensor); (false, Vector); (false, Vector)] [as_slot false Tensor R; as_slot false Vector rho_Q; as_slot false Vector r]
         (Plus (U 1) (Act (T 0) (U 2))) (Plus (U 1) (Act (T 0) (U 2))).
     - under [@Value false Vector 0 (Plus (U 1) (Act (T 2) (U 3))); Rate 3 (Zer false Vector)]
         [(false, Vector); (false, Vector); (false, Tensor); (false, Vector)]
-        [as_slot false Vector (Dn n (rho_Q + R @ r) : vector K); as_slot false Vector (Dn n rho_Q : vector K); as_slot false Tensor (Dn n R : tensor K); as_slot false Vector r]
+        [as_slot false Vector (der n (rho_Q + R @ r) : vector K); as_slot false Vector (der n rho_Q : vector K); as_slot false Tensor (der n R : tensor K); as_slot false Vector r]
         (DD (U 0)) (Plus (DD (U 1)) (Act (DD (T 2)) (U 3))). }
   under (rotation_at 0 1 ++ [@Value false Vector 2 (Plus (U 3) (Act (T 4) (U 5))); Rate 5 (Zer false Vector)])
     [(false, Tensor); (false, Vector); (false, Vector); (false, Vector); (false, Tensor); (false, Vector); (false, Vector)]
-    [as_slot false Tensor R; as_slot false Vector (spin R); as_slot false Vector (Dn n (rho_Q + R @ r) : vector K); as_slot false Vector (Dn n rho_Q : vector K); as_slot false Tensor (Dn n R : tensor K); as_slot false Vector r; as_slot false Vector rho_Q]
+    [as_slot false Tensor R; as_slot false Vector (spin R); as_slot false Vector (der n (rho_Q + R @ r) : vector K); as_slot false Vector (der n rho_Q : vector K); as_slot false Tensor (der n R : tensor K); as_slot false Vector r; as_slot false Vector rho_Q]
     (Minus (U 2) (U 3)) (Act (Prod (T 4) (Transpose (T 0))) (Minus (Plus (U 6) (Act (T 0) (U 5))) (U 6))).
 Qed.
 (* on 20.Phi: for every n, without induction: the n-th derivative of R is a symbol of its own *)
 Theorem c_20_Phi_all (K : diff_ring) (R : tensor K) (R_ok : rotation R) : 
-  let Phi := fun n => (Dn n R : tensor K) ∘ transpose R in forall n : nat, Phi (S n) ≡ D (Phi n) + Phi n ∘ Phi 1%nat.
+  let Phi := fun n => (der n R : tensor K) ∘ transpose R in forall n : nat, Phi (S n) ≡ D (Phi n) + Phi n ∘ Phi 1%nat.
 Proof.
   intros Phi n.
-  under (rotation_at 0 1) [(false, Tensor); (false, Vector); (false, Tensor)] [as_slot false Tensor R; as_slot false Vector (spin R); as_slot false Tensor (Dn n R : tensor K)]
+  under (rotation_at 0 1) [(false, Tensor); (false, Vector); (false, Tensor)] [as_slot false Tensor R; as_slot false Vector (spin R); as_slot false Tensor (der n R : tensor K)]
    (Prod (DD (T 2)) (Transpose (T 0))) (Plus (DD (Prod (T 2) (Transpose (T 0)))) (Prod (Prod (T 2) (Transpose (T 0))) (Prod (DD (T 0)) (Transpose (T 0))))).
 Qed.
 (* on 21.every_n, 21.Phi: for every n, the recurrence unrolled *)
 Theorem c_21_all (K : diff_ring) (R : tensor K) (R_ok : rotation R) :
-  let Phi := fun n => (Dn n R : tensor K) ∘ transpose R in
+  let Phi := fun n => (der n R : tensor K) ∘ transpose R in
   forall n : nat, (2 <= n)%nat ->
-  Phi n ≡ (Phi (n - 1)%nat ∘ Phi 1%nat) + (Dn (n - 1) (Phi 1%nat) : tensor K) +
-    @sum_of K Tensor 1 (n - 2) (fun k => Dn k (Phi (n - k - 1)%nat ∘ Phi 1%nat)).
+  Phi n ≡ (Phi (n - 1)%nat ∘ Phi 1%nat) + (der (n - 1) (Phi 1%nat) : tensor K) +
+    @sum_of K Tensor 1 (n - 2) (fun k => der k (Phi (n - k - 1)%nat ∘ Phi 1%nat)).
 Proof.
   intros Phi n L. apply (@unrolled K false Tensor Phi (fun n => Phi n ∘ Phi 1%nat)); [|exact L].
   intros m _. exact (@c_20_Phi_all K R R_ok m).
@@ -69,46 +69,46 @@ Proof.
 Qed.
 (* on 123.all_n: for every n, D^n (R Ω) = Σ C(n,k) Φ_(n-k) R D^k Ω *)
 Theorem c_123_all (K : diff_ring) (R : dual_tensor K) (Omega : dual_vector K) (R_ok : dual_rotation R) :
-  let Phi := fun n => (Dn n R : dual_tensor K) ∘ transpose R in
-  forall n : nat, (Dn n (R @ Omega) : dual_vector K) ≡ε
-    @sum_of (dual_ops K) Vector 0 n (fun k => whole (choose n k) • (Phi (n - k)%nat @ (R @ (Dn k Omega : dual_vector K)))).
+  let Phi := fun n => (der n R : dual_tensor K) ∘ transpose R in
+  forall n : nat, (der n (R @ Omega) : dual_vector K) ≡ε
+    @sum_of (dual_ops K) Vector 0 n (fun k => whole (choose n k) • (Phi (n - k)%nat @ (R @ (der k Omega : dual_vector K)))).
 Proof.
   intros Phi n.
-  pose proof (@leibniz K true Vector (fun a b => (Dn a R : dual_tensor K) @ (Dn b Omega : dual_vector K))) as L.
-  transitivity (@sum_of (dual_ops K) Vector 0 n (fun j => whole (choose n j) • ((Dn (n - j) R : dual_tensor K) @ (Dn j Omega : dual_vector K)))).
+  pose proof (@leibniz K true Vector (fun a b => (der a R : dual_tensor K) @ (der b Omega : dual_vector K))) as L.
+  transitivity (@sum_of (dual_ops K) Vector 0 n (fun j => whole (choose n j) • ((der (n - j) R : dual_tensor K) @ (der j Omega : dual_vector K)))).
   - refine (L _ n 0%nat 0%nat). intros a b.
-    under (@nil premise) [(true, Tensor); (true, Vector)] [as_slot true Tensor (Dn a R : dual_tensor K); as_slot true Vector (Dn b Omega : dual_vector K)]
+    under (@nil premise) [(true, Tensor); (true, Vector)] [as_slot true Tensor (der a R : dual_tensor K); as_slot true Vector (der b Omega : dual_vector K)]
       (DD (Act (DT 0) (DU 1))) (Plus (Act (DD (DT 0)) (DU 1)) (Act (DT 0) (DD (DU 1)))).
   - apply (@total_ext K true Vector). intros j J. cbn [Nat.add].
     under (dual_rotation_at 0 1 2 3) [(true, Tensor); (false, Tensor); (false, Vector); (false, Vector); (true, Tensor); (true, Vector); (true, Scalar)]
       [as_slot true Tensor R; as_slot false Tensor (real_part R); as_slot false Vector (spin (real_part R)); as_slot false Vector (shift R);
-       as_slot true Tensor (Dn (n - j) R : dual_tensor K); as_slot true Vector (Dn j Omega : dual_vector K); as_slot true Scalar (whole (choose n j) : dual_scalar K)]
+       as_slot true Tensor (der (n - j) R : dual_tensor K); as_slot true Vector (der j Omega : dual_vector K); as_slot true Scalar (whole (choose n j) : dual_scalar K)]
       (Scale (DS 6) (Act (DT 4) (DU 5)))
       (Scale (DS 6) (Act (Prod (DT 4) (Transpose (DT 0))) (Act (DT 0) (DU 5)))).
 Qed.
 (* on Theorem_11, 127: for every m and n; R p moves the frame of body p, Omega p is the twist of body p+1 in it *)
 Theorem c_Theorem_11 (K : diff_ring) (R : nat -> dual_tensor K) (Omega : nat -> dual_vector K) (R_ok : forall p, dual_rotation (R p)) :
-  forall m n : nat, (Dn n (total m (fun p => R p @ Omega p)) : dual_vector K) ≡ε
+  forall m n : nat, (der n (total m (fun p => R p @ Omega p)) : dual_vector K) ≡ε
     @total (dual_ops K) Vector m (fun p => @sum_of (dual_ops K) Vector 0 n (fun k =>
-      whole (choose n k) • (((Dn (n - k) (R p) : dual_tensor K) ∘ transpose (R p)) @ (R p @ (Dn k (Omega p) : dual_vector K))))).
+      whole (choose n k) • (((der (n - k) (R p) : dual_tensor K) ∘ transpose (R p)) @ (R p @ (der k (Omega p) : dual_vector K))))).
 Proof.
-  intros m n. etransitivity; [apply (@Dn_total K true Vector)|]. apply (@total_ext K true Vector). intros p _.
+  intros m n. etransitivity; [apply (@der_total K true Vector)|]. apply (@total_ext K true Vector). intros p _.
   exact (c_123_all K (R p) (Omega p) (R_ok p) n).
 Qed.
 (* on Theorem_1: for every n, Φₙ and aₙ give the n-th acceleration of every body point, and no others do *)
 Theorem c_Theorem_1 (K : diff_ring) (R : tensor K) (rho_Q : vector K) (R_ok : rotation R) : forall n : nat,
   @exactly_one_pair K false Tensor false Vector (fun Phi a => forall r : vector K, constant (d := false) r ->
-    (Dn n (rho_Q + R @ r) : vector K) ≡ a + Phi @ (rho_Q + R @ r)).
+    (der n (rho_Q + R @ r) : vector K) ≡ a + Phi @ (rho_Q + R @ r)).
 Proof.
-  intros n. apply (@one_pair_by_witness K false Tensor false Vector) with (x := (Dn n R : tensor K) ∘ transpose R)
-    (x' := (Dn n rho_Q : vector K) - ((Dn n R : tensor K) ∘ transpose R) @ rho_Q).
+  intros n. apply (@one_pair_by_witness K false Tensor false Vector) with (x := (der n R : tensor K) ∘ transpose R)
+    (x' := (der n rho_Q : vector K) - ((der n R : tensor K) ∘ transpose R) @ rho_Q).
   - intros r r_ok. pose proof (c_14_all K R rho_Q r R_ok r_ok n) as E.
-    transitivity ((Dn n rho_Q : vector K) + ((Dn n (rho_Q + R @ r) : vector K) - (Dn n rho_Q : vector K))).
-    + under (@nil premise) [(false, Vector); (false, Vector)] [as_slot false Vector (Dn n (rho_Q + R @ r) : vector K); as_slot false Vector (Dn n rho_Q : vector K)]
+    transitivity ((der n rho_Q : vector K) + ((der n (rho_Q + R @ r) : vector K) - (der n rho_Q : vector K))).
+    + under (@nil premise) [(false, Vector); (false, Vector)] [as_slot false Vector (der n (rho_Q + R @ r) : vector K); as_slot false Vector (der n rho_Q : vector K)]
        (U 0) (Plus (U 1) (Minus (U 0) (U 1))).
     + under [@Value false Vector 0 (Act (T 1) (Minus (Plus (U 2) (U 3)) (U 2)))] [(false, Vector); (false, Tensor); (false, Vector); (false, Vector); (false, Vector)]
-       [as_slot false Vector ((Dn n (rho_Q + R @ r) : vector K) - (Dn n rho_Q : vector K)); as_slot false Tensor ((Dn n R : tensor K) ∘ transpose R);
-        as_slot false Vector rho_Q; as_slot false Vector (R @ r); as_slot false Vector (Dn n rho_Q : vector K)]
+       [as_slot false Vector ((der n (rho_Q + R @ r) : vector K) - (der n rho_Q : vector K)); as_slot false Tensor ((der n R : tensor K) ∘ transpose R);
+        as_slot false Vector rho_Q; as_slot false Vector (R @ r); as_slot false Vector (der n rho_Q : vector K)]
        (Plus (U 4) (U 0)) (Plus (Minus (U 4) (Act (T 1) (U 2))) (Act (T 1) (Plus (U 2) (U 3)))).
   - intros A a B b HA HB.
     assert (Z : constant (K := K) (d := false) (zero : vector K)) by (repeat split; apply dt_num).

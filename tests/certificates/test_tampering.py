@@ -8,10 +8,16 @@ import pytest
 
 from tests.certificates.emitted import all_certificates, one
 from workbench.certificates import coqc
+from workbench.certificates.families import general
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import HEADER, theorem
+from workbench.certificates.trial import holds_whatever_they_are
+from workbench.judge.theorems.goals import Scope
+from workbench.judge.theorems.rules import obligations
+from workbench.judge.theorems.sequents import Sequent
 from workbench.language.instances import instantiate
 from workbench.language.terms import IllFormed, Relation
+from workbench.papers import find_paper
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.edits import edits
 
@@ -108,3 +114,54 @@ def test_every_false_statement_is_refused_with_the_old_copy_and_with_its_own():
     print("\n".join(f"{number:5} {kind}" for kind, number in kinds.most_common()))
     assert kinds.total() >= 500
     assert attempts >= kinds.total() * 1.5
+
+
+def steps_about_every_n():
+    """(claim, what a step says, in what scope) of those with sums or derivatives of order n."""
+    paper = find_paper("chapter")
+    for claim in paper.claims:
+        if claim.id in ("Theorem_1", "21.every_n", "Remark_5", "119", "131.all"):
+            notation = claim.notation
+            scope = Scope(notation.symbols, notation.definitions, {})
+            proof = paper.theorems[claim.theorem].proof
+            for asked in obligations(Sequent(claim.goal.goal, scope), proof):
+                if asked.scope.integers and isinstance(asked.statement, Relation) and not asked.assume:
+                    yield claim.id, asked.statement, asked.scope.definitions
+
+
+def about_every_n(statement, definitions):
+    said, _, integers = general(statement, (), definitions)
+    return theorem("base", said, (), definitions, integers, several=True)
+
+
+def test_every_false_statement_about_every_n_is_refused():
+    texts, kinds = [], Counter()
+    for _, statement, definitions in steps_about_every_n():
+        try:
+            base = about_every_n(statement, definitions)
+        except (NotCertified, IllFormed):
+            continue
+        if not base.emitter.lemmas or base.emitter.steps or not holds_whatever_they_are(base):
+            continue
+        text, seen = [attempt(base, base.goals[0][0], fails=False)], {base.statement}
+        for edit in edits(statement):
+            if len(text) > EACH or edit.statement is None:
+                break
+            try:
+                changed = about_every_n(edit.statement, definitions)
+            except (NotCertified, IllFormed, ArithmeticError, ValueError):
+                continue
+            if changed.emitter.steps or changed.statement in seen or holds_whatever_they_are(changed):
+                continue
+            seen.add(changed.statement)
+            kinds[edit.kind] += 1
+            text.append(attempt(changed, changed.goals[0][0]))
+            if len(base.emitter.slots) == len(changed.emitter.slots):
+                text.append(attempt(changed, base.goals[0][0]))
+        texts.append("\n".join(text))
+    header = HEADER.replace("Open Scope", "From Kin Require Import Orders.\nOpen Scope", 1)
+    with ThreadPoolExecutor(2) as pool:
+        said = list(pool.map(coqc.check, ["\n".join([header, text]) for text in texts]))
+    assert [s.fault for s in said if not s.accepted] == []
+    print(f"\n{kinds.total()} false statements about every n, all refused")
+    assert kinds.total() >= 30

@@ -30,12 +30,22 @@ class Matrix:
         return len(self.entries[0])
 
 
+def is_column(term: Term) -> bool:
+    """Whether it is a vector, written as a column of three numbers."""
+    return (
+        isinstance(term, Block)
+        and term.type.kind == "vector"
+        and all(entry.type.kind == "scalar" for entry in term.children)
+    )
+
+
 def made_of_blocks(term: Term, definitions: Lookup) -> bool:
-    """Whether a matrix that is written entry by entry, or one of another size than 3, stands in the term."""
+    """Whether a matrix that is written entry by entry and no vector, or one of another size than 3, stands
+    in the term."""
     waiting, seen = [term], set()
     while waiting:
         part = waiting.pop()
-        if isinstance(part, Block) or part.type.kind == "matrix":
+        if (isinstance(part, Block) and not is_column(part)) or part.type.kind == "matrix":
             return True
         if part not in seen:
             seen.add(part)

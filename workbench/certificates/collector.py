@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from workbench.certificates import nodes
 from workbench.certificates.nodes import ATOM, Node, flag, single
 from workbench.language.definitions import Definitions
+from workbench.language.integers import Linear
 from workbench.language.terms import Symbol, Term
 from workbench.language.types import Declaration
 
@@ -27,7 +28,8 @@ _TAKEN = frozenset([
     "joined", "alike", "turned", "carried", "defined", "true", "false", "start", "deriv", "table",
     "red", "pow", "size", "total", "jets", "base", "slot", "find", "env", "upd", "den", "hom", "made",
     "of_time", "claimed", "found", "cosine", "sine", "time", "nonzero_at", "zero_at", "equal_at",
-    "value_at", "minv", "unique", "now", "agreed", "still",
+    "value_at", "minv", "unique", "now", "agreed", "still", "sum_from", "choose", "whole", "nat_plus",
+    "nat_minus", "fact",
 ])  # fmt: skip
 
 
@@ -66,8 +68,18 @@ class Collector:
         self.circles: dict[Term, tuple[Node, Node]] = {}
         self.families: dict[Declaration, str] = {}  # of recurrences, and of free functions of n
         self.firsts: dict[str, int] = {}  # where a recurrence starts
+        self.positive: set[str] = set()  # integers that index one that starts at 1
         self.integers: dict[str, str] = {}  # integer variables of the statement
         self.orders: dict = {}  # derivatives of symbolic order
+        self.bounds: dict[str, tuple[Linear, Linear]] = {}  # between which the variables of sums are
+        self.met: list = []  # the sums that were met (`sums.py`)
+        self.cores: list = []  # what they are known to have in common, if that is known
+        self.middles: dict[Term, Node] = {}  # the symbols of these
+        self.rates: dict[str, str] = {}  # what those of derivatives are by the others, as deep copies
+        self.differentiated: set[Term] = set()  # the sums that stand under a dot
+        self.composed = False  # whether there are sums, or derivatives of order n of what is no symbol
+        self.expands = True  # whether x⁽ⁿ⁾ is said in terms of those of the parts of x
+        self.lemmas: list[str] = []  # what the proof shows before
         self.coordinate: Node | None = None
         self.several = False  # whether families of several indices are taken
         self._places = 1000
@@ -86,6 +98,10 @@ class Collector:
             name += "'"
         self._names.add(name)
         return name
+
+    def forget(self, name: str) -> None:
+        """A name that is bound where it stands, and free again."""
+        self._names.discard(name)
 
     def variable(self, dual: bool, kind: str, name: str, how: str = "free") -> Node:
         """A universally quantified variable."""
@@ -130,6 +146,14 @@ class Collector:
         else:
             self.values.append(single(f"@Value {place} {value.deep}", proof))
 
+    def shown(self, left: Node, right: Node, script: str) -> str:
+        """An equation that the proof shows first; its name there."""
+        left, right = nodes.together((left, right))
+        name = self.fresh("fact")
+        said = f"{left.at(69)} {'≡ε' if left.dual else '≡'} {right.at(69)}"
+        self.lemmas.append(f"assert ({name} : {said}). {{ {script} }}")
+        return name
+
     def place(self) -> int:
         """An index for a symbol that a step of the context brings."""
         self._places += 1
@@ -154,16 +178,17 @@ class Collector:
     def put(self, symbol: Symbol, node: Node) -> None:
         self._symbols[symbol] = node
 
-    def inside(self, variable: str, body: Term) -> Collector:
-        """An emitter for the body of a step, whose definitions must all be there."""
+    def inside(self, variable: str, body: Term, name: str = "i") -> Collector:
+        """An emitter for the body of a step, whose definitions must all be there. name: of the variable."""
         for part in body.walk():
             if isinstance(part, Symbol) and all(i.is_number for i in part.index):
                 self.symbol(part)
         inner = type(self)(self.definitions)
-        inner.several = self.several
-        inner._symbols = dict(self._symbols)
-        inner._names, inner.families = self._names, self.families
-        inner.integers = {variable: self.fresh("i")}
+        inner.several, inner.families, inner.firsts = self.several, self.families, self.firsts
+        shadowed = (s for s in self._symbols if any(variable in place.variables for place in s.index))
+        inner._symbols = {s: self._symbols[s] for s in set(self._symbols).difference(shadowed)}
+        inner._names = self._names
+        inner.integers = {variable: self.fresh(name)}
         return inner
 
     def term(self, term: Term) -> Node:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from workbench.certificates import families, functions, nodes, operators, suppositions
+from workbench.certificates import families, functions, nodes, operators, sums, suppositions
+from workbench.certificates.blocks import is_column
 from workbench.certificates.collector import Collector, Origin
 from workbench.certificates.fields import curl, divergence
-from workbench.certificates.nodes import KINDS, Node, NotCertified
+from workbench.certificates.nodes import KINDS, Node, NotCertified, flag, single
 from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import count
 from workbench.language.terms import (
     Apply,
+    BigSum,
+    Block,
     Counting,
     Derivative,
     DualUnit,
@@ -67,12 +70,17 @@ class Emitter(Collector):
                 return nodes.number(term.value)
             case Integer(value=value) if value.is_number:
                 return nodes.number(int(value))
-            case Counting():
-                return (
-                    self.term(count(term.name, term.arguments))
-                    if _numeric(term)
-                    else _refuse("a symbolic binomial")
-                )
+            case Integer(value=value):
+                return self.whole(f"whole {families.numeral(self, value)}")
+            case Counting(name=name, arguments=arguments):
+                if _numeric(term):
+                    return self.term(count(name, arguments))
+                if name != "binomial":
+                    raise NotCertified(f"a {name} that depends on n")
+                numbers = " ".join(families.numeral(self, a) for a in arguments)
+                return self.whole(f"whole (choose {numbers})")
+            case BigSum():
+                return sums.of_sum(self, term)
             case Zero():
                 return nodes.zero(False, KINDS[term.type.kind])
             case Identity():
@@ -83,7 +91,7 @@ class Emitter(Collector):
                 return self.symbol(term)
             case Derivative():
                 if not term.order.is_number:
-                    return families.of_symbolic_order(self, term)
+                    return sums.of_symbolic_order(self, term)
                 value = self.term(term.body)
                 if any(h.head == "norm" for h in self.helpers if isinstance(h, Apply)):
                     full = expand(term.body, self.definitions)
@@ -94,9 +102,19 @@ class Emitter(Collector):
                 if not term.exponent.is_number:
                     raise NotCertified("a power of symbolic exponent")
                 return nodes.raised(self.term(term.base), int(term.exponent))
+            case Block(entries=entries) if is_column(term):
+                return nodes.column(*(self.term(entry) for (entry,) in entries))
             case Apply():
                 return self._apply(term)
         raise NotCertified(type(term).__name__)
+
+    def whole(self, text: str) -> Node:
+        """A number that depends on n."""
+        node = self.slot(False, "Scalar", text, nodes.APPLICATION)
+        self.origins.append(Origin(node, "constant", len(self.statement)))
+        place = f"{flag(False)} Scalar {suppositions.index(node)}"
+        self.facts.append(single(f"@Rate {place} {nodes.number(0).deep}", "(@D_whole K false _)"))
+        return node
 
     def _apply(self, term: Apply) -> Node:
         head, arguments = term.head, term.arguments
@@ -202,7 +220,3 @@ def _recurs(symbol: Symbol, body: Term) -> bool:
 
 def _numeric(term: Counting) -> bool:
     return all(a.is_number for a in term.arguments)
-
-
-def _refuse(obstacle: str) -> Node:
-    raise NotCertified(obstacle)

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from workbench.certificates import nodes, suppositions
-from workbench.certificates.collector import Collector, spelled
+from workbench.certificates.collector import Collector, Origin, spelled
 from workbench.certificates.nodes import APPLICATION, Node, NotCertified
 from workbench.language.construct import symbol as make_symbol
 from workbench.language.instances import instantiate
@@ -30,6 +30,7 @@ from workbench.language.terms import (
 if TYPE_CHECKING:
     from workbench.language.definitions import Definitions
     from workbench.language.terms import Definition, Statement
+    from workbench.language.types import Declaration
 
 
 def general(
@@ -41,36 +42,34 @@ def general(
     """
     statements = [statement, *supposed]
     least: dict[str, Linear] = {}
-    for term in (t for s in statements for t in _terms(s)):
-        for part in term.walk():
-            if isinstance(part, BigSum | Counting | Integer | Power) and not _numeric(part):
-                raise NotCertified("a sum, a power or a number that depends on n")
-            places = (
-                part.index
-                if isinstance(part, Symbol)
-                else (part.order,)
-                if isinstance(part, Derivative)
-                else ()
-            )
-            for place in (p for p in places if not p.is_number):
-                ((name, coefficient), *others) = place.coefficients
-                if others or coefficient != 1:
-                    raise NotCertified(f"the index {place}")
-                shifted = Linear.variable(name) - place.constant
-                least[name] = max(least.get(name, shifted), shifted, key=lambda s: s.constant)
+    for place in (p for s in statements for t in _terms(s) for p in _places(t, frozenset())):
+        if any(c < 0 for _, c in place.coefficients) or (len(place.coefficients) > 1 and place.constant < 0):
+            raise NotCertified(f"the index {place}")
+        for name, _ in place.coefficients:
+            shifted = Linear.variable(name) - (place.constant if len(place.coefficients) == 1 else 0)
+            least[name] = max(least.get(name, shifted), shifted, key=lambda s: s.constant)
     if not least:
         raise NotCertified("no integer variable")
     made = [instantiate(s, least) for s in statements]
     return made[0], made[1:], sorted(least)
 
 
-def _numeric(part: Term) -> bool:
-    match part:
-        case Integer(value=value) | Power(exponent=value):
-            return value.is_number
-        case Counting(arguments=arguments):
-            return all(a.is_number for a in arguments)
-    return False
+def _places(term: Term, bound: frozenset[str]) -> Iterator[Linear]:
+    """Where integers stand that no sum binds."""
+    found: tuple[Linear, ...] = ()
+    match term:
+        case Symbol(index=found) | Counting(arguments=found):
+            pass
+        case Derivative(order=one) | Integer(value=one):
+            found = (one,)
+        case Power(exponent=one) if not one.is_number:
+            raise NotCertified("a power that depends on n")
+        case BigSum(variables=variables, lower=lower, upper=upper):
+            found = (upper,) if lower is None else (lower, upper - lower + 1)
+            bound = bound | set(variables)
+    yield from (p for p in found if not p.is_number and not p.variables & bound)
+    for child in term.children:
+        yield from _places(child, bound)
 
 
 def _terms(statement: Statement) -> Iterator[Term]:
@@ -95,27 +94,27 @@ def member(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> 
     number = numeral(emitter, symbol.index[0])
     if recurrence is not None:
         name = _recursion(emitter, symbol, own, recurrence, kind)
+        if emitter.firsts[name] == 1 and symbol.index[0] in map(Linear.variable, emitter.integers):
+            emitter.positive |= symbol.index[0].variables - set(emitter.bounds)
         text = f"{name} {number}"
         emitter.read_back[text] = symbol
-        if body is None:
+        if body is None or emitter.bounds:
             return emitter.slot(symbol.type.dual, kind, text, APPLICATION)
         value = nodes.embedded(emitter.term(body), symbol.type.dual)
         return emitter.same(text, value, APPLICATION)
+    if symbol.declaration in emitter.families and own:
+        text = f"{emitter.families[symbol.declaration]} {number}"
+        node = emitter.slot(symbol.type.dual, kind, text, APPLICATION)
+        if not emitter.bounds:
+            value = nodes.embedded(emitter.term(body), symbol.type.dual)
+            emitter.stands_for(node, value, emitter.shown(node, value, "indices."))
+        return node
     if body is not None:
         value = nodes.embedded(emitter.term(body), symbol.type.dual)
         name = emitter.name(symbol)
         emitter.read_back[name] = symbol
         return emitter.defined(name, value)
-    name = emitter.families.get(symbol.declaration)
-    if name is None:
-        declaration = symbol.declaration
-        if declaration.rotation or declaration.unit or declaration.constant:
-            raise NotCertified("a family of rotations, units or constants")
-        name = emitter.fresh(_family_name(emitter, symbol))
-        emitter.families[declaration] = name
-        emitter.binders.append((name, f"nat -> {nodes.type_name(symbol.type.dual, kind)}"))
-    emitter.read_back[f"{name} {number}"] = symbol
-    return emitter.slot(symbol.type.dual, kind, f"{name} {number}", APPLICATION)
+    return _free(emitter, symbol, kind)
 
 
 def _of_several(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> Node:
@@ -126,20 +125,25 @@ def _of_several(emitter: Collector, symbol: Symbol, kind: str, body: Term | None
         or any(d.declaration == symbol.declaration for d in emitter.definitions)
     ):
         raise NotCertified("a family of several symbolic indices")
+    return _free(emitter, symbol, kind)
+
+
+def _free(emitter: Collector, symbol: Symbol, kind: str) -> Node:
     name = _free_family(emitter, symbol, kind)
-    numbers = [str(i.constant) if i.is_number else numeral(emitter, i) for i in symbol.index]
+    numbers = [numeral(emitter, i) for i in symbol.index]
     text = " ".join([name, *numbers])
     emitter.read_back[text] = symbol
     node = emitter.slot(symbol.type.dual, kind, text, APPLICATION)
     if symbol.declaration.rotation:
+        emitter.origins.append(Origin(node, "rotation", len(emitter.statement)))
         suppositions.rotation(emitter, node, f"({name}_rotation {' '.join(numbers)})")
     return node
 
 
 def _free_family(emitter: Collector, symbol: Symbol, kind: str) -> str:
     declaration = symbol.declaration
-    if declaration.unit or declaration.constant:
-        raise NotCertified("a family of units or constants")
+    if declaration.unit or declaration.constant or (declaration.rotation and not emitter.several):
+        raise NotCertified("a family of rotations, units or constants")
     if declaration not in emitter.families:
         name = emitter.fresh(_family_name(emitter, symbol))
         emitter.families[declaration] = name
@@ -156,15 +160,32 @@ def _free_family(emitter: Collector, symbol: Symbol, kind: str) -> str:
 
 
 def numeral(emitter: Collector, index: Linear) -> str:
-    """n + c as a natural number of Coq; n is quantified on first use."""
-    ((variable, coefficient), *others) = index.coefficients
-    if others or coefficient != 1 or index.constant < 0:
+    """n + c, n - k, … as a natural number of Coq, where that is none below 0."""
+    least = index
+    for variable, (lower, upper) in reversed(emitter.bounds.items()):
+        end = lower if index.coefficient(variable) > 0 else upper
+        least = least.substitute({variable: end})
+    if least.constant < 0 or any(c < 0 for _, c in least.coefficients):
         raise NotCertified(f"the index {index}")
-    name = emitter.integers.get(variable)
-    if name is None:
+    added = _total(emitter, index, index.constant)
+    return (
+        added
+        if min((c for _, c in index.coefficients), default=1) > 0 <= index.constant
+        else (f"(nat_minus {added} {_total(emitter, -index, -index.constant)})")
+    )
+
+
+def _total(emitter: Collector, index: Linear, constant: int) -> str:
+    """What is added in it."""
+    names = [name for name, coefficient in index.coefficients for _ in range(coefficient)]
+    if any(name not in emitter.integers for name in names):
         raise NotCertified(f"the index {index}")
-    text = name
-    for _ in range(index.constant):
+    if not names:
+        return str(max(constant, 0))
+    text = emitter.integers[names[0]]
+    for name in names[1:]:
+        text = f"(nat_plus {text} {emitter.integers[name]})"
+    for _ in range(constant):
         text = f"(S {text})"
     return text
 
@@ -184,7 +205,7 @@ def _recursion(emitter: Collector, symbol: Symbol, own: list[Definition], step: 
     if declaration in emitter.families:
         return emitter.families[declaration]
     bases = [d for d in own if d.index[0].is_number and _is_base(emitter, d, own)]
-    lowest = min((int(d.index[0]) for d in bases), default=None)
+    lowest = min((int(d.index[0]) for d in bases), default=1)
     if lowest not in (0, 1) or step.parameters:
         raise NotCertified("a recurrence that starts neither at 0 nor at 1")
     ((variable, _),) = step.index[0].coefficients
@@ -192,18 +213,7 @@ def _recursion(emitter: Collector, symbol: Symbol, own: list[Definition], step: 
         raise NotCertified("a recurrence of several steps")
     type_ = nodes.type_name(symbol.type.dual, kind)
     base = nodes.embedded(emitter.term(make_symbol(declaration, (Linear(lowest),))), symbol.type.dual)
-    for part in step.body.walk():  # the families on which it rests stand before it
-        if (
-            isinstance(part, Symbol)
-            and part.declaration != declaration
-            and not all(i.is_number for i in part.index)
-        ):
-            others = [d for d in emitter.definitions if d.declaration == part.declaration]
-            if not others and len(part.index) > 1 and emitter.several:
-                _free_family(emitter, part, nodes.KINDS[part.type.kind])
-            rule = next((d for d in others if not d.index[0].is_number and _mentions(d.body, d)), None)
-            if rule is not None:
-                _recursion(emitter, part, others, rule, nodes.KINDS[part.type.kind])
+    prepare(emitter, step.body, declaration)
     name = emitter.fresh(_family_name(emitter, symbol))
     inner = emitter.inside(variable, step.body)
     current = make_symbol(declaration, (Linear.variable(variable),))
@@ -221,25 +231,40 @@ def _recursion(emitter: Collector, symbol: Symbol, own: list[Definition], step: 
     return name
 
 
+def prepare(emitter: Collector, body: Term, but: Declaration | None = None) -> None:
+    """The families of which it speaks stand before it."""
+    for part in body.walk():
+        if not isinstance(part, Symbol) or part.declaration == but or all(i.is_number for i in part.index):
+            continue
+        kind = nodes.KINDS.get(part.type.kind)
+        own = [d for d in emitter.definitions if d.declaration == part.declaration]
+        rule = next((d for d in own if not d.index[0].is_number and _mentions(d.body, d)), None)
+        if kind is not None and rule is not None:
+            _recursion(emitter, part, own, rule, kind)
+        elif kind is not None and not own:
+            _free_family(emitter, part, kind)
+        elif kind is not None and len(own) == 1 and len(part.index) == 1:
+            _function(emitter, part, own[0], kind)
+
+
+def _function(emitter: Collector, symbol: Symbol, defined: Definition, kind: str) -> None:
+    """`let w := (fun i => …) in`, once, of a family that is defined for every index."""
+    variables = defined.index[0].variables
+    if symbol.declaration in emitter.families or defined.index[0] not in map(Linear.variable, variables):
+        return
+    (variable,) = variables
+    prepare(emitter, defined.body, symbol.declaration)
+    name = emitter.fresh(_family_name(emitter, symbol))
+    inner = emitter.inside(variable, defined.body)
+    inner.bounds = {variable: (Linear(1), Linear(1))}
+    emitter.forget(index := inner.integers[variable])
+    made = nodes.embedded(inner.term(defined.body), symbol.type.dual)
+    if inner.statement or inner.binders:
+        raise NotCertified("a family with definitions of its own")
+    emitter.statement.append(f"let {name} := (fun {index} => {made.text}) in")
+    emitter.introduced.append(name)
+    emitter.families[symbol.declaration] = name
+
+
 def _is_base(emitter: Collector, definition: Definition, own: list[Definition]) -> bool:
     return not _mentions(definition.body, definition)
-
-
-def of_symbolic_order(emitter: Collector, term: Derivative) -> Node:
-    """x⁽ⁿ⁺ᶜ⁾ of a free symbol x, or of another name of one; x⁽ⁿ⁾ is then a symbol of its own."""
-    body = term.body
-    named = body
-    while isinstance(named, Symbol) and (definition := emitter.definitions.lookup(named)) is not None:
-        named = definition
-    if not isinstance(body, Symbol) or not isinstance(named, Symbol):
-        raise NotCertified("a derivative of symbolic order of anything but a symbol")
-    value = emitter.symbol(body)
-    order = term.order
-    key = (body, order - order.constant)
-    if key not in emitter.orders:
-        number = numeral(emitter, order - order.constant)
-        emitter.read_back[f"der {number} {value.at(nodes.ATOM)}"] = Derivative(term.type, None, body, key[1])
-        emitter.orders[key] = emitter.slot(
-            value.dual, value.kind, f"der {number} {value.at(nodes.ATOM)}", APPLICATION
-        )
-    return nodes.derivative(emitter.orders[key], order.constant)

@@ -11,12 +11,16 @@ from workbench.certificates.inequations import HEADER as OF_INEQUATIONS
 from workbench.certificates.inequations import denies, unequal
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import HEADER, Theorem, theorem
+from workbench.certificates.trial import can_be_certified
 from workbench.language.instances import instantiate
 from workbench.language.terms import IllFormed, Relation
 from workbench.papers.model import Claim, Formula
 
-#: What is needed where a dual quantity is divided by, or has a length.
-DUALS = "From Kin Require Import Duals."
+#: What is needed where a dual quantity is divided by, or has a length; and where sums or numbers depend on n.
+MORE = {
+    "Duals": ("dual_over", "dual_length"),
+    "Orders": ("sum_from", "whole", "fact"),
+}
 
 FORMS = ("printed", "reading", "corrected")
 
@@ -68,7 +72,8 @@ class Certificate:
             last = f"{names[0]}_each"
             together = f"Definition {last} := ({', '.join(f'@{name}' for name in names)})."
         texts = [t.text for t in self.theorems]
-        more = [DUALS] if any("dual_over" in text or "dual_length" in text for text in texts) else []
+        needed = [name for name, words in MORE.items() if any(w in text for w in words for text in texts)]
+        more = [f"From Kin Require Import {name}." for name in needed]
         return "\n".join([about, *more, self.header, *texts, together, f"Print Assumptions {last}.", ""])
 
 
@@ -101,6 +106,8 @@ def certificate(form: Form, every: bool) -> Certificate:
         try:
             statement, supposed, integers = general(form.formula.statement, claim.supposed, definitions)
             made = theorem(form.identifier, statement, supposed, definitions, integers)
+            if not can_be_certified(made):
+                raise NotCertified("a sum of which the library knows too little")
             return Certificate(form, (made,), f"all {', '.join(integers)}" if integers else None)
         except NotCertified:
             pass

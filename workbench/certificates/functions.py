@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from workbench.certificates import nodes
+from workbench.certificates.blocks import is_column
 from workbench.certificates.collector import Collector
 from workbench.certificates.nodes import APPLICATION, ATOM, Node, NotCertified, flag, single
 from workbench.judge.kernel.case import NoDefinitions
@@ -175,6 +176,8 @@ def norm(emitter: Collector, term: Apply) -> Node:
     real part."""
     if term not in emitter.helpers:
         (inner,) = term.arguments
+        if any(map(is_column, inner.walk())):  # Coq's division knows too little of such a number
+            raise NotCertified("the norm of what is made of a column of numbers")
         value = emitter.term(inner)
         if value.kind != "Vector":
             raise NotCertified("a norm of anything but a vector")

@@ -6,17 +6,15 @@ The step is an instance of it. That it holds so is tried on random motions first
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
-from random import Random
 
 from workbench.certificates.emitter import Emitter
-from workbench.certificates.instances import place
-from workbench.certificates.nodes import KINDS, NotCertified, flag
-from workbench.certificates.theorem import Theorem
-from workbench.certificates.trigonometric import Pair, Values, Wave, flat, order, parsed, value
-from workbench.language.construct import apply, derivative, rebuild, relation, symbol
+from workbench.certificates.nodes import KINDS, NotCertified
+from workbench.language.construct import apply, big_sum, derivative, power, rebuild, relation, symbol
 from workbench.language.definitions import Definitions
+from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.printer import to_latex
@@ -27,7 +25,6 @@ from workbench.language.terms import (
     Derivative,
     Identity,
     IllFormed,
-    Integer,
     Power,
     Relation,
     Statement,
@@ -43,14 +40,15 @@ class Generalizer:
     what it is by definition, if it is a member of a recurrence, such as Fₙ₊₁(ω) in terms of Fₙ(ω), or what
     such an operator makes of a value."""
 
-    def __init__(self, definitions: Definitions, integers: Iterable[str]) -> None:
+    def __init__(self, definitions: Definitions, integers: Mapping[str, int]) -> None:
         self.meant: dict[Symbol, Term] = {}
         self.premises: list[Relation] = []
         self._definitions = definitions
         self._speaker = Emitter(definitions)
         self._speaker.several = True
         self._speaker.integers = {name: name for name in integers}
-        self._least: dict[tuple[Term, Linear], int] = {}
+        self._speaker.bounds = {n: (Linear(least), Linear.variable(n)) for n, least in integers.items()}
+        self._bound: tuple[str, ...] = ()  # the variables of sums around
 
     @property
     def said(self) -> list[str]:
@@ -60,33 +58,27 @@ class Generalizer:
     def equation(self, said: Statement) -> Relation:
         if not isinstance(said, Relation) or said.operator != "=":
             raise NotCertified("no equation")
-        for part in (p for side in (said.left, said.right) for p in side.walk()):
-            if isinstance(part, Derivative) and not part.order.is_number:
-                key = part.body, part.order - part.order.constant
-                self._least[key] = min(self._least.get(key, part.order.constant), part.order.constant)
-        return relation(said.operator, self.term(said.left), self.term(said.right))
+        sides = said.left, said.right
+        for part in (p for side in sides for p in side.walk()):  # before what is one of its addends
+            if isinstance(part, BigSum):
+                self.term(part)
+        return relation(said.operator, *map(self.term, sides))
 
     def term(self, term: Term) -> Term:
         match term:
-            case BigSum():
+            case BigSum(variables=(variable,), lower=Linear() as lower, upper=upper, body=body):
+                with self._inside(variable, lower, upper):
+                    addend = self.term(body)
+                return big_sum((variable,), lower, upper, addend)
+            case Power(exponent=Linear(is_number=False)) if term.type.kind in KINDS:
                 return self._anything(term)
-            case Integer(value=Linear(is_number=False)) | Counting():
-                return self._anything(term, constant=True)
-            case Power(exponent=Linear(is_number=False)):
-                return self._anything(term)
-            case Derivative(body=body, order=Linear(is_number=False) as many):
-                lowest = self._least.setdefault((body, many - many.constant), many.constant)
-                least = min(lowest, many.constant)
-                lowest = Derivative(term.type, None, body, many - many.constant + least)
-                made, more = self._anything(lowest), many.constant - least
-                return derivative(made, more) if more else made
         whole = isinstance(term, Symbol) or getattr(term, "head", "") in ("divergence", "curl")
         made = term if whole or not term.children else rebuild(term, [self.term(c) for c in term.children])
         if term.type.kind not in KINDS or self._can_be_said(made):
             return made
         known = len(self.meant)
         named = self._anything(term)
-        if len(self.meant) > known and (body := self._meaning(term)) is not None:
+        if len(self.meant) > known and not named.index and (body := self._meaning(term)) is not None:
             self.premises.append(relation("=", named, self.term(body)))
         return named
 
@@ -106,7 +98,7 @@ class Generalizer:
                 body = self._definitions.lookup(operator)
                 return None if body is None else self._acted(body, value)
             case Power(base=base, exponent=many) if many.constant > 0:
-                return self._acted(base, self._acted(replace(operator, exponent=many - 1), value))
+                return self._acted(base, self._acted(power(base, many - 1), value))
             case Symbol() | Power():
                 return None
         return self._acted(operator, value)
@@ -121,7 +113,20 @@ class Generalizer:
                 return self._acted(outer, self._acted(inner, value))
             case Identity() if operator.type.kind == "operator":
                 return value
+            case BigSum(variables=variables, lower=lower, upper=upper, body=body):
+                return big_sum(variables, lower, upper, self._acted(body, value))
         return apply("mul", operator, value)
+
+    @contextmanager
+    def _inside(self, variable: str, lower: Linear, upper: Linear) -> Iterator[None]:
+        speaker, kept = self._speaker, (self._bound, self._speaker.integers, self._speaker.bounds)
+        self._bound = (*self._bound, variable)
+        speaker.integers = {**speaker.integers, variable: variable}
+        speaker.bounds = {**speaker.bounds, variable: (lower, upper)}
+        try:
+            yield
+        finally:
+            self._bound, speaker.integers, speaker.bounds = kept
 
     def _can_be_said(self, term: Term) -> bool:
         try:
@@ -131,47 +136,43 @@ class Generalizer:
         return True
 
     def _anything(self, term: Term, constant: bool = False) -> Symbol:
+        """A symbol of its own; with an index for each variable of a sum on which the term depends."""
         for known, meant in self.meant.items():
-            if meant == term:
-                return known
+            index = _by_index(meant, [*known.index, None][0], term)
+            if index is not None:
+                return replace(known, index=index)
         if term.type.kind not in KINDS:
             raise NotCertified(f"a quantity that is no scalar, vector or tensor: {term.type.kind}")
-        made = symbol(Declaration(Name(f"any_{len(self.meant) + 1}"), term.type, constant=constant))
+        free = free_integers(term)
+        index = tuple(Linear.variable(v) for v in self._bound if v in free)
+        if len(index) > 1:
+            raise NotCertified("a sum of sums")
+        name = Name(f"any_{len(self.meant) + 1}", sub=("",) * (len(index) + 1) if index else ())
+        made = symbol(Declaration(name, term.type, constant=constant, indices=len(index)), index)
         self.meant[made] = term
         return made
 
 
-def holds_whatever_they_are(made: Theorem) -> bool:
-    """Whether the theorem's equations hold on a random motion, whatever is supposed of the symbols."""
-    chance, values, emitter = Random(0), {}, made.emitter
-    if emitter.steps:  # reciprocals are what is supposed of them
-        return False
-    pairs = [pair for goals in made.goals for pair in goals]
-    known = {place(origin.node): origin.value for origin in emitter.origins if origin.how == "is"}
-    sides = [side for pair in pairs for side in pair] + [node.deep for node in known.values()]
-    degree = 1 + len(known) + max(order(parsed(side), {}) for side in sides)
-    for number, (dual, kind, _) in enumerate(emitter.slots):
-        if (where := (flag(dual), kind, str(number))) not in known:
-            values[where] = _any(dual, kind, degree, chance)
-    for where, node in known.items():
-        values[where] = value(node.deep, values)
-    return all(_agree(left, right, values) for left, right in pairs)
+def _by_index(meant: Term, index: Linear | None, term: Term) -> tuple[Linear, ...] | None:
+    """For which index the one is the other."""
+    if index is None:
+        return () if meant == term else None
+    (variable,) = index.variables
+    places = {place for part in term.walk() for place in _integers(part)}
+    places |= set(map(Linear.variable, free_integers(term)))
+    for place in (p + more for p in places for more in (0, -1, 1)):
+        try:
+            if instantiate(meant, {variable: place}) == term:
+                return (place,)
+        except IllFormed:
+            continue
+    return None
 
 
-def _agree(left: str, right: str, values: Values) -> bool:
-    return flat(value(left, values)) == flat(value(right, values))
-
-
-def _any(dual: bool, kind: str, degree: int, chance: Random) -> object:
-    def scalar() -> Wave:
-        return Wave({(0, 0, power): chance.randint(1, 10**9) for power in range(degree + 1)})
-
-    def entry() -> Wave | Pair:
-        return Pair(scalar(), scalar()) if dual else scalar()
-
-    match kind:
-        case "Scalar":
-            return entry()
-        case "Vector":
-            return [entry() for _ in range(3)]
-    return [[entry() for _ in range(3)] for _ in range(3)]
+def _integers(part: Term) -> tuple[Linear, ...]:
+    match part:
+        case Symbol(index=index) | Counting(arguments=index):
+            return index
+        case Derivative(order=one) | Power(exponent=one):
+            return (one,)
+    return ()

@@ -15,10 +15,13 @@ from typing import Any
 from workbench.certificates.read_back import Expression, Unread, number
 from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.language.construct import symbol
 from workbench.language.definitions import Definitions
-from workbench.language.instances import count
+from workbench.language.instances import count, instantiate
+from workbench.language.integers import Linear
 from workbench.language.terms import (
     Apply,
+    BigSum,
     Block,
     Counting,
     Derivative,
@@ -32,6 +35,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
+from workbench.language.types import Declaration
 
 _UNARY = {
     "skew": "skew",
@@ -60,8 +64,16 @@ def added(parts: list[Any]) -> Any:
 class OfText:
     """Meanings of expressions, where `names` says what term a name stands for."""
 
-    def __init__(self, names: Mapping[str, Term], of_term: OfTerm) -> None:
+    def __init__(
+        self,
+        names: Mapping[str, Term],
+        of_term: OfTerm,
+        families: Mapping[Declaration, str] | None = None,
+        integers: Mapping[str, str] | None = None,
+    ) -> None:
         self.names, self.of_term, self.bound = names, of_term, {}
+        self.families = {name: declaration for declaration, name in (families or {}).items()}
+        self.integers = {name: Linear.variable(v) for v, name in (integers or {}).items()}
 
     def __call__(self, e: Expression) -> Any:
         if str(e) in self.bound:
@@ -105,13 +117,20 @@ class OfText:
             case "mdot":
                 return differentiated(self(arguments[0]), 1)
             case "der":
-                return ("der", int(arguments[0].head), self(arguments[1]))
+                return ("der", self.index(arguments[0]), self(arguments[1]))
+            case "sum_from":
+                return self._sum(*arguments)
+            case "whole":
+                return ("whole", *self._number(arguments[0]))
             case "square":
                 return ("square", self(arguments[0]))
             case "tpower" | "spower" | "power_op":
                 return ("power", self(arguments[0]), int(arguments[1].head))
             case "triple":
                 return ("triple", *made())
+            case "V":
+                first, second, third = made()
+                return ("above", 1, first, ("above", 1, second, third))
             case "mplus":
                 return added(made())
             case "mprod" | "beside" | "above":
@@ -141,11 +160,43 @@ class OfText:
                 inner = self(body)
                 self.bound = {}
                 return (name, inner)
+        if name in self.families:
+            places = tuple(Linear() + self.index(a) for a in arguments)
+            return ("symbol", symbol(self.families[name], places))
         if name in _UNARY:
             return (_UNARY[name], *made())
         if len(arguments) == 1:  # an operator on a value
             return applied(self(function), self(arguments[0]))
         raise Unread(f"the function {name}")
+
+    def index(self, e: Expression) -> Linear | int:
+        """A natural number of Coq; one without variables is an int."""
+        if e.head in self.integers:
+            return self.integers[e.head]
+        if e.head.isdigit():
+            return int(e.head)
+        match [a.head if i == 0 else self.index(a) for i, a in enumerate(e.arguments)]:
+            case ["S", one]:
+                return one + 1
+            case ["nat_plus", one, two]:
+                return one + two
+            case ["nat_minus", one, two]:
+                return one - two
+        raise Unread(f"the number {e}")
+
+    def _number(self, e: Expression) -> tuple[Any, ...]:
+        if e.head == "" and e.arguments[0].head == "choose":
+            return ("binomial", *(Linear() + self.index(a) for a in e.arguments[1:]))
+        return (self.index(e),)
+
+    def _sum(self, first: Expression, many: Expression, addend: Expression) -> Any:
+        variable, body = addend.arguments
+        lower, count_ = Linear() + self.index(first), Linear() + self.index(many)
+        outer = self.integers
+        self.integers = {**outer, str(variable): Linear.variable(bound(len(outer)))}
+        inner = self(body)
+        self.integers = outer
+        return ("sum", lower, count_, inner)
 
     def _by_its_real_part(self, name: str, value: Any, *helpers: Any) -> Any:
         over = ("over", ("re", value)), ("over", ("norm", ("re", value)))
@@ -153,6 +204,11 @@ class OfText:
         if helpers != wanted:
             raise Unread(f"{name} of {helpers}")
         return ("over" if name == "dual_over" else "norm", value)
+
+
+def bound(depth: int) -> str:
+    """What stands for the variable of a sum."""
+    return f"·{depth}"
 
 
 def applied(operator: Any, value: Any) -> Any:
@@ -166,16 +222,18 @@ def differentiated(value: Any, order: int) -> Any:
 class OfTerm:
     """Meanings of typed terms; symbols stand for themselves."""
 
-    def __init__(self, definitions: Definitions) -> None:
-        self.definitions = definitions
+    def __init__(self, definitions: Definitions, integers: int = 0) -> None:
+        self.definitions, self.depth = definitions, integers
 
     def __call__(self, t: Term) -> Any:
         match t:
             case Number(value=value):
                 return ("number", value)
             case Integer(value=value):
-                return ("number", Fraction(int(value)))
+                return ("number", Fraction(int(value))) if value.is_number else ("whole", value)
             case Counting(name=name, arguments=arguments):
+                if not all(a.is_number for a in arguments):
+                    return ("whole", name, *arguments)
                 return self(count(name, arguments))
             case Zero():
                 return ("zero",)
@@ -190,8 +248,14 @@ class OfTerm:
             case Derivative(body=body, order=order):
                 if order.is_number:
                     return ("der", int(order), self(body))
-                free = ("symbol", Derivative(t.type, None, body, order - order.constant))
-                return ("der", order.constant, free) if order.constant else free
+                more = max(order.constant, 0)
+                free = ("der", order - more, self(body))
+                return ("der", more, free) if more else free
+            case BigSum(variables=(variable,), lower=Linear() as lower, upper=upper, body=body):
+                self.depth += 1
+                inner = self(instantiate(body, {variable: Linear.variable(bound(self.depth - 1))}))
+                self.depth -= 1
+                return ("sum", lower, upper - lower + 1, inner)
             case Power(base=base, exponent=exponent):
                 return self._power(base, int(exponent))
             case Block(entries=entries):

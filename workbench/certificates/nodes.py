@@ -135,6 +135,14 @@ def times(left: Node, right: Node) -> Node:
     raise NotCertified(f"a product of {left.kind} and {right.kind}")
 
 
+def column(*entries: Node) -> Node:
+    """The vector of three scalars."""
+    entries = together(entries)
+    dual, text = entries[0].dual, " ".join(entry.at(ATOM) for entry in entries)
+    deep = f"(Triad {' '.join(entry.deep for entry in entries)})"
+    return Node(dual, "Vector", f"(V {text} : {type_name(dual, 'Vector')})", ATOM, deep)
+
+
 def dot(left: Node, right: Node) -> Node:
     return infix("·", "Dot", "Scalar", left, right)
 

@@ -242,8 +242,8 @@ def _met(of: Theorem) -> Denied:
         values = dict.fromkeys(integers, number)
         said = [instantiate(s, values) if values else s for s in (statement, *assume)]
         made = theorem(of.name, said[0], said[1:], of.emitter.definitions, slots=BASE)
-        shifted = "_less_1" if 1 in of.emitter.firsts.values() else ""
-        numbers = {f"{of.emitter.integers[v]}{shifted}": n for v, n in values.items()}
+        own = of.emitter
+        numbers = {own.integers[v] + "_less_1" * (v in own.positive): n for v, n in values.items()}
         if _types(of) != _types(made):
             raise NotCertified("no motion for premises about every n")
         with suppress(NotCertified):

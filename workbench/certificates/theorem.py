@@ -6,12 +6,16 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.certificates import blocks, functions, nodes, operators, read_back
+from workbench.certificates import blocks, functions, nodes, operators, read_back, sums
 from workbench.certificates.emitter import Emitter
-from workbench.certificates.meaning import OfTerm, OfText, applied
+from workbench.certificates.meaning import OfTerm, OfText, applied, bound
 from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, flag, single
+from workbench.certificates.trial import can_be_certified
 from workbench.judge.theorems.sequents import relations_of
+from workbench.language.construct import symbol as make_symbol
 from workbench.language.definitions import Definitions, expand
+from workbench.language.instances import instantiate
+from workbench.language.integers import Linear
 from workbench.language.terms import (
     Apply,
     Conjunction,
@@ -49,11 +53,13 @@ class Theorem:
     def read_back_faults(self) -> list[str]:
         """Where the text, read again, does not say what the terms say, or is not the text again."""
         emitter = self.emitter
-        of_term = OfTerm(emitter.definitions)
-        of_text = OfText(emitter.read_back, of_term)
+        of_term = OfTerm(emitter.definitions, len(emitter.integers))
+        of_text = OfText(emitter.read_back, of_term, emitter.families, emitter.integers)
         faults = []
         for line in emitter.statement:
             found = re.fullmatch(r"let (\S+)(?: : [^:=]+)? := (.*) in", line, re.DOTALL)
+            if found and found[1] in emitter.families.values():
+                faults += self._family_faults(*found.groups(), of_text)
             symbol = emitter.read_back.get(found[1]) if found else None
             if symbol is None:
                 continue
@@ -73,17 +79,43 @@ class Theorem:
                 faults += differs("the conclusion", text, of_text, wanted)
         return faults
 
+    def _family_faults(self, name: str, text: str, of_text: OfText) -> list[str]:
+        """Of a family that is given by its first member and a step, or by a function of the index."""
+        emitter = self.emitter
+        declaration = next(d for d, n in emitter.families.items() if n == name)
+        of_term = OfTerm(emitter.definitions, len(emitter.integers) + 1)
+        (step,) = (
+            d for d in emitter.definitions if d.declaration == declaration and not d.index[0].is_number
+        )
+        index = Linear.variable(bound(len(emitter.integers)))
+        wanted = of_term(instantiate(step.body, dict.fromkeys(step.index[0].variables, index)))
+        inner = OfText(emitter.read_back, of_term, emitter.families, emitter.integers)
+        found = re.fullmatch(
+            r"from_(zero|one) (.+) \(fun \((\S+) : nat\) \((\S+) : ([^)]+)\) => (.+)\)", text
+        )
+        if found is None:
+            variable, body = read_back.expression(text).arguments
+            inner.integers = {**inner.integers, str(variable): index}
+            return differs(name, str(body), inner, wanted)
+        first, base, variable, member, type_, body = found.groups()
+        inner.integers = {**inner.integers, variable: index}
+        inner.bound = {member: ("symbol", make_symbol(declaration, (index,)))}
+        least = make_symbol(declaration, (Linear({"zero": 0, "one": 1}[first]),))
+        kind = nodes.type_name(declaration.type.dual, KINDS[declaration.type.kind])
+        wrong = [] if type_ == kind else [f"{name}: its members are said to be {type_}"]
+        return wrong + differs(name, base, of_text, of_term(least)) + differs(name, body, inner, wanted)
+
     @property
     def statement(self) -> str:
         emitter = self.emitter
         binders = [f"({name} : {type_})" for name, type_ in emitter.binders]
         lines = list(emitter.statement)
-        for variable in emitter.integers.values():
-            if 1 in emitter.firsts.values():
-                binders.insert(0, f"({variable}_less_1 : nat)")
-                lines.insert(0, f"let {variable} := S {variable}_less_1 in")
+        for variable, name in reversed(emitter.integers.items()):
+            if variable in emitter.positive:
+                binders.insert(0, f"({name}_less_1 : nat)")
+                lines.insert(0, f"let {name} := S {name}_less_1 in")
             else:
-                binders.insert(0, f"({variable} : nat)")
+                binders.insert(0, f"({name} : nat)")
         head = " ".join([f"Theorem {self.name} (K : diff_ring)", *binders])
         return "\n  ".join([f"{head} :", *lines, " /\\ ".join(self.conclusions) + "."])
 
@@ -91,9 +123,9 @@ class Theorem:
     def proof(self) -> str:
         emitter = self.emitter
         introduced = list(emitter.introduced)
-        if 1 in emitter.firsts.values():
-            introduced = [*emitter.integers.values(), *introduced]
+        introduced = [*(n for v, n in emitter.integers.items() if v in emitter.positive), *introduced]
         lines = [f"intros {' '.join(introduced)}."] if introduced else []
+        lines += emitter.lemmas
         slots = emitter.slots or [(False, "Scalar", "(num 0 : scalar K)")]
         shapes = "; ".join(f"({flag(dual)}, {kind})" for dual, kind, _ in slots)
         values = "; ".join(
@@ -137,8 +169,29 @@ def theorem(
 ) -> Theorem:
     """Raises NotCertified with the first obstacle. slots: symbols before those of the statement. several:
     families of several indices are taken, too, of which it is not shown that there are any."""
-    emitter = Emitter(definitions, slots)
-    emitter.several = several
+    for expands in (False, True):
+        cores: Sequence[sums.Summed] = ()
+        while True:  # once more where there are sums, with what these have in common
+            emitter = Emitter(definitions, slots)
+            emitter.several, emitter.expands, emitter.cores = several, expands, cores
+            made = _written(emitter, name, statement, assume, integers)
+            if cores or not emitter.met:
+                break
+            cores = sums.cores_of(emitter.met)
+        if can_be_certified(made):
+            break
+    return made
+
+
+def _written(
+    emitter: Emitter,
+    name: str,
+    statement: Statement,
+    assume: Sequence[Statement],
+    integers: Sequence[str],
+) -> Theorem:
+    definitions = emitter.definitions
+    emitter.differentiated = sums.differentiated(statement)
     for variable in integers:
         emitter.integers[variable] = emitter.fresh(variable)
     made = Theorem(name, emitter, source=(statement, assume, integers))

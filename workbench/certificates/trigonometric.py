@@ -159,7 +159,7 @@ def _transpose(a: list) -> list:
     return [list(row) for row in zip(*a, strict=True)]
 
 
-def _product(a: list, b: list) -> list:
+def product(a: list, b: list) -> list:
     return [[_dot(row, column) for column in _transpose(b)] for row in a]
 
 
@@ -167,7 +167,7 @@ def _adjugate(a: list) -> list:
     return _transpose([_cross(a[1], a[2]), _cross(a[2], a[0]), _cross(a[0], a[1])])
 
 
-def _skew(u: list) -> list:
+def skew(u: list) -> list:
     nothing = u[0] + -u[0]
     return [[nothing, -u[2], u[1]], [u[2], nothing, -u[0]], [-u[1], u[0], nothing]]
 
@@ -187,11 +187,11 @@ _OPERATIONS: dict[str, Callable[..., Any]] = {
     "Neg": lambda a: _each(lambda x: -x, a),
     "Scale": lambda s, a: _each(lambda x: s * x, a),
     "Act": lambda a, u: [_dot(row, u) for row in a],
-    "Prod": _product,
+    "Prod": product,
     "Dot": _dot,
     "Cross": _cross,
     "Outer": lambda u, v: [[a * b for b in v] for a in u],
-    "Skew": _skew,
+    "Skew": skew,
     "Vect": _vect,
     "Sym": lambda a: _halved(_plus(a, _transpose(a))),
     "Anti": lambda a: _halved(_minus(a, _transpose(a))),

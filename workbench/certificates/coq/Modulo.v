@@ -214,13 +214,8 @@ Proof.
   intros H. unfold follows. pose proof (@run_ok ps start env0 start_ok env0_ok H) as N.
   destruct (run ps env0) as [s E]. destruct N as [S U]. intros C. apply equal_pairs.
   pose proof (@pairs_ok s d k _ _ _ _ (den_related (rem_hom S) a U) (den_related (rem_hom S) b U)) as P.
-  rewrite forallb_forall, <- Forall_forall in C. revert C. destruct S as (_ & _ & R).
+  rewrite forallb_forall, <- Forall_forall in C. revert C.
   induction P as [|[p q] [x y] c cs [P Q] _ IH]; intros C; [constructor|].
-  apply Forall_cons_iff in C as [Z C]. constructor; [|auto]. unfold vanishes, stands in *. cbn [fst snd] in *.
-  assert (V : value (subtract (p, q)) == num 0).
-  { rewrite <- (reduce_ok R). destruct (reduce (known s) (subtract (p, q))) as [n| |]; try discriminate.
-    exact (num_ext K (Qeq_bool_eq _ _ Z)). }
-  rewrite value_subtract, P, Q in V.
-  transitivity (add (add x (opp y)) y); [ring | rewrite V; ring].
+  apply Forall_cons_iff in C as [Z C]. constructor; [exact (vanishes_ok p q x y S P Q Z) | auto].
 Qed.
 End Modulo.

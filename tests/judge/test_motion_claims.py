@@ -1,5 +1,6 @@
 """What of a goal, of a sentence and of a definition is looked at on Drake's motions, and what vetoes it."""
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -164,9 +165,9 @@ def test_a_printed_form_that_holds_is_refused(tmp_path):
     ],
 )
 def test_bad_formulas_of_ours_are_refused_where_they_stand(tmp_path, lines, message):
-    with pytest.raises(PaperError, match=message) as raised:
+    with pytest.raises(PaperError) as raised:
         paper(tmp_path, "printed = 'p = p'", motion=with_ours(*lines))
-    assert raised.value.line is not None
+    assert any(fault.line is not None and re.search(message, str(fault)) for fault in raised.value.faults)
 
 
 def test_a_formula_of_ours_that_says_nothing_of_a_motion_is_refused(tmp_path):

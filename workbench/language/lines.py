@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from workbench.language.context import join_lines
 from workbench.language.errors import place
-from workbench.language.tokens import Tokenizer, join_lines
+from workbench.language.tokens import Tokenizer
 
 _LEFT_BRACE = re.compile(r"\s*(?:\\left\s*\\\{\s*)?")
 _RIGHT_NOTHING = re.compile(r"\s*\\right\s*\.")

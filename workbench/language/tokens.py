@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from lark import Token
 
+from workbench.language.context import join_lines, marked
 from workbench.language.errors import Fault
 from workbench.language.operators import FUNCTIONS
 from workbench.language.vocabulary import (
@@ -20,19 +21,15 @@ from workbench.language.vocabulary import (
     LINES,
     MATRICES,
     NAMES,
-    ORIENTATIONS,
     SIZES,
     SPACING,
     UPRIGHT,
     WORDS,
-    goes_on,
 )
 
 _OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
 
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
-_OPENS = frozenset({"OPEN", "LBRACE", "BEGIN_MATRIX", "BEGIN_LINES"})
-_CLOSES = frozenset({"CLOSE", "RBRACE", "END_MATRIX", "END_LINES"})
 
 #: No formula is longer, or nests brackets deeper.
 LONGEST = 50_000
@@ -99,7 +96,7 @@ class Tokenizer:
             raise Fault(f"\\{self.size} without a bracket", len(self.text))
         if self.refused:
             raise self.refused
-        return join_lines(_marks(self.out))
+        return join_lines(marked(self.out))
 
     def legible(self) -> list[Token]:
         """What can be told of the tokens of a formula that may be garbled, its lines not yet joined."""
@@ -110,7 +107,7 @@ class Tokenizer:
                 self.match(match)
             except Fault:
                 self.size = None
-        return _marks(self.out)
+        return marked(self.out)
 
     def emit(self, kind: str, value: str, at: int) -> None:
         self.out.append(Token(kind, value, start_pos=at, end_pos=self.end))
@@ -331,77 +328,6 @@ class Tokenizer:
 
 def _guessed(dots: str) -> str:
     return f"{dots} leaves something to be guessed; write the sum with \\sum, the range as n \\geq 1"
-
-
-def _marks(tokens: list[Token]) -> list[Token]:
-    """A sign that stands alone in a script is a mark: q^+, [x]_\\times, x^{\\wedge}, v_\\perp, x_{\\max}."""
-    marked = []
-    for place, token in enumerate(tokens):
-        if token.type in ("INFIX", "SIGN", "MARK", "EXTREMAL") or token in ORIENTATIONS:
-            before = [t.type for t in tokens[max(place - 2, 0) : place]]
-            closes = place + 1 < len(tokens) and tokens[place + 1].type == "RBRACE"
-            alone = before[-1:] in (["SUP"], ["SUB"]) or (
-                before in (["SUP", "LBRACE"], ["SUB", "LBRACE"]) and closes
-            )
-            if token == "*" and token.type == "MARK" and before[-1:] and before[-1] in ENDS_A_FACTOR:
-                token = Token.new_borrow_pos("INFIX", "*", token)
-            elif token.type != "MARK" and alone:
-                text = f"\\{token}" if token.type == "EXTREMAL" else str(token)
-                token = Token.new_borrow_pos("MARK", text, token)
-        marked.append(token)
-    return marked
-
-
-def join_lines(tokens: list[Token]) -> list[Token]:
-    """A line goes on after a break if it ends with a sign, if the next begins with =, × and the like, or if
-    the next begins with a sign and relates nothing. A comma before such a break goes."""
-    joined: list[Token] = []
-    in_cases: list[bool] = [False]  # of each environment: whether its lines are the values of a side
-    for place, token in enumerate(tokens):
-        if token.type == "BEGIN_LINES":
-            in_cases.append(bool(joined) and joined[-1].type == "RELATION")
-        elif token.type == "END_LINES":
-            in_cases.pop()
-        elif token.type == "BREAK" and joined and place + 1 < len(tokens):
-            before, after = joined[-1], tokens[place + 1]
-            is_addend = (
-                after.type == "SIGN"
-                and not in_cases[-1]
-                and _takes_addends(joined)
-                and not _relates(tokens[place + 1 :])
-            )
-            if goes_on(before.type, after.type, is_addend):
-                if before.type == "COMMA" or (before.type == "SIGN" and after == before):
-                    joined.pop()  # a sign that is repeated on the next line
-                continue
-        joined.append(token)
-    return joined
-
-
-def _relates(tokens: list[Token]) -> bool:
-    """Whether the clause that begins here says something, and is not the rest of a side."""
-    depth = 0
-    for token in tokens:
-        depth += (token.type in _OPENS) - (token.type in _CLOSES)
-        if depth < 0 or (depth == 0 and token.type in ("COMMA", "BREAK", "GIVEN")):
-            return False
-        if depth == 0 and token.type in ("RELATION", "IMPLICATION", "AND"):
-            return True
-    return False
-
-
-def _takes_addends(tokens: list[Token]) -> bool:
-    """Whether the line that ends here ends with a side, and not with a condition."""
-    relation, has_comma = "", False
-    for token in reversed(tokens):
-        if token.type in ("BREAK", "BEGIN_LINES"):
-            break
-        if token.type == "GIVEN":
-            return False
-        if token.type == "RELATION":
-            relation = relation or str(token)
-        has_comma = has_comma or (token.type == "COMMA" and token is not tokens[-1])
-    return relation == "=" or (relation != "" and not has_comma)
 
 
 def _refuse_control_characters(text: str) -> None:

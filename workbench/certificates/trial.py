@@ -6,8 +6,9 @@ import re
 from collections.abc import Mapping
 from fractions import Fraction
 from random import Random
-from typing import TYPE_CHECKING
+from typing import Protocol
 
+from workbench.certificates.collector import Collector
 from workbench.certificates.instances import place
 from workbench.certificates.nodes import flag
 from workbench.certificates.trigonometric import (
@@ -23,8 +24,12 @@ from workbench.certificates.trigonometric import (
     wave,
 )
 
-if TYPE_CHECKING:
-    from workbench.certificates.theorem import Theorem
+
+class Theorem(Protocol):
+    """emitter: what its statement speaks of.   goals: pairs of sides, as deep copies."""
+
+    emitter: Collector
+    goals: list[list[tuple[str, str]]]
 
 
 def can_be_certified(made: Theorem) -> bool:

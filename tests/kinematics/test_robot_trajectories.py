@@ -70,7 +70,7 @@ def test_drake_s_trajectories_move_a_robot(name):
 
 
 @pytest.mark.parametrize("noise", [0.0, 1e-4, 1e-2])
-@pytest.mark.parametrize("count", [40, 400])
+@pytest.mark.parametrize("count", [40, pytest.param(400, marks=pytest.mark.slow)])
 def test_the_spline_s_error_is_about_what_it_states(noise, count):
     rng = np.random.default_rng(0)
     t = np.linspace(0, 4, count)

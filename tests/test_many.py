@@ -98,7 +98,8 @@ def test_a_worker_judges_what_has_the_very_same_key_alone(tmp_path: Path) -> Non
     assert answers == ["refuted", refused, "proved", refused]
 
 
-def test_a_scheduler_that_is_none_is_said(tmp_path: Path) -> None:
+def test_a_scheduler_that_is_none_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("workbench.verify.remote.CONNECT", 1)
     (name, _), *_ = papers(tmp_path)
     result = run("check", name, "--scheduler", "tcp://127.0.0.1:1")
     assert (result.exit_code, "no scheduler of Dask answers there" in result.output) == (2, True)

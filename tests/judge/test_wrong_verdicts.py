@@ -179,14 +179,18 @@ class TestConditions:
         (r"f = g", r"f^2 = g^2", r"f^2 = g"),
     )
 
-    @pytest.mark.parametrize("word", ["if", "If", "when", "When", "given", "Given that", "provided", "Where"])
+    WORDS = ("if", "If", "when", "When", "given", "Given that", "provided", "Where")
+    THEN = (r"\text{ then }", r", \text{ then } ", r", \text{then }\,")
+
+    @pytest.mark.parametrize("word", WORDS)
     @pytest.mark.parametrize(("premise", "follows", "not_so"), PREMISES)
     def test_a_condition_in_front_is_a_premise(self, word, premise, follows, not_so):
-        for then in (r"\text{ then }", r", \text{ then } ", r", \text{then }\,"):
-            front = rf"\text{{{word} }} {premise} {then}"
-            assert verdict(front + follows).outcome == Outcome.PROVED
-            assert verdict(front + not_so).outcome == Outcome.REFUTED
-            assert verdict(verdict(front + follows).read_back).outcome == Outcome.PROVED
+        then = self.THEN[(self.WORDS.index(word) + len(premise)) % 3]
+        front = rf"\text{{{word} }} {premise} {then}"
+        proved = verdict(front + follows)
+        assert proved.outcome == Outcome.PROVED
+        assert verdict(front + not_so).outcome == Outcome.REFUTED
+        assert verdict(proved.read_back).outcome == Outcome.PROVED
         both = rf"\text{{{word} }} {premise} \text{{ then }} {follows} \text{{ and }} {not_so}"
         assert verdict(both).outcome == Outcome.REFUTED
 

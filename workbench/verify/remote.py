@@ -69,6 +69,10 @@ def _may_be_read(path: Path) -> bool:
     return path.is_file() and path.suffix in suffixes and path.stat().st_size < 2_000_000
 
 
+#: A scheduler must answer within so many seconds.
+CONNECT = 10
+
+
 class Cluster:
     """Judgements on the cluster at `address`. Raises ValueError if there is none."""
 
@@ -79,7 +83,7 @@ class Cluster:
             message = "a scheduler needs the extra dask: pip install 'kinematics-workbench[dask]'"
             raise ValueError(message) from None
         try:
-            self._client = Client(address, timeout=10)
+            self._client = Client(address, timeout=CONNECT)
         except (OSError, ValueError) as error:
             raise ValueError(f"{address}: no scheduler of Dask answers there: {error}") from None
         self._options = dict(options)

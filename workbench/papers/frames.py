@@ -46,8 +46,8 @@ def require_rotations(turns: Sequence[Turn], definitions: Definitions) -> None:
     for turn in turns:
         square = relation("=", apply("mul", apply("transpose", turn.matrix), turn.matrix), identity())
         proper = relation("=", apply("det", turn.matrix), number(1))
-        verdict = Judge(definitions, second_engine=False).judge(Conjunction((square, proper)))
-        if verdict.outcome not in (Outcome.PROBABLE, Outcome.CONDITIONAL):
+        verdict = Judge(definitions).judge(Conjunction((square, proper)))
+        if verdict.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
             why = f"is not seen to be a rotation: {verdict.reason or verdict.outcome}"
             raise turn.file.error_at_key(
                 ("frames", "orientation"), f"orientation: that of {turn.frame} {why}"

@@ -32,6 +32,7 @@ from workbench.language.terms import (
     Statement,
     Term,
 )
+from workbench.language.types import type_of_kind
 from workbench.language.vocabulary import ORIENTATIONS
 
 #: An index that may be any is tried with so many values; a formula has at most so many of them.
@@ -278,7 +279,7 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
         return _together(extrema(reader, chain))
     reader.tensor_operand = None
     terms = [reader.term(side) for side in chain.sides]
-    if any(str(term.type) == "matrix 4×1" for term in terms):
+    if any(term.type == type_of_kind("matrix 4×1") for term in terms):
         terms = [reader.as_point(term, side.at) for term, side in zip(terms, chain.sides, strict=True)]
     _refuse_applied(reader, terms)
     for term, side in zip(terms, chain.sides, strict=True):

@@ -14,8 +14,8 @@ from time import perf_counter
 import sympy
 
 from workbench.judge.first.exact import ExactEngine
+from workbench.judge.second.consequences import recheck
 from workbench.judge.second.drake_ring import recheck_by_drake
-from workbench.judge.second.sympy_ring import recheck
 from workbench.judge.subject.inventory import take_inventory
 from workbench.language.defining import read_definition
 from workbench.language.definitions import Definitions

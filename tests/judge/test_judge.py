@@ -252,7 +252,7 @@ class TestDefects:
         assert judged(r"a \times b = a \times b").outcome == Outcome.UNCHECKED
 
     def test_engines_that_disagree_are_a_defect(self, monkeypatch):
-        import workbench.judge.second.sympy_ring as second
+        import workbench.judge.second.consequences as second
 
         monkeypatch.setattr(second, "recheck", lambda *arguments: False)
         with pytest.raises(EngineDisagreement):

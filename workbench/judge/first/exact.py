@@ -114,8 +114,10 @@ class ExactEngine:
         return [self.ring.reduce(self._algebra.polynomial(p)) for p in (*real, *dual)]
 
     def at(self, p: Polynomial, point: dict[Parameter, Fraction]) -> Fraction:
-        """The value of a polynomial without reciprocals or norms at a point of the parameters."""
-        return self.ring.at(p, {self._named[q]: value for q, value in point.items() if q in self._named})
+        """The value of a polynomial without reciprocals at a point of the parameters. Raises NotExact where a
+        norm in it is no rational number there."""
+        values = {self._named[q]: value for q, value in point.items() if q in self._named}
+        return self._algebra.at(p, values)
 
     def name_of(self, parameter: Parameter) -> str:
         """The generator of the ring that stands for a parameter."""
@@ -129,6 +131,11 @@ class ExactEngine:
     def norms(self) -> frozenset[str]:
         """The generators that stand for norms."""
         return self._algebra.norms
+
+    @property
+    def norm_places(self) -> frozenset[int]:
+        """Their places among the generators."""
+        return frozenset(place for place, name in enumerate(self.ring.names) if name in self.norms)
 
     def depends(self, terms: Iterable[Term], parameter: Parameter) -> bool:
         """Whether the parameter occurs in the terms' values, in what they divide by or take roots of."""

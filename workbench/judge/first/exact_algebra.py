@@ -43,6 +43,15 @@ class ExactAlgebra:
         """What the norms so far are roots of."""
         return [square for _, square in self._norms]
 
+    def at(self, p: Polynomial, values: dict[str, Fraction]) -> Fraction:
+        """The value of a polynomial at values of its generators, with those of its norms."""
+        places = {name: place for place, name in enumerate(self.ring.names)}
+        norms = {}
+        for name, square in self._norms:
+            if p.degrees()[places[name]] > 0:
+                norms[name] = _root(self.at(square, values))
+        return self.ring.at(p, {**values, **norms})
+
     def diagonal(self, value: int, rows: int = 3, columns: int | None = None) -> Matrix:
         """The matrix with the value on its diagonal and 0 elsewhere."""
         return tuple(
@@ -191,3 +200,10 @@ class ExactAlgebra:
         half = self.ring.constant(Fraction(1, 2))
         self.ring.derive_by(name, lambda derivation: half * derivation(square) * self.reciprocal(norm))
         return norm
+
+
+def _root(square: Fraction) -> Fraction:
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    if root * root != square:
+        raise NotExact(f"{square} has no rational root")
+    return root

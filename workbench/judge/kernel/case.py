@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, islice
 
-from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.evidence.points import Trial, accepted, counterexample, first_trial, trial_at, trials
 from workbench.judge.evidence.reals import real_trials, surely_differ
 from workbench.judge.evidence.solutions import solved_points
 from workbench.judge.first.exact import ExactEngine
-from workbench.judge.kernel.impossible import impossible
-from workbench.judge.kernel.vanishing import Equations, points_on, solve
+from workbench.judge.kernel.ideals import impossible
+from workbench.judge.kernel.vanishing import Equations, solve, square_of
 from workbench.judge.second.number_field import NumberFieldRing
 from workbench.judge.subject.angles import with_parts_of_angles
 from workbench.judge.subject.assumptions import Assumptions, Unsatisfiable
@@ -70,7 +70,12 @@ class Case:
 
     @cached_property
     def exact(self) -> ExactEngine:
-        return ExactEngine(self.inventory, self.definitions)
+        """The first engine. What the assumptions divide by they suppose not to be 0."""
+        engine = ExactEngine(self.inventory, self.definitions)
+        for relation in self.assumptions.relations:
+            engine.residuals(relation)
+        self.nonzero = [*engine.ring.denominators, *(square_of(engine, r) for r in self.assumptions.nonzero)]
+        return engine
 
     def require_satisfiable(self) -> None:
         """Raises Unsatisfiable if it is proved that no point satisfies the assumptions: under them anything
@@ -117,16 +122,6 @@ class Case:
         for point in solved_points(self.exact, self.assumptions.equations, self.inventory):
             yield trial_at(point, self.definitions, NumberFieldRing())
 
-    def find_on(self, p: Polynomial, accept: Callable[[Trial], bool], most: int = 150) -> Trial | None:
-        """The same where p vanishes, on lines along one parameter through `most` small points."""
-        admitted = self._admitted(accept)
-        for start in islice(trials(self.inventory, self.definitions, self._completed), most):
-            for point in points_on(self.exact, p, start.point):
-                trial = trial_at(point, self.definitions)
-                if accepted(trial, admitted):
-                    return trial
-        return None
-
     def _admitted(self, accept: Callable[[Trial], bool]) -> Callable[[Trial], bool]:
         supposed = self.assumptions.relations
         return lambda t: self._is_real(t) and all(t.holds(r) for r in supposed) and accept(t)
@@ -136,8 +131,9 @@ class Case:
         if not self.assumptions.equations:
             return point
         point = dict(point)
-        for pivot in reversed(self.solved.solved):
-            point[self.exact.parameter_of(pivot.generator)] = self.exact.at(pivot.value, point)
+        with suppress(NotExact):  # the point is not on the equations then, and is not taken
+            for pivot in reversed(self.solved.solved):
+                point[self.exact.parameter_of(pivot.generator)] = self.exact.at(pivot.value, point)
         return point
 
     @cached_property
@@ -163,7 +159,7 @@ class Case:
 
     @cached_property
     def solved(self) -> Equations:
-        return solve(self.exact, self.assumptions.equations)
+        return solve(self.exact, self.assumptions.equations, self.nonzero)
 
     def counterexample(self, trial: Trial, relation: Relation) -> Counterexample:
         """The trial's point, an angle told by what of it occurs: its value, or its cosine and sine."""

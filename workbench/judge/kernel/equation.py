@@ -15,7 +15,6 @@ from workbench.judge.kernel.case import Case, NoDefinitions, Setting
 from workbench.judge.kernel.families import SAME_TERM
 from workbench.judge.kernel.laws import law_for
 from workbench.judge.kernel.rotated import in_rotated_frame
-from workbench.judge.kernel.vanishing import unimplied
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PRIME, PointSource, ResidueRing, sample
 from workbench.judge.subject.inventory import Lookup, NotExact, has_gradient
@@ -76,7 +75,7 @@ class Equation(Case):
             if screened is False:
                 return None
             residuals = bare.exact.residuals(self.relation)
-            if not bare._vanishes(residuals) or unimplied(bare.exact, bare.assumptions.nonzero):
+            if not bare._vanishes(residuals) or bare.solved.gaps():
                 return None
         except (NotExact, ZeroDivisionError):
             return None
@@ -111,7 +110,7 @@ class Equation(Case):
 
     def _vanishes(self, residuals: list[Polynomial]) -> bool:
         if self.assumptions.equations:
-            return all(self.solved.imply(p, self.exact.ring.reduce) for p in residuals)
+            return self.solved.imply(residuals)
         return all(p == 0 for p in residuals)
 
     def _prove(
@@ -133,7 +132,7 @@ class Equation(Case):
             reason = "the second engine does not see that the equations imply it"
             return Verdict(Outcome.UNCHECKED, reason=reason, evidence=tuple(evidence))
         evidence += rechecked
-        gaps = unimplied(self.exact, self.assumptions.nonzero)
+        gaps = self.solved.gaps()
         if gaps:
             return case._conditional(gaps, evidence)
         return Verdict(Outcome.PROVED, evidence=tuple(evidence))
@@ -141,11 +140,12 @@ class Equation(Case):
     def _recheck(self) -> list[Evidence] | None:
         """None where the second engine finds no way from the equations to the relation, which contradicts
         nothing: each engine divides by them in an order of its own."""
+        from workbench.judge.second.consequences import recheck
         from workbench.judge.second.drake_ring import recheck_by_drake
-        from workbench.judge.second.sympy_ring import METHOD, recheck
+        from workbench.judge.second.sympy_ring import METHOD
 
         equations = self.assumptions.equations
-        if not recheck(self.relation, self.inventory, self.definitions, equations):
+        if not recheck(self.relation, self.inventory, self.definitions, self.assumptions):
             if equations:
                 return None
             raise EngineDisagreement(f"zero in FLINT's ring, not in SymPy's: {to_latex(self.relation)}")
@@ -202,8 +202,8 @@ class Equation(Case):
         return self.refuted(trial, relation)
 
     def _confirm(self, trial: Trial, residuals: list[Polynomial]) -> None:
-        """The first engine must see the counterexample too; norms have no value there as polynomials."""
-        if trial.real or self.inventory.norms or self.assumptions.equations:
+        """The first engine must see the counterexample too, where it is a rational point."""
+        if trial.real or self.assumptions.equations:
             return
         if not any(self.exact.at(p, trial.point) for p in residuals):
             raise EngineDisagreement(f"a counterexample of one engine only: {to_latex(self.relation)}")

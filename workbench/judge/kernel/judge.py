@@ -12,7 +12,7 @@ from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.kernel.equation import IN_FORCE, Equation
 from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import SAME_TERM, WORST_FIRST, judge_family
-from workbench.judge.kernel.zero_sets import judge_inequation, judge_zeros
+from workbench.judge.kernel.inequation import judge_inequation
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.exponentials import holds_exponentials, without_exponentials
 from workbench.judge.subject.inventory import NotExact
@@ -97,12 +97,8 @@ class Judge(Setting):
                 return self._approximated(statement, assume)
             case Relation():
                 return judge_inequation(self, statement, assume)
-            case Equivalence(
-                left=Relation(operator="=" | "≠") as left, right=Relation(operator="=" | "≠") as right
-            ):
-                return judge_zeros(self, left, right, assume, both_ways=True)
-            case Implication(left=Relation(operator="≠") as left, right=Relation(operator="≠") as right):
-                return judge_zeros(self, left, right, assume, both_ways=False)
+            case Equivalence(left=left, right=right):
+                return _together([self._one_way(left, right, assume), self._one_way(right, left, assume)])
             case Implication(left=left, right=right):
                 return self._implied(left, right, assume)
             case Extremum():
@@ -168,9 +164,21 @@ class Judge(Setting):
                 return replace(verdict, outcome=Outcome.UNCHECKED, reason=reason)
         return Verdict(Outcome.DEFINITION, evidence=(Evidence("sets and maps", "well-formed"),))
 
+    def _one_way(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
+        try:
+            return self._implied(premise, claim, assume)
+        except Unsatisfiable:
+            return Verdict(Outcome.UNCHECKED, reason="nothing satisfies one of its sides")
+
     def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
         """The claim under the premise at the instant. One that is false only if the premise does not last,
-        such as f = 1 ⇒ ḟ = 0, is not refuted: it has to say which is meant."""
+        such as f = 1 ⇒ ḟ = 0, is not refuted: it has to say which is meant. x ≠ 0 ⇒ y ≠ 0 says that x = 0
+        where y = 0, and that y is defined where x ≠ 0."""
+        if {_operator(premise), _operator(claim)} == {"≠"}:
+            given, said = (equated("=", *[_difference(r).left] * 2) for r in (premise, claim))
+            turned = self._implied(_equation(claim), _equation(premise), (*assume, given))
+            defined = self._judge(_difference(said), (*assume, premise))
+            return turned if defined.outcome is Outcome.PROVED else _together([turned, defined])
         verdict = self._judge(claim, (*assume, premise))
         lasting = (
             derivatives_of(premise, claim, self.definitions) if verdict.outcome == Outcome.REFUTED else ()
@@ -183,6 +191,14 @@ class Judge(Setting):
                 return again
         reason = "false if the condition holds at one instant only; if it lasts, state its derivatives too"
         return Verdict(Outcome.UNCHECKED, reason=reason)
+
+
+def _operator(statement: Statement) -> str | None:
+    return statement.operator if isinstance(statement, Relation) else None
+
+
+def _equation(inequation: Relation) -> Relation:
+    return equated("=", inequation.left, inequation.right)
 
 
 def _difference(same: Relation) -> Relation:

@@ -2,40 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from fractions import Fraction
+from collections.abc import Iterator, Sequence
+from functools import cached_property
 from math import prod
 from typing import NamedTuple
 
-from flint import fmpq
-
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.first.exact import ExactEngine
-from workbench.judge.subject.parameters import Parameter
+from workbench.judge.kernel.ideals import Ideal, has_even_powers, is_nowhere_zero
 from workbench.language.terms import Relation
 
 
-def unimplied(engine: ExactEngine, nonzero: Sequence[Relation]) -> list[Polynomial]:
-    """The irreducible factors of the denominators that the inequations do not keep from vanishing.
-
-    A scalar p ≠ 0 excludes the zeros of every factor of p; a vector or tensor x ≠ 0 those of x·x. A factor
-    that is a positive number plus a sum of squares of monomials has no real zero.
-    """
-    excluded: list[Polynomial] = []
-    for relation in nonzero:
-        residuals = engine.residuals(relation)
-        if len(residuals) == 1:
-            excluded += _factors(engine, residuals[0])
-        else:
-            square = engine.ring.reduce(sum((r * r for r in residuals), engine.ring.zero))
-            excluded += [square, *_factors(engine, square)]
-    return [
-        factor
-        for denominator in engine.ring.denominators
-        for factor in _factors(engine, denominator)
-        if not any(_proportional(factor, known) for known in excluded) and not _positive(factor)
-    ]
+def square_of(engine: ExactEngine, relation: Relation) -> Polynomial:
+    """What is 0 just where both sides are the same: of scalars their difference, else the sum of its
+    components' squares."""
+    residuals = engine.residuals(relation)
+    if len(residuals) == 1:
+        return residuals[0]
+    return engine.ring.reduce(sum((r * r for r in residuals), engine.ring.zero))
 
 
 def _factors(engine: ExactEngine, p: Polynomial) -> list[Polynomial]:
@@ -52,13 +36,6 @@ def _proportional(p: Polynomial, q: Polynomial) -> bool:
     return p * q.leading_coefficient() == q * p.leading_coefficient()
 
 
-def _positive(p: Polynomial) -> bool:
-    terms = list(p.terms())
-    constant = any(not any(exponents) for exponents, _ in terms)
-    even = all(all(e % 2 == 0 for e in exponents) and coefficient > 0 for exponents, coefficient in terms)
-    return constant and even
-
-
 class Pivot(NamedTuple):
     """A generator, its place in the ring, and what it is where the equations hold."""
 
@@ -67,31 +44,85 @@ class Pivot(NamedTuple):
     value: Polynomial
 
 
-@dataclass
-class Equations:
-    """The zeros of some polynomials: those that are solved for one of their generators, and the rest.
+#: A power beyond this many terms is not looked for among what vanishes.
+_LONGEST = 400
 
-    A polynomial c·x + r with a number c and no x in r is zero exactly where x = −r/c, so x can be replaced by
-    that everywhere. By a polynomial without such x is divided: that finds some consequences and invents none.
+
+class Equations:
+    """The zeros of some polynomials at which others, `nonzero`, do not vanish.
+
+    Of a polynomial c·x + r with a number c and no x in r they are where x = −r/c, so x is replaced by that
+    everywhere (`solved`). A polynomial vanishes with the rest if it, or a power of it, is in their ideal, or
+    its product with something that is not 0 there.
     """
 
-    solved: list[Pivot]
-    rest: list[Polynomial]
+    def __init__(
+        self, engine: ExactEngine, solved: list[Pivot], rest: list[Polynomial], nonzero: list[Polynomial]
+    ) -> None:
+        self.solved = solved
+        self._engine, self._ring = engine, engine.ring
+        self._rest, self._nonzero = rest, nonzero
 
-    def imply(self, p: Polynomial, normal: Callable[[Polynomial], Polynomial]) -> bool:
-        """Whether p is seen to vanish where the equations hold: it, or its square, which has the same zeros.
-        normal: the normal form modulo the ring's relations."""
-        p = self._remainder(p)
-        return p == 0 or self._remainder(normal(p * p)) == 0
+    def gaps(self) -> list[Polynomial]:
+        """The irreducible factors of the denominators that are not kept from vanishing.
 
-    def _remainder(self, p: Polynomial) -> Polynomial:
+        p ≠ 0 excludes the zeros of every factor of p. A factor that is a positive number plus a sum of
+        squares of monomials has no real zero.
+        """
+        engine = self._engine
+        apart = [*self._nonzero, *(factor for p in self._nonzero for factor in _factors(engine, p))]
+        gaps = [
+            factor
+            for denominator in self._ring.denominators
+            for factor in _factors(engine, denominator)
+            if not any(_proportional(factor, known) for known in apart)
+            and not is_nowhere_zero(factor, engine.norm_places)
+        ]
+        supposed = self.solved or self._rest
+        return [factor for factor in gaps if not supposed or not self._excludes(factor)]
+
+    def imply(self, residuals: Sequence[Polynomial]) -> bool:
+        """Whether all are seen to vanish where the equations hold; as the components of a vector do where
+        its square does."""
+        left = [p for p in residuals if not self._vanishes(p)]
+        return not left or (len(left) > 1 and self._vanishes(sum((p * p for p in left), self._ring.zero)))
+
+    def _excludes(self, p: Polynomial) -> bool:
+        """Whether it is seen that p is nowhere 0 where the equations hold."""
+        together = Ideal(self._ring.names, [*self._rest, *self._ring.relations, self._without_solved(p)])
+        return any(together.holds(self._without_solved(q)) for q in (self._ring.one, *self._nonzero))
+
+    def _vanishes(self, p: Polynomial) -> bool:
+        p = self._without_solved(self._ring.reduce(p))
+        if p == 0 or self._power_vanishes(p):
+            return True
+        factors = [prod(self._nonzero)] if self._nonzero else []
+        return any(self._power_vanishes(self._without_solved(p * f)) for f in (*factors, *self._sizes(p)))
+
+    def _power_vanishes(self, p: Polynomial) -> bool:
+        for _ in range(4):
+            p = self._ring.reduce(p)
+            if self._ideal.holds(p):
+                return True
+            if len(p) ** 2 > _LONGEST:
+                break
+            p = p * p
+        return False
+
+    def _sizes(self, p: Polynomial) -> Iterator[Polynomial]:
+        """x + y of p = x − y where neither is negative: it is 0 only where p is."""
+        if has_even_powers(p, self._engine.norm_places):
+            yield p.context().from_dict({exponents: abs(c) for exponents, c in p.terms()})
+
+    def _without_solved(self, p: Polynomial) -> Polynomial:
         spread = _Spread(p)
         for pivot in self.solved:
             spread = spread.replaced(pivot)
-        p = spread.polynomial
-        for divisor in self.rest:
-            p = divmod(p, divisor)[1]
-        return p
+        return spread.polynomial
+
+    @cached_property
+    def _ideal(self) -> Ideal:
+        return Ideal(self._ring.names, [*self._rest, *self._ring.relations])
 
 
 class _Spread:
@@ -110,7 +141,7 @@ class _Spread:
         return _Spread(self.polynomial.compose(*images, ctx=context))
 
 
-def solve(engine: ExactEngine, equations: Sequence[Relation]) -> Equations:
+def solve(engine: ExactEngine, equations: Sequence[Relation], nonzero: list[Polynomial]) -> Equations:
     """The equations' residuals, solved one after the other as far as possible."""
     pending = [_Spread(_square_free(p)) for e in equations for p in engine.residuals(e) if p != 0]
     solved: list[Pivot] = []
@@ -125,7 +156,7 @@ def solve(engine: ExactEngine, equations: Sequence[Relation]) -> Equations:
         pending, rest = (
             [q for q in (p.replaced(pivot) for p in group) if q.polynomial != 0] for group in (pending, rest)
         )
-    return Equations(solved, [p.polynomial for p in rest])
+    return Equations(engine, solved, [p.polynomial for p in rest], nonzero)
 
 
 def _square_free(p: Polynomial) -> Polynomial:
@@ -145,21 +176,3 @@ def _pivot(engine: ExactEngine, p: Polynomial) -> Pivot | None:
             generator = p.context().gens()[places[0]]
             return Pivot(places[0], generator, generator - p / coefficient)
     return None
-
-
-def points_on(
-    engine: ExactEngine, p: Polynomial, point: dict[Parameter, Fraction]
-) -> Iterator[dict[Parameter, Fraction]]:
-    """Points where p vanishes and that differ from the given one in one parameter: its rational roots."""
-    values = {engine.name_of(q): fmpq(v.numerator, v.denominator) for q, v in point.items()}
-    used = {engine.ring.names[i] for i, degree in enumerate(p.degrees()) if degree > 0}
-    for parameter in point:
-        name = engine.name_of(parameter)
-        if name not in used or name in engine.ring.squared:
-            continue
-        line = p.subs({other: value for other, value in values.items() if other != name})
-        x = engine.ring.generators[name]
-        for factor, _ in line.factor()[1]:
-            slope = factor.derivative(engine.ring.names.index(name))
-            if slope.is_constant() and slope != 0:
-                yield {**point, parameter: engine.ring.number(x - factor / slope.leading_coefficient())}

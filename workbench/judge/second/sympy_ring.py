@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import gcd, isqrt, lcm
-from typing import Any, TypeAlias
+from typing import Any
 
-from workbench.judge.second.jets import JetEngine
-from workbench.judge.second.rings import PointSource
 from workbench.judge.second.sympy_gate import (
     QQ,
     ZZ,
@@ -19,11 +17,8 @@ from workbench.judge.second.sympy_gate import (
     polynomial_ring,
     require_python_integers,
 )
-from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
+from workbench.judge.subject.inventory import Inventory, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter, parameters
-from workbench.language.terms import Relation
-
-Spread: TypeAlias = "tuple[PolyElement, set[int]]"
 
 #: What this engine is called in the evidence.
 METHOD = "SymPy PolyRing on Python integers"
@@ -158,7 +153,7 @@ class SympyRing:
         """The remainder by the relations, which are a Gröbner basis (see `differential_ring.py`): squares are
         rewritten from the highest rank down."""
         for place in sorted(self._squares):
-            p = _rewritten(p, place, 2, self._squares[place].set_ring(p.ring))
+            p = rewritten(p, place, 2, self._squares[place].set_ring(p.ring))
         return p
 
     def tops(self, values: Sequence[Any]) -> list[PolyElement]:
@@ -215,6 +210,10 @@ class SympyRing:
             self._root_squares.append(square)
         return Ratio(self, self._root_generators[self._root_squares.index(square)], below, {})
 
+    def is_made_of_sizes(self, p: PolyElement) -> bool:
+        """Whether each monomial is a product of squares and of roots, and so is nowhere negative."""
+        return not any(power % 2 for powers in p for power in powers[self._roots :])
+
     def _split(self, square: PolyElement) -> list[tuple[PolyElement, int]]:
         """The factors of a square that are nowhere negative, with their powers; itself where one may be."""
         if square.LC != 1 or not _is_nowhere_negative(square):
@@ -227,7 +226,7 @@ class SympyRing:
         return bases if len(self._root_squares) + more <= self._roots else [(square, 1)]
 
 
-def _rewritten(p: PolyElement, place: int, power: int, value: PolyElement) -> PolyElement:
+def rewritten(p: PolyElement, place: int, power: int, value: PolyElement) -> PolyElement:
     """p with each x^power replaced by the value, x being the indeterminate at that place."""
     if not any(powers[place] >= power for powers in p):
         return p
@@ -248,84 +247,3 @@ def _rewritten(p: PolyElement, place: int, power: int, value: PolyElement) -> Po
 def _is_nowhere_negative(p: PolyElement) -> bool:
     """Whether it is seen so: even powers with positive coefficients."""
     return all(c > 0 and not any(e % 2 for e in powers) for powers, c in p.terms())
-
-
-def recheck(
-    relation: Relation, inventory: Inventory, definitions: Lookup, equations: Sequence[Relation] = ()
-) -> bool:
-    """Whether left − right is 0 here too, where the equations hold: it, or a power of it."""
-    ring = SympyRing(inventory)
-    engine = JetEngine(PointSource(ring, ring.point), definitions)
-    tops = ring.tops(engine.differences(relation.left, relation.right))
-    if not equations:
-        return not any(tops)
-    supposed = [p for e in equations for p in ring.tops(engine.differences(e.left, e.right))]
-    supposed = ring.over_rationals([p for p in supposed if p])
-    rests = _eliminated(ring.over_rationals(tops), supposed, ring)
-    for _ in range(3):
-        rests = _eliminated([ring.normal(rest * rest) for rest in rests if rest], supposed, ring)
-    return not any(rests)
-
-
-def _eliminated(tops: list[PolyElement], supposed: list[PolyElement], ring: SympyRing) -> list[PolyElement]:
-    """The polynomials where the supposed ones vanish. A supposed one that is linear in an indeterminate, with
-    a number as coefficient, is solved for it and put in; by the others the result is divided."""
-    bound = {place for r in ring.relations for powers in r for place, power in enumerate(powers) if power}
-    pending, divisors, rests = _spread(supposed), [], _spread(tops)
-    while pending:
-        p, holds = pending.pop()
-        place = _solvable(p, bound)
-        if place is None:
-            divisors.append((p, holds))
-            continue
-        x = ring.rationals.gens[place]
-        value = x - p.quo_ground(p.coeff(x))
-        pending, divisors, rests = (_with_value(group, place, value) for group in (pending, divisors, rests))
-        pending, divisors = ([pair for pair in group if pair[0]] for group in (pending, divisors))
-    by = [p for p, _ in divisors]
-    return [p.rem(by) if by else p for p, _ in rests]
-
-
-def _spread(polynomials: Iterable[PolyElement]) -> list[Spread]:
-    """Each with the places of the indeterminates in it: most are put into polynomials without them."""
-    return [
-        (p, {place for place, powers in enumerate(zip(*p, strict=True)) if any(powers)}) for p in polynomials
-    ]
-
-
-def _with_value(group: Iterable[Spread], place: int, value: PolyElement) -> list[Spread]:
-    found: list[Spread] = []
-    for p, places in group:
-        found += _spread([_rewritten(p, place, 1, value)]) if place in places else [(p, places)]
-    return found
-
-
-def _solvable(p: PolyElement, bound: Collection[int]) -> int | None:
-    """The place of the first indeterminate, not a bound one, that p holds in no other term than c · x."""
-    alone = (powers.index(1) for powers in p if sum(powers) == 1)
-    free = (place for place in alone if place not in bound)
-    return min((place for place in free if sum(powers[place] > 0 for powers in p) == 1), default=None)
-
-
-def recheck_division(
-    left: Relation, right: Relation, both_ways: bool, inventory: Inventory, definitions: Lookup
-) -> bool:
-    """Whether each side divides a power of the other (one way only for ⇒), a vector x counting as x·x."""
-    ring = SympyRing(inventory)
-    engine = JetEngine(PointSource(ring, ring.point), definitions)
-    p, q = (_norm_square(ring, engine.differences(r.left, r.right)) for r in (left, right))
-    needed = [(p, q), (q, p)] if both_ways else [(q, p) if left.operator == "≠" else (p, q)]
-    return all(not q or (p and any(not (q**k).rem([p]) for k in (1, 2, 3, 4))) for p, q in needed)
-
-
-def recheck_distance(relation: Relation, inventory: Inventory, definitions: Lookup) -> bool:
-    """Whether some component of left − right is a number that is not 0, over what was divided by."""
-    ring = SympyRing(inventory)
-    engine = JetEngine(PointSource(ring, ring.point), definitions)
-    tops = ring.tops(engine.differences(relation.left, relation.right))
-    return any(top and top.is_ground for top in tops)
-
-
-def _norm_square(ring: SympyRing, differences: Sequence[Any]) -> PolyElement:
-    tops = ring.over_rationals(ring.tops(differences))
-    return tops[0] if len(tops) == 1 else ring.normal(sum((t * t for t in tops[1:]), tops[0] * tops[0]))

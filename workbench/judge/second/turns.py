@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Protocol
+from itertools import product
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -26,6 +27,9 @@ from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector
 from workbench.language.construct import apply
 from workbench.language.terms import Apply, Number, Symbol, Term, Zero
+
+#: How many times an angle is looked for in another that is written otherwise.
+_MULTIPLES = range(1, 5)
 
 
 class Engine(Protocol):
@@ -105,7 +109,7 @@ class Turns:
         """By ċ = −s α̇, ṡ = c α̇ from what the source says of the angle where nothing is moved."""
         value = self._engine.value(angle, depth)
         step = value.re[0][()] - self._engine.origin.value(angle, 0).re[0][()]
-        c, s = pushed(self._source.circle(angle), step, self._algebra.ring)
+        c, s = pushed(self._circle_now(angle), step, self._algebra.ring)
         cosine, sine = [np.asarray(c, dtype=object)], [np.asarray(s, dtype=object)]
         rate = value.re[1:]
         for k in range(depth):
@@ -115,6 +119,22 @@ class Turns:
             return Value(cosine), Value(sine)
         falling = [-x for x in leibniz(np.multiply, sine, value.du)]
         return Value(cosine, falling), Value(sine, leibniz(np.multiply, cosine, value.du))
+
+    def _circle_now(self, angle: Term) -> tuple[Any, Any]:
+        """cos and sin where nothing is moved. A term whose value is a multiple of another's has no circle of
+        its own: ‖R a‖ has that of ‖a‖, and ‖a + a‖ turns along it twice."""
+        now = self._engine.origin.value(angle, 0).re[0][()]
+        others = () if isinstance(angle, Symbol) else self._source.circles()
+        for count, other in product(reversed(_MULTIPLES), others):
+            if other != angle and self._engine.origin.value(other, 0).re[0][()] * count == now:
+                c, s = self._source.circle(other)
+                cosine, sine = c, s
+                for _ in range(count - 1):
+                    cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+                return cosine, sine
+            if (other, count) == (angle, 1):
+                break
+        return self._source.circle(angle)
 
     def exp(self, argument: Term, depth: int) -> Value:
         """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u."""

@@ -1,0 +1,110 @@
+"""What follows from equations: by both engines, in the ideal of the equations, or of a power of what follows."""
+
+from random import Random
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+
+SYMBOLS = (
+    dict.fromkeys("abc", "vector")
+    | dict.fromkeys("fghk", "scalar")
+    | {"T": "tensor", "W": "tensor", "R": "rotation", "Q": "rotation"}
+    | {key: {"kind": "vector", "unit": True} for key in "nm"}
+)
+
+
+def outcome(latex):
+    return check(latex, symbols=SYMBOLS).outcome
+
+
+def polynomial(random, degree):
+    """A polynomial in f, g, h with small coefficients."""
+    addends = [
+        f"{random.randint(1, 5)}" + "".join(random.choices("fgh", k=random.randint(1, degree)))
+        for _ in range(3)
+    ]
+    return random.choice([" + ", " - "]).join(addends)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_what_is_in_the_ideal_follows(seed):
+    random = Random(seed)
+    p, q = (polynomial(random, 2) for _ in range(2))
+    x, y = (polynomial(random, 1) for _ in range(2))
+    combined = f"({x})({p}) + ({y})({q})"
+    assert outcome(rf"{p} = 0 \text{{ and }} {q} = 0 \Rightarrow {combined} = 0") == Outcome.PROVED
+    assert outcome(rf"{p} = 0 \text{{ and }} {q} = 0 \Rightarrow {combined} = 1") == Outcome.REFUTED
+    assert outcome(rf"{p} = k \text{{ and }} {q} = k^2 \Rightarrow ({p})^2 = {q}") == Outcome.PROVED
+
+
+TRUE = [
+    r"n \times (n \times a) = -a \text{ for } n \cdot a = 0",
+    r"R n = n \Rightarrow R^T n = n",
+    r"R n = -n \Rightarrow \operatorname{tr} R = -1",
+    r"R^2 = \mathbf{I} \Rightarrow R = R^T",
+    r"R Q = Q R \Rightarrow R^T Q = Q R^T",
+    r"T W = W T \Rightarrow (T W)^2 = T^2 W^2",
+    r"T^2 = 0 \Rightarrow \operatorname{tr} T = 0",
+    r"T a = f a \text{ and } T^T b = g b \text{ and } f \neq g \Rightarrow a \cdot b = 0",
+    r"\det T \neq 0 \text{ and } T a = 0 \Rightarrow a = 0",
+    r"n \cdot m = 0 \Rightarrow \|n \times m\| = 1",
+    r"a \cdot b = 0 \Rightarrow \|a \times b\| = \|a\| \|b\|",
+    r"a \cdot b = 0 \Leftrightarrow \|a + b\| = \|a - b\|",
+    r"\|a + b\| = \|a\| + \|b\| \Rightarrow a \times b = 0",
+    r"a^2 = f^2 \Rightarrow \|a\| = \|f\|",
+    r"\|a\| = f \Rightarrow a^2 = f^2",
+    r"a \times b = 0 \Leftrightarrow (a \cdot b)^2 = a^2 b^2",
+    r"n = m \Leftrightarrow n \cdot m = 1",
+    r"R = Q \Leftrightarrow \operatorname{tr}(R Q^T) = 3",
+    r"\sin f = 0 \Rightarrow \cos^2 f = 1",
+    r"\tan f = \tan g \Rightarrow \sin(f - g) = 0",
+    r"\frac{f}{g} = h \Rightarrow f = g h",
+    r"f g = 1 \Rightarrow \frac{1}{f} = g",
+]
+
+FALSE = [
+    r"n \times (n \times a) = a \text{ for } n \cdot a = 0",
+    r"R n = n \Rightarrow R^T n = -n",
+    r"R Q = Q R \Rightarrow R = Q",
+    r"a^2 = f^2 \Rightarrow \|a\| = f",
+    r"\|a\| = f \Rightarrow a^2 = f^3",
+    r"a \times b = 0 \Leftrightarrow a \cdot b = \|a\| \|b\|",
+    r"n = -m \Leftrightarrow n \cdot m = 1",
+    r"\det T = 0 \text{ and } T a = 0 \Rightarrow a = 0",
+    r"f a = 0 \Rightarrow a = 0",
+    r"\cos f = 1 \Leftrightarrow \sin f = 0",
+    r"\cos f = \cos g \Rightarrow \sin f = \sin g",
+    r"f g = 1 \Rightarrow \frac{1}{f} = g^2",
+]
+
+
+@pytest.mark.parametrize("latex", TRUE)
+def test_what_textbooks_conclude(latex):
+    assert outcome(latex) == Outcome.PROVED
+
+
+@pytest.mark.parametrize("latex", FALSE)
+def test_what_does_not_follow(latex):
+    assert outcome(latex) == Outcome.REFUTED
+
+
+def test_a_side_that_never_holds_decides_nothing():
+    found = check(r"f^2 + 1 = 0 \Leftrightarrow f^4 + 1 = 0", symbols=SYMBOLS)
+    assert found.outcome == Outcome.UNCHECKED and "satisfies" in found.verdict.reason
+    assert outcome(r"f^2 + 1 = 0 \Leftrightarrow f = 0") == Outcome.REFUTED
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"R \exp(\tilde{a}) R^T = \exp(\widetilde{R a})",
+        r"\sin \|R a\| = \sin \|a\|",
+        r"\exp(\tilde{a} + \tilde{a}) = \exp(2 \tilde{a})",
+        r"\cos^2 \|a\| - \sin^2 \|R a\| = \cos \|a + a\|",
+    ],
+)
+def test_terms_of_one_value_turn_alike(latex):
+    assert outcome(latex) == Outcome.PROVED
+    assert outcome(latex.replace("=", "= -", 1)) == Outcome.REFUTED

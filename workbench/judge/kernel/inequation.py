@@ -1,0 +1,30 @@
+"""The verdict on one inequation."""
+
+from __future__ import annotations
+
+from workbench.judge.kernel.case import Case, Setting
+from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.language.terms import Relation, Statement
+
+
+def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Statement, ...]) -> Verdict:
+    """p ≠ 0 is proved only for a non-zero constant, and refuted by a zero."""
+    case = Case(setting, [relation], assume)
+    trial = case.find(lambda t: t.differences(relation) is not None and not t.holds(relation))
+    if trial is not None:
+        return case.refuted(trial, relation)
+    residuals = case.exact.residuals(relation)
+    if not any(p.is_constant() and p != 0 for p in residuals):
+        return Verdict(Outcome.UNCHECKED, reason="no zero was found and none was excluded")
+    if case.solved.gaps():
+        return Verdict(Outcome.UNCHECKED, reason="a denominator can vanish")
+    evidence = [Evidence("exact ring over ℚ (FLINT)", "the sides differ by a number that is not 0")]
+    if not setting.second_engine:
+        return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=tuple(evidence))
+    from workbench.judge.second.consequences import recheck_distance
+    from workbench.judge.second.sympy_ring import METHOD
+
+    if not recheck_distance(relation, case.inventory, case.definitions):
+        raise EngineDisagreement("FLINT and SymPy differ on an inequation")
+    evidence.append(Evidence(METHOD, "the sides differ by a number that is not 0"))
+    return Verdict(Outcome.PROVED, evidence=tuple(evidence))

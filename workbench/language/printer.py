@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from workbench.language import latex
 from workbench.language.construct import integer
@@ -37,11 +41,27 @@ from workbench.language.terms import (
 )
 from workbench.language.vocabulary import written
 
+if TYPE_CHECKING:
+    from workbench.language.hand import Hand
+    from workbench.language.notations import Notation
+
 # How tightly a text holds together.
 _SUM, _INFIX, _PRODUCT, _FACTOR, _ATOM = range(5)
 
 _ZEROS = {"scalar": "0", "vector": "\\mathbf{0}", "tensor": "\\mathbf{0}_{3 \\times 3}"}
 _ZEROS["covector"] = "\\mathbf{0}_{1 \\times 3}"
+
+_hand: ContextVar[Hand | None] = ContextVar("hand", default=None)
+
+
+@contextmanager
+def in_the_hand_of(author: Hand) -> Iterator[None]:
+    """Within, terms are printed as the author of a paper writes them."""
+    token = _hand.set(None if author.is_plain else author)
+    try:
+        yield
+    finally:
+        _hand.reset(token)
 
 
 def to_latex(formula: Term | Statement) -> str:
@@ -133,6 +153,10 @@ def _integer(value: Linear) -> str:
 
 
 def _print(term: Term) -> _Text:
+    return _declared(term) or _plain(term)
+
+
+def _plain(term: Term) -> _Text:
     match term:
         case Number(value=value):
             return _number(value.numerator, value.denominator)
@@ -144,7 +168,7 @@ def _print(term: Term) -> _Text:
         case Zero():
             return _Text(_ZEROS.get(term.type.kind, "\\mathbf{0}"), _ATOM)
         case Identity():
-            return _Text("\\mathbf{I}", _ATOM)
+            return _unit(term)
         case DualUnit():
             return _Text("\\varepsilon", _ATOM)
         case TimeOperator():
@@ -165,6 +189,13 @@ def _print(term: Term) -> _Text:
         case Apply():
             return _apply(term)
     raise TypeError(f"no LaTeX for {type(term).__name__}")
+
+
+def _unit(term: Identity) -> _Text:
+    """The unit tensor, with its size where the sign for it is a symbol of the paper."""
+    hand = _hand.get()
+    size = f"{term.type.rows} \\times {term.type.columns}" if hand is not None and hand.owns_unit else None
+    return _Text(latex.scripted("\\mathbf{I}", size), _ATOM)
 
 
 def _number(numerator: int, denominator: int) -> _Text:
@@ -205,6 +236,33 @@ def _beside(terms: tuple[Term, ...]) -> list[_Text]:
     return [plain if firm and isinstance(t, Zero) and t.type.kind != "scalar" else _print(t) for t in terms]
 
 
+# what the paper declares
+
+#: How tightly a notation holds, by its form.
+_FORMS = {"closed": _ATOM, "marked": _FACTOR, "infix": _INFIX, "open": _SUM}
+
+
+def _declared(term: Term) -> _Text | None:
+    """The term in the paper's own notation, if it has one that is read as this term."""
+    hand = _hand.get()
+    for entry, arguments in hand.spellings(term) if hand is not None else ():
+        for text in _spelt(entry, arguments, term):
+            if hand.reads(text.text, term):
+                return text
+    return None
+
+
+def _spelt(entry: Notation, arguments: Mapping[str, Term], term: Term) -> Iterator[_Text]:
+    """An accent over the letter alone; then with as few brackets as may do."""
+    if entry.accent is not None and (text := _under_accents(term)) is not None:
+        yield text
+    printed = {letter: _print(argument) for letter, argument in arguments.items()}
+    for level in (_PRODUCT, _FACTOR, _ATOM):
+        levels = {"alone": _SUM, "beside": level, "marked": _ATOM}
+        texts = {letter: text.at_least(levels[entry.places[letter]]) for letter, text in printed.items()}
+        yield _Text(entry.spelt(texts), _FORMS[entry.form], "symbol" if entry.is_constant else "")
+
+
 # symbols with their accents
 
 
@@ -227,11 +285,25 @@ def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> _Text | None:
         case Symbol(arguments=()):
             level = _FACTOR if term.declaration.name.sup else _ATOM
             return _Text(_accented(term, accents), level, "symbol")
-        case Apply(head="skew", arguments=(body,)) if not _is_tilded(body):
-            return _under_accents(body, (*accents, "\\tilde"))
+        case Apply() if (own := _accent_of(term)) is not None:
+            accent, body = own
+            return _under_accents(body, (*accents, accent))
         case Derivative(order=Linear(constant=order, coefficients=())) if 1 <= order <= 4:
             return _under_accents(term.body, (*accents, written("ACCENT", str(order))))
     return None
+
+
+def _accent_of(term: Apply) -> tuple[str, Term] | None:
+    """What stands over a letter for the operation, the paper's own accent or the tilde; and what is below."""
+    hand = _hand.get()
+    for entry, arguments in hand.spellings(term) if hand is not None else ():
+        if entry.accent is not None:
+            (body,) = arguments.values()
+            text = _under_accents(body, (entry.accent,))
+            if text is not None and hand.reads(text.text, term):
+                return entry.accent, body
+    is_tilde = term.head == "skew" and not _is_tilded(term.arguments[0])
+    return ("\\tilde", term.arguments[0]) if is_tilde else None
 
 
 def _is_tilded(term: Term) -> bool:

@@ -16,7 +16,7 @@ from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.construct import symbol
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.integers import Linear
-from workbench.language.printer import to_latex
+from workbench.language.printer import in_the_hand_of, to_latex
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Statement, Symbol, Term
 from workbench.language.types import Declaration
@@ -86,7 +86,9 @@ class Repair:
             return formula.latex
         integers = self.claim.orders.variables if self.claim.orders else ()
         table = self.claim.notation.symbols
-        return as_printed(to_latex(formula.statement), formula.latex, table, integers)
+        with in_the_hand_of(self.claim.notation.hand):
+            canonical = to_latex(formula.statement)
+        return as_printed(canonical, formula.latex, table, integers)
 
     def proposed(self) -> tuple[Proposed, ...]:
         return tuple(proposal.beside(self.printed) for proposal in self.proposals)
@@ -122,7 +124,8 @@ def repair(
     bench = _Bench(claim, judge, limits, found, progress)
     start = monotonic()
     try:
-        bench.run()
+        with in_the_hand_of(claim.notation.hand):
+            bench.run()
     except (KeyboardInterrupt, _LimitReached):
         found.complete = False
     finally:

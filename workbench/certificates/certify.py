@@ -12,7 +12,7 @@ from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import all_steps
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.printer import in_the_hand_of
+from workbench.language.authors import in_the_hand_of
 from workbench.papers import Paper
 from workbench.verify.results import Certification, ClaimResult
 

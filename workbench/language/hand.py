@@ -6,16 +6,16 @@ from collections.abc import Iterator, Mapping
 
 from workbench.language.construct import symbol
 from workbench.language.declarations import UNIT
-from workbench.language.elaboration.elaborate import Elaborator
-from workbench.language.errors import Fault, IllFormedAt, Misfit, ReadError
+from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.instances import free_integers
 from workbench.language.names import Name
 from workbench.language.notations import Notation
-from workbench.language.reader import read_term
+from workbench.language.reader import meaning_of, read_term
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Apply, Identity, Integer, Number, Symbol, Term, Zero
 from workbench.language.types import Declaration, type_of_kind
 
+#: What tells the symbol in a place from all others.
 _PLACE = ("a place",)
 
 
@@ -32,23 +32,23 @@ class Hand:
 
     @property
     def is_plain(self) -> bool:
-        """Whether all is written as it is read everywhere."""
-        return not self._entries and not self.owns_unit
+        return not (self._entries or self.owns_unit or self.has_columns)
 
     @property
     def owns_unit(self) -> bool:
-        """Whether \\mathbf{I} is a symbol of the paper, and the unit tensor is not."""
         return UNIT in self._table.symbols
 
+    @property
+    def has_columns(self) -> bool:
+        return self._table.gradient == "column"
+
     def spellings(self, term: Term) -> Iterator[tuple[Notation, Mapping[str, Term]]]:
-        """The entries that may mean the term, those that say most first, and what stands in their places."""
         for entry, meaning in self._entries:
             found: dict[str, Term] = {}
             if _matches(meaning, term, found) and found.keys() == entry.formals.keys():
                 yield entry, found
 
     def reads(self, text: str, term: Term) -> bool:
-        """Whether the text is read as the term."""
         asked = text, free_integers(term)
         if asked not in self._read:
             try:
@@ -66,10 +66,7 @@ def _meaning(entry: Notation, table: SymbolTable) -> Term | None:
         for letter, said in entry.formals.items()
         if (kind := type_of_kind(said.removeprefix("dual ").replace("quaternion", "hamilton quaternion")))
     }
-    try:
-        meaning = Elaborator(table, frozenset()).term(entry.filled(places))
-    except (Fault, Misfit, KeyError, RecursionError):
-        return None
+    meaning = meaning_of(entry.filled(places), table)
     return None if isinstance(meaning, Symbol | Number | Integer | Zero) else meaning
 
 

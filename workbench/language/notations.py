@@ -101,8 +101,8 @@ class Notation:
 
     @property
     def form(self) -> Literal["closed", "marked", "infix", "open"]:
-        """What it is beside others: closed as a bracket or a letter is, with a superscript, a sign between two,
-        or open to what stands there."""
+        """What it is beside others: closed as a bracket or a letter is, with a superscript, a sign between
+        two, or open to what stands there."""
         match core(self.pattern):
             case Leaf() | Styled() | Bracket() | Matrix() | Scripted(sup=None, primes=0):
                 return "closed"

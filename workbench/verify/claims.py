@@ -14,8 +14,8 @@ from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
+from workbench.language.authors import in_the_hand_of
 from workbench.language.definitions import Definitions
-from workbench.language.printer import in_the_hand_of
 from workbench.language.terms import Definition, Relation
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Said, Theorem
 from workbench.papers.said import introduces

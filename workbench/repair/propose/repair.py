@@ -13,10 +13,11 @@ from workbench.budget import Budget, OutOfBudget, Workers
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.authors import in_the_hand_of
 from workbench.language.construct import symbol
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.integers import Linear
-from workbench.language.printer import in_the_hand_of, to_latex
+from workbench.language.printer import to_latex
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Statement, Symbol, Term
 from workbench.language.types import Declaration

@@ -12,6 +12,7 @@ from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import all_steps
 from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.authors import in_the_hand_of
 from workbench.papers import Paper
 from workbench.verify.results import Certification, ClaimResult
 
@@ -108,7 +109,8 @@ def written(form: Form, verdict: Verdict) -> Certified:
     """The certificate of a form, not yet checked."""
     try:
         if verdict.outcome == Outcome.REFUTED:
-            made = refutation(form, verdict)
+            with in_the_hand_of(form.claim.notation.hand):  # the counterexample names symbols as it does
+                made = refutation(form, verdict)
             return Certified(form, verdict.outcome, made, misread=made.misread)
         made = certificate(form, every=(verdict.scope or "").startswith("all"))
     except NotCertified as obstacle:

@@ -30,10 +30,11 @@ _FLAGGED = {
 }
 _ALLOWED = ("kind", "weight", *_FLAGS, "of", "aliases", "note")
 
-#: What these names mean in every formula.
+#: What these names mean in every formula. The unit tensor's may be declared to be something else.
+UNIT = Name("I", ("\\mathbf",))
 BUILTIN = {
     Name("\\varepsilon"): "the dual unit",
-    Name("I", ("\\mathbf",)): "the unit tensor",
+    UNIT: "the unit tensor",
     Name("I", ("\\underline", "\\mathbf")): "the unit tensor",
     Name("D", ("\\mathbf",)): "the operator d/dt",
     Name("\\partial"): "the sign of a partial derivative",

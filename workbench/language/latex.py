@@ -68,7 +68,7 @@ def latex_of(node: Node) -> str:
         case Leaf(kind="FUNCTION", text=head):
             return command_of(head)
         case Leaf(kind="MARK", text=text):
-            return text if text == "T" else written("MARK", text)
+            return text if text == "T" else written("MARK", written("INFIX", text))
         case Leaf(text=text):
             return text
         case Group(parts=(Styled() | Leaf() | Group() as inner,)):

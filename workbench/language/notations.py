@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields
-from functools import cache
-from typing import Any
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, fields, replace
+from functools import cache, cached_property
+from typing import Any, Literal
 
 from workbench.language.construct import zero
 from workbench.language.errors import Fault, SpecError
+from workbench.language.latex import latex_of
 from workbench.language.syntax import (
     Bracket,
     Chain,
@@ -27,6 +28,9 @@ from workbench.language.syntax import (
 )
 from workbench.language.terms import Term, Zero
 from workbench.language.types import KINDS, type_of_kind
+
+#: alone in a bracket or under an accent, with a mark of its own, or beside others.
+Place = Literal["alone", "marked", "beside"]
 
 _ALLOWED = ("where", "means")
 
@@ -82,7 +86,29 @@ class Notation:
             letter: zero(type_of_kind(self.formals[letter]) or term.type) if isinstance(term, Zero) else term
             for letter, term in terms.items()
         }
-        return _filled(self.means, typed)
+        return _filled(self.means, {letter: Known(0, term) for letter, term in typed.items()})
+
+    def spelt(self, texts: Mapping[str, str]) -> str:
+        """The notation with these texts for the formal arguments."""
+        return latex_of(
+            _filled(self.pattern, {letter: Leaf(0, "LETTER", text) for letter, text in texts.items()})
+        )
+
+    @cached_property
+    def places(self) -> Mapping[str, Place]:
+        """Where each formal argument stands."""
+        return dict(_places(self.pattern, self.formals, "alone"))
+
+    @property
+    def form(self) -> Literal["closed", "marked", "infix", "open"]:
+        """What it is beside others: closed as a bracket or a letter is, with a superscript, a sign between
+        two, or open to what stands there."""
+        match core(self.pattern):
+            case Leaf() | Styled() | Bracket() | Matrix() | Scripted(sup=None, primes=0):
+                return "closed"
+            case Scripted():
+                return "marked"
+        return "open" if self.sign is None else "infix"
 
     def matched(self, node: Node) -> dict[str, Node] | None:
         """The nodes in the places of the formal arguments; None if the node is not spelt so."""
@@ -240,15 +266,28 @@ def _match(pattern: Any, node: Any, formals: Mapping[str, str], found: dict[str,
     return pattern == node
 
 
-def _filled(value: Any, terms: Mapping[str, Term]) -> Any:
-    if isinstance(value, Leaf) and value.kind == "LETTER" and value.text in terms:
-        return Known(value.at, terms[value.text])
+def _filled(value: Any, given: Mapping[str, Node]) -> Any:
+    if isinstance(value, Leaf) and value.kind == "LETTER" and value.text in given:
+        return replace(given[value.text], at=value.at)
     if isinstance(value, Node):
-        changed = {name: _filled(getattr(value, name), terms) for name in _fields(type(value))}
+        changed = {name: _filled(getattr(value, name), given) for name in _fields(type(value))}
         return type(value)(value.at, **changed)
     if isinstance(value, tuple):
-        return tuple(_filled(part, terms) for part in value)
+        return tuple(_filled(part, given) for part in value)
     return value
+
+
+def _places(value: Any, formals: Mapping[str, str], place: Place) -> Iterator[tuple[str, Place]]:
+    if isinstance(value, Leaf) and value.text in formals:
+        yield value.text, place
+    if isinstance(value, Bracket | Matrix | Styled):
+        place = "alone"
+    elif isinstance(value, Scripted):
+        place = "marked"
+    elif isinstance(value, Node) and core(value) is value:
+        place = "beside"
+    for part in _parts(value):
+        yield from _places(part, formals, place)
 
 
 def _collide(one: Notation, other: Notation) -> bool:

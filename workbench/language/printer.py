@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
-from workbench.language import latex
+from workbench.language import authors, latex
 from workbench.language.construct import integer
 from workbench.language.integers import Linear
-from workbench.language.operators import GRADIENTS, OPERATORS, command_of
+from workbench.language.operators import GRADIENTS, OPERATORS, PARTIALS, command_of
 from workbench.language.shapes import multiple
 from workbench.language.symbols import may_be_label
 from workbench.language.terms import (
@@ -35,10 +34,8 @@ from workbench.language.terms import (
     Zero,
     is_accented_symbol,
 )
+from workbench.language.texts import ATOM, FACTOR, INFIX, PRODUCT, SUM, Text, bracket, square
 from workbench.language.vocabulary import written
-
-# How tightly a text holds together.
-_SUM, _INFIX, _PRODUCT, _FACTOR, _ATOM = range(5)
 
 _ZEROS = {"scalar": "0", "vector": "\\mathbf{0}", "tensor": "\\mathbf{0}_{3 \\times 3}"}
 _ZEROS["covector"] = "\\mathbf{0}_{1 \\times 3}"
@@ -84,7 +81,7 @@ def _chain(parts: tuple[Statement, ...]) -> str:
 
 def _extremum(said: Extremum) -> str:
     letters = ", ".join(f"{_symbol(x).text} \\in {_domain(x)}" for x in said.letters)
-    body = _print(said.body).at_least(_INFIX)
+    body = _print(said.body).at_least(INFIX)
     return f"{latex.extremal(said.least, letters)} {body} = {_print(said.value).text}"
 
 
@@ -94,37 +91,6 @@ def _domain(letter: Symbol) -> str:
     return "\\mathbb{R}" if letter.type.kind == "scalar" else "\\mathbf{V}_{3}"
 
 
-@dataclass(frozen=True, slots=True)
-class _Text:
-    """LaTeX, how tightly it holds, and what it would take in at its end: "function" (det A, which would take
-    the next tensor), "sum" (Σ …, which takes all that follows), "symbol" (which may take a bracket as its
-    arguments), or nothing."""
-
-    text: str
-    level: int
-    end: str = ""
-
-    def at_least(self, level: int) -> str:
-        return self.text if self.level >= level else _bracket(self.text)
-
-
-def _bracket(text: str) -> str:
-    return f"\\left({text}\\right)"
-
-
-def _square(text: str) -> str:
-    """The text with the bracket that it begins with made square: after a symbol a round one may be its
-    arguments."""
-    if not text.startswith("\\left("):
-        return text
-    depth = 0
-    for match in re.finditer(r"\\(left|right)(?![a-z])", text):
-        depth += 1 if match[1] == "left" else -1
-        if depth == 0:
-            return f"\\left[{text[6 : match.end()]}]{text[match.end() + 1 :]}"
-    raise ValueError(f"unbalanced brackets in {text}")
-
-
 def _integer(value: Linear) -> str:
     """n−k+1 rather than −k+n+1."""
     rising = tuple((name, size) for name, size in value.coefficients if size > 0)
@@ -132,23 +98,27 @@ def _integer(value: Linear) -> str:
     return str(Linear(value.constant, rising + falling))
 
 
-def _print(term: Term) -> _Text:
+def _print(term: Term) -> Text:
+    return authors.declared(term, _print, _under_accents) or _plain(term)
+
+
+def _plain(term: Term) -> Text:
     match term:
         case Number(value=value):
             return _number(value.numerator, value.denominator)
         case Integer(value=value):
             simple = value.constant == 0 and [c for _, c in value.coefficients] == [1]
-            return _Text(_integer(value), _ATOM if simple else _SUM)
+            return Text(_integer(value), ATOM if simple else SUM)
         case Counting():
             return _counting(term)
         case Zero():
-            return _Text(_ZEROS.get(term.type.kind, "\\mathbf{0}"), _ATOM)
+            return Text(_ZEROS.get(term.type.kind, "\\mathbf{0}"), ATOM)
         case Identity():
-            return _Text("\\mathbf{I}", _ATOM)
+            return _unit(term)
         case DualUnit():
-            return _Text("\\varepsilon", _ATOM)
+            return Text("\\varepsilon", ATOM)
         case TimeOperator():
-            return _Text("\\mathbf{D}", _ATOM)
+            return Text("\\mathbf{D}", ATOM)
         case Symbol():
             return _symbol(term)
         case Derivative():
@@ -156,30 +126,38 @@ def _print(term: Term) -> _Text:
         case Power():
             base = _print(term.base)
             if isinstance(term.base, Symbol) and may_be_label(term.base, term.exponent.constant):
-                base = _Text(_bracket(base.text), _ATOM)
+                base = Text(bracket(base.text), ATOM)
             return _raised(base, _integer(term.exponent))
         case BigSum():
             return _big_sum(term)
         case Block():
-            return _Text(latex.matrix(_entries(term)), _ATOM)
+            return Text(latex.matrix(_entries(term)), ATOM)
         case Apply():
             return _apply(term)
     raise TypeError(f"no LaTeX for {type(term).__name__}")
 
 
-def _number(numerator: int, denominator: int) -> _Text:
+def _unit(term: Identity) -> Text:
+    """The unit tensor, with its size where the sign for it is a symbol of the paper."""
+    author = authors.author()
+    is_taken = author is not None and author.owns_unit
+    size = f"{term.type.rows} \\times {term.type.columns}" if is_taken else None
+    return Text(latex.scripted("\\mathbf{I}", size), ATOM)
+
+
+def _number(numerator: int, denominator: int) -> Text:
     if denominator == 1:
-        return _Text(str(numerator), _ATOM if numerator >= 0 else _SUM)
+        return Text(str(numerator), ATOM if numerator >= 0 else SUM)
     text = latex.fraction(str(abs(numerator)), str(denominator))
-    return _Text(text, _FACTOR) if numerator >= 0 else _Text(f"-{text}", _SUM)
+    return Text(text, FACTOR) if numerator >= 0 else Text(f"-{text}", SUM)
 
 
-def _counting(term: Counting) -> _Text:
+def _counting(term: Counting) -> Text:
     top, *lower = map(_integer, term.arguments)
     if term.name == "factorial":
         simple = re.fullmatch(r"[0-9]+|[A-Za-z](_[0-9]|_\{[0-9]+\})?", top)
-        return _Text(f"{top if simple else _bracket(top)}!", _FACTOR)
-    return _Text(latex.binomial(top, ",".join(lower)), _FACTOR)
+        return Text(f"{top if simple else bracket(top)}!", FACTOR)
+    return Text(latex.binomial(top, ",".join(lower)), FACTOR)
 
 
 def _entries(term: Block) -> list[list[str]]:
@@ -198,22 +176,22 @@ def _entry(term: Term, has_shape: bool) -> str:
     return _print(term).text
 
 
-def _beside(terms: tuple[Term, ...]) -> list[_Text]:
+def _beside(terms: tuple[Term, ...]) -> list[Text]:
     """Terms that must be of one kind: a zero beside another term needs no shape."""
     firm = any(not isinstance(t, Zero | Identity) for t in terms)
-    plain = _Text("\\mathbf{0}", _ATOM)
+    plain = Text("\\mathbf{0}", ATOM)
     return [plain if firm and isinstance(t, Zero) and t.type.kind != "scalar" else _print(t) for t in terms]
 
 
 # symbols with their accents
 
 
-def _symbol(term: Symbol) -> _Text:
+def _symbol(term: Symbol) -> Text:
     if term.arguments:
         arguments = ", ".join(_print(a).text for a in term.arguments)
-        return _Text(f"{_accented(term)}{_bracket(arguments)}", _FACTOR)
+        return Text(f"{_accented(term)}{bracket(arguments)}", FACTOR)
     text = _accented(term)
-    return _Text(text, _FACTOR if term.declaration.name.sup else _ATOM, "symbol")
+    return Text(text, FACTOR if term.declaration.name.sup else ATOM, "symbol")
 
 
 def _accented(term: Symbol, accents: tuple[str, ...] = ()) -> str:
@@ -221,17 +199,24 @@ def _accented(term: Symbol, accents: tuple[str, ...] = ()) -> str:
     return term.declaration.name.latex([_integer(place) for place in term.index], accents)
 
 
-def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> _Text | None:
+def _under_accents(term: Term, accents: tuple[str, ...] = ()) -> Text | None:
     """Dots and tildes that stand directly over the letter of a symbol."""
     match term:
         case Symbol(arguments=()):
-            level = _FACTOR if term.declaration.name.sup else _ATOM
-            return _Text(_accented(term, accents), level, "symbol")
-        case Apply(head="skew", arguments=(body,)) if not _is_tilded(body):
-            return _under_accents(body, (*accents, "\\tilde"))
+            level = FACTOR if term.declaration.name.sup else ATOM
+            return Text(_accented(term, accents), level, "symbol")
+        case Apply() if (own := _accent_of(term)) is not None:
+            accent, body = own
+            return _under_accents(body, (*accents, accent))
         case Derivative(order=Linear(constant=order, coefficients=())) if 1 <= order <= 4:
             return _under_accents(term.body, (*accents, written("ACCENT", str(order))))
     return None
+
+
+def _accent_of(term: Apply) -> tuple[str, Term] | None:
+    """What stands over a letter for the operation, the paper's own accent or the tilde; and what is below."""
+    is_tilde = term.head == "skew" and not _is_tilded(term.arguments[0])
+    return authors.accent_of(term, _under_accents) or (("\\tilde", term.arguments[0]) if is_tilde else None)
 
 
 def _is_tilded(term: Term) -> bool:
@@ -241,67 +226,81 @@ def _is_tilded(term: Term) -> bool:
     return isinstance(term, Symbol) and term.declaration.tilded
 
 
-def _derivative(term: Derivative) -> _Text:
+def _derivative(term: Derivative) -> Text:
     return _under_accents(term) or _raised(_print(term.body), f"({_integer(term.order)})")
 
 
-def _raised(base: _Text, sup: str) -> _Text:
-    bare = base.level >= _ATOM
-    return _Text(latex.scripted(base.at_least(_ATOM), sup=sup), _FACTOR, base.end if bare else "")
+def _raised(base: Text, sup: str) -> Text:
+    bare = base.level >= ATOM
+    return Text(latex.scripted(base.at_least(ATOM), sup=sup), FACTOR, base.end if bare else "")
 
 
 # operations
 
 
-def _big_sum(term: BigSum) -> _Text:
+def _big_sum(term: BigSum) -> Text:
     if term.lower is None:
         sign = latex.scripted("\\sum", f"{'+'.join(term.variables)}={_integer(term.upper)}")
     else:
         sign = latex.scripted("\\sum", f"{term.variables[0]}={_integer(term.lower)}", _integer(term.upper))
-    return _Text(f"{sign} {_print(term.body).at_least(_INFIX)}", _INFIX, "sum")
+    return Text(f"{sign} {_print(term.body).at_least(INFIX)}", INFIX, "sum")
 
 
-def _apply(term: Apply) -> _Text:
+def _apply(term: Apply) -> Text:
     head, arguments = term.head, term.arguments
+    if head == "transpose" and _is_column(arguments[0]):
+        return _plain(arguments[0])
     operator = OPERATORS[head]
     if operator.superscript:
         base = _print(arguments[0])
         if head != "transpose" and _is_dotted(arguments[0]):
-            base = _Text(_bracket(base.text), _ATOM)
+            base = Text(bracket(base.text), ATOM)
         return _raised(base, operator.superscript)
     if operator.sign:
         left, right = map(_print, arguments)
         if left.end == "function" and (arguments[1].type.dual or _ends_in_gradient(arguments[0])):
-            left = _Text(_bracket(left.text), _ATOM)
+            left = Text(bracket(left.text), ATOM)
         return _infix(written("INFIX", operator.sign), left, right)
     match head:
         case "add":
             return _add(arguments)
         case "neg":
-            return _Text(f"-{_negated(arguments[0])}", _SUM)
+            return Text(f"-{_negated(arguments[0])}", SUM)
         case "mul":
             return _mul(*arguments)
         case "div":
             top, bottom = (_print(a).text for a in arguments)
-            return _Text(latex.fraction(top, bottom), _FACTOR)
+            return Text(latex.fraction(top, bottom), FACTOR)
         case "partial" | "total":
             d = "\\partial" if head == "partial" else "\\mathrm{d}"
-            body, by = (_print(a).at_least(_FACTOR) for a in arguments)
-            return _Text(latex.fraction(f"{d} {body}", f"{d} {by}"), _FACTOR)
+            body, by = (_print(a).at_least(FACTOR) for a in arguments)
+            return Text(latex.fraction(f"{d} {body}", f"{d} {by}"), FACTOR)
         case "norm":
-            return _Text(f"\\left\\|{_print(arguments[0]).text}\\right\\|", _ATOM)
+            return Text(f"\\left\\|{_print(arguments[0]).text}\\right\\|", ATOM)
         case "triple":
             inner = ", ".join(_print(a).text for a in arguments)
-            return _Text(f"\\left\\langle {inner}\\right\\rangle", _ATOM)
+            return Text(f"\\left\\langle {inner}\\right\\rangle", ATOM)
         case "root":
-            return _Text(f"\\sqrt{{{_print(arguments[0]).text}}}", _FACTOR)
+            return Text(f"\\sqrt{{{_print(arguments[0]).text}}}", FACTOR)
         case "quaternion" | "atan2":
             inner = ", ".join(_print(a).text for a in arguments)
-            return _Text(f"{command_of(head)}{_bracket(inner)}", _FACTOR)
+            return Text(f"{command_of(head)}{bracket(inner)}", FACTOR)
         case "skew" if not _is_tilded(arguments[0]):
             over = _under_accents(term)
-            return over or _Text(f"\\widetilde{{{_print(arguments[0]).text}}}", _ATOM)
+            return over or Text(f"\\widetilde{{{_print(arguments[0]).text}}}", ATOM)
     return _function(head, arguments[0])
+
+
+def _is_column(term: Term) -> bool:
+    """Whether the term is ∂f/∂x of a scalar by a vector, for which the author writes a column."""
+    author = authors.author()
+    return (
+        author is not None
+        and author.has_columns
+        and isinstance(term, Apply)
+        and term.head in PARTIALS
+        and (term.type.kind, term.arguments[0].type.kind) == ("covector", "scalar")
+    )
 
 
 def _is_dotted(term: Term) -> bool:
@@ -311,56 +310,56 @@ def _is_dotted(term: Term) -> bool:
     return isinstance(term, Derivative)
 
 
-def _function(head: str, argument: Term) -> _Text:
+def _function(head: str, argument: Term) -> Text:
     simple = _under_accents(argument)
     if simple is not None:
-        return _Text(f"{command_of(head)} {simple.text}", _PRODUCT, "function")
-    return _Text(f"{command_of(head)}{_bracket(_print(argument).text)}", _FACTOR)
+        return Text(f"{command_of(head)} {simple.text}", PRODUCT, "function")
+    return Text(f"{command_of(head)}{bracket(_print(argument).text)}", FACTOR)
 
 
 def _negated(argument: Term) -> str:
     """A bare number after a minus would be read as a negative number."""
     text = _print(argument)
-    return _bracket(text.text) if isinstance(argument, Number | Integer) else text.at_least(_INFIX)
+    return bracket(text.text) if isinstance(argument, Number | Integer) else text.at_least(INFIX)
 
 
-def _add(arguments: tuple[Term, ...]) -> _Text:
+def _add(arguments: tuple[Term, ...]) -> Text:
     text = ""
     for place, (argument, printed) in enumerate(zip(arguments, _beside(arguments), strict=True)):
         if isinstance(argument, Apply) and argument.head == "neg":
             inner = argument.arguments[0]
-            negated = _print(inner).at_least(_INFIX) if place else _negated(inner)
+            negated = _print(inner).at_least(INFIX) if place else _negated(inner)
             text += f" - {negated}" if place else f"-{negated}"
         elif place == 0:
             negative = isinstance(argument, Number) and argument.value < 0
-            text = printed.text if negative else printed.at_least(_INFIX)
+            text = printed.text if negative else printed.at_least(INFIX)
         elif isinstance(argument, Integer) and _integer(argument.value).startswith("-"):
-            text += f" - {_print(integer(-argument.value)).at_least(_INFIX)}"
+            text += f" - {_print(integer(-argument.value)).at_least(INFIX)}"
         else:
-            text += f" + {printed.at_least(_INFIX)}"
-    return _Text(text, _SUM)
+            text += f" + {printed.at_least(INFIX)}"
+    return Text(text, SUM)
 
 
-def _infix(sign: str, left: _Text, right: _Text) -> _Text:
-    before = _bracket(left.text) if left.end == "sum" else left.at_least(_PRODUCT)
+def _infix(sign: str, left: Text, right: Text) -> Text:
+    before = bracket(left.text) if left.end == "sum" else left.at_least(PRODUCT)
     # what follows \sum is in the sum, so on the right it needs no bracket
-    after = right.text if right.end == "sum" and right.level >= _INFIX else right.at_least(_PRODUCT)
-    return _Text(f"{before} {sign} {after}", _INFIX, right.end if right.end == "sum" else "")
+    after = right.text if right.end == "sum" and right.level >= INFIX else right.at_least(PRODUCT)
+    return Text(f"{before} {sign} {after}", INFIX, right.end if right.end == "sum" else "")
 
 
-def _mul(left: Term, right: Term) -> _Text:
+def _mul(left: Term, right: Term) -> Text:
     first, second = _print(left), _print(right)
-    is_open = first.end in ("function", "sum") or first.level < (_PRODUCT if _is_mul(left) else _FACTOR)
+    is_open = first.end in ("function", "sum") or first.level < (PRODUCT if _is_mul(left) else FACTOR)
     if is_open or (isinstance(left, Number) and isinstance(right, Integer)):
-        first = _Text(_bracket(first.text), _ATOM)
-    may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= _INFIX
+        first = Text(bracket(first.text), ATOM)
+    may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= INFIX
     acts = left.type.kind == "operator" and right.type.kind not in ("operator", "scalar")
     mixed = isinstance(left, Number | Zero) and isinstance(right, Number)
-    if acts or mixed or second.text[0].isdigit() or not (second.level >= _FACTOR or may_end):
-        second = _Text(_bracket(second.text), _ATOM)
+    if acts or mixed or second.text[0].isdigit() or not (second.level >= FACTOR or may_end):
+        second = Text(bracket(second.text), ATOM)
     if first.end == "symbol" or is_accented_symbol(left):
-        second = _Text(_square(second.text), second.level, second.end)
-    return _Text(f"{first.text} {second.text}", _PRODUCT, second.end)
+        second = Text(square(second.text), second.level, second.end)
+    return Text(f"{first.text} {second.text}", PRODUCT, second.end)
 
 
 def _ends_in_gradient(term: Term) -> bool:

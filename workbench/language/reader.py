@@ -8,11 +8,12 @@ from dataclasses import replace
 from functools import partial
 from typing import TypeVar
 
+from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import Range
 from workbench.language.elaboration.statements import Reading, reading_of, term_of
 from workbench.language.errors import ALONE, SAYS_NOTHING, Fault, IllFormedAt, Misfit, ReadError, place
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Lines, parse
+from workbench.language.syntax import Lines, Node, parse
 from workbench.language.terms import Statement, Term
 
 __all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term", "unclaimed"]
@@ -61,6 +62,14 @@ def read_term(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> T
     """The term of an expression without relations. Raises as `read`."""
     names = frozenset(integers)
     return _placed(latex, lambda lines: term_of(lines, table, names))
+
+
+def meaning_of(node: Node, table: SymbolTable) -> Term | None:
+    """The term of a tree, in which terms may stand already; None if it has none."""
+    try:
+        return Elaborator(table, frozenset()).term(node)
+    except (Fault, Misfit, RecursionError):
+        return None
 
 
 def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> str:

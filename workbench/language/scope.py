@@ -52,12 +52,14 @@ class Scope(ABC):
             spin = self.table.frames[self.table.dot]
         else:
             spin = self.frame(frame)
+        if isinstance(spin, Zero):
+            return self.build(at, construct.derivative, body, order)
         if not order.is_number:
             raise Fault("a derivative of an order n, in a frame", at)
         for _ in range(int(order)):
             rate = self.build(at, construct.derivative, body, 1)
             turning = self.apply(at, "neg", self.apply(at, "cross", spin, body))
-            body = rate if isinstance(spin, Zero) else self.apply(at, "add", rate, turning)
+            body = self.apply(at, "add", rate, turning)
         return body
 
     def partial(self, at: int, head: str, body: Term, by: Term) -> Term:

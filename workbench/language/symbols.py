@@ -11,6 +11,7 @@ from typing import Any
 
 from workbench.language.construct import symbol
 from workbench.language.declarations import (
+    UNIT,
     aliases,
     arguments_of,
     key_spelling,
@@ -85,7 +86,8 @@ class SymbolTable:
                 if other in symbols:
                     raise SpecError(f"{alias} is declared twice", key)
                 refuse_operation(other, key)
-                refuse_builtin(other, declared.type, key)
+                if other != UNIT:
+                    refuse_builtin(other, declared.type, key)
                 symbols[other] = declared
         try:
             known = _tilded(_with_members(symbols, functions))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, TypeAlias
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from workbench.judge.theorems.proofs import Proven
     from workbench.judge.verdict import Verdict
     from workbench.language.definitions import Definitions
+    from workbench.language.hand import Hand
     from workbench.language.names import Name
     from workbench.language.symbols import SymbolTable
     from workbench.language.terms import Definition, Relation, Statement, Symbol
@@ -181,6 +183,13 @@ class Notation:
     on_motions: Mapping[str, OnMotions] = field(default_factory=dict)
     words: frozenset[str] = frozenset()
     framed: frozenset[Name] = frozenset()
+
+    @cached_property
+    def hand(self) -> Hand:
+        """How its author writes."""
+        from workbench.language.hand import Hand
+
+        return Hand(self.symbols)
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
+from workbench.language.authors import in_the_hand_of
 from workbench.language.definitions import Definitions
 from workbench.language.terms import Definition, Relation
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Said, Theorem
@@ -147,9 +148,10 @@ class ClaimJudge:
     def _verdict_on(self, name_and_form: tuple[str, str]) -> Verdict:
         name, form = name_and_form
         claim = self._claims[name]
-        if form == "printed":
-            return self._printed(claim)
-        return self._verdict(claim, getattr(claim, form), claim.hypothesis if form == "reading" else None)
+        with in_the_hand_of(claim.notation.hand):
+            if form == "printed":
+                return self._printed(claim)
+            return self._verdict(claim, getattr(claim, form), claim.hypothesis if form == "reading" else None)
 
     def _printed(self, claim: Claim) -> Verdict:
         if claim.goal is not None or claim.theorem is not None:

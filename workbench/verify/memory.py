@@ -152,6 +152,8 @@ class Keys:
         reached = reach.of(names)
         if claim.goal is not None:  # its proof may speak of any symbol
             reached += [reach.whole, self._proofs.get(claim.theorem or "", "")]
+        elif not claim.notation.hand.is_plain:  # what it prints may be any symbol's name
+            reached.append(reach.whole)
         return _digest(repr((text, reached, self._ground)))
 
     def of_bindings(self, notation: Notation) -> str:

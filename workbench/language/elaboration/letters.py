@@ -346,7 +346,7 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
         case Leaf(kind="MARK", text="*"):
             return scope.apply(sup.at, "adjugate", term)
         case Bracket(kind="(", parts=(order,)):
-            return scope.build(sup.at, construct.derivative, term, scope.integer(order))
+            return scope.rate(sup.at, term, scope.integer(order), None)
     if (halves := _halves(inner)) is not None:
         root = scope.apply(sup.at, "root", term)
         return scope.build(sup.at, instances.raised, root, Linear(halves))

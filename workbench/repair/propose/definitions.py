@@ -23,6 +23,7 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.second.rings import PRIME
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome
+from workbench.language.authors import in_the_hand_of
 from workbench.language.construct import relation, symbol, zero
 from workbench.language.definitions import Definitions
 from workbench.language.printer import to_latex
@@ -135,7 +136,12 @@ def _edited(claims: Sequence[Claim], least: int, end: float) -> Iterator[tuple[R
                 return
             change = Redefinition({name: body})
             if sum(_holds_at_points(claim, change) for claim in dependents) >= least:
-                yield change, ((to_latex(name), to_latex(definition.body), to_latex(body)),)
+                yield change, (_in_words(dependents[0], name, definition.body, body),)
+
+
+def _in_words(claim: Claim, *terms: Term) -> tuple[str, ...]:
+    with in_the_hand_of(claim.notation.hand):
+        return tuple(map(to_latex, terms))
 
 
 def _near_bodies(name: Symbol, definition: Definition) -> Iterator[Term]:
@@ -201,8 +207,7 @@ def _other_coefficients(claims: Sequence[Claim]) -> Iterator[tuple[Redefinition,
     for claim in claims:
         for bodies in _solutions(claim):
             changed = tuple(
-                (to_latex(s), to_latex(claim.notation.definitions.lookup(s)), to_latex(body))
-                for s, body in bodies.items()
+                _in_words(claim, s, claim.notation.definitions.lookup(s), body) for s, body in bodies.items()
             )
             yield Redefinition(bodies), changed
 

@@ -13,6 +13,7 @@ from workbench.budget import Budget, OutOfBudget, Workers
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.authors import in_the_hand_of
 from workbench.language.construct import symbol
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.integers import Linear
@@ -86,7 +87,9 @@ class Repair:
             return formula.latex
         integers = self.claim.orders.variables if self.claim.orders else ()
         table = self.claim.notation.symbols
-        return as_printed(to_latex(formula.statement), formula.latex, table, integers)
+        with in_the_hand_of(self.claim.notation.hand):
+            canonical = to_latex(formula.statement)
+        return as_printed(canonical, formula.latex, table, integers)
 
     def proposed(self) -> tuple[Proposed, ...]:
         return tuple(proposal.beside(self.printed) for proposal in self.proposals)
@@ -122,7 +125,8 @@ def repair(
     bench = _Bench(claim, judge, limits, found, progress)
     start = monotonic()
     try:
-        bench.run()
+        with in_the_hand_of(claim.notation.hand):
+            bench.run()
     except (KeyboardInterrupt, _LimitReached):
         found.complete = False
     finally:

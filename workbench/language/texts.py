@@ -1,0 +1,40 @@
+"""Pieces of LaTeX that know how tightly they hold."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+#: How tightly a text holds together.
+SUM, INFIX, PRODUCT, FACTOR, ATOM = range(5)
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """LaTeX, how tightly it holds, and what it would take in at its end: "function" (det A, which would take
+    the next tensor), "sum" (Σ …, which takes all that follows), "symbol" (which may take a bracket as its
+    arguments), or nothing."""
+
+    text: str
+    level: int
+    end: str = ""
+
+    def at_least(self, level: int) -> str:
+        return self.text if self.level >= level else bracket(self.text)
+
+
+def bracket(text: str) -> str:
+    return f"\\left({text}\\right)"
+
+
+def square(text: str) -> str:
+    """The text with the bracket that it begins with made square: after a symbol a round one may be its
+    arguments."""
+    if not text.startswith("\\left("):
+        return text
+    depth = 0
+    for match in re.finditer(r"\\(left|right)(?![a-z])", text):
+        depth += 1 if match[1] == "left" else -1
+        if depth == 0:
+            return f"\\left[{text[6 : match.end()]}]{text[match.end() + 1 :]}"
+    raise ValueError(f"unbalanced brackets in {text}")

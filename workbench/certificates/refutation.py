@@ -127,7 +127,8 @@ class Denied:
         for origin, deep in self._late():
             if (one := self.instance.quotients.get(origin)) is not None:
                 below = one.below
-                shown = f"apply over_quadratic; [reflexivity |]. certify known{count}\n    {below.deep} {one.quadratic}."
+                computed = f"certify known{count}\n    {below.deep} {one.quadratic}."
+                shown = f"apply over_quadratic; [reflexivity |]. {computed}"
                 lines.append(
                     f"assert (is_{one.place} : reciprocal {below.at(ATOM)} ({one.text})). {{ {shown} }}"
                 )

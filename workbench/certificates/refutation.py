@@ -28,7 +28,7 @@ from workbench.judge.verdict import Verdict
 from workbench.language.construct import derivative
 from workbench.language.instances import instantiate
 from workbench.language.printer import to_latex
-from workbench.language.terms import IllFormed
+from workbench.language.terms import Conjunction, IllFormed, Naming
 
 #: Of a vector on which an operator acts: any that tells two operators apart.
 _PROBE = (("1", "2", "-1", "3"), ("2", "-3", "1", "1"), ("3", "1", "2", "-1"))
@@ -217,6 +217,8 @@ def refutation(form: Form, verdict: Verdict) -> Certificate:
         try:
             statement = instantiate(form.formula.statement, values)
             supposed = [instantiate(s, values) for s in claim.supposed]
+            if isinstance(statement, Naming) and len(statement.parts) > 1 and not statement.given:
+                statement = Conjunction(statement.parts)  # what must be true for it to be one
         except IllFormed as error:
             raise NotCertified(str(error)) from None
         made = theorem(form.identifier, statement, supposed, definitions, slots=BASE)

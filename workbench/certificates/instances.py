@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
-from workbench.certificates import trigonometric
+from workbench.certificates import nodes, trigonometric
 from workbench.certificates.collector import Collector, Origin
 from workbench.certificates.nodes import ATOM, Node, NotCertified, flag, rational
 from workbench.certificates.trigonometric import flat, value
@@ -21,8 +21,14 @@ from workbench.certificates.trigonometric import flat, value
 BASE = ((False, "Scalar", "cosine"), (False, "Scalar", "sine"), (False, "Scalar", "time"))
 _C, _S, _T = (f"(Var false Scalar {i})" for i in range(3))
 
-#: How many motions are tried.
+#: How many motions are tried; after them one on which every free vector is a spiral.
 _ATTEMPTS = 60
+
+#: The places of quotients, beyond those of what statements speak of.
+_QUOTIENTS = 2000
+
+#: To what order the quotients of a motion are known at t = 0, where motions are compared.
+_KNOWN = 6
 
 
 def _number(value: int | Fraction) -> str:
@@ -48,6 +54,11 @@ _VECTORS = (
     _triad(_number(0), _number(1), _number(-1)),
     "(Zer false Vector)",
 )
+_SLOW = f"(Scale {_number(Fraction(1, 4))} {_T})"
+_AHEAD = f"(Minus {_SLOW} {_number(1)})"
+_SPIRAL = _triad(
+    f"(Minus {_C} (Scale {_AHEAD} {_S}))", f"(Plus {_S} (Scale {_AHEAD} {_C}))", _SLOW
+)  # its det Φ₃ is a quadratic without roots
 _FIXED = (_triad(_number(1), _number(2), _number(-1)), "(Axis false 0)", "(Axis false 2)")
 _CHOICES = {
     ("Scalar", "free"): (_T, _C, _number(2)),
@@ -67,11 +78,39 @@ _CHOICES = {
 
 
 @dataclass(frozen=True)
+class Quotient:
+    """1/x on a motion where x is p + q t + r t² and never 0: a symbol at a place of its own. `below`: x."""
+
+    place: str
+    below: Node
+    coefficients: tuple[Fraction, Fraction, Fraction]
+
+    @property
+    def text(self) -> str:
+        return f"quadratic_over {' '.join(map(rational, self.coefficients))}"
+
+    @property
+    def quadratic(self) -> str:
+        p, q, r = map(_number, self.coefficients)
+        return f"(Plus (Plus {p} (Scale {q} {_T})) (Scale {r} (Scale {_T} {_T})))"
+
+    @property
+    def value(self) -> trigonometric.Wave:
+        """As many terms of its series as are known."""
+        p, q, r = self.coefficients
+        series = [1 / p, -q / p**2]
+        for _ in range(_KNOWN - 1):
+            series.append(-(q * series[-1] + r * series[-2]) / p)
+        return trigonometric.Wave({(0, 0, k): x for k, x in enumerate(series)})
+
+
+@dataclass(frozen=True)
 class Instance:
     """What each variable of a statement is on the motion: its text and its deep copy; and all values."""
 
     variables: Mapping[Origin, tuple[str, str]]
     values: Mapping[tuple[str, str, str], Any]
+    quotients: Mapping[Origin, Quotient] = field(default_factory=dict)
 
     def agree(self, left: str, right: str) -> bool:
         return flat(value(left, self.values)) == flat(value(right, self.values))
@@ -93,9 +132,15 @@ def latest(emitter: Collector) -> list[Origin]:
 
 def instances(emitter: Collector) -> Iterator[Instance]:
     """Motions on which all premises hold, as far as exact values tell."""
-    for attempt in range(_ATTEMPTS):
+    divides = {name for name, text in emitter.premises if text.startswith(("inverse ", "reciprocal "))}
+    for attempt in range(_ATTEMPTS + 1):
         made = _attempt(emitter, random.Random(attempt), attempt)
-        if made is not None and all(made.agree(*pair) for pairs in emitter.holes.values() for pair in pairs):
+        if made is not None and all(
+            made.agree(*pair)
+            for name, pairs in emitter.holes.items()
+            if not (made.quotients and name in divides)
+            for pair in pairs
+        ):
             yield made
 
 
@@ -143,45 +188,57 @@ def _base() -> dict[tuple[str, str, str], Any]:
 
 def _attempt(emitter: Collector, chance: random.Random, attempt: int) -> Instance | None:
     angles = {origin.value.deep for origin in emitter.origins if origin.how == "cos"}
-    values, variables = _base(), {}
+    made = Instance({}, _base(), {})
     for origin in latest(emitter):
-        said = (f"made {_T}", _T) if origin.node.deep in angles else _meaning(origin, values, chance, attempt)
+        said = (f"made {_T}", _T) if origin.node.deep in angles else _meaning(origin, made, chance, attempt)
         if said is None:
             return None
         try:
-            values[place(origin.node)] = value(said[1], values)
+            made.values[place(origin.node)] = value(said[1], made.values)
         except KeyError:
             return None
         if origin.node.text in emitter.places:
-            variables[origin] = said
-    return Instance(variables, values)
+            made.variables[origin] = said
+    return made
 
 
-def _meaning(
-    origin: Origin, values: Mapping[tuple[str, str, str], Any], chance: random.Random, attempt: int
-) -> tuple[str, str] | None:
+def _over(origin: Origin, below: Node, made: Instance) -> Node | None:
+    """1/x on the motion, if x is a number there or a quadratic without roots."""
+    terms = dict(value(below.deep, made.values).terms)
+    p, q, r = coefficients = tuple(terms.pop((0, 0, k), Fraction(0)) for k in range(3))
+    if terms or (not p if not (q or r) else 4 * p * r <= q * q):
+        return None
+    if not (q or r):
+        return nodes.number(1 / p)
+    one = Quotient(str(_QUOTIENTS + len(made.quotients)), below, coefficients)
+    made.quotients[origin] = one
+    made.values["false", "Scalar", one.place] = one.value
+    return Node(False, "Scalar", one.text, nodes.APPLICATION, f"(Var false Scalar {one.place})")
+
+
+def _meaning(origin: Origin, made: Instance, chance: random.Random, attempt: int) -> tuple[str, str] | None:
     match origin.how:
         case "is":
             return origin.value.text, origin.value.deep
         case "over":
-            number = value(origin.value.deep, values).constant
-            return (f"number {rational(1 / number)}", _number(1 / number)) if number else None
+            over = _over(origin, origin.value, made)
+            return over and (over.text, over.deep)
         case "inverse":
-            number = value(f"(Det {origin.value.deep})", values).constant
-            if not number:
-                return None
-            text = f"number {rational(1 / number)} • adj {origin.value.at(ATOM)}"
-            return text, f"(Scale {_number(1 / number)} (Adj {origin.value.deep}))"
+            of = origin.value
+            over = _over(origin, nodes.call("det", "Det", "Scalar", of), made)
+            return over and (f"{over.text} • adj {of.at(ATOM)}", f"(Scale {over.deep} (Adj {of.deep}))")
         case "cos":
             return "cosine", _C
         case "sin":
             return "sine", _S
     node = origin.node
-    made = (_dual if node.dual else _chosen)(node.kind, origin.how, chance, attempt)
-    return f"made {made}", made
+    chosen = (_dual if node.dual else _chosen)(node.kind, origin.how, chance, attempt)
+    return f"made {chosen}", chosen
 
 
 def _chosen(kind: str, how: str, chance: random.Random, attempt: int) -> str:
+    if (kind, how, attempt) == ("Vector", "free", _ATTEMPTS):
+        return _SPIRAL
     choices = _CHOICES.get((kind, how))
     if choices is None:
         raise NotCertified(f"no motion of a {how} {kind.lower()}")

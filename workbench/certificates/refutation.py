@@ -12,15 +12,23 @@ from fractions import Fraction
 from workbench.certificates.collector import Origin
 from workbench.certificates.emitter import Emitter
 from workbench.certificates.forms import Certificate, Form
-from workbench.certificates.instances import BASE, Instance, instances, latest, on_polynomials, place
-from workbench.certificates.nodes import Node, NotCertified, flag, single
+from workbench.certificates.instances import (
+    BASE,
+    Instance,
+    Quotient,
+    instances,
+    latest,
+    on_polynomials,
+    place,
+)
+from workbench.certificates.nodes import ATOM, Node, NotCertified, flag, single
 from workbench.certificates.theorem import Theorem, theorem
 from workbench.certificates.trigonometric import order, parsed
 from workbench.judge.verdict import Verdict
 from workbench.language.construct import derivative
 from workbench.language.instances import instantiate
 from workbench.language.printer import to_latex
-from workbench.language.terms import IllFormed
+from workbench.language.terms import Conjunction, IllFormed, Naming
 
 #: Of a vector on which an operator acts: any that tells two operators apart.
 _PROBE = (("1", "2", "-1", "3"), ("2", "-3", "1", "1"), ("3", "1", "2", "-1"))
@@ -96,9 +104,7 @@ class Denied:
         ]
         if emitter.holes:
             lines.append(f"pose (known0 := @premised K [{shapes}] these eq_refl eq_refl _ facts).")
-            for count, (origin, deep) in enumerate(self._late()):
-                value = f"{' '.join(place(origin.node))} {deep} (alike {_inside(origin.node.text)})"
-                lines.append(f"pose (known{count + 1} := given known{count} {value}).")
+            lines += self._steps()
             lines += [f"assert ({name} : {text}). {self._shown(name)}" for name, text in self._suppositions()]
         return "\n  ".join(["Proof.", *lines, self.last]) + "\nQed."
 
@@ -114,6 +120,34 @@ class Denied:
         origins = latest(self.made.emitter)
         first = next((i for i, o in enumerate(origins) if o.how in ("over", "inverse")), len(origins))
         return [(o, self._meaning(o)) for o in origins[first:] if o.how in ("over", "inverse", "is")]
+
+    def _steps(self) -> list[str]:
+        """How what is known grows by these, and by what they divide by."""
+        lines, count = [], 0
+        for origin, deep in self._late():
+            if (one := self.instance.quotients.get(origin)) is not None:
+                below = one.below
+                computed = f"certify known{count}\n    {below.deep} {one.quadratic}."
+                shown = f"apply over_quadratic; [reflexivity |]. {computed}"
+                lines.append(
+                    f"assert (is_{one.place} : reciprocal {below.at(ATOM)} ({one.text})). {{ {shown} }}"
+                )
+                made = f"with_reciprocal known{count} {one.place} {below.deep} is_{one.place}"
+                lines.append(f"pose (known{(count := count + 1)} := {made}).")
+            value = f"{' '.join(place(origin.node))} {deep} (alike {_inside(origin.node.text)})"
+            lines.append(f"pose (known{count + 1} := given known{count} {value}).")
+            count += 1
+        return lines
+
+    @property
+    def opened(self) -> tuple[str, str, list[tuple[Quotient, str]]]:
+        """What opens and closes a deep copy in which these stand; and what is divided by, so opened."""
+        opened, quotients = "", []
+        for place_, (origin, deep) in enumerate(self._late()):
+            if (one := self.instance.quotients.get(origin)) is not None:
+                quotients.append((one, f"{opened}{one.below.deep}{')' * place_}"))
+            opened += f"(Let {place(origin.node)[2]} {deep} "
+        return opened, ")" * len(self._late()), quotients
 
     def _meaning(self, origin: Origin) -> str:
         known = self.instance.variables.get(origin)
@@ -135,7 +169,7 @@ class Denied:
         yield from emitter.premises
 
     def _shown(self, name: str) -> str:
-        known = f"known{len(self._late())}"
+        known = f"known{len(self._late()) + len(self.instance.quotients)}"
         parts = [f"certify {known}\n    {a}\n    {b}" for a, b in self.made.emitter.holes[name]]
         split = "".join(f"refine (conj _ _); [{part} |]. " for part in parts[:-1])
         return f"{{ {split}{parts[-1]}. }}"
@@ -183,6 +217,8 @@ def refutation(form: Form, verdict: Verdict) -> Certificate:
         try:
             statement = instantiate(form.formula.statement, values)
             supposed = [instantiate(s, values) for s in claim.supposed]
+            if isinstance(statement, Naming) and len(statement.parts) > 1 and not statement.given:
+                statement = Conjunction(statement.parts)  # what must be true for it to be one
         except IllFormed as error:
             raise NotCertified(str(error)) from None
         made = theorem(form.identifier, statement, supposed, definitions, slots=BASE)
@@ -266,11 +302,19 @@ def _instance(name: str, emitter: Emitter, made: Theorem, numbers: Mapping[str, 
 def _contradicted(denied: Denied, part: int, left: str, right: str) -> str:
     """That the conclusion, or a part of it, is not so at t = 0."""
     orders: dict[tuple[str, str, str], int] = {}
+    opened, closed, quotients = denied.opened
+    for one, _ in quotients:
+        orders["false", "Scalar", one.place] = 0
     for node, deep in [*denied._known(), *((o.node, deep) for o, deep in denied._late())]:
         orders[place(node)] = order(parsed(deep), orders)
     known = max(order(parsed(side), orders) for side in (left, right)) + 1
-    opened = "".join(f"(Let {place(o.node)[2]} {deep} " for o, deep in denied._late())
-    closed = ")" * len(denied._late())
+    divided = "; ".join(f"({q.place}%nat, {below}, {q.text})" for q, below in quotients)
+    such = (
+        "".join(f"(conj is_{q.place} " for q, _ in quotients) + "I" + ")" * len(quotients) + " "
+        if quotients
+        else ""
+    )
+    lemma = f"@refuted_over {known} here _ [{divided}]" if quotients else f"@refuted {known} here _"
     said = " /\\ ".join(denied.conclusions)
     taken = ["apply proj2 in found."] * part
     if part < len(denied.conclusions) - 1:
@@ -279,9 +323,9 @@ def _contradicted(denied: Denied, part: int, left: str, right: str) -> str:
         [
             f"assert (found : {said}) by exact ({denied.use}).",
             *taken,
-            f"revert found. refine (@refuted {known} here _ _ _",
+            f"revert found. refine ({lemma} _ _",
             f"    {opened}{left}{closed}",
-            f"    {opened}{right}{closed} eq_refl eq_refl eq_refl facts _).",
+            f"    {opened}{right}{closed} eq_refl eq_refl eq_refl facts {such}_).",
             "vm_cast_no_check (@eq_refl bool true).",
         ]
     )

@@ -115,6 +115,10 @@ KNOWN = [
 
 
 class TestKnown:
+    def test_of_numbers_on_a_line(self):
+        assert outcome(r"\min_{x \in \mathbb{R}} \|f x + 3\| = 0, f \neq 0") == Outcome.PROVED
+        assert outcome(r"\min_{x \in \mathbb{R}} \|f x + 3\| = 3, f \neq 0") == Outcome.REFUTED
+
     @pytest.mark.parametrize(("left", "right", "wrong"), KNOWN)
     def test_right_and_wrong_values(self, left, right, wrong):
         assert outcome(f"{left} = {right}") == Outcome.PROVED

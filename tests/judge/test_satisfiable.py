@@ -132,6 +132,7 @@ def test_how_numbers_are_written():
     assert str(root * Fraction(1, 2) + 1) == "1 + 1/2 √3" and str(-root) == "-√3" and str(root * root) == "3"
     cubic = FIELDS["cube root of 2"].generator
     assert str(cubic * cubic - 1) == "-1 + θ^2 where -2 + θ^3 = 0, θ ≈ 1.25992"
+    assert str(cubic * 0 + Fraction(1, 2)) == "1/2"
 
 
 @pytest.mark.parametrize("bounds", [(2, 3), (-1, 1)])

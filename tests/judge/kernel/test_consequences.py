@@ -108,3 +108,8 @@ def test_a_side_that_never_holds_decides_nothing():
 def test_terms_of_one_value_turn_alike(latex):
     assert outcome(latex) == Outcome.PROVED
     assert outcome(latex.replace("=", "= -", 1)) == Outcome.REFUTED
+
+
+@pytest.mark.parametrize("latex", [r"f^2 + g^2 = 0 \Rightarrow f = 0", r"f^3 = g^3 \Rightarrow f = g"])
+def test_what_only_real_numbers_obey_is_open(latex):
+    assert outcome(latex) == Outcome.UNCHECKED

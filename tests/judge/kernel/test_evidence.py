@@ -44,6 +44,17 @@ SAID = {
         SYMPY,
         ("denominators", "not excluded by the assumptions", {"factors": 3}),
     ],
+    r"\frac{f^2 + f + 1}{f^2 + f + 1} = 1": [
+        PRIME,
+        flint(1, 2),
+        SYMPY,
+        ("denominators", "not excluded by the assumptions", {"factors": 1}),
+    ],
+    r"\frac{f}{f} = 1 \text{ for } f = 0": [
+        flint(1, 2),
+        SYMPY,
+        ("denominators", "not excluded by the assumptions", {"factors": 1}),
+    ],
     r"f \neq f + 1": [
         ("exact ring over ℚ (FLINT)", APART, {}),
         ("SymPy PolyRing on Python integers", APART, {}),

@@ -17,6 +17,7 @@ from functools import cached_property
 
 from workbench.judge.evidence.points import Trial
 from workbench.judge.kernel.case import Case, Setting
+from workbench.judge.kernel.ideals import has_even_powers
 from workbench.judge.kernel.quadratics import Quadratic, minus, solved, times, total
 from workbench.judge.kernel.varied import Varied, at_zero_part, is_seen_nonnegative
 from workbench.judge.subject.assumptions import Unsatisfiable
@@ -150,7 +151,7 @@ class _Question:
         (p,) = case.exact.residuals(relation("=", term, zero()))
         if case.exact.ring.denominators:
             return False
-        return all(all(e % 2 == 0 for e in powers) and factor > 0 for powers, factor in p.terms())
+        return has_even_powers(p, case.exact.norm_places) and all(factor > 0 for _, factor in p.terms())
 
     # what is to be shown
 

@@ -8,6 +8,7 @@ prime, the rationals, floats or Drake's polynomials. A `Source` says what the sy
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 from itertools import product
 from math import comb
 from typing import Any
@@ -67,7 +68,6 @@ class JetEngine:
         self._definitions = definitions
         self._turns = Turns(self, source, self._algebra, definitions)
         self._known: dict[Term, Value] = {}
-        self._displaced: list[JetEngine] = []
         self._moved: dict[Seed, JetEngine] = {}
         self.origin = self  # the engine that nothing is moved in
 
@@ -340,14 +340,14 @@ class JetEngine:
             engine.origin = self.origin
         return self._moved[seed]
 
+    @cached_property
+    def _displaced(self) -> list[JetEngine]:
+        return [JetEngine(self._source.along(component), self._definitions) for component in range(3)]
+
     def _gradient(self, field: Term, depth: int) -> list[Value]:
         """∂f/∂ρⱼ for j = 1, 2, 3: the dual part of f at ρ + ε eⱼ."""
         if field.type.dual:
             raise NotExact("div and curl of a dual field")
-        if not self._displaced:
-            self._displaced = [
-                JetEngine(self._source.along(component), self._definitions) for component in range(3)
-            ]
         values = [engine.value(field, depth) for engine in self._displaced]
         return [Value([0 * x for x in v.re] if v.du is None else v.du) for v in values]
 

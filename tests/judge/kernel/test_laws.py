@@ -56,6 +56,26 @@ def test_falsehoods_about_derivatives_are_no_laws(falsehood: str) -> None:
     assert check(falsehood, SYMBOLS).outcome in (Outcome.REFUTED, Outcome.ILL_FORMED)
 
 
+COORDINATES = {
+    **{name: {"kind": "scalar", "independent": True} for name in ("x", "y")},
+    "V": {"kind": "scalar", "of": ["x", "y"]},
+}
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        r"\dot{V} = \frac{\partial V}{\partial x} \dot{x} - \frac{\partial V}{\partial y} \dot{y}",
+        r"\dot{V} = \frac{\partial V}{\partial x} \dot{x}",
+    ],
+)
+def test_a_mistaken_chain_rule_is_no_law(wrong: str) -> None:
+    """The rates of x and y stand in dV/dt, too."""
+    assert check(wrong, COORDINATES).outcome == Outcome.REFUTED
+    law = check(r"\ddot{x} = -\frac{\partial V}{\partial x}", COORDINATES)
+    assert law.outcome == Outcome.UNCHECKED and "law" in law.verdict.reason
+
+
 def test_what_a_definition_ties_is_no_law() -> None:
     definitions = {"k": r"\operatorname{vect}(\dot{R} R^T)"}
     symbols = {"R": "rotation", "a": "vector"}

@@ -65,6 +65,8 @@ def _occurrences(
         body = definitions.lookup(term)
         if body is None:
             yield term, order, alone
+            for argument in term.declaration.of:  # with the function its arguments are differentiated
+                yield from _occurrences(argument, definitions, order, False)
         else:
             yield from _occurrences(body, definitions, order, alone)
     elif isinstance(term, Derivative):

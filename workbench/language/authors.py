@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -48,7 +49,18 @@ def in_the_hand_of(one: Author) -> Iterator[None]:
 
 
 #: How tightly a notation holds, by its form.
-_FORMS = {"closed": ATOM, "marked": FACTOR, "infix": INFIX, "open": SUM}
+_FORMS = {"closed": ATOM, "marked": FACTOR, "infix": INFIX, "product": PRODUCT, "open": SUM}
+
+
+
+def is_spelt_as_one(term: Term) -> bool:
+    """Whether the author has a spelling for it in which something stands once that is in it more often, as x
+    is in the derivative of x in a frame: no part of it can be changed by itself then."""
+    own = author()
+    parts = Counter(term.walk()) if own is not None else {}
+    spellings = own.spellings(term) if own is not None else ()
+    return any(parts[argument] > 1 for _, arguments in spellings for argument in arguments.values())
+
 
 OverLetter = Callable[..., Text | None]
 

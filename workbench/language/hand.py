@@ -25,7 +25,8 @@ class Hand:
 
     def __init__(self, table: SymbolTable) -> None:
         self._table = table
-        meanings = ((entry, _meaning(entry, table)) for entry in table.notations.entries)
+        entries = (*table.notations.entries, *map(_derivative_in, table.frames))
+        meanings = ((entry, _meaning(entry, table)) for entry in entries)
         known = [(entry, meaning) for entry, meaning in meanings if meaning is not None]
         self._entries = sorted(known, key=lambda pair: -sum(1 for _ in pair[1].walk()))
         self._read: dict[tuple[str, frozenset[str]], Term | None] = {}
@@ -56,6 +57,11 @@ class Hand:
             except (ReadError, IllFormedAt):
                 self._read[asked] = None
         return self._read[asked] == term
+
+
+def _derivative_in(frame: str) -> Notation:
+    spelling = rf"\frac{{{{}}^{{{frame}}} d}}{{dt}}"
+    return Notation.read(rf"{spelling} x", {"where": {"x": "vector"}, "means": rf"{spelling} x"})
 
 
 def _meaning(entry: Notation, table: SymbolTable) -> Term | None:

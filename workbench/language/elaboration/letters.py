@@ -109,7 +109,7 @@ class _Lettering:
         )
         term, sup = self.read(node.nucleus, scripts, styles)
         if sup is not None and sup is node.sup:
-            _refuse_other_order(node.nucleus, sup)
+            _refuse_other_order(term, node.nucleus, sup)
             if not isinstance(node.nucleus, Bracket):
                 _refuse_label(term, sup)
         if node.sup is None:
@@ -237,11 +237,13 @@ class _Lettering:
         return construct.counting("factorial", self.scope.integer(argument))
 
 
-def _refuse_other_order(nucleus: Node, sup: Node) -> None:
-    """\\dot{T}^{-1}: the inverse of the derivative, or the derivative of the inverse?"""
+def _refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
+    """\\dot{T}^{-1}: the inverse of the derivative, or the derivative of the inverse? A quaternion's conjugate
+    is linear in it."""
     inner = core(sup)
     inverts = isinstance(inner, Sum) and [sign for sign, _, _ in inner.addends] == ["-"]
-    if (inverts or (isinstance(inner, Leaf) and inner.text == "*")) and _is_dotted(nucleus):
+    differs = inverts or (term.type.kind != "quaternion" and isinstance(inner, Leaf) and inner.text == "*")
+    if differs and _is_dotted(nucleus):
         what = "inverse" if inverts else "adjugate"
         message = f"the {what} of the derivative, or the derivative of the {what}?"
         raise Fault(f"{message} bracket (\\dot{{x}}), or write \\frac{{d}}{{dt}}", sup.at)

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from workbench.judge.second.rings import PRIME
+from workbench.language.authors import is_spelt_as_one
 from workbench.language.construct import derivative
 from workbench.language.terms import (
     Apply,
@@ -78,7 +79,7 @@ def _is_trivial(statement: Statement) -> bool:
 
 def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
     match term:
-        case Apply(head="add"):
+        case Apply(head="add") if not is_spelt_as_one(term):
             for addend in term.arguments:
                 yield from _addends(addend, sign)
         case Apply(head="neg", arguments=(inner,)):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeVar
 
+from workbench.language.authors import is_spelt_as_one
 from workbench.language.construct import rebuild, relation, zero
 from workbench.language.terms import Conjunction, Equivalence, Implication, Relation, Statement, Term, Zero
 
@@ -31,13 +32,15 @@ def sides(statement: Statement) -> Iterator[tuple[Place, Term]]:
 
 
 def places(statement: Statement) -> Iterator[tuple[Place, Term]]:
-    """All subterms with their places, parents first."""
+    """All subterms that can be changed by themselves, with their places, parents first."""
     for place, side in sides(statement):
         yield from _below(place, side)
 
 
 def _below(place: Place, term: Term) -> Iterator[tuple[Place, Term]]:
     yield place, term
+    if is_spelt_as_one(term):
+        return
     for number, child in enumerate(term.children):
         yield from _below((*place, number), child)
 

@@ -12,6 +12,7 @@ from workbench.certificates.meaning import OfTerm, OfText, applied, bound
 from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, flag, single
 from workbench.certificates.trial import can_be_certified
 from workbench.judge.theorems.sequents import relations_of
+from workbench.language.construct import relation as make_relation
 from workbench.language.construct import symbol as make_symbol
 from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import instantiate
@@ -155,7 +156,27 @@ class Theorem:
 
     @property
     def text(self) -> str:
-        return f"{self.statement}\n{self.proof}\n"
+        return "".join([*self.emitter.before.values(), f"{self.statement}\n{self.proof}\n"])
+
+
+class _Emitter(Emitter):
+    """One that can write theorems before its own."""
+
+    def shows(self, terms: Sequence[Term], value: Term) -> str:
+        said = Conjunction(tuple(make_relation("=", term, value) for term in terms))
+        name = f"before_{len(self.before) + 1}"
+        lemma = theorem(name, said, (), self.definitions)
+        arguments = []
+        for own, type_ in lemma.emitter.binders:
+            what, _, of = type_.rpartition(" ")
+            if own in lemma.emitter.holes:
+                of = self.symbol(lemma.emitter.read_back[of]).text
+                own = next(name for name, said_ in self.binders if said_ == f"{what} {of}")
+            else:
+                own = self.symbol(lemma.emitter.read_back[own]).at(ATOM)
+            arguments.append(own)
+        self.before[name] = lemma.text
+        return f"({' '.join([name, 'K', *arguments])})"
 
 
 def theorem(
@@ -172,7 +193,7 @@ def theorem(
     for expands in (False, True):
         cores: Sequence[sums.Summed] = ()
         while True:  # once more where there are sums, with what these have in common
-            emitter = Emitter(definitions, slots)
+            emitter = _Emitter(definitions, slots)
             emitter.several, emitter.expands, emitter.cores = several, expands, cores
             made = _written(emitter, name, statement, assume, integers)
             if cores or not emitter.met:

@@ -43,6 +43,25 @@ def test_a_changed_text_is_seen(old, new):
     assert t.read_back_faults()
 
 
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        (("59", "reading"), "inverse Phi_2", "inverse Phi_1"),
+        (("59", "reading"), "reciprocal (square (omega × D omega))", "reciprocal (square omega)"),
+        (("24.inverse",), "(cell w)", "(cell (- w))"),
+        (("24.inverse",), "rotation R", "constant (K := K) (d := false) (k := Tensor) R"),
+        (("58.det",), "let Phi_1 := skew omega in", "let Phi_1 := skew omega in\nomega ≡ omega ->"),
+    ],
+)
+def test_a_changed_supposition_is_seen(name, old, new):
+    (t,) = one(*name).theorems
+    assert t.read_back_faults() == []
+    own = t.emitter
+    own.binders[:] = [(n, type_.replace(old, new)) for n, type_ in own.binders]
+    own.statement[:] = [x for line in own.statement for x in line.replace(old, new, 1).split("\n")]
+    assert t.read_back_faults()
+
+
 @pytest.mark.parametrize("name", ["58.det", "70.div"])  # proved; refuted
 def test_a_statement_that_says_something_else_ends_the_run(name, monkeypatch):
     monkeypatch.setattr(Theorem, "read_back_faults", lambda self: ["omega is read as v"])
@@ -79,6 +98,15 @@ def test_an_inverse_and_a_quotient_are_premises():
     (t,) = one("59", "reading").theorems
     assert "inverse Phi_2 inverse_Phi_2 ->" in t.statement
     assert "reciprocal (square (omega × D omega)) over ->" in t.statement
+
+
+def test_the_inverse_of_a_block_matrix_is_a_premise_and_what_it_is_a_theorem_before():
+    (t,) = one("24.inverse").theorems
+    assert (
+        "inverse_matrix 4 (above 3 (beside 3 (cell R) (cell w)) (beside 3 void (cell (number 1))))"
+        in t.statement
+    )
+    assert t.text.startswith("Theorem before_1 (K : diff_ring)")
 
 
 def test_what_holds_at_one_instant_only_is_no_theorem_about_functions():

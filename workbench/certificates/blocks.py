@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from itertools import accumulate
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import reduce
+from itertools import product as pairs_of
 
 from workbench.certificates import nodes
 from workbench.certificates.collector import Collector
 from workbench.certificates.nodes import APPLICATION, ATOM, NotCertified
 from workbench.judge.subject.inventory import Lookup
-from workbench.language.terms import Apply, Block, Derivative, Symbol, Term, Zero
+from workbench.language.construct import apply, block, identity, number, zero
+from workbench.language.terms import Apply, Block, Derivative, Number, Symbol, Term, Zero
+from workbench.language.types import TENSOR, Type
 
 _NOTHING = "(Num false (0 # 1))"
 
@@ -85,6 +89,8 @@ def matrix(emitter: Collector, term: Term) -> Matrix:
             return Matrix(f"mneg {value.at(ATOM)}", APPLICATION, entries)
         case Apply(head="mul", arguments=(left, right)):
             return _product(emitter, left, right)
+        case Apply(head="inverse", arguments=(of,)):
+            return _inverse(emitter, term, of)
     name = term.head if isinstance(term, Apply) else type(term).__name__
     raise NotCertified(f"{name} of block matrices")
 
@@ -132,22 +138,67 @@ def _product(emitter: Collector, left: Term, right: Term) -> Matrix:
         factor, value = emitter.term(left), matrix(emitter, right)
         entries = tuple(tuple(f"(Scale {factor.deep} {e})" for e in row) for row in value.entries)
         return Matrix(f"mscale {factor.at(ATOM)} {value.at(ATOM)}", APPLICATION, entries)
-    a, b = matrix(emitter, left), matrix(emitter, right)
-    if len(a.entries[0]) != len(b.entries):
+    return _rows_by_columns(matrix(emitter, left), matrix(emitter, right))
+
+
+def _rows_by_columns(a: Matrix, b: Matrix) -> Matrix:
+    if a.columns != len(b.entries):
         raise NotCertified("a matrix that acts on a column of vectors")
     columns = list(zip(*b.entries, strict=True))
-    entries = tuple(
-        tuple(
-            list(
-                accumulate(
-                    (f"(Scale {x} {y})" for x, y in zip(row, column, strict=True)), "(Plus {} {})".format
-                )
-            )[-1]
-            for column in columns
-        )
-        for row in a.entries
-    )
+    entries = tuple(tuple(_total(row, column) for column in columns) for row in a.entries)
     return Matrix(f"mprod {a.columns} {a.at(ATOM)} {b.at(ATOM)}", APPLICATION, entries)
+
+
+def _total(row: Sequence[str], column: Sequence[str]) -> str:
+    return reduce("(Plus {} {})".format, [f"(Scale {x} {y})" for x, y in zip(row, column, strict=True)])
+
+
+def _inverse(emitter: Collector, term: Term, of: Term) -> Matrix:
+    """A⁻¹ as a matrix X with A X and X A the unit matrix. It is any Y with A Y = 1, which a theorem before
+    shows: of A = [P q; 0 1] that is [P⁻¹ −P⁻¹q; 0 1]."""
+    if term not in emitter.matrices:
+        undone = _undone(of, emitter.definitions)
+        value, solved = matrix(emitter, of), matrix(emitter, undone)
+        lemma = emitter.shows([apply("mul", of, undone), apply("mul", undone, of)], _unit(of))
+        name, n = emitter.fresh("inverse_of_it"), value.columns
+        emitter.binders.append((name, "@matrix K"))
+        own = [
+            [emitter.slot(False, "Scalar", f"({name} {i}%nat {j}%nat)") for j in range(n)] for i in range(n)
+        ]
+        made = Matrix(name, ATOM, tuple(tuple(node.deep for node in row) for row in own))
+        says = [pair for a, b in ((value, made), (made, value)) for pair in _is_unit(_rows_by_columns(a, b))]
+        premise = f"inverse_matrix {n} {value.at(ATOM)} {name}"
+        known = emitter.suppose(premise, f"{name}_is", says)
+        emitter.solved[premise] = solved.text, lemma
+        for i, j in pairs_of(range(n), repeat=2):
+            shown = f"(same_inverse {known} (proj1 {lemma}) {i} {j} eq_refl)"
+            emitter.stands_for(own[i][j], replace(own[i][j], deep=solved.entries[i][j]), shown)
+        emitter.read_back[name] = term
+        emitter.matrices[term] = made
+    return emitter.matrices[term]
+
+
+def _unit(of: Term) -> Term:
+    n = of.type.rows - 1
+    return block([[identity(), zero(Type(n, 1))], [zero(Type(1, n)), number(1)]])
+
+
+def _is_unit(made: Matrix) -> list[tuple[str, str]]:
+    return [
+        (entry, nodes.number(int(i == j)).deep)
+        for i, row in enumerate(made.entries)
+        for j, entry in enumerate(row)
+    ]
+
+
+def _undone(term: Term, definitions: Lookup) -> Term:
+    body = definitions.lookup(term) if isinstance(term, Symbol) else term
+    match body:
+        case Block(entries=((p, q), (Zero() as nothing, Number(value=1) as one))) if p.type == TENSOR:
+            turned = isinstance(p, Symbol) and p.declaration.rotation
+            back = apply("transpose" if turned else "inverse", p)
+            return block([[back, apply("neg", apply("mul", back, q))], [nothing, one]])
+    raise NotCertified("the inverse of a block matrix that is not [P q; 0 1]")
 
 
 def _defined(emitter: Collector, symbol: Symbol) -> Matrix:

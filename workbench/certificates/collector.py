@@ -64,6 +64,8 @@ class Collector:
         self.read_back: dict[str, Term] = {}
         self.operators: dict = {}
         self.matrices: dict = {}
+        self.solved: dict[str, tuple[str, str]] = {}  # what the matrix of a premise is, and the proof
+        self.before: dict[str, str] = {}  # theorems that stand before this one, by their names
         self.helpers: dict[Term, Node] = {}  # reciprocals and inverses
         self.circles: dict[Term, tuple[Node, Node]] = {}
         self.families: dict[Declaration, str] = {}  # of recurrences, and of free functions of n
@@ -190,6 +192,10 @@ class Collector:
         inner._names = self._names
         inner.integers = {variable: self.fresh(name)}
         return inner
+
+    def shows(self, terms: Sequence[Term], value: Term) -> str:
+        """The proof that all of these are the value, by a theorem before this one."""
+        raise NotImplementedError
 
     def term(self, term: Term) -> Node:
         raise NotImplementedError

@@ -19,6 +19,7 @@ from workbench.papers.model import Claim, Formula
 #: What is needed where a dual quantity is divided by, or has a length; and where sums or numbers depend on n.
 MORE = {
     "Duals": ("dual_over", "dual_length"),
+    "Inverses": ("inverse_matrix",),
     "Reciprocals": ("quadratic_over",),
     "Orders": ("sum_from", "whole", "fact"),
 }

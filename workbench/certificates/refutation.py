@@ -105,7 +105,9 @@ class Denied:
         if emitter.holes:
             lines.append(f"pose (known0 := @premised K [{shapes}] these eq_refl eq_refl _ facts).")
             lines += self._steps()
-            lines += [f"assert ({name} : {text}). {self._shown(name)}" for name, text in self._suppositions()]
+            lines += [
+                f"assert ({name} : {text}). {self._shown(name, text)}" for name, text in self._suppositions()
+            ]
         return "\n  ".join(["Proof.", *lines, self.last]) + "\nQed."
 
     def _known(self) -> Iterator[tuple[Node, str]]:
@@ -158,17 +160,28 @@ class Denied:
         emitter = self.made.emitter
         said = 0
         for origin, (text, _) in self.instance.variables.items():
-            yield from map(_as_pose, emitter.statement[said : origin.after])
+            yield from map(self._as_pose, emitter.statement[said : origin.after])
             said = max(said, origin.after)
             yield f"pose ({origin.node.text} := {text} : {origin.node.type})."
-        yield from map(_as_pose, emitter.statement[said:])
+        yield from map(self._as_pose, emitter.statement[said:])
+
+    def _as_pose(self, line: str) -> str:
+        """A definition of the statement, within a proof."""
+        found = re.fullmatch(r"let (\S+)(?: : ([^:=]+))? := (.*) in", line, re.DOTALL)
+        if found is None:
+            solved, _ = self.made.emitter.solved.get(line.removesuffix(" ->"), ("", ""))
+            return f"pose ({line.split()[-2]} := {solved})." if solved else "(* a premise *)"
+        type_ = f" : {found[2]}" if found[2] else ""
+        return f"pose ({found[1]} := {found[3]}{type_})."
 
     def _suppositions(self) -> Iterator[tuple[str, str]]:
         emitter = self.made.emitter
         yield from ((name, text) for name, text in emitter.binders if name in emitter.holes)
         yield from emitter.premises
 
-    def _shown(self, name: str) -> str:
+    def _shown(self, name: str, text: str) -> str:
+        if text in self.made.emitter.solved:
+            return f"{{ exact {self.made.emitter.solved[text][1]}. }}"
         known = f"known{len(self._late()) + len(self.instance.quotients)}"
         parts = [f"certify {known}\n    {a}\n    {b}" for a, b in self.made.emitter.holes[name]]
         split = "".join(f"refine (conj _ _); [{part} |]. " for part in parts[:-1])
@@ -188,20 +201,11 @@ class Denied:
 
     @property
     def text(self) -> str:
-        return f"{self.statement}\n{self.proof}\n"
+        return "".join([*self.made.emitter.before.values(), f"{self.statement}\n{self.proof}\n"])
 
 
 def _inside(text: str) -> str:
     return text if text.isidentifier() or text[0] == "(" else f"({text})"
-
-
-def _as_pose(line: str) -> str:
-    """A definition of the statement, within a proof."""
-    found = re.fullmatch(r"let (\S+)(?: : ([^:=]+))? := (.*) in", line, re.DOTALL)
-    if found is None:
-        return "(* a premise *)"
-    type_ = f" : {found[2]}" if found[2] else ""
-    return f"pose ({found[1]} := {found[3]}{type_})."
 
 
 def refutation(form: Form, verdict: Verdict) -> Certificate:

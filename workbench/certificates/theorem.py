@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from workbench.certificates import blocks, functions, nodes, operators, read_back, sums
 from workbench.certificates.emitter import Emitter
+from workbench.certificates.goals.propositions import conditions
 from workbench.certificates.meaning import OfTerm, OfText, applied, bound
 from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, flag, single
 from workbench.certificates.trial import can_be_certified
+from workbench.judge.theorems.goals import Variable
 from workbench.judge.theorems.sequents import relations_of
+from workbench.language.construct import relation as make_relation
 from workbench.language.construct import symbol as make_symbol
 from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import instantiate
@@ -55,8 +58,11 @@ class Theorem:
         emitter = self.emitter
         of_term = OfTerm(emitter.definitions, len(emitter.integers))
         of_text = OfText(emitter.read_back, of_term, emitter.families, emitter.integers)
-        faults = []
+        faults = binder_faults(emitter, emitter.read_back)
+        supposed = [(of_term(r.left), of_term(r.right)) for r in self._supposed()]
         for line in emitter.statement:
+            if line.endswith("->"):
+                faults += premise_faults(line.removesuffix(" ->"), of_text, supposed)
             found = re.fullmatch(r"let (\S+)(?: : [^:=]+)? := (.*) in", line, re.DOTALL)
             if found and found[1] in emitter.families.values():
                 faults += self._family_faults(*found.groups(), of_text)
@@ -78,6 +84,14 @@ class Theorem:
                     of_text.bound = {emitter.binders[0][0] if emitter.binders else "x": ("probe",)}
                 faults += differs("the conclusion", text, of_text, wanted)
         return faults
+
+    def _supposed(self) -> list[Relation]:
+        statement, assume, _ = self.source or (None, (), ())
+        premises = [r for s in assume for r in _relations(s)]
+        while isinstance(statement, Implication):
+            premises += _relations(statement.left)
+            statement = statement.right
+        return premises
 
     def _family_faults(self, name: str, text: str, of_text: OfText) -> list[str]:
         """Of a family that is given by its first member and a step, or by a function of the index."""
@@ -155,7 +169,27 @@ class Theorem:
 
     @property
     def text(self) -> str:
-        return f"{self.statement}\n{self.proof}\n"
+        return "".join([*self.emitter.before.values(), f"{self.statement}\n{self.proof}\n"])
+
+
+class _Emitter(Emitter):
+    """One that can write theorems before its own."""
+
+    def shows(self, terms: Sequence[Term], value: Term) -> str:
+        said = Conjunction(tuple(make_relation("=", term, value) for term in terms))
+        name = f"before_{len(self.before) + 1}"
+        lemma = theorem(name, said, (), self.definitions)
+        arguments = []
+        for own, type_ in lemma.emitter.binders:
+            what, _, of = type_.rpartition(" ")
+            if own in lemma.emitter.holes:
+                of = self.symbol(lemma.emitter.read_back[of]).text
+                own = next(name for name, said_ in self.binders if said_ == f"{what} {of}")
+            else:
+                own = self.symbol(lemma.emitter.read_back[own]).at(ATOM)
+            arguments.append(own)
+        self.before[name] = lemma.text
+        return f"({' '.join([name, 'K', *arguments])})"
 
 
 def theorem(
@@ -172,7 +206,7 @@ def theorem(
     for expands in (False, True):
         cores: Sequence[sums.Summed] = ()
         while True:  # once more where there are sums, with what these have in common
-            emitter = Emitter(definitions, slots)
+            emitter = _Emitter(definitions, slots)
             emitter.several, emitter.expands, emitter.cores = several, expands, cores
             made = _written(emitter, name, statement, assume, integers)
             if cores or not emitter.met:
@@ -220,6 +254,46 @@ def norms_first(emitter: Emitter, terms: Sequence[Term]) -> None:
         if isinstance(part, Apply) and part.head == "norm" and part.arguments[0].type.kind == "vector":
             real = Apply(SCALAR, None, "norm", (functions.part("re", part.arguments[0]),))
             emitter.term(real if part.type.dual else part)
+
+
+def binder_faults(emitter: Emitter, names: Mapping[str, Term]) -> list[str]:
+    """Where a variable is said to be, or supposed to be, what its term is not."""
+    faults = []
+    for name, type_ in emitter.binders:
+        own = names.get(re.split(r"[ )]", type_)[-1] if name in emitter.holes else name)
+        if type_.startswith("nat -> ") or (own is None and name not in emitter.holes):
+            continue  # a family; what an operator acts on
+        if name in emitter.holes:
+            declared = own.declaration if isinstance(own, Symbol) else None
+            wanted = conditions(Variable(declared), type_.split()[-1]) if declared else []
+        elif isinstance(own, Apply) and own.head in ("cos", "sin", "norm"):
+            wanted = ["scalar K"]
+        else:
+            kind = KINDS.get(own.type.kind)
+            wanted = [nodes.type_name(own.type.dual, kind) if kind else "@matrix K"]
+        if type_ not in wanted:
+            faults.append(f"{name} is supposed to be {type_}")
+    return faults
+
+
+def premise_faults(text: str, of_text: OfText, supposed: Sequence[tuple[object, object]]) -> list[str]:
+    """Where a premise says of a name what its term is not, or supposes what nobody did."""
+    if "≡" in text:
+        said = tuple(of_text(read_back.expression(side)) for side in re.split(r" (?:≡ε|≡) ", text))
+        length = said[0][1] if said[0][:1] == ("mul",) and said[0][1] == said[0][2] else None
+        true = said in supposed or (length and length[0] == "norm" and said[1] == ("square", length[1]))
+        return [] if true else [f"{text} is supposed"]
+    word, *parts = read_back.expression(text).arguments
+    of = [of_text(part) for part in parts if not str(part).isdigit()]
+    wanted = {
+        "inverse": [("inverse", of[0])],
+        "inverse_matrix": [("inverse", of[0])],
+        "reciprocal": [("over", of[0])],
+        "turn": [("cos", of[0]), ("sin", of[0])],
+    }.get(str(word))
+    if wanted == of[1:] or (of[0][0] == "re" and of[1:] == [("cos", of[0][1]), ("sin", of[0][1])]):
+        return []
+    return [f"{text} is supposed"]
 
 
 def differs(what: str, text: str, of_text: OfText, wanted: object) -> list[str]:

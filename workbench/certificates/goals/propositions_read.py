@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -252,8 +251,3 @@ def faults(text: str, goal: Goal, of_term: OfTerm, names: Mapping[str, Term]) ->
     read = proposition(text)
     found = [] if str(read) == text else [f"{text} is written again as {read}"]
     return found + list(Comparison(of_term, names).faults(read, goal))
-
-
-def supposed_of(words: str) -> str:
-    """The name of which a supposition speaks."""
-    return re.split(r"[ )]", words)[-1]

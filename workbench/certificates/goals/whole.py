@@ -6,28 +6,26 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from workbench.certificates import nodes
 from workbench.certificates.forms import Certificate
 from workbench.certificates.goals.joins import Joiner
 from workbench.certificates.goals.lemmas import at_an_instant
 from workbench.certificates.goals.places import Place
-from workbench.certificates.goals.propositions import Speaker, conditions, said
-from workbench.certificates.goals.propositions_read import faults, supposed_of
+from workbench.certificates.goals.propositions import Speaker, said
+from workbench.certificates.goals.propositions_read import faults
 from workbench.certificates.meaning import OfTerm, OfText
 from workbench.certificates.nodes import NotCertified
-from workbench.certificates.theorem import HEADER, Theorem, differs
+from workbench.certificates.theorem import HEADER, Theorem, binder_faults, differs, premise_faults
 from workbench.judge.theorems.goals import (
     Goal,
     GoalError,
     Scope,
-    Variable,
     atoms,
 )
 from workbench.judge.theorems.members import bound_names
 from workbench.judge.theorems.proofs import Proof
 from workbench.judge.theorems.sequents import NotShown, names_of, relations_of
 from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.terms import Apply, IllFormed, Symbol, Term
+from workbench.language.terms import IllFormed, Symbol, Term
 from workbench.papers.model import Claim
 
 OF_MOMENTS = HEADER.replace(
@@ -76,19 +74,7 @@ class Whole:
         speaker = self.speaker
         of_term = OfTerm(speaker.definitions)
         found = [fault for line in self.top for fault in self._line(line, of_term)]
-        for name, type_ in speaker.binders:
-            term = self.names.get(supposed_of(type_) if name in speaker.holes else name)
-            if not isinstance(term, Symbol):
-                wanted = "scalar K" if isinstance(term, Apply) else None
-            elif name in speaker.holes:
-                wanted = next(
-                    (c for c in conditions(Variable(term.declaration), supposed_of(type_)) if c == type_),
-                    None,
-                )
-            else:
-                wanted = nodes.type_name(term.type.dual, nodes.KINDS[term.type.kind])
-            if type_ != wanted:
-                found.append(f"{name} is supposed to be {type_}")
+        found += binder_faults(speaker, self.names)
         return found + faults(self.proposition, self.goal, of_term, self.names)
 
     def _line(self, line: str, of_term: OfTerm) -> list[str]:
@@ -97,11 +83,7 @@ class Whole:
             name, text = line.removeprefix("let ").removesuffix(" in").split(" := ", 1)
             body = self.speaker.definitions.lookup(self.names[name])
             return differs(name, text, OfText(self.names, of_term), of_term(body))
-        word, *of = line.removesuffix(" ->").split()
-        meant = [of_term(self.names[name]) for name in of]
-        if word != "turn" or meant[1:] != [("cos", meant[0]), ("sin", meant[0])]:
-            return [f"{line} is supposed"]
-        return []
+        return premise_faults(line.removesuffix(" ->"), OfText(self.names, of_term), ())
 
 
 def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:

@@ -52,7 +52,6 @@ def in_the_hand_of(one: Author) -> Iterator[None]:
 _FORMS = {"closed": ATOM, "marked": FACTOR, "infix": INFIX, "product": PRODUCT, "open": SUM}
 
 
-
 def is_spelt_as_one(term: Term) -> bool:
     """Whether the author has a spelling for it in which something stands once that is in it more often, as x
     is in the derivative of x in a frame: no part of it can be changed by itself then."""

@@ -64,6 +64,11 @@ class Silent(ast.NodeTransformer):
         node.exc = node.exc.func if isinstance(node.exc, ast.Call) else node.exc
         return node
 
+    def visit_Call(self, node):
+        if isinstance(node.func, ast.Name) and node.func.id == "_unchecked":
+            node.args = []
+        return self.generic_visit(node)
+
     def visit_keyword(self, node):
         is_message = node.arg == "reason" and isinstance(node.value, ast.Constant | ast.JoinedStr)
         return None if is_message or node.arg == "strict" else self.generic_visit(node)

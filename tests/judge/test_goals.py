@@ -292,3 +292,16 @@ def test_members_of_a_set_are_shown_letter_by_letter():
     assert of({"P": "R", "Q": "T"}, Q=is_none) == Outcome.UNCHECKED
     assert of({"P": "R", "Q": "T"}, P=is_one) == Outcome.PROVED  # of T by the judge, from the premise
     assert of({"P": "R", "Q": "2 T"}, Q=is_one) == Outcome.UNCHECKED
+
+
+def test_the_kernel_supposes_what_it_is_given():
+    goal = r"a = b \Rightarrow 2 a = 2 b"
+    assert outcome(goal, Given(Kernel((0,)))).outcome == Outcome.PROVED
+    assert outcome(goal, Given(Kernel(()))).outcome != Outcome.PROVED
+
+
+@pytest.mark.parametrize("parts", [1, 3])
+def test_each_equation_of_a_statement_has_a_proof(parts):
+    found = outcome(r"2 a = a + a \wedge T - T = 0", Each(*[Kernel()] * parts))
+    assert found.outcome == Outcome.UNCHECKED and f"got {parts}" in found.reason
+    assert outcome(r"2 a = a + a \wedge T - T = 0", Each(Kernel(), Kernel())).outcome == Outcome.PROVED

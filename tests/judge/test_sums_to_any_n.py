@@ -85,3 +85,8 @@ def test_a_sum_over_nothing_or_in_a_definition_needs_bounds() -> None:
     for formula, definitions in ((r"\sum_k \omega = \omega", []), ("M = 0", [r"M = \sum_i a_i"])):
         with pytest.raises(ValueError, match="expected the bounds of the sum"):
             check(formula, SYMBOLS, definitions=definitions)
+
+
+def test_an_inequation_of_sums_is_not_proved_by_addends():
+    found = check(r"\sum_{k=1}^{n} m_k x_k \neq \sum_{k=1}^{n} x_k m_k", SYMBOLS)
+    assert found.verdict.outcome != "proved"

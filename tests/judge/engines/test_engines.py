@@ -248,3 +248,31 @@ def test_an_equation_that_another_makes_trivial_divides_nothing(equations):
     table = SymbolTable.build({letter: {"kind": "scalar"} for letter in "fg"})
     said, *given = (statement for latex in ("f g = g", *equations) for statement in read(latex, table))
     assert Judge(Definitions()).judge(said, given).outcome == "proved"
+
+
+PLACE = SymbolTable.build(
+    {"r": {"kind": "vector", "coordinate": True}}
+    | {"T": {"kind": "tensor", "uniform": True}, "w": {"kind": "scalar", "constant": True}}
+)
+
+
+@pytest.mark.parametrize(
+    ("latex", "count"),
+    [
+        (r"\operatorname{div}(T r) = \operatorname{trace} T", 1),
+        (r"\operatorname{curl}(T r) = 2 \operatorname{vect} T", 3),
+        (r"\operatorname{div}((T r) \times r) = 2 r \cdot \operatorname{vect} T", 1),
+        (r"\cos(2 w t) = 1 - 2 \sin^2(w t)", 1),
+        (r"\sin(3 w t) = 3 \sin(w t) - 4 \sin^3(w t)", 1),
+        (r"\frac{d}{dt} \cos(2 w t) = -4 w \sin(w t) \cos(w t)", 1),
+    ],
+)
+def test_the_second_engine_alone(latex, count):
+    """Fields and angles, which it computes in ways of its own."""
+    (claim,) = read(latex, PLACE)
+    inventory = take_inventory([claim.left, claim.right], FREE)
+    ring = ResidueRing()
+    engine = JetEngine(PointSource(ring, sample(inventory, ring, Random(7), lambda _: True)), FREE)
+    assert len(engine.components(claim.left)) == len(engine.components(claim.right)) == count
+    assert not any(engine.differences(claim.left, claim.right))
+    assert any(engine.differences(claim.left, apply("mul", claim.right, read("w = 2", PLACE)[0].right)))

@@ -6,7 +6,7 @@ from random import Random
 import pytest
 from judge.test_judge import TABLE
 
-from workbench.judge.second.rings import PRIME, RationalRing, Residue, ResidueRing
+from workbench.judge.second.rings import PRIME, FloatRing, RationalRing, Residue, ResidueRing
 from workbench.judge.second.sympy_ring import SympyRing
 from workbench.judge.second.tangents import Tangent, TangentRing
 from workbench.judge.subject.inventory import take_inventory
@@ -113,3 +113,8 @@ def test_a_tangent_is_a_change_along_a_line():
     assert Tangent(ring, a, one) != Tangent(ring, a, zero) != Tangent(ring, one, zero)
     assert Tangent(ring, a, zero) == a and Tangent(ring, a, one) != a
     assert (ring.depth, TangentRing(ring).depth) == (1, 2)
+
+
+def test_doubles():
+    ring = FloatRing()
+    assert (ring.divide(1.0, 4.0), ring.constant(3, 4), ring.root(2.25)) == (0.25, 0.75, 1.5)

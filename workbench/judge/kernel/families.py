@@ -17,7 +17,7 @@ from workbench.judge.kernel.generic import Distinct, judge_addends
 from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
 from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
 from workbench.judge.subject.addends import has_sums
-from workbench.judge.subject.assumptions import Unsatisfiable
+from workbench.judge.subject.assumptions import Unsatisfiable, sides_of
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.construct import relation
@@ -348,17 +348,6 @@ def _mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Stateme
 
 
 def _terms(statement: Statement) -> Iterator[Term]:
-    match statement:
-        case Relation():
-            yield from (statement.left, statement.right)
-        case Equivalence() | Implication():
-            yield from _terms(statement.left)
-            yield from _terms(statement.right)
-        case Extremum():
-            yield from (statement.body, statement.value)
-        case Naming():
-            yield from statement.terms
-            yield from _all_terms((*statement.parts, *statement.given))
-        case Conjunction():
-            for part in statement.parts:
-                yield from _terms(part)
+    yield from sides_of(statement)
+    if isinstance(statement, Naming):
+        yield from _all_terms((*statement.parts, *statement.given))

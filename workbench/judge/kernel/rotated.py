@@ -122,8 +122,6 @@ class _Frame:
                 return apply("trace", self._out_of_both(self.word(body), body)[1])
             case Apply(head="dot" | "triple", arguments=arguments):
                 return apply(term.head, *self._shared([self.word(a) for a in arguments])[1])
-            case Apply(head="norm", arguments=(body,)) if body.type.kind == "vector":
-                return apply("norm", self._out(self.word(body))[1])
         if not term.children:
             return term
         return rebuild(term, [self.simple(child) for child in term.children])

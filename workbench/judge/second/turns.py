@@ -77,9 +77,8 @@ class Turns:
                 return self.circle(inner, depth, factor / n.value)
         value = self._engine.value(angle, depth)
         if value.du is not None and all(not x for x in np.ravel(value.re[0])):
-            cosine = Value(self._algebra.constant(1, 1, depth).re, [0 * x for x in value.du])
             scale = self._algebra.constant(factor.numerator, factor.denominator, depth)
-            return cosine, product_of(np.multiply, scale, value)
+            return self._algebra.constant(1, 1, depth), product_of(np.multiply, scale, value)
         if value.du is not None:
             raise NotExact(NO_ANGLE)
         total = self._algebra.constant(1, 1, depth), self._algebra.constant(0, 1, depth)

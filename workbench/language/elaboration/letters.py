@@ -238,8 +238,8 @@ class _Lettering:
 
 
 def _refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
-    """\\dot{T}^{-1}: the inverse of the derivative, or the derivative of the inverse? A quaternion's conjugate
-    is linear in it."""
+    """\\dot{T}^{-1}: the inverse of the derivative, or the derivative of the inverse? Of a quaternion's
+    conjugate both are the same."""
     inner = core(sup)
     inverts = isinstance(inner, Sum) and [sign for sign, _, _ in inner.addends] == ["-"]
     differs = inverts or (term.type.kind != "quaternion" and isinstance(inner, Leaf) and inner.text == "*")

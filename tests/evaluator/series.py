@@ -210,7 +210,23 @@ def adjugate(a: Matrix) -> Matrix:
 
 
 def inverse(a: Matrix) -> Matrix:
+    if len(a) > 3:
+        return _solved(a, unit(len(a)))
     return product([[determinant(a).inverse()]], adjugate(a))
+
+
+def _solved(a: Matrix, on: Matrix) -> Matrix:
+    """The x with a x = on, by Gauss and Jordan."""
+    rows = [[*left, *right] for left, right in zip(a, on, strict=True)]
+    for k in range(len(rows)):
+        pivot = max(range(k, len(rows)), key=lambda i: abs(rows[i][k].re[0]))
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        scale = rows[k][k].inverse()
+        rows[k] = [x * scale for x in rows[k]]
+        for i, row in enumerate(rows):
+            if i != k:
+                rows[i] = [x - row[k] * y for x, y in zip(row, rows[k], strict=True)]
+    return [row[len(rows) :] for row in rows]
 
 
 def acted(parts: list[Matrix], like: Matrix) -> Matrix:

@@ -11,7 +11,7 @@ by rewriting it. An identity that is false is so at almost every such point; one
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from itertools import combinations, pairwise
 from itertools import product as iterate
 from math import factorial
@@ -38,6 +38,7 @@ from evaluator.series import (
     inverse,
     nothing,
     product,
+    scaled,
     unit,
 )
 from mpmath import mp, mpf
@@ -69,10 +70,14 @@ from workbench.language.terms import (
 
 Integers = Mapping[str, int]
 
+#: What is small beside 1.
+NEAR = mpf(10) ** -8
+
 
 class World:
     """Curves for all free symbols, drawn when they are first needed. `fixed`: name → numbers, by components,
-    that a symbol has at t = 0; its derivatives stay random. `length`: how many Taylor coefficients are drawn."""
+    that a symbol has at t = 0; its derivatives stay random. `length`: how many Taylor coefficients are drawn.
+    `own`: the value of a symbol by its name, whatever its definition says."""
 
     def __init__(
         self,
@@ -80,18 +85,20 @@ class World:
         seed: int = 0,
         fixed: Mapping[str, tuple[object, ...]] | None = None,
         length: int = LENGTH,
+        own: Callable[[World, str], Matrix | None] | None = None,
     ) -> None:
         mp.dps = DIGITS
         self._random = Random(seed)
         self._definitions = tuple(definitions)
         self._fixed = dict(fixed or {})
-        self._length = length
+        self._length, self._own = length, own
         self._drawn: dict[str, Matrix] = {}
         self._known: dict[tuple[str, int | None], Matrix | Operator] = {}
         self._moved: int | None = None  # along which axis a place is moved, for div and curl
         self._pushed: tuple[str, int, int] | None = None  # name, order, component: moved by ε tᵏ/k!
         self._functions: dict[str, list[list[tuple[mpf, tuple[int, ...]]]]] = {}
         self._arguments: dict[str, Matrix] = {}
+        self._smallness = mpf(1)
 
     # statements
 
@@ -100,6 +107,8 @@ class World:
         at = dict(integers or {})
         try:
             match statement:
+                case Relation(operator="≈"):
+                    return self._close(statement.left, statement.right, at)
                 case Relation(operator=operator):
                     return self._zero(statement.left, statement.right, at) == (operator == "=")
                 case Conjunction(parts=parts):
@@ -113,6 +122,13 @@ class World:
         except Undefined:
             return None
         raise NotRead("a statement of this kind")
+
+    def _close(self, left: Term, right: Term, at: Integers) -> bool:
+        """Whether the sides differ by what is of second order, where all that is small is of order 10⁻⁸."""
+        self._smallness, self._drawn, self._known = NEAR, {}, {}
+        pairs = zip(self.value(left, at), self.value(right, at), strict=True)
+        gaps = [(x - y).re[0] for rows in pairs for x, y in zip(*rows, strict=True)]
+        return all(abs(gap) <= NEAR * NEAR * 10**5 for gap in gaps)
 
     def _zero(self, left: Term, right: Term, at: Integers) -> bool:
         a, b = self.value(left, at), self.value(right, at)
@@ -142,6 +158,8 @@ class World:
         if any(i < 0 for i in index):
             raise NotRead("a negative index")
         name = _spelled(declaration.name, index)
+        if self._own is not None and (value := self._own(self, name)) is not None:
+            return value
         if not symbol.arguments and not self._pushed and (name, self._moved) in self._known:
             return self._known[name, self._moved]
         found = self._defined(symbol, name, index, at)
@@ -150,6 +168,13 @@ class World:
         if not symbol.arguments and not self._arguments and not self._pushed:
             self._known[name, self._moved] = found
         return found
+
+    def named(self, name: str) -> Matrix:
+        """The value of a free symbol that stands in the definitions."""
+        parts = (part for definition in self._definitions for part in definition.body.walk())
+        return self._symbol(
+            next(p for p in parts if isinstance(p, Symbol) and str(p.declaration.name) == name), {}
+        )
 
     def _defined(self, symbol: Symbol, name: str, index: list[int], at: Integers) -> Matrix | Operator | None:
         """By the definition of this very member, or else by one that reaches it from n = 0 on."""
@@ -183,6 +208,8 @@ class World:
             self._drawn[name] = [[Series((self._curve().re[0], mpf(1), *rest))]]
         if name not in self._drawn:
             self._drawn[name] = drawn(symbol, self._curve, self._fixed.get(name))
+            if symbol.declaration.small:
+                self._drawn[name] = scaled(self._drawn[name], self._smallness)
         found = self._drawn[name]
         if symbol.declaration.coordinate and self._moved is not None:
             step = [[constant(0, int(i == self._moved))] for i in range(3)]

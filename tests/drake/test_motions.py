@@ -7,7 +7,7 @@ import pytest
 from pydrake.common.eigen_geometry import AngleAxis
 from pydrake.math import RotationMatrix
 
-from workbench.drake.bindings import ALIASES, BODY_BINDINGS, CHAIN_BINDINGS
+from workbench.drake.bindings import ALIASES, ANGLE_BINDINGS, BODY_BINDINGS, CHAIN_BINDINGS, SIX_BINDINGS
 from workbench.drake.joint_paths import JointPath
 from workbench.drake.motions import (
     P_BO_P_B,
@@ -300,7 +300,8 @@ def test_jets_are_taylor_coefficients(motion, name):
 
 @general_motion
 def test_every_binding_is_in_the_table_with_its_shape(motion):
-    table = (*BODY_BINDINGS, *CHAIN_BINDINGS) if motion in CHAINS else BODY_BINDINGS
+    more = CHAIN_BINDINGS if motion in CHAINS else (*SIX_BINDINGS, *ANGLE_BINDINGS)
+    table = (*BODY_BINDINGS, *more)
     assert set(motion.available_bindings()) == {binding.name for binding in table}
     for binding in table:
         assert motion.jet(binding.name, 1, 0.5).shape == (2, *binding.shape)

@@ -80,3 +80,96 @@ def test_a_planted_error_is_refused(tmp_path, right, planted):
     assert right in HEAD
     with pytest.raises(PaperError, match="is off by"):
         judge_paper(paper(tmp_path, CLAIMS[0], head=HEAD.replace(right, planted), motion=MOTION))
+
+
+ANGLES = r"""
+    title = "Roll, pitch and yaw"
+    [symbols]
+    '\phi' = "scalar"
+    '\theta' = "scalar"
+    '\psi' = "scalar"
+    [definitions]
+    'X' = '\begin{bmatrix} 1 & 0 & 0 \\ 0 & \cos\phi & -\sin\phi \\ 0 & \sin\phi & \cos\phi \end{bmatrix}'
+    'Y' = '\begin{bmatrix} \cos\theta & 0 & \sin\theta \\ 0 & 1 & 0 \\ -\sin\theta & 0 & \cos\theta \end{bmatrix}'
+    'Z' = '\begin{bmatrix} \cos\psi & -\sin\psi & 0 \\ \sin\psi & \cos\psi & 0 \\ 0 & 0 & 1 \end{bmatrix}'
+    'R' = 'Z Y X'
+    'P' = 'Z Y X'
+    'N' = '\begin{bmatrix} \cos\theta \cos\psi & -\sin\psi & 0 \\ \cos\theta \sin\psi & \cos\psi & 0 \\ -\sin\theta & 0 & 1 \end{bmatrix}'
+    'e' = '\begin{bmatrix} \dot{\phi} \\ \dot{\theta} \\ \dot{\psi} \end{bmatrix}'
+    '\omega' = 'N e'
+"""  # fmt: skip
+ON_ANGLES = r"""
+    [motion]
+    '\phi' = "roll_WB"
+    '\theta' = "pitch_WB"
+    '\psi' = "yaw_WB"
+    'R' = "R_WB"
+    'P' = "R_rpy"
+    'e' = "rpyDt_WB"
+    '\omega' = "w_WB"
+"""
+
+
+def test_roll_pitch_and_yaw_are_those_of_drake(tmp_path):
+    claims = (
+        r"printed = '\dot{R} R^T = \tilde{\omega}'",
+        r"printed = '\omega = \begin{bmatrix} 0 \\ 0 \\ \dot{\psi} \end{bmatrix} + Z \begin{bmatrix} 0 \\ \dot{\theta} \\ 0 \end{bmatrix} + Z Y \begin{bmatrix} \dot{\phi} \\ 0 \\ 0 \end{bmatrix}'",
+    )
+    for claim in judged(tmp_path, *claims, head=ANGLES, motion=ON_ANGLES):
+        assert (claim["verdict"], claim["motion"]["witness"]) == ("proved", "Drake"), claim
+
+
+@pytest.mark.parametrize(
+    ("right", "planted"),
+    [
+        ("'R' = 'Z Y X'", "'R' = 'X Y Z'"),
+        ("'P' = 'Z Y X'", "'P' = 'X Y Z'"),
+        (r"\cos\psi & -\sin\psi & 0 \\ \sin\psi", r"\cos\psi & \sin\psi & 0 \\ -\sin\psi"),
+        (r"-\sin\theta & 0 & 1 \end{bmatrix}'", r"\sin\theta & 0 & 1 \end{bmatrix}'"),
+        (r"\dot{\phi} \\ \dot{\theta} \\ \dot{\psi}", r"\dot{\psi} \\ \dot{\theta} \\ \dot{\phi}"),
+    ],
+)
+def test_another_convention_of_the_angles_is_refused(tmp_path, right, planted):
+    assert right in ANGLES
+    with pytest.raises(PaperError, match="is off by"):
+        judge_paper(
+            paper(
+                tmp_path,
+                "printed = 'R^T R = \\mathbf{I}'",
+                head=ANGLES.replace(right, planted),
+                motion=ON_ANGLES,
+            )
+        )
+
+
+JACOBIAN = r"""
+    title = "A Jacobian"
+    [symbols]
+    'J' = { kind = "matrix 6×6" }
+    'q' = { kind = "matrix 6×1" }
+    [definitions]
+    'V' = 'J q'
+    'A' = 'J \dot{q} + \dot{J} q'
+"""
+ON_JACOBIAN = r"""
+    [motion]
+    'J' = "J_WB"
+    'q' = "qDot"
+    'V' = "V_WB"
+    'A' = "A_WB"
+"""
+
+
+def test_the_jacobian_of_a_spatial_velocity_is_that_of_drake(tmp_path):
+    (claim,) = judged(tmp_path, r"printed = 'A = \dot{V}'", head=JACOBIAN, motion=ON_JACOBIAN)
+    assert (claim["verdict"], claim["motion"]["witness"]) == ("proved", "Drake")
+
+
+@pytest.mark.parametrize(
+    ("right", "planted"), [("'J q'", "'J^T q'"), (r"+ \dot{J} q'", "'"), (r"+ \dot{J} q'", r"- \dot{J} q'")]
+)
+def test_a_wrong_jacobian_is_refused(tmp_path, right, planted):
+    head = JACOBIAN.replace(right, planted)
+    assert head != JACOBIAN
+    with pytest.raises(PaperError, match="is off by"):
+        judge_paper(paper(tmp_path, r"printed = 'V = J q'", head=head, motion=ON_JACOBIAN))

@@ -33,7 +33,7 @@ class Binding:
 
 
 VECTOR, TENSOR, DUAL_SCALAR, DUAL_VECTOR, DUAL_TENSOR = (3,), (3, 3), (2,), (2, 3), (2, 3, 3)
-POSE, SPATIAL, QUATERNION = (4, 4), (6,), (4,)
+POSE, SPATIAL, QUATERNION, JACOBIAN = (4, 4), (6,), (4,), (6, 6)
 
 BODY_BINDINGS = (
     Binding("R_WB", TENSOR, 0, "rotation of B in W; the chapter's R"),
@@ -118,6 +118,19 @@ THIRD_BODY_BINDINGS = (
     Binding("dual_u3_W", DUAL_VECTOR, 0, "third axis as a line, in W; u₃"),
 )
 
+SIX_BINDINGS = (
+    Binding("qDot", SPATIAL, 1, "rates of the six coordinates of a free body, a 3C chain or a 6R arm"),
+    Binding("J_WB", JACOBIAN, 0, "Jacobian of V_WB by these rates"),
+)
+
+ANGLE_BINDINGS = (
+    Binding("roll_WB", (), 0, "roll of a free body, about x of W: R = R_z(yaw) R_y(pitch) R_x(roll)"),
+    Binding("pitch_WB", (), 0, "its pitch, about y"),
+    Binding("yaw_WB", (), 0, "its yaw, about z"),
+    Binding("R_rpy", TENSOR, 0, "the rotation matrix of these angles, by RollPitchYaw"),
+    Binding("rpyDt_WB", VECTOR, 1, "the angles' rates, by RollPitchYaw from w_WB"),
+)
+
 CHAIN_BINDINGS = (*RELATIVE_BINDINGS, *CYLINDER_BINDINGS)
 
 FAMILIES = (
@@ -167,7 +180,15 @@ ALIASES = {"v_W0": "v_WB0", "u1": "u1_W", "u2": "u2_W"}
 
 #: Every binding by its name and by its aliases.
 BINDINGS = {
-    binding.name: binding for binding in (*BODY_BINDINGS, *CHAIN_BINDINGS, *THIRD_BODY_BINDINGS, *DERIVED)
+    binding.name: binding
+    for binding in (
+        *BODY_BINDINGS,
+        *CHAIN_BINDINGS,
+        *THIRD_BODY_BINDINGS,
+        *SIX_BINDINGS,
+        *ANGLE_BINDINGS,
+        *DERIVED,
+    )
 }
 BINDINGS |= {alias: BINDINGS[name] for alias, name in ALIASES.items()}
 MEMBERS = {binding.name: binding for binding in FAMILIES}

@@ -20,9 +20,11 @@ from workbench.drake.plants import CylindricalAxis, cylindrical_chain, free_body
 from workbench.drake.quantities import (
     P_BO_P_B,
     Quantities,
+    angle_quantities,
     body_quantities,
     cylinder_quantities,
     relative_quantities,
+    six_coordinates,
 )
 from workbench.drake.symbolic_motions import Entries, SymbolicMotion, expressions_are_not_nan
 
@@ -124,7 +126,13 @@ def free_body_motion(name: str, path: JointPath) -> ReferenceMotion:
     """One free body B; q = (roll, pitch, yaw, x, y, z)."""
     t = Variable("t")
     motion = SymbolicMotion(free_body(), path, t)
-    return ReferenceMotion(name, motion, _body_quantities(motion))
+    rates = motion.rate(motion.q)
+    own = {
+        **_body_quantities(motion),
+        **six_coordinates(motion.plant, motion.context, motion.frame("B"), rates),
+        **angle_quantities(motion.q[:3], motion.velocity("B").rotational()),
+    }
+    return ReferenceMotion(name, motion, own)
 
 
 @lru_cache(maxsize=1)

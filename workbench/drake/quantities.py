@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from workbench.drake.gate import AngleAxis_, AutoDiffXd, Expression
+from workbench.drake.gate import AngleAxis_, AutoDiffXd, Expression, JacobianWrtVariable, RollPitchYaw_
 from workbench.drake.plants import CylindricalAxis
 
 P_BO_P_B = np.array([0.5, -0.25, 1.0])
@@ -120,6 +120,23 @@ def _turn(angle: Any, axis: np.ndarray) -> Any:
     """Drake's quaternion of a turn; bodies of a chain have their parents' axes where the angles are 0."""
     scalar = next(kind for kind in (Expression, AutoDiffXd, float) if isinstance(angle, kind))
     return AngleAxis_[scalar](angle=angle, axis=axis / np.linalg.norm(axis)).quaternion()
+
+
+def six_coordinates(plant: Any, context: Any, body: Any, rates: np.ndarray) -> Quantities:
+    """Of a plant with six coordinates: their rates, and the Jacobian of the body's velocity by them."""
+    W = plant.world_frame()
+    J = plant.CalcJacobianSpatialVelocity(context, JacobianWrtVariable.kQDot, body, np.zeros(3), W, W)
+    return {"qDot": rates, "J_WB": J}
+
+
+def angle_quantities(angles: np.ndarray, w_WB: np.ndarray) -> Quantities:
+    """Of a free body with these angles."""
+    rpy = RollPitchYaw_[Expression](angles)
+    return {
+        **dict(zip(("roll_WB", "pitch_WB", "yaw_WB"), angles, strict=True)),
+        "R_rpy": rpy.ToRotationMatrix().matrix(),
+        "rpyDt_WB": rpy.CalcRpyDtFromAngularVelocityInParent(w_WB),
+    }
 
 
 def third_body_quantities(

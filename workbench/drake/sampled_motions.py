@@ -38,6 +38,7 @@ from workbench.drake.quantities import (
     body_quantities,
     cylinder_quantities,
     relative_quantities,
+    six_coordinates,
     third_body_quantities,
 )
 
@@ -57,8 +58,8 @@ class Posture:
         self.world = plant.world_frame()
 
     def at(self, t: float) -> Posture:
-        self.q, v, vdot = self.path.jet(t, 2)
-        set_state(self.plant, self.context, self.q, v)
+        self.q, self.v, vdot = self.path.jet(t, 2)
+        set_state(self.plant, self.context, self.q, self.v)
         self._A = self.plant.CalcSpatialAccelerationsFromVdot(self.context, vdot)
         return self
 
@@ -164,6 +165,7 @@ def _body(posture: Posture, body: str = "B") -> Quantities:
 def _with_intermediate(posture: Posture) -> Quantities:
     return {
         **_body(posture),
+        **six_coordinates(posture.plant, posture.context, posture.frame("B"), posture.v),
         **relative_quantities(
             posture.pose("A"),
             posture.velocity("A"),

@@ -90,6 +90,9 @@ def test_implications_in_a_row_are_each_claimed() -> None:
 def test_an_index_without_a_range_is_any() -> None:
     found = read_formula(r"\mathbf{q}_n \times \mathbf{q}_{n+1} = v", TABLE)
     assert [(each.variable, each.generic) for each in found.ranges] == [("n", True)]
+    found = read_formula(r"\sum_{k=1}^{N_P} \mathbf{q}_k = \sum_{k=1}^{N_P} \mathbf{q}_k", TABLE)
+    assert [(each.variable, each.generic) for each in found.ranges] == [("N_P", True)]
+    assert to_latex(found.statements[0].left) == r"\sum_{k=1}^{N_P} \mathbf{q}_{k}"
 
 
 @pytest.mark.parametrize(

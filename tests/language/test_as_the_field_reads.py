@@ -66,6 +66,8 @@ SAME = [
     (r"d\alpha/dt + \mathrm{d}s/\mathrm{d}t", r"\dot{\alpha} + \dot{s}"),
     (r"\frac{d}{dt} \|a\|^2", r"\frac{d}{dt} (\|a\|^2)"),
     (r"\partial(s^2)/\partial s", r"\frac{\partial (s^2)}{\partial s}"),
+    (r"\begin{Bmatrix} s \\ \alpha \end{Bmatrix}", r"\begin{bmatrix} s \\ \alpha \end{bmatrix}"),
+    (r"a_ns", "a_n s"),
 ]
 
 
@@ -114,6 +116,8 @@ REFUSED = [
     (r"a'", 1, "unknown symbol a'"),
     (r"a^\prime", 2, "a prime is written '"),
     (r"a \wedge b", 3, r"the vector product is written \\times"),
+    (r"\hat{a b}", 7, r"\\hat of more than one symbol"),
+    (r"\overline{a S}", 11, r"\\overline of more than one symbol"),
 ]
 
 

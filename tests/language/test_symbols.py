@@ -104,6 +104,16 @@ def test_a_table_is_never_changed() -> None:
     assert set(wider.symbols) == {Name("x"), Name("y")}
 
 
+def test_the_letter_of_a_symbol_is_a_label_where_it_stands_for_no_index() -> None:
+    kinds = {"m": "scalar", "T_m": "vector", "a_{cm_x}": "scalar", "I_{nm}": "scalar"}
+    table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})
+    assert str(read_term("T_m", table).declaration.name) == "T_{m}"
+    assert read_term("T_m", table).index == () and read_term("T_1", table).index == (Linear(1),)
+    assert read_term("a_{cm_x}", table).index == ()
+    assert read_term("I_{2m}", table).index == (Linear(2),)
+    assert to_latex(read_term("m T_m + T_n", table, ["n"])) == "m T_{m} + T_{n}"
+
+
 BAD_SPECS = [
     ({"x": {}}, "kind is None; expected scalar | vector"),
     ({"x": {"kind": "vectr"}}, "kind is 'vectr'"),

@@ -54,6 +54,26 @@ SPELLED = [
     (r"\sum \mathbf{F}^W = \sum M", [r"\mathbf{F}_{\Sigma}^W = M_{\Sigma}"]),
     (r"\sum m v = \sum_i F_i", [r"\sum m v = \sum_i F_i"]),
     (r"x \in \R^3", [r"x \in\mathbb{R}^3"]),
+    (r"\left[\frac{d}{dt}\right]_{S_0} x = y", [r"\frac{{}^{S_0}d}{dt} x = y"]),
+    (
+        r"\left( \dot{e}_i \right)_S + (\ddot x)_{rot} = y",
+        [r"\frac{{}^{S}d e_i}{dt} + \frac{{}^{rot}d^2 x}{dt^2} = y"],
+    ),
+    (r"(\dot{x})_0 + (\dot{x} + y)_S = y", [r"(\dot{x})_0 + (\dot{x} + y)_S = y"]),
+    (
+        r"x = \left[ p \; \dot{q}_1 \; \mathbf{r} \right]^T",
+        [r"x = \left[ p , \dot{q}_1 , \mathbf{r} \right]^T"],
+    ),
+    (r"x = [ A \; B ] + [a\;+\;b]^T", [r"x = [ A \; B ] + [a\;+\;b]^T"]),
+    (r"\leftidx{^A}{\textbf{v}}{_B} = y", [r"{}^A \mathbf{v}_B = y"]),
+    (r"x = \textbf{two words}", [r"x = \textbf{two words}"]),
+    (r"\require{cancel} x = y", ["x = y"]),
+    (r"a = b = \\ = c", ["a = b", "b = c"]),
+    (r"\dot{q} \equiv a b", [r"\dot{q} := a b"]),
+    (r"q \equiv -q", [r"q \equiv -q"]),
+    (r"\dot{q} \equiv R_q", [r"\dot{q} \equiv R_q"]),
+    (r"a = b \quad \mathrm{and} \quad c = d", ["a = b", "c = d"]),
+    (r"a = \mathrm{so}(3), b = c", [r"a = \mathrm{so}(3)", "b = c"]),
 ]
 
 

@@ -22,6 +22,10 @@ KINDS = [
     (r"The angle $v$ and the vector $m$: $$ v m = m v $$", {"v": "scalar", "m": "vector"}),
     (r"$$ \ddot{r} - r ω = m $$ $$ m + r = 1 $$", {r"\omega": "scalar", "r": "scalar"}),
     (r"$$ V^{\mathscr R} = V + V^{\mathscr R} $$", {r"V^{\mathscr{R}}": "tensor", "V": "tensor"}),
+    (
+        r"$$ F_x = m a_{cm_x} $$ $$ \mathbf{T}_m = m \mathbf{u} $$",
+        {"m": "scalar", "F_{x}": "scalar", r"\mathbf{T}_{m}": "vector"},
+    ),
     (r"$$ {}^A\bar{v} = {}^B\bar{v} + \bar{u} \times \bar{p} $$", {r"{}^{A}\bar{v}": "vector"}),
 ]
 
@@ -34,6 +38,10 @@ TABLES = [
     (r"$$ [\mathbf{a}]_\times \mathbf{b} = \mathbf{c} $$", {"notation"}),
     (r"$$ x' = \mathbb{1} x $$", {"notation"}),
     (r"$$ a * b = b * a $$", {"notation"}),
+    (r"$$ \vec{a} . \vec{b} = s . s $$", {"notation"}),
+    (r"$$ \dot{R} = R \hat{\omega} $$ $$ R \hat{\omega} R^T = \widehat{R \omega} $$", {"notation"}),
+    (r"$$ e = (R^T S - S^T R)^\vee $$ $$ e = e \times e $$", {"notation"}),
+    (r"$$ \Gamma(R, S_d) = s \operatorname{tr}(R) $$", {"conventions"}),
     (r"$$ \mathbf{E}(\boldsymbol{\chi}) \mathbf{a} = \mathbf{b}(\boldsymbol{\chi}) $$", {"conventions"}),
     (r"$$ x = arccos(s) $$ $$ s = cos \frac{x}{2} $$", {"conventions"}),
     ("A quaternion, two quaternions, more quaternions. $$ q = [s, v] $$ $$ q^* q = [s^2 + v^T v, 0] $$", {"conventions", "notation"}),

@@ -195,7 +195,8 @@ class _Reading:
             for each in (self, new)
         )
         lost = any(one[0] > other[0] for one, other in zip(before, now, strict=True))
-        if lost or not (proposal.stands or before != now):
+        is_read = sum(each[0] for each in now) > sum(each[0] for each in before)
+        if lost or not (proposal.stands or (is_read if proposal.reads else before != now)):
             return self
         new.start = guesser.knowing(known)
         return new

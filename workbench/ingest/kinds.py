@@ -26,6 +26,7 @@ from workbench.language.declarations import read_key
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.names import Name
 from workbench.language.reader import read, unclaimed
+from workbench.language.spelling import INDEX_LETTERS
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import parses
 from workbench.language.terms import Statement
@@ -118,8 +119,8 @@ class Guesser:
         self.guesses: dict[str, Guess] = {}
         self.refused: dict[str, str] = {}
         self.takes_steps = False
-        self._symbols: dict[Guess, Mapping[Name, Declaration]] = {}
-        self._names: dict[Name, str] = {}
+        self._symbols: dict[Guess | tuple[Guess, Guess], Mapping[Name, Declaration]] = {}
+        self._names: dict[Name, tuple[str, ...]] = {}
         self._read_before: dict[object, _Asks | Outcome] = {}
         self._near_before: dict[str, tuple[int, list[str], frozenset[str]]] = {}
 
@@ -247,6 +248,7 @@ class Guesser:
             name = self._labelled(latex, guesses) if unknown is None else bare_name(unknown[1])
             if name is None:
                 break
+            name = self._without_accent(name)
             if name in self.refused:
                 return Outcome(message=self.refused[name])
             if name in guesses:  # declared, and unknown still
@@ -260,6 +262,14 @@ class Guesser:
             guesses[name] = self.guesses[name] = guess
         return outcome
 
+    def _without_accent(self, name: str) -> str:
+        """The symbol under an accent that the notation explains."""
+        with suppress(SpecError):
+            key, _ = read_key(name)
+            if key.styles and self.ground.notations.accents(key.styles[0]):
+                return str(replace(key, styles=key.styles[1:]))
+        return name
+
     def _attempt(self, latex: str, guesses: Mapping[str, Guess]) -> Outcome:
         """Reading it depends on the kinds that the reader asks for until it fails, on which symbols share a
         letter with it, and on whether any is a quaternion."""
@@ -268,8 +278,10 @@ class Guesser:
         quaternion = next(quaternions, None) if self.prose.has_quaternions else None
 
         def answer(name: Name | None) -> object:
-            guess = guesses.get(self._names.get(name, ""))
-            return names if name is None else guess and (guess.kind, guess.unit)
+            if name is None:
+                return names
+            found = [guesses.get(each) for each in self._names.get(name, ("",))]
+            return tuple((each.kind, each.unit) for each in found if each) if all(found) else None
 
         key = (latex, quaternion is None)
         known = self._read_before.get(key)
@@ -298,10 +310,13 @@ class Guesser:
             self._near_before[latex] = len(guesses), near, names
         return near, names
 
-    def _fresh(self, latex: str, guesses: Iterable[Guess]) -> tuple[Outcome, Iterable[Name | None]]:
+    def _fresh(self, latex: str, guesses: Sequence[Guess]) -> tuple[Outcome, Iterable[Name | None]]:
         symbols = dict(self.ground.symbols)
+        letters = {guess.name: guess for guess in guesses if guess.name in INDEX_LETTERS}
         for guess in guesses:
             symbols |= self._declared(guess)
+            for letter in letters.values() if guess.name not in letters else ():
+                symbols |= self._beside(guess, letter)
         asked = _Asked(symbols)
         table = replace(self.ground, symbols=asked, names_close=False)
         try:
@@ -320,8 +335,26 @@ class Guesser:
         """The symbol as a table has it. Raises SpecError, ReadError."""
         if guess not in self._symbols:
             self._symbols[guess] = self.ground.with_specs({guess.name: guess.spec}).symbols
-            self._names |= dict.fromkeys(self._symbols[guess].keys() - self.ground.symbols.keys(), guess.name)
+            self._take(self._symbols[guess], guess)
         return self._symbols[guess]
+
+    def _beside(self, guess: Guess, letter: Guess) -> Mapping[Name, Declaration]:
+        """The symbol beside another that is a letter of indices elsewhere: T_m beside the mass m."""
+        if letter.name not in letters_in(guess.name):
+            return {}
+        if (guess, letter) not in self._symbols:
+            specs = {each.name: each.spec for each in (guess, letter)}
+            both = self.ground.with_specs(specs).symbols
+            known = self._declared(guess).keys() | self._declared(letter).keys()
+            own = {name: both[name] for name in both.keys() - known}
+            self._symbols[guess, letter] = own
+            self._take(own, guess, letter)
+        return self._symbols[guess, letter]
+
+    def _take(self, symbols: Mapping[Name, Declaration], *guesses: Guess) -> None:
+        """Whose kinds it takes to know each of these names."""
+        new = symbols.keys() - self.ground.symbols.keys()
+        self._names |= dict.fromkeys(new, tuple(guess.name for guess in guesses))
 
     def _labelled(self, latex: str, guesses: Mapping[str, Guess]) -> str | None:
         """A symbol with a capital or a script letter as a superscript, which is no power, and which is not

@@ -33,10 +33,11 @@ _NOWHERE = "O"
 _ROTATIONS = frozenset("ACDQRS")
 _LABELS = re.compile(r"\{\}\s*[_^]|/|\\hat")
 _UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
-_BRACKET = re.compile(
-    r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
-    r"((?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z]))\s*(?:\\right)?\)"
-)
+_SYMBOL = r"(?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])"
+_LABELLED = rf"{_SYMBOL}\s*(?:_\s*(?:\w|\{{\s*\w+\s*\}}))?"
+_BEHIND = r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
+_BRACKET = re.compile(rf"{_BEHIND}({_SYMBOL})\s*(?:\\right)?\)")
+_LIST = re.compile(rf"{_BEHIND}({_LABELLED}(?:\s*,\s*{_LABELLED})+)\s*(?:\\right)?\)")
 _TYPED = {name: re.compile(rf"(?<!\\)(?<!\\arc)(?<!arc)(?<!a){name}(?![A-Za-z2])") for name in FUNCTIONS}
 #: The sum of a quaternion's parts, or i j k = -1: by the font of the units.
 _UNITS_OF_QUATERNIONS = re.compile(
@@ -47,7 +48,7 @@ _UNITS_OF_QUATERNIONS = re.compile(
 @dataclass(frozen=True)
 class Proposal:
     """Entries of one table of a model, as TOML, and what they rest on. `stands`: kept unless it loses a
-    formula; others, where formulas come further by it."""
+    formula; others, where formulas come further by it, or, if it `reads`, are read by it."""
 
     table: str
     entries: Mapping[str, str]
@@ -55,6 +56,7 @@ class Proposal:
     question: str
     trigger: re.Pattern[str]
     stands: bool = False
+    reads: bool = False
 
 
 def tables_of(proposals: Sequence[Proposal]) -> dict[str, dict[str, tuple[str, str]]]:
@@ -107,12 +109,22 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
         question = f"Is {unit} the unit tensor?"
         entry = _notation(trigger, unit, {}, r"\mathbf{I}", "a blackboard 1 or I", question)
         yield replace(entry, stands=True)
-    yield _prime(("scalar", "vector", *(["quaternion"] if speaks_of_quaternions(prose) else [])))
+    yield _prime(("scalar", "vector", "tensor", *(["quaternion"] if speaks_of_quaternions(prose) else [])))
     for inside in dict.fromkeys(match[1] for match in _BRACKET.finditer(together)):
         question = f"Does ({inside}) only say what a symbol depends on?"
         trigger = re.compile(re.escape(inside))
         yield _conventions("arguments", f"['{inside}']", "a bracket with one symbol", question, trigger)
+    for inside in dict.fromkeys(match[1].strip() for match in _LIST.finditer(together)):
+        question = f"Does ({inside}) only say what a symbol depends on?"
+        several = ", ".join(f"'{symbol.strip()}'" for symbol in inside.split(","))
+        trigger = re.compile(re.escape(inside))
+        yield _conventions("arguments", f"[{several}]", "symbols in a bracket", question, trigger)
     yield from _frames(together)
+    question = r"Is \hat{x} the skew tensor of x?"
+    hat = _notation(
+        r"\\(?:wide)?hat(?![A-Za-z])", r"\hat{x}", {"x": "vector"}, _SKEW, "a hat on a symbol", question
+    )
+    yield replace(hat, reads=True)
 
 
 def speaks_of_quaternions(prose: str) -> bool:
@@ -199,6 +211,25 @@ _NOTATION: tuple[tuple[str, str, dict[str, str], str, str, str], ...] = (
         "a star between factors",
         "Is * the product?",
     ),
+    (
+        r"\^\s*\{?\s*\\(?:vee|lor)(?![A-Za-z])",
+        r"T^\vee",
+        {"T": "tensor"},
+        r"\operatorname{vect}(T)",
+        "a vee as a superscript",
+        r"Is T^\vee the vector of the skew tensor T?",
+    ),
+    *(
+        (
+            r"[A-Za-z}\])]\s*\.\s*\\?[A-Za-z({\[\\]",
+            key,
+            dict.fromkeys(key[::4], kind),
+            means,
+            "a full stop between factors",
+            "Is a full stop between factors the product, of vectors the scalar one?",
+        )
+        for key, kind, means in (("x . y", "vector", r"x \cdot y"), ("a . b", "scalar", "a b"))
+    ),
 )
 
 
@@ -227,7 +258,7 @@ def _units(font: str) -> Proposal:
 def _prime(kinds: Sequence[str]) -> Proposal:
     entries = {
         f'"{letter}\'"': f"{{ where = {{ {letter} = \"{kind}\" }}, means = '\\dot{{{letter}}}' }}"
-        for letter, kind in zip("axq", kinds, strict=False)
+        for letter, kind in zip("axTq", kinds, strict=False)
     }
     return Proposal("notation", entries, "a prime", "Is a prime d/dt?", re.compile(r"(?<!\\)'"))
 

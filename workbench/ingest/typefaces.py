@@ -19,8 +19,10 @@ _GREEK = {
 }
 _BOLD = re.compile(r"^\\(?:mathbf|boldsymbol|vec)\{?(\\?[A-Za-z]+)\}?")
 _VECTORS = frozenset({"\\omega", "\\alpha"})
-#: ω_x and R_{31}; v_1 may be a vector.
-_COMPONENT = re.compile(r"\\?[A-Za-z]+_\{(?:[xyz]{1,2}|[1-3][1-3])\}")
+#: ω_x, R_{31} and, of forces, moments and the like, M_1 and F_{O_x}; v_1 and R_1 may be more.
+_COMPONENT = re.compile(
+    r"\\?[A-Za-z]+_\{(?:[xyz]{1,2}|[1-3][1-3])\}|[EFHILMNPUVW]_\{(?:[^{}]*_\{)?[xyz1-3]\}+"
+)
 #: R_{A B}, R_A^B and {}^A R_B, with labels that are letters.
 _BETWEEN_FRAMES = re.compile(
     r"_\{\s*[A-Za-z]\s*[A-Za-z]\s*\}$|_\{[A-Za-z]\}\^\{[A-Za-z]\}|^\{\}[_^]\{[A-Za-z]\}[A-Z][_^]\{[A-Za-z]\}$"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from workbench.language.errors import Fault, SpecError
@@ -65,19 +65,21 @@ def refuse_builtin(name: Name, type_: Type, key: str) -> None:
         raise SpecError(f"{name} is {meaning}; a symbol of the paper needs another name", key)
 
 
-def read_key(key: str) -> Named:
-    """A declared LaTeX name, and what stands in its index places. Raises SpecError."""
+def read_key(key: str, labels: Collection[str] = ()) -> Named:
+    """A declared LaTeX name, and what stands in its index places, which the letters in `labels` are none of.
+    Raises SpecError."""
     try:
         lines = parse(key).lines
         if len(lines) != 1 or len(lines[0]) != 1 or isinstance(lines[0][0], Chain):
             raise SpecError("expected one symbol", key)
-        return key_spelling(lines[0][0], key).declared()
+        return key_spelling(lines[0][0], key, labels).declared()
     except Fault as fault:
         raise SpecError(f"column {fault.at + 1}: {fault}", key) from None
 
 
-def key_spelling(node: Node, key: str) -> Spelling:
-    """The spelling of a declared name, where index letters count as integers. Raises SpecError."""
+def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling:
+    """The spelling of a declared name, where index letters count as integers, save those in `labels`. Raises
+    SpecError."""
     left_sub = left_sup = None
     match node:
         case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
@@ -95,7 +97,7 @@ def key_spelling(node: Node, key: str) -> Spelling:
     if not (letter.kind == "LETTER" or is_figure) or scripted.factorial:
         raise SpecError(f"expected a letter, got {letter.text}", key)
     scripts = Scripts(left_sub, left_sup, scripted.sub, scripted.sup, scripted.primes)
-    spelling = spell(Name.styled(styles, letter.text), scripts, INDEX_LETTERS)
+    spelling = spell(Name.styled(styles, letter.text), scripts, INDEX_LETTERS.difference(labels))
     if spelling is None:
         raise SpecError("its scripts are not part of a name", key)
     return spelling

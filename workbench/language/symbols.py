@@ -89,6 +89,11 @@ class SymbolTable:
                 if other != UNIT:
                     refuse_builtin(other, declared.type, key)
                 symbols[other] = declared
+        letters = frozenset(name.letter for name in symbols if name == Name(name.letter))
+        for key, spec in specs.items():
+            name, index = read_key(key, letters)
+            if name not in symbols:  # T_m beside a symbol m
+                symbols[name] = read_declaration(key, name, index, _unindexed(spec))
         try:
             known = _tilded(_with_members(symbols, functions))
             return SymbolTable(_with_arguments(known, functions))
@@ -240,6 +245,11 @@ def _with_members(
             else:
                 kept[pattern] = replace(kept[pattern], apart=(*kept[pattern].apart, index))
     return kept
+
+
+def _unindexed(spec: Mapping[str, Any]) -> dict[str, Any]:
+    """What a declaration says of a symbol that is no member of its family."""
+    return {key: value for key, value in spec.items() if key != "weight" or not isinstance(value, str)}
 
 
 def _without_tilde(name: Name) -> Name:

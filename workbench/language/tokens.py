@@ -43,7 +43,7 @@ _TOKEN = re.compile(
     | \\(?:text|textrm|mbox)\s*\{(?P<prose>[A-Za-z,'’\s]+:\s*)\}
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
       \{(?P<words>atan2|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
-    | \\(?P<environment>begin|end)\s*\{(?P<name>[a-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
+    | \\(?P<environment>begin|end)\s*\{(?P<name>[A-Za-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
     | \\(?P<command>[A-Za-z]+|[^A-Za-z])
     | (?P<number>[0-9]+(?:\.[0-9]+)?)
@@ -141,6 +141,9 @@ class Tokenizer:
             case "number":
                 self.emit("NUMBER", text, at)
             case "letters":
+                if len(text) > 1 and self.out and self.out[-1].type in ("SUB", "SUP"):
+                    self.emit("LETTER", text[0], at)  # k_Re is k_R e
+                    at, text = at + 1, text[1:]
                 if text in FUNCTIONS:
                     self.emit("FUNCTION", text, at)
                 elif text in NAMES and not self.in_script():

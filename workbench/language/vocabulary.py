@@ -6,13 +6,13 @@ from workbench.language.operators import TEX_FUNCTIONS
 
 _LETTERS = """
     alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho
-    varrho sigma varsigma tau upsilon phi varphi chi psi omega ell
+    varrho sigma varsigma tau upsilon phi varphi chi psi omega ell imath jmath
     Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega
 """
-_STYLES = (
+_FONTS = (
     "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak mathscr mathds mathbfit mathbfup symup"
-    " underline overline bar vec hat check breve mathring"
 )
+_STYLES = f"{_FONTS} underline overline bar vec hat check breve mathring"
 _LABELS = "dagger ddagger flat natural sharp bullet diamond"
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
 _SPACING = "enskip quad qquad displaystyle textstyle limits nolimits nonumber notag , ; : ! >"
@@ -110,6 +110,7 @@ CHARACTERS |= {
 }  # fmt: skip
 SPACING = frozenset(_SPACING.split()) | {" "}
 SIZES = frozenset(_SIZES.split())
+FONTS = frozenset(f"\\{name}" for name in _FONTS.split())
 
 #: Bracket → (its kind, 1 if it opens, -1 if it closes, 0 if that depends on what stands before it).
 BRACKETS = {
@@ -133,7 +134,7 @@ BRACKETS = {
 CLOSING = {kind: text for text, (kind, side) in reversed(BRACKETS.items()) if side < 1}
 
 MATRICES = frozenset(
-    {"matrix", "bmatrix", "pmatrix", "smallmatrix", "bsmallmatrix", "psmallmatrix", "vmatrix"}
+    {"matrix", "bmatrix", "pmatrix", "Bmatrix", "smallmatrix", "bsmallmatrix", "psmallmatrix", "vmatrix"}
 )
 LINES = frozenset({"cases", "aligned", "align", "align*", "gathered", "split"})
 

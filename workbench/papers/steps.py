@@ -18,6 +18,7 @@ from workbench.papers.alignment import (
     with_depth,
 )
 from workbench.papers.respell import argument
+from workbench.papers.respell.places import FACES, GAPS, MARKS, is_one_symbol
 from workbench.papers.texts import Display, Token, joined, spelled
 
 _CONDITIONS = frozenset(["<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\lt", "\\gt", "\\in", "\\neq", "\\ne"])
@@ -26,6 +27,8 @@ _SEPARATING = frozenset((
     "", "and", "where", "with", "for", "for all", "so", "so that", "thus", "hence", "therefore",
     "and therefore",
 ))  # fmt: skip
+#: Words that some write as if they were a symbol.
+_UPRIGHT = frozenset({"and", "or", "if", "where"})
 _JOINING = frozenset({"or", "if", "if and only if", "iff", "when", "unless", "implies", "provided", "either"})
 
 
@@ -102,16 +105,19 @@ def _joins(tokens: Sequence[Token]) -> bool:
     for place, (token, depth) in enumerate(with_depth(tokens)):
         if depth == 0 and token.text in IMPLICATIONS:
             return True
-        if depth == 0 and token.text in WORD_COMMANDS and _words(tokens, place) in _JOINING:
+        if depth == 0 and _words(tokens, place) in _JOINING:
             return True
     return False
 
 
 def _words(tokens: Sequence[Token], place: int) -> str | None:
     """What the \\text at `place` says; None if it is part of a name, as in x_\\text{max}."""
-    if place and tokens[place - 1].text in ("_", "^"):
+    command = tokens[place].text
+    if command not in WORD_COMMANDS | {"\\mathrm"} or (place and tokens[place - 1].text in ("_", "^")):
         return None
     words = joined(argument(tokens, place + 1)[0])
+    if command == "\\mathrm" and words not in _UPRIGHT:
+        return None
     return " ".join(words.replace(",", " ").replace(".", " ").replace(";", " ").lower().split())
 
 
@@ -123,7 +129,7 @@ def _pieces(tokens: list[Token]) -> Iterator[list[Token]]:
         if place < skip_to:
             continue
         behind_column = depth == 0 and token.text in EXPLICIT and _ends_a_column(tokens[:place])
-        is_word = depth == 0 and token.text in WORD_COMMANDS and _words(tokens, place) in _SEPARATING
+        is_word = depth == 0 and _words(tokens, place) in _SEPARATING
         if is_word or (depth == 0 and (token.text in (",", ";") or token.text in WIDE)) or behind_column:
             if is_word:
                 _, skip_to = argument(tokens, place + 1)
@@ -164,6 +170,12 @@ def _chain(tokens: list[Token], conditions: list[Token]) -> Iterator[tuple[list[
         else:
             sides[-1].append(token)
     sides = [trimmed(side) for side in sides]
+    for place in range(len(signs) - 1, 0, -1):  # an = at the end of a row, and again before the next
+        if not sides[place] and signs[place][0].text == signs[place - 1][0].text:
+            del sides[place], signs[place]
+            tokens = [*sides[0], *signs[0], *sides[1]] if len(signs) == 1 else tokens
+    if len(signs) == 1 and _names(sides[0], sides[1], signs[0]):
+        tokens = [*sides[0], signs[0][0].standing_for(":="), *sides[1]]
     if len(signs) < 2:
         yield [*tokens, *conditions], tokens
         return
@@ -180,3 +192,11 @@ def _sign(tokens: list[Token], place: int) -> tuple[list[Token], int]:
         _, end = argument(tokens, end)
         return tokens[place:end], end
     return [token], place + 1
+
+
+def _names(left: Sequence[Token], right: Sequence[Token], sign: Sequence[Token]) -> bool:
+    """Whether x \\equiv … says what x is, and not that two things count as one, as in q \\equiv -q."""
+    if sign[0].text != "\\equiv" or not is_one_symbol(left):
+        return False
+    letters = {token.text for token in left} - FACES - MARKS - GAPS - {"_", "^", "{", "}"}
+    return letters.isdisjoint(token.text for token in right)

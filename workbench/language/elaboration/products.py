@@ -28,6 +28,7 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     Summation,
+    core,
     in_a_row,
     is_numeral,
 )
@@ -147,11 +148,10 @@ def _with_left_scripts(row: Row, place: int) -> Factor:
         found = rate(row.scope, following)
         if found is not None and found.frame is None:
             return derivative(row, place + 1, found._replace(frame=left.sup))
-    if place + 1 == len(row.items) or not isinstance(
-        row.items[place + 1], Leaf | Styled | Accented | Scripted
-    ):
+    named = core(following)
+    if not isinstance(named, Leaf | Styled | Accented | Scripted):
         raise Fault("left scripts must stand before a symbol", left.at)
-    return _name(row, place + 1, row.items[place + 1], Scripts(left.sub, left.sup))
+    return _name(row, place + 1, named, Scripts(left.sub, left.sup))
 
 
 def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:

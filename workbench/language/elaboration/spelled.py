@@ -18,6 +18,7 @@ from workbench.language.syntax import (
     Styled,
     core,
 )
+from workbench.language.vocabulary import FONTS
 
 
 def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
@@ -26,9 +27,10 @@ def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
 
 
 def letters_in_one_font(item: Node) -> Iterator[Node]:
-    """\\mathbf{pq}^* is \\mathbf{p} \\mathbf{q}^*: no symbol has two letters in one font."""
+    """\\mathbf{pq}^* is \\mathbf{p} \\mathbf{q}^*: no symbol has two letters in one font. The hat of
+    \\hat{pq} stands over the product."""
     inner = item.nucleus if isinstance(item, Scripted) else item
-    body = core(inner.body) if isinstance(inner, Styled) else None
+    body = core(inner.body) if isinstance(inner, Styled) and inner.style in FONTS else None
     if not isinstance(body, Product) or not all(_is_letter(part) for part in body.items):
         yield item
         return

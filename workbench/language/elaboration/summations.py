@@ -10,7 +10,7 @@ from workbench.language.instances import free_integers
 from workbench.language.integers import Linear
 from workbench.language.scope import Scope
 from workbench.language.spelling import variable_name
-from workbench.language.syntax import Chain, Group, Leaf, Node, Sum, Summation, core
+from workbench.language.syntax import Chain, Group, Leaf, Node, Scripted, Sum, Summation, core
 from workbench.language.terms import Term
 
 #: What the number of all members may be called, where a text gives it no name.
@@ -62,10 +62,25 @@ def _upper_bound(scope: Scope, node: Node) -> Linear:
     inner = core(node)
     if isinstance(inner, Leaf) and inner.text == "∞":
         raise Fault("an infinite sum; sums have integer bounds", node.at)
-    name = variable_name(inner)
+    name = variable_name(inner) or _labelled(inner)
     if name is not None and not scope.knows(name):
         raise Unranged(name, f"the last of the sum, {name}, has no range here", node.at)
-    return scope.integer(node)
+    return Linear.variable(name) if name in scope.variables else scope.integer(node)
+
+
+def _labelled(node: Node) -> str | None:
+    """N_P, which counts something, as the name of a number."""
+    match node:
+        case Scripted(nucleus=Leaf(kind="LETTER", text=text), sub=sub, sup=None, primes=0, factorial=False):
+            label = core(sub)
+            if (
+                text in _COUNTS
+                and isinstance(label, Leaf)
+                and label.kind == "LETTER"
+                and label.text.isupper()
+            ):
+                return f"{text}_{label.text}"
+    return None
 
 
 def _parts_of(node: Node) -> list[str]:

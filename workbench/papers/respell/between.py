@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from workbench.papers.respell.places import FACES, braced, group, past, printed
+from workbench.papers.respell.places import FACES, braced, group, is_one_symbol, past, printed
 from workbench.papers.texts import Token
 
 _SPACES_OF_A_WORD = frozenset({"\\ ", "\\\n", "~", "\\;", "\\enspace"})
 _WIDE = frozenset({"\\quad", "\\qquad"})
+#: What parts the entries of a row that is transposed, and the factors of a product elsewhere.
+_THICK = frozenset({"\\;", "~", "\\ ", "\\:", "\\,"})
 _OPEN, _CLOSE = frozenset(["(", "[", "{", "\\{"]), frozenset([")", "]", "}", "\\}"])
 _SIGNS = frozenset(
     ["=", ":=", "\\equiv", "+", "-", "&", ",", "\\\\", "\\times", "\\cdot", "\\otimes", "\\circ"]
@@ -72,3 +74,33 @@ def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] 
         apart = (token.standing_for(",") if token.text == "&" else token for token in inside)
         return [first, *apart, last], end + 1
     return [first.standing_for("\\begin{bmatrix}"), *inside, last.standing_for("\\end{bmatrix}")], end + 1
+
+
+def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """[x \\; y \\; z]^T, symbols with nothing but space between them, as [x, y, z]^T."""
+    end = next((i for i in range(place, len(tokens)) if tokens[i].text in ("]", "&", "\\\\", "=")), None)
+    if tokens[place].text != "[" or end is None or tokens[end].text != "]":
+        return None
+    above = past(tokens, end + 1)
+    if [token.text for token in tokens[above : above + 1]] != ["^"]:
+        return None
+    power = "".join(printed(group(tokens, past(tokens, above + 1))[0]))
+    if power not in ("T", "\\top", "\\mathrm{T}", "\\intercal"):
+        return None
+    inside = tokens[place + 1 : end - (tokens[end - 1].text == "\\right")]
+    parts: list[list[Token]] = [[]]
+    gaps: list[Token] = []
+    for token in inside:
+        if token.text in _THICK and printed(parts[-1]):
+            gaps.append(token)
+            parts.append([])
+        elif token.text not in _THICK:
+            parts[-1].append(token)
+    if not printed(parts[-1]):
+        parts.pop()
+    if len(parts) < 2 or not all(is_one_symbol(part) for part in parts):
+        return None
+    made = [tokens[place], *parts[0]]
+    for gap, part in zip(gaps, parts[1:], strict=False):
+        made += [gap.standing_for(","), *part]
+    return [*made, *tokens[place + 1 + len(inside) : end]], end

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from workbench.papers.respell.between import net_sum, row_of_a_matrix, wide_space
-from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, group, past, printed
+from workbench.papers.respell.between import net_sum, row_of_a_matrix, transposed_row, wide_space
+from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, braced, group, past, printed
 from workbench.papers.respell.rates import derivative_by_name, seen_from
 from workbench.papers.texts import Token
 
@@ -22,7 +22,7 @@ _VARIANTS = frozenset(_CAPITALS.split())
 def as_read(tokens: Sequence[Token]) -> list[Token]:
     """Every token stays in its place."""
     made = list(tokens)
-    for pattern in (*_PATTERNS, derivative_by_name, seen_from, wide_space, row_of_a_matrix, net_sum):
+    for pattern in (*_PATTERNS, derivative_by_name, seen_from, *_BETWEEN):
         made = _everywhere(made, pattern)
     return made
 
@@ -186,7 +186,22 @@ def _line(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     return [], position + is_row
 
 
+def _script_on_the_left(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\leftidx{^A}{x}{_b} as {}^A x_b."""
+    if tokens[place].text != "\\leftidx":
+        return None
+    groups: list[list[Token]] = []
+    end = place + 1
+    for _ in range(3):
+        inside, end = group(tokens, past(tokens, end))
+        groups.append(inside)
+    left, body, right = groups
+    return [*braced(tokens[place], []), *left, tokens[place].standing_for(" "), *body, *right], end
+
+
+_BETWEEN = (transposed_row, wide_space, row_of_a_matrix, net_sum)
 _PATTERNS = (
+    _script_on_the_left,
     _inverse_function,
     _line,
     _variant,

@@ -7,8 +7,10 @@ from collections.abc import Sequence
 from workbench.papers.texts import Token
 
 _FACE_NAMES = r"\mathcal \mathscr \mathsf \mathrm \mathbf \boldsymbol \mathfrak"
+_MARK_NAMES = r"\dot \ddot \dddot \vec \hat \bar \tilde \widehat \overline \underline"
 _GAP_NAMES = r"\, \; \: \! ~"
 FACES, TEXTS = frozenset(_FACE_NAMES.split()), frozenset({"\\text", "\\mbox", "\\textrm"})
+MARKS = frozenset(_MARK_NAMES.split())
 GAPS = frozenset([" ", "\\ ", "\\\n", *_GAP_NAMES.split()])
 
 
@@ -55,3 +57,18 @@ def group(tokens: Sequence[Token], place: int) -> tuple[list[Token], int]:
     end = behind(tokens, place)
     has_braces = place < len(tokens) and tokens[place].text == "{"
     return list(tokens[place + 1 : end - 1] if has_braces else tokens[place:end]), end
+
+
+def is_one_symbol(tokens: Sequence[Token]) -> bool:
+    """Whether the tokens are one letter with its marks and scripts."""
+    inside = [token for token in tokens if token.text not in GAPS]
+    place = 0
+    while place < len(inside) and inside[place].text in FACES | MARKS:
+        place += 1
+    if place == len(inside):
+        return False
+    body, place = group(inside, place)
+    while place < len(inside) and inside[place].text in ("_", "^", "'"):
+        place = place + 1 if inside[place].text == "'" else behind(inside, place + 1)
+    is_letter = len(body) == 1 and (body[0].text.isalpha() or body[0].word is not None)
+    return place == len(inside) and (is_letter or (len(body) > 1 and is_one_symbol(body)))

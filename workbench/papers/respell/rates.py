@@ -7,7 +7,14 @@ from workbench.papers.texts import Token
 
 _BY_NAME = {"\\dv": "d", "\\pdv": "\\partial"}
 #: What opens before the quotient → what closes behind it, before the subscript that names the frame.
-_AROUND = {("\\left", "."): ["\\right", "|"], ("\\left", "("): ["\\right", ")"], ("(",): [")"]}
+_AROUND = {
+    ("\\left", "."): ["\\right", "|"],
+    ("\\left", "("): ["\\right", ")"],
+    ("\\left", "["): ["\\right", "]"],
+    ("(",): [")"],
+    ("[",): ["]"],
+}
+_DOTS = {"\\dot": "", "\\ddot": "2", "\\dddot": "3"}
 _OF_TIME = (["d", "t", "^"], ["(", "d", "t", "^"])
 
 
@@ -40,19 +47,17 @@ def seen_from(tokens: list[Token], place: int) -> tuple[list[Token], int] | None
     opening = next((each for each in _AROUND if texts[: len(each)] == each), ())
     closing = _AROUND.get(opening, [])
     quotient = past(tokens, place + len(opening)) if opening else place
+    if opening and quotient < len(tokens) and tokens[quotient].text in _DOTS:
+        return _dotted(tokens, quotient, closing)
     if quotient >= len(tokens) or tokens[quotient].text != "\\frac":
         return None
     over, middle = group(tokens, past(tokens, quotient + 1))
     under, end = group(tokens, past(tokens, middle))
     if closing:
-        end = past(tokens, end)
-        behind_it = end + len(closing)
-        if [token.text for token in tokens[end:behind_it]] != closing:
+        found = _label_behind(tokens, end, closing)
+        if found is None or printed(under)[:2] != ["d", "t"]:
             return None
-        script = past(tokens, behind_it)
-        if printed(tokens[script : script + 1]) != ["_"] or printed(under) != ["d", "t"]:
-            return None
-        label, end = group(tokens, past(tokens, script + 1))
+        label, end = found
     else:
         mark = next((place for place, token in enumerate(under) if token.text == "^"), len(under))
         if printed(under[: mark + 1]) not in _OF_TIME:
@@ -66,7 +71,37 @@ def seen_from(tokens: list[Token], place: int) -> tuple[list[Token], int] | None
     return [head, *braced(head, seen), *braced(head, under)], end
 
 
+def _dotted(tokens: list[Token], dot: int, closing: list[str]) -> tuple[list[Token], int] | None:
+    """(\\dot{x})_B, where x alone stands in the brackets."""
+    body, end = group(tokens, past(tokens, dot + 1))
+    while past(tokens, end) < len(tokens) and tokens[past(tokens, end)].text in ("_", "^"):
+        script = past(tokens, end)
+        _, end = group(tokens, past(tokens, script + 1))
+        body += tokens[script:end]
+    found = _label_behind(tokens, end, closing)
+    if found is None or not _is_label(found[0]):
+        return None
+    head, order = tokens[dot], _DOTS[tokens[dot].text]
+    power = [head.standing_for(text) for text in ("^", order) if order]
+    label = braced(head, found[0])
+    over = [*(head.standing_for(text) for text in "{}^"), *label, head.standing_for("d"), *power]
+    under = [*(head.standing_for(text) for text in "dt"), *power]
+    made = [head.standing_for("\\frac"), *braced(head, [*over, head.standing_for(" "), *body])]
+    return [*made, *braced(head, under)], found[1]
+
+
+def _label_behind(tokens: list[Token], end: int, closing: list[str]) -> tuple[list[Token], int] | None:
+    """The subscript of the bracket that closes at `end`, and the place behind it."""
+    end = past(tokens, end)
+    script = past(tokens, end + len(closing))
+    is_closed = [token.text for token in tokens[end : end + len(closing)]] == closing
+    if not is_closed or printed(tokens[script : script + 1]) != ["_"]:
+        return None
+    return group(tokens, past(tokens, script + 1))
+
+
 def _is_label(label: list[Token]) -> bool:
     """Whether it names a frame, and is no power or condition."""
     texts = [text for text in printed(label) if text not in ("{", "}")]
-    return bool(texts) and (texts[0].startswith("\\") or texts[0].isupper()) and "=" not in texts
+    is_word = len(texts) > 2 and all(text.isalpha() for text in texts)
+    return bool(texts) and (texts[0].startswith("\\") or texts[0].isupper() or is_word) and "=" not in texts

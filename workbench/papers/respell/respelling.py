@@ -17,7 +17,7 @@ _DROPPED = frozenset((
     "unboldmath",
 ))  # fmt: skip
 _DROPPED_WITH_ARGUMENT = frozenset(
-    ["hspace", "vspace", "phantom", "hphantom", "vphantom", "color", "label", "hskip", "mspace"]
+    ["hspace", "vspace", "phantom", "hphantom", "vphantom", "color", "label", "hskip", "mspace", "require"]
 )
 _UNWRAPPED = frozenset((
     "mathclap", "mathrlap", "mathllap", "mathord", "mathrel", "mathbin", "mathop", "mathopen",
@@ -168,8 +168,8 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             yield token.standing_for("{")
             yield from _respelled(inner)
             yield token.standing_for("}")
-        elif word in _TEXTS and _is_name(tokens, place):
-            yield token.standing_for("\\mathrm")
+        elif word in _TEXTS | {"textbf"} and _is_name(tokens, place):
+            yield token.standing_for("\\mathbf" if word == "textbf" else "\\mathrm")
         elif word in _OVER and (sign := _noted_sign(tokens, place)) is not None:
             yield tokens[sign[0]]
             place = sign[1]

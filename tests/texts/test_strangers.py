@@ -100,13 +100,16 @@ MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
         (r"$$\mathbf{r} \cdot \mathbf{s} + \mathbf{s} \cdot \mathbf{s} = 0$$", "says what \\mathbf{r} is"),
         (r"$$\mathbf{r} \cdot \mathbf{s} = -\mathbf{s} \cdot \mathbf{r}$$", None),
         ("$$z = x + y = y - x$$\n\n$$x^2 y + y = y^2 + x$$", None),
+        (r"$$\mathbf{u} \cdot \mathbf{u} = x y$$", "says what y is"),
+        (r"$$\mathbf{u} \cdot \mathbf{u} = x$$", None),
     ],
 )
 def test_what_the_text_says_elsewhere_leaves_a_falsehood_open(
     tmp_path: Path, text: str, why: str | None
 ) -> None:
     (tmp_path / "p.md").write_text(text)
-    (tmp_path / "p.toml").write_text(MODEL)
+    column = r"\begin{bmatrix} x \\ 0 \\ 1 \end{bmatrix}"
+    (tmp_path / "p.toml").write_text(f"{MODEL}[definitions]\n'\\mathbf{{u}}' = '{column}'\n")
     claim = load_paper(tmp_path / "p.toml").claims[-1]
     assert claim.printed.statement is not None
     said = claim.unsettled or claim.says

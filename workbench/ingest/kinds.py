@@ -11,6 +11,7 @@ from itertools import combinations, islice
 from workbench.ingest.prose import Prose
 from workbench.ingest.typefaces import (
     CAPITAL,
+    COMPONENT,
     KINDS,
     USUAL,
     Guess,
@@ -209,6 +210,9 @@ class Guesser:
                 fitting = self._fitting(self.guesses | changed, users, self._score(best))
             except SpecError:
                 continue
+            is_component = any(by_typeface(name).why == COMPONENT for name in group)
+            if is_component and fitting.count(3) == best.count(3):
+                continue  # a component is no vector for the sake of a formula that is not read either
             if self._score(fitting) > self._score(best):
                 best, kind = fitting, other
         if kind is None:

@@ -20,14 +20,14 @@ _GREEK = {
 _BOLD = re.compile(r"^\\(?:mathbf|boldsymbol|vec)\{?(\\?[A-Za-z]+)\}?")
 _VECTORS = frozenset({"\\omega", "\\alpha"})
 #: ω_x, R_{31} and, of forces, moments and the like, M_1 and F_{O_x}; v_1 and R_1 may be more.
-_COMPONENT = re.compile(
+_COMPONENTS = re.compile(
     r"\\?[A-Za-z]+_\{(?:[xyz]{1,2}|[1-3][1-3])\}|[EFHILMNPUVW]_\{(?:[^{}]*_\{)?[xyz1-3]\}+"
 )
 #: R_{A B}, R_A^B and {}^A R_B, with labels that are letters.
 _BETWEEN_FRAMES = re.compile(
     r"_\{\s*[A-Za-z]\s*[A-Za-z]\s*\}$|_\{[A-Za-z]\}\^\{[A-Za-z]\}|^\{\}[_^]\{[A-Za-z]\}[A-Z][_^]\{[A-Za-z]\}$"
 )
-USUAL, CAPITAL = "what mechanics calls so", "a capital letter"
+USUAL, CAPITAL, COMPONENT = "what mechanics calls so", "a capital letter", "a component"
 KINDS = ("scalar", "vector", "tensor")
 
 
@@ -90,8 +90,8 @@ def by_typeface(name: str) -> Guess:
         if is_capital:
             return Guess(name, "rotation" if letter == "R" else "tensor", "a bold capital letter")
         return Guess(name, "vector", "a bold or marked letter")
-    if _COMPONENT.fullmatch(core):
-        return Guess(name, "scalar", "a component")
+    if _COMPONENTS.fullmatch(core):
+        return Guess(name, "scalar", COMPONENT)
     if f"\\{letter}" in _VECTORS:
         return Guess(name, "vector", USUAL)
     if letter in ("R", "C") and _BETWEEN_FRAMES.search(name):

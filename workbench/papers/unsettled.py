@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from workbench.language.names import Name
 from workbench.language.terms import (
     Apply,
     Conjunction,
@@ -40,10 +41,10 @@ def with_unsettled(claims: Sequence[Claim], sources: Sequence[Source]) -> list[C
         statement = claim.printed.statement
         if statement is not None:
             known = {definition.declaration.name for definition in claim.notation.definitions}
-            symbols = (term.declaration for term in terms_of(statement) if isinstance(term, Symbol))
+            symbols = [term.declaration for term in terms_of(statement) if isinstance(term, Symbol)]
             free = [each for each in symbols if each.name not in known]
             why = _of_unread(free, unread) or _of_components(free, claim) or _of_a_star(statement, sources)
-            claim = replace(claim, unsettled=why, says=_solved_for(statement, free))
+            claim = replace(claim, unsettled=why, says=_solved_for(statement, free, _within(claim, symbols)))
         made.append(claim)
     return made
 
@@ -84,7 +85,14 @@ def _of_unread(free: Sequence[Declaration], unread: Mapping[str, str]) -> str | 
 
 
 def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
-    """Scalars that are written as the components of a vector, a matrix or a quaternion."""
+    """Scalars that are written as the components of a vector, a matrix or a quaternion, where no definition
+    makes this of them."""
+    given = {
+        (definition.declaration.name.letter, term.declaration.name)
+        for definition in claim.notation.definitions
+        for term in definition.body.walk()
+        if isinstance(term, Symbol)
+    }
     arrays = {
         declaration.name.letter: declaration
         for declaration in claim.notation.symbols.symbols.values()
@@ -94,17 +102,31 @@ def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
         whole = arrays.get(declaration.name.letter)
         indices = "".join(re.sub(r"[\s{},]", "", part) for part in declaration.name.sub)
         is_part = whole is not None and declaration.type.kind == "scalar" and _COMPONENT.fullmatch(indices)
-        if is_part and declaration.name.sub:
+        if is_part and declaration.name.sub and (whole.name.letter, declaration.name) not in given:
             part, array = declaration.name, whole.name
             return f"{part} reads as a component of {array}; a definition of {array} says so"
     return None
 
 
-def _solved_for(statement: Statement, free: Sequence[Declaration]) -> str | None:
-    """A symbol that nothing defines and that occurs in the statement once, in an equation or in one that is
-    concluded: no identity has such a symbol, so that this says something of it. Of scalars with a side 0,
-    any."""
-    names = Counter(each.name for each in free)
+def _within(claim: Claim, symbols: Sequence[Declaration]) -> set[Name]:
+    """The symbols that the definitions of these, and of those in them, speak of."""
+    bodies: dict[Name, set[Name]] = {}
+    for definition in claim.notation.definitions:
+        inside = {term.declaration.name for term in definition.body.walk() if isinstance(term, Symbol)}
+        bodies.setdefault(definition.declaration.name, set()).update(inside)
+    found: set[Name] = set()
+    waiting = {each.name for each in symbols}
+    while waiting:
+        found |= (new := bodies.get(waiting.pop(), set()) - found)
+        waiting |= new
+    return found
+
+
+def _solved_for(statement: Statement, free: Sequence[Declaration], within: set[Name]) -> str | None:
+    """A symbol that nothing defines and that occurs in the statement once, and in no definition of it, in an
+    equation or in one that is concluded: no identity has such a symbol, so that this says something of it. Of
+    scalars with a side 0, any."""
+    names = Counter(each.name for each in free if each.name not in within)
     equations = [each for each in _concluded(statement) if each.operator in ("=", "≈")]
     said = (term.declaration for each in equations for term in terms_of(each) if isinstance(term, Symbol))
     types = {each.left.type for each in equations}

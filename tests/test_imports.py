@@ -15,7 +15,7 @@ ROOT = Path(workbench.__file__).parent
 
 #: What a part of the engine may import: the parts before it.
 LAYERS = (
-    ("algebra", "budget", "language", "drake", "typeset"),
+    ("algebra", "budget", "language", "drake", "memory", "typeset"),
     ("kinematics", "judge"),
     ("papers",),
     ("verify",),

@@ -18,8 +18,8 @@ from workbench.cli.commands import main
 from workbench.papers import load_paper
 from workbench.verify import remote
 from workbench.verify.claims import PaperJudge, forms
+from workbench.verify.keys import Memory
 from workbench.verify.many import judge_papers
-from workbench.verify.memory import Memory
 
 HEAD = 'title = "p"\n[symbols]\na = { kind = "vector" }\nb = { kind = "vector" }\n'
 TRUE = "[[claim]]\nid = 'true'\nprinted = 'a \\times b = -b \\times a'\n"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import sqlite3
 import subprocess
 import sys
@@ -11,10 +12,11 @@ from pathlib import Path
 import pytest
 
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
-from workbench.papers import load_paper
-from workbench.verify import memory as memories
+from workbench.memory import ground, objects
+from workbench.memory.store import Store
+from workbench.papers import find_paper, load_paper
 from workbench.verify.claims import PaperJudge
-from workbench.verify.memory import Keys, Memory
+from workbench.verify.keys import Keys, Memory
 
 PAPER = r"""
 title = "t"
@@ -73,10 +75,10 @@ def test_what_a_change_reaches_is_judged_again(tmp_path, old, new, judged_again)
 def test_options_code_and_versions_are_part_of_the_key(tmp_path, monkeypatch):
     plain = keys_of(tmp_path, PAPER)
     assert not set(plain.values()) & set(keys_of(tmp_path, PAPER, {"motions": False}).values())
-    monkeypatch.setattr(memories, "version", lambda name: "0")
+    monkeypatch.setattr(ground, "version", lambda name: "0")
     assert not set(plain.values()) & set(keys_of(tmp_path, PAPER).values())
     monkeypatch.undo()
-    monkeypatch.setattr(memories, "_code_of", lambda package: "other")
+    monkeypatch.setattr(ground, "_code_of", lambda package: "other")
     assert not set(plain.values()) & set(keys_of(tmp_path, PAPER).values())
 
 
@@ -117,10 +119,10 @@ def test_a_damaged_file_is_not_believed(tmp_path, damage):
     else:
         with sqlite3.connect(file) as database:
             if damage == "other table":
-                database.execute("DROP TABLE verdicts")
-                database.execute("CREATE TABLE verdicts (name TEXT)")
+                database.execute("DROP TABLE kept")
+                database.execute("CREATE TABLE kept (name TEXT)")
             else:
-                database.execute("UPDATE verdicts SET verdict = replace(verdict, 'refuted', 'proved')")
+                database.execute("UPDATE kept SET value = CAST(replace(value, 'refuted', 'proved') AS BLOB)")
     again, new = judged(tmp_path, file)
     assert [r.verdict for r in again] == [r.verdict for r in first]
     assert any("times" in read_back for read_back in new)
@@ -139,7 +141,7 @@ def test_keys_are_the_same_in_every_process() -> None:
     """Sets have another order where Python hashes texts otherwise."""
     program = """
 from workbench.papers import find_paper
-from workbench.verify.memory import Keys
+from workbench.verify.keys import Keys
 paper = find_paper(None)
 keys = Keys(paper.theorems, {})
 print([(claim.id, keys.of(claim, "printed")) for claim in paper.claims])
@@ -154,3 +156,74 @@ print([(claim.id, keys.of(claim, "printed")) for claim in paper.claims])
         for seed in ("1", "2")
     }
     assert len(seen) == 1
+
+
+class Counted(Store):
+    """What is read from it, and what was not there."""
+
+    def __init__(self, file: Path) -> None:
+        super().__init__(file)
+        self.found, self.missed = 0, 0
+
+    def get(self, key: str) -> bytes | None:
+        value = super().get(key)
+        self.found, self.missed = self.found + (value is not None), self.missed + (value is None)
+        return value
+
+
+def read(tmp_path: Path, text: str) -> tuple[Counted, list]:
+    """The store when a paper is read, and its claims with their keys."""
+    (tmp_path / "paper.toml").write_text(text)
+    store = Counted(tmp_path / "kept.sqlite")
+    paper = load_paper(tmp_path / "paper.toml", [], store)
+    store.close()
+    keys = Keys(paper.theorems, {})
+    return store, [(claim.id, claim.printed, claim.line, keys.of(claim, "printed")) for claim in paper.claims]
+
+
+def test_what_was_read_is_not_read_again_and_is_the_same(tmp_path):
+    first, fresh = read(tmp_path, PAPER)
+    second, again = read(tmp_path, PAPER)
+    assert (first.found, second.found, second.missed) == (0, 1, 0)
+    assert again == fresh
+
+
+@pytest.mark.parametrize(
+    "second",
+    [
+        PAPER.replace("w = c^2", "c^2 = w"),
+        PAPER.replace(r"c \cdot c", r"2 c \cdot c"),
+        PAPER.replace('title = "t"', 'title = "t"\n'),
+    ],
+)
+def test_a_file_that_changed_is_read_again(tmp_path, second):
+    read(tmp_path, PAPER)
+    assert read(tmp_path, second)[0].found == 0
+
+
+def test_what_has_faults_is_not_kept(tmp_path):
+    for _ in range(2):
+        store, claims = read(tmp_path, PAPER + '\n[[claim]]\nid = "4"\nprinted = "a +"\n')
+        assert len(claims) == 3 and store.found == 0
+
+
+def test_terms_from_another_process_are_found_among_ours() -> None:
+    """Texts have another hash there, and terms remember theirs."""
+    program = """
+import sys
+from workbench.memory.objects import packed
+from workbench.papers import find_paper
+definitions = list(find_paper(None).definitions)
+assert hash(definitions[0].body)
+sys.stdout.buffer.write(packed(definitions))
+"""
+    environment = os.environ | {"PYTHONHASHSEED": "1"}
+    told = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, check=True)
+    ours = {definition.body for definition in find_paper(None).definitions}
+    assert all(definition.body in ours for definition in objects.unpacked(told.stdout))
+
+
+def test_only_our_terms_come_back_from_bytes():
+    for foreign in (os.system, subprocess.Popen, Store, pickle.loads):
+        with pytest.raises(pickle.UnpicklingError, match="is not kept"):
+            objects.unpacked(pickle.dumps(foreign))

@@ -14,6 +14,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.lines import Line, split_lines, whole_line
 from workbench.language.symbols import SymbolTable
+from workbench.memory.store import Store, standard
 from workbench.papers import Claim, Formula, Notation, Orders, Paper
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
@@ -24,7 +25,7 @@ from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.report.kinds import VERDICTS
 from workbench.report.prose import as_tuple, one_line
 from workbench.verify.claims import judge_claims
-from workbench.verify.memory import standard_memory
+from workbench.verify.keys import Memory
 from workbench.verify.results import HOLDS, ClaimResult
 
 if TYPE_CHECKING:
@@ -121,7 +122,8 @@ def check(
     budget: Budget | None,
 ) -> Checked | CheckedLines:
     """See `workbench.check`."""
-    known = _notation(symbols, paper, notation, at)
+    with standard(Memory) as memory:
+        known = _notation(symbols, paper, notation, at, memory)
     known = _defined(known, definitions)
     given = None if orders is None else Orders.parse(orders)
     conditions = _texts("assume", assume)
@@ -137,7 +139,7 @@ def check(
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
         name = "check" if len(lines) == 1 else f"check.{number}"
         claims.append(Claim(name, formula, known, assume=supposed, orders=values))
-    with standard_memory() as memory:
+    with standard(Memory) as memory:
         results = judge_claims(claims, budget=budget, memory=memory)
     checked = [Checked(result) for result in results]
     return checked[0] if len(checked) == 1 else CheckedLines(checked)
@@ -156,6 +158,7 @@ def _notation(
     paper: Paper | Path | str | None,
     notation: Path | str | None,
     at: str | None,
+    store: Store,
 ) -> Notation:
     """That of the file, of the paper or a claim of it, or an empty one; with the symbols after it."""
     if not isinstance(symbols, Mapping | None):
@@ -170,8 +173,8 @@ def _notation(
     if paper is None and at is None and symbols is not None:
         return extended(Notation(SymbolTable(), Definitions(), {}), specs)
     if paper is None and at is None:
-        return extended(papers.installed_notation(), specs)
-    paper = paper if isinstance(paper, Paper) else papers.find_paper(paper)
+        return extended(papers.installed_notation(store=store), specs)
+    paper = paper if isinstance(paper, Paper) else papers.find_paper(paper, store)
     return extended(paper.notation if at is None else _notation_at(paper, at), specs)
 
 

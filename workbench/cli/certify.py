@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from workbench.cli.options import Defect, Unusable, paper_option, reports_faults
+from workbench.cli.options import Defect, Unusable, named_paper, paper_option, reports_faults
 
 if TYPE_CHECKING:
     from workbench.certificates.certify import Certified
@@ -33,13 +33,12 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     from workbench.certificates.steps import all_steps
     from workbench.cli.judging import judged
     from workbench.cli.terminal import certificates_table, console, progress_bar
-    from workbench.papers import find_paper
 
     if asked and coqc.version() is None:
         raise Unusable(f"no coqc is found, so no certificate can be checked; get it by {coqc.INSTALL}")
     if out is not None and out.exists() and not out.is_dir():
         raise Unusable(f"{out}: expected a directory for the certificates, got a file")
-    paper = find_paper(paper_name)
+    paper = named_paper(paper_name)
     results = judged(paper, select)
     made = [written(form, verdict) for form, _, verdict in exact_forms(results)]
     steps = all_steps(results, paper.theorems)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from workbench.cli.judging import engine_options, judged_papers, proposals_flag
-from workbench.cli.options import Unusable, reports_faults
+from workbench.cli.options import Unusable, memory_of_verdicts, reports_faults
 from workbench.cli.printed import print_judged
 
 if TYPE_CHECKING:
@@ -72,11 +72,12 @@ def check(
 
     papers: list[tuple[str, Paper]] = []
     unusable: list[PaperError] = []
-    for file in dict.fromkeys(files):
-        try:
-            papers.append((str(file), load_paper(file, faults=[])))
-        except PaperError as error:
-            unusable += error.faults
+    with memory_of_verdicts(engines["cache"]) as memory:
+        for file in dict.fromkeys(files):
+            try:
+                papers.append((str(file), load_paper(file, faults=[], store=memory)))
+            except PaperError as error:
+                unusable += error.faults
     found = judged_papers(papers, jobs, scheduler, **engines)
     judged = [(paper, results) for (_, paper), results in zip(papers, found, strict=True)]
     print_judged(judged, json_out, form, proposals, unusable)

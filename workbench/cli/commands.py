@@ -20,7 +20,7 @@ from workbench.cli.init import init
 from workbench.cli.judging import as_expected, engine_options, judged, print_results, proposals_flag
 from workbench.cli.lsp import lsp
 from workbench.cli.motion import motion
-from workbench.cli.options import Unusable, json_flag, paper_option, print_json, reports_faults
+from workbench.cli.options import Unusable, json_flag, named_paper, paper_option, print_json, reports_faults
 from workbench.cli.repair import errata, repair_claim, with_proposals
 
 
@@ -52,10 +52,9 @@ main.add_command(lsp)
 def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) -> None:
     """List the claims of a paper, without judging them."""
     from workbench.cli.terminal import claims_table, console
-    from workbench.papers import find_paper
     from workbench.papers.selection import select_claims
 
-    claims = select_claims(find_paper(paper_name).claims, select)
+    claims = select_claims(named_paper(paper_name).claims, select)
     if as_json:
         print_json(
             [
@@ -82,9 +81,7 @@ def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) ->
 def verify(select: Sequence[str], paper_name: str | None, as_json: bool, **engines: Any) -> None:
     """Judge the claims that SELECT means: equations (58), ranges (45-70), ids (58.det), sections (4.1),
     patterns (58.*); all of them if there is none. Exit status 0 if each verdict is the expected one."""
-    from workbench.papers import find_paper
-
-    paper = find_paper(paper_name)
+    paper = named_paper(paper_name, engines["cache"])
     results = judged(paper, select, **engines)
     print_results(paper, results, as_json)
     sys.exit(0 if as_expected(paper, results) else 1)
@@ -102,10 +99,9 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     from workbench.certificates.certify import with_certificates
     from workbench.cli.proposals import proposal_lines
     from workbench.cli.terminal import claim_lines, console
-    from workbench.papers import find_paper
     from workbench.report.to_json import claim_json
 
-    paper = find_paper(paper_name)
+    paper = named_paper(paper_name)
     results = with_proposals(judged(paper, [claim_id]), proposals)
     results = with_certificates(results, paper)
     if as_json:
@@ -140,13 +136,12 @@ def report(
     """Write the report of a paper: JSON, HTML, Markdown and LaTeX. Exit status as for verify."""
     from workbench.certificates.certify import with_certificates
     from workbench.cli.terminal import console, summary_line
-    from workbench.papers import find_paper
     from workbench.report.render import write_report
     from workbench.report.to_json import report_json
 
     if out.exists() and not out.is_dir():
         raise Unusable(f"{out}: expected a directory for the report, got a file")
-    paper = find_paper(paper_name)
+    paper = named_paper(paper_name, engines["cache"])
     results = judged(paper, select, **engines)
     recheck = "workbench report" + f" --paper {paper_name}" * bool(paper_name)
     cited = replace(paper, citation={"recheck": recheck, **paper.citation})

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 if TYPE_CHECKING:
-    from workbench.verify.memory import Memory
+    from workbench.papers import Paper
+    from workbench.verify.keys import Memory
 
 INTERRUPTED = 130
 
@@ -76,9 +77,18 @@ def memory_of_verdicts(wanted: bool) -> AbstractContextManager[Memory | None]:
     """The verdicts of earlier runs; none if they are not wanted."""
     if not wanted:
         return nullcontext()
-    from workbench.verify.memory import standard_memory
+    from workbench.memory.store import standard
+    from workbench.verify.keys import Memory
 
-    return standard_memory()
+    return standard(Memory)
+
+
+def named_paper(name: str | None, cache: bool = True) -> Paper:
+    """The paper of `paper_option`."""
+    from workbench.papers import find_paper
+
+    with memory_of_verdicts(cache) as memory:
+        return find_paper(name, memory)
 
 
 def json_text(data: Any) -> str:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from workbench.cli.options import Unusable, json_flag, paper_option, print_json, reports_faults
+from workbench.cli.options import Unusable, json_flag, named_paper, paper_option, print_json, reports_faults
 from workbench.repair.propose.limits import STANDARD, Limits
 
 if TYPE_CHECKING:
@@ -38,11 +38,10 @@ def repair_claim(
     Ctrl-C keeps what was found. Exit status 0 if there is a proposal for each, 1 if not."""
     from workbench.cli.proposals import repair_lines
     from workbench.cli.terminal import console
-    from workbench.papers import find_paper
     from workbench.papers.selection import select_claims
 
     limits = _limits(seconds)
-    claims = select_claims(find_paper(paper_name).claims, select)
+    claims = select_claims(named_paper(paper_name).claims, select)
     if definitions:
         _repair_definitions(claims, seconds, as_json)
     repairs = _repaired(claims, limits)
@@ -68,12 +67,11 @@ def errata(select: Sequence[str], paper_name: str | None, seconds: float, as_jso
     """Which of the known errata the machine corrects from the printed form alone, as it was done by hand.
     SELECT as for verify. Ctrl-C keeps what was found. Exit status 0 if it corrects all of them."""
     from workbench.cli.terminal import console
-    from workbench.papers import find_paper
     from workbench.papers.selection import select_claims
     from workbench.repair.propose.errata import compared, errata_table, known_errata, summary
 
     limits = _limits(seconds)
-    claims = known_errata(select_claims(find_paper(paper_name).claims, select))
+    claims = known_errata(select_claims(named_paper(paper_name).claims, select))
     rows = [compared(repair) for repair in _repaired(claims, limits)]
     if as_json:
         print_json([row.to_dict() for row in rows])

@@ -6,7 +6,7 @@ They are made by `construct.py`, which refuses what types or weights forbid. Not
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from typing import Literal, dataclass_transform
 
@@ -52,7 +52,12 @@ def _node(cls: type) -> type:
             object.__setattr__(self, "_hash", structural(self) or 1)
         return self._hash
 
+    def state(self: Term) -> list[object]:
+        return [0 if name == "_hash" else getattr(self, name) for name in names]
+
+    names = [field.name for field in fields(cls)]
     cls.__hash__ = remembered
+    cls.__getstate__ = state  # another process hashes texts otherwise
     return cls
 
 

@@ -153,8 +153,9 @@ class ClaimTable:
             raise self.toml.error_at_value((*self.path, "goal"), message)
         said = text.replace("\\printed", claim.printed.latex)
         try:
-            bare = read_goal(_HYPOTHESIS.sub("", said), scope)
-            return Stated(text, read_goal(said.replace("\\hypothesis", hypothesis or ""), scope), bare)
+            goal = read_goal(said.replace("\\hypothesis", hypothesis or ""), scope)
+            bare = goal if hypothesis is None else read_goal(_HYPOTHESIS.sub("", said), scope)
+            return Stated(text, goal, bare)
         except (GoalError, ReadError, IllFormedAt) as error:
             raise self.toml.error_at_value((*self.path, "goal"), f"goal: {error}") from None
 

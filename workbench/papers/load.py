@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
 from workbench.budget import Budget
+from workbench.memory.store import Store
 from workbench.papers.claim_tables import ClaimTable
 from workbench.papers.faults import Faults
 from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
+from workbench.papers.kept import Kept
 from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError, Theorem
 from workbench.papers.motion import require_claims
 from workbench.papers.notation import NOTATION_KEYS, notation_chain, notation_of
@@ -24,15 +26,15 @@ _PAPER_KEYS = (*NOTATION_KEYS, "citation", "section", "claim")
 _NO_FILES = "the installed paper has no claim files"
 
 
-def load_paper(path: Path | str, faults: list[PaperError] | None = None) -> Paper:
+def load_paper(path: Path | str, faults: list[PaperError] | None = None, store: Store | None = None) -> Paper:
     """The paper of one file: a paper file, a text, or the model beside one. Raises PaperError, with all that
     is wrong and where, if the file cannot be used. faults: where those of single claims are put, if not
-    raised."""
+    raised.   store: where what was read before is found again."""
     path = Path(path)
     if is_text(path):
         return load_text(path)
     toml = TomlFile(path)
-    return load_model(toml) if "source" in toml.data else merge([path], faults=faults)
+    return load_model(toml) if "source" in toml.data else merge([path], faults=faults, store=store)
 
 
 def load_notation(path: Path | str) -> Notation:
@@ -45,53 +47,56 @@ def load_notation(path: Path | str) -> Notation:
 
 
 @cache
-def installed_notation(name: str = DEFAULT) -> Notation:
+def installed_notation(name: str = DEFAULT, store: Store | None = None) -> Notation:
     """The notation of an installed paper as `load_installed` gives it, without reading the claims."""
     paper = installed(name)
     chains = (notation_chain(TomlFile(path)) for path in paper.files)
     first = next(chains, None)
     if first is None:
         raise PaperError(name, None, None, _NO_FILES)
-    if len(paper.files) == 1 or len(first) > 1:
-        return notation_of(first if len(paper.files) == 1 else first[:-1])
-    return notation_of(next((chain[:-1] for chain in chains if len(chain) > 1), first))
+    is_whole = len(paper.files) == 1
+    files = first if is_whole else next((c[:-1] for c in (first, *chains) if len(c) > 1), first)
+    return Kept(store).once("notation", files, lambda: notation_of(files))
 
 
 @cache
-def load_installed(name: str) -> Paper:
+def load_installed(name: str, store: Store | None = None) -> Paper:
     """The installed paper of that name, its files merged in order. Raises PaperError if there is none."""
     paper = installed(name)
     if not paper.files:
         raise PaperError(name, None, None, _NO_FILES)
     if len(paper.files) == 1 and "source" in TomlFile(paper.files[0]).data:
         return load_paper(paper.files[0])
-    return merge(paper.files, paper.theorems)
+    return merge(paper.files, paper.theorems, store=store)
 
 
-def find_paper(name: Path | str | None = None) -> Paper:
+def find_paper(name: Path | str | None = None, store: Store | None = None) -> Paper:
     """The paper of the file `name`, or the installed paper of that name. Raises PaperError."""
     if name is None:
-        return load_installed(DEFAULT)
+        return load_installed(DEFAULT, store)
     if str(name) in installed_names() and not Path(name).is_file():
-        return load_installed(str(name))
+        return load_installed(str(name), store)
     path = Path(name)
     if path.exists() or path.suffix == ".toml" or is_text(path) or path.name != str(name):
-        return load_paper(path)
-    return load_installed(str(name))
+        return load_paper(path, store=store)
+    return load_installed(str(name), store)
 
 
 def merge(
     paths: Sequence[Path],
     theorems: Mapping[str, Theorem] | None = None,
     faults: list[PaperError] | None = None,
+    store: Store | None = None,
 ) -> Paper:
     """One paper of several files, in their order; ids are unique over all. Each file keeps its own notation.
 
     theorems: name → proof; if None, those of the installed paper that the first file is part of.
     faults: where those of single claims are put, which are left out then; if None, they are raised.
     """
-    found, shared_notations = Faults(), dict[tuple[Path, ...], Notation]()
-    files = [_PaperFile.open(Path(path), shared_notations, found) for path in paths]
+    found, kept = Faults(), Kept(store)
+    files = [_PaperFile.open(Path(path), found, kept) for path in paths]
+    below = next((file.below for file in files if file.below and len(files) > 1), None)
+    shared = below and found.past(lambda: kept.once("notation", below, lambda: notation_of(below)))
     is_usable = not found
     if theorems is None:
         needed = any("theorem" in claim for file in files for claim in file.claims)
@@ -100,12 +105,7 @@ def merge(
     owners: dict[str, str] = {}
     skipped: list[str] = []
     for file in files:
-        for index, claim in enumerate(file.claims):
-            table = ClaimTable(file.toml, ("claim", index), file.notation, file.section, owners, theorems)
-            made = found.past(table.claims, whole=True)
-            claims += made or ()
-            if made is None and isinstance(name := claim.get("id"), str):
-                skipped.append(name)
+        claims += file.read(owners, theorems, skipped, found, kept)
         found.past(partial(require_claims, file.toml, {*owners, *skipped}))
     parts: dict[str, list[str]] = {name: [] for name in skipped}
     for claim in claims:
@@ -126,15 +126,13 @@ def merge(
         for claim in claims
     ]
     first = files[0]
-    shared = (file.shared_notation for file in files if file.shared_notation is not None)
-    notation = first.notation if len(files) == 1 else next(shared, first.notation)
     budget = next((file.budget for file in files if file.budget is not None), None)
     citation = {key: text for file in files for key, text in file.citation.items() if text}
     return Paper(
         first.title,
         first.doi,
         tuple(paths),
-        notation,
+        shared or first.notation,
         tuple(claims),
         dict(theorems),
         budget,
@@ -143,24 +141,34 @@ def merge(
     )
 
 
+@dataclass(frozen=True)
+class _Read:
+    """What a file gave that has no fault. owners: claim → the id of its table."""
+
+    notation: Notation
+    claims: tuple[Claim, ...]
+    owners: Mapping[str, str]
+
+
 @dataclass
 class _PaperFile:
-    """One file with the notation that it stands on."""
+    """One file with the notation that it stands on, and what was read from it before."""
 
     toml: TomlFile
     title: str
     doi: str | None
     section: str | None
+    below: Sequence[TomlFile]
     notation: Notation
-    shared_notation: Notation | None
     budget: Budget | None
     citation: Mapping[str, str | None]
-    claims: list[dict[str, Any]] = field(default_factory=list)
+    claims: Sequence[Mapping[str, Any]]
+    key: str
+    before: _Read | None
 
     @staticmethod
-    def open(path: Path, known: dict[tuple[Path, ...], Notation], faults: Faults) -> _PaperFile:
-        """`known`: the notations of the files that others stand on, read once for all of them. Raises
-        PaperError where the claims cannot even be looked at."""
+    def open(path: Path, faults: Faults, kept: Kept) -> _PaperFile:
+        """Raises PaperError where the claims cannot even be looked at."""
         toml, past = TomlFile(path), faults.past
         past(lambda: toml.allow_keys((), _PAPER_KEYS))
         claims = past(lambda: toml.tables(("claim",)))
@@ -175,13 +183,44 @@ class _PaperFile:
         )
         if title is None:
             faults.tell(toml.error_at_key((), "missing key 'title'"))
-        below = tuple(file.path for file in chain[:-1])
-        if below and below not in known:
-            known[below] = past(lambda: notation_of(chain[:-1]))
-        section, notation = past(lambda: toml.text(("section",))), past(lambda: notation_of(chain))
+        section, key = past(lambda: toml.text(("section",))), kept.key("claims", chain)
+        before: _Read | None = kept.get(key)
+        notation = before.notation if before else past(lambda: notation_of(chain))
         if notation is None:
             faults.stop()
-        return _PaperFile(toml, title, doi, section, notation, known.get(below), budget, citation, claims)
+        below = chain[:-1]
+        return _PaperFile(
+            toml, title, doi, section, below, notation, budget, citation, claims or (), key, before
+        )
+
+    def read(
+        self,
+        owners: dict[str, str],
+        theorems: Mapping[str, Theorem],
+        skipped: list[str],
+        faults: Faults,
+        kept: Kept,
+    ) -> Sequence[Claim]:
+        """Its claims; the ids of those that cannot be read are put among the skipped."""
+        if self.before is not None and self._is_as_before(self.before, owners, theorems):
+            owners |= self.before.owners
+            return self.before.claims
+        claims: list[Claim] = []
+        for index, claim in enumerate(self.claims):
+            table = ClaimTable(self.toml, ("claim", index), self.notation, self.section, owners, theorems)
+            made = faults.past(table.claims, whole=True)
+            claims += made or ()
+            if made is None and isinstance(name := claim.get("id"), str):
+                skipped.append(name)
+        if not faults and self.notation.robot is None:  # a robot's file may be another one by then
+            own = {claim.id: owners[claim.id] for claim in claims}
+            kept.put(self.key, _Read(self.notation, tuple(claims), own))
+        return claims
+
+    @staticmethod
+    def _is_as_before(before: _Read, owners: Mapping[str, str], theorems: Mapping[str, Theorem]) -> bool:
+        named = {claim.theorem for claim in before.claims} - {None}
+        return not before.owners.keys() & owners.keys() and named <= theorems.keys()
 
     def check_inheritance(self, known: Collection[str], sisters: Sequence[Path], faults: Faults) -> None:
         elsewhere = f", here or in {', '.join(path.name for path in sisters)}" if sisters else ""

@@ -20,7 +20,7 @@ from workbench.language.terms import Definition, Relation
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Said, Theorem
 from workbench.papers.said import introduces
 from workbench.papers.selection import select_claims
-from workbench.verify.memory import Keys, Memory
+from workbench.verify.keys import Keys, Memory
 from workbench.verify.results import FORMS, ClaimResult
 from workbench.verify.witnesses import Witnesses
 

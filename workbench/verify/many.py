@@ -8,7 +8,7 @@ from typing import Any
 from workbench.budget import Budget
 from workbench.papers import Paper
 from workbench.verify.claims import ClaimResult, PaperJudge
-from workbench.verify.memory import Memory
+from workbench.verify.keys import Memory
 from workbench.verify.remote import Cluster, PaperOnCluster
 
 

@@ -16,7 +16,7 @@ from workbench.verify.on_motions import METHOD
 if TYPE_CHECKING:
     from workbench.judge.evidence.motion_check import Ranges, Witness
     from workbench.judge.evidence.motion_source import Bindings, Motion
-    from workbench.verify.memory import Keys, Memory
+    from workbench.verify.keys import Keys, Memory
 
 #: A statement, what it supposes, and its integers.
 Saying: TypeAlias = "tuple[Statement, tuple[Statement, ...], Ranges | None]"

@@ -1,0 +1,30 @@
+"""What all that is kept depends on: the code that found it, and the versions of what that code rests on."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from functools import cache
+from hashlib import sha256
+from importlib.metadata import version
+from pathlib import Path
+
+
+def digest(text: str) -> str:
+    return sha256(text.encode()).hexdigest()
+
+
+def ground(packages: Iterable[str], rests_on: Iterable[str]) -> str:
+    """A digest of the code of our packages, and of the versions of Python and of others' packages."""
+    code = [(name, _code_of(name)) for name in packages]
+    return digest(repr((code, [(name, version(name)) for name in rests_on], sys.version_info[:2])))
+
+
+@cache
+def _code_of(package: str) -> str:
+    """A digest of the package's sources, the grammar among them, in the order of their names."""
+    root = Path(sys.modules[package].__file__).parent
+    digest = sha256()
+    for path in sorted((*root.rglob("*.py"), *root.rglob("*.lark"))):
+        digest.update(f"{path.relative_to(root)}\n".encode() + path.read_bytes())
+    return digest.hexdigest()

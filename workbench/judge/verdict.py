@@ -22,6 +22,10 @@ class Outcome(StrEnum):
     UNCHECKED = "unchecked"
 
 
+#: Why a claim that says x = x has no verdict.
+SAME_TERM = "both sides are the same term, so nothing is tested"
+
+
 class EngineDisagreement(RuntimeError):
     """Two engines that must agree do not: a defect of the workbench, never a verdict."""
 

@@ -1,8 +1,11 @@
-"""From paper files to a Paper: keys checked, every formula read, each fault a PaperError with its place."""
+"""From paper files to a Paper: keys checked, every formula read, each fault a PaperError with its place.
+
+What reads formulas and texts comes on first use: what was read before needs none of it.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from pathlib import Path
@@ -10,16 +13,12 @@ from typing import Any
 
 from workbench.budget import Budget
 from workbench.memory.store import Store
-from workbench.papers.claim_tables import ClaimTable
 from workbench.papers.faults import Faults
 from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
 from workbench.papers.kept import Kept
 from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError, Theorem
-from workbench.papers.motion import require_claims
-from workbench.papers.notation import NOTATION_KEYS, notation_chain, notation_of
+from workbench.papers.notation_files import NOTATION_KEYS, notation_chain
 from workbench.papers.sisters import claim_ids, sisters_of
-from workbench.papers.text_load import load_model, load_text
-from workbench.papers.texts import is_text
 from workbench.papers.toml_file import TomlFile
 
 _PAPER_KEYS = (*NOTATION_KEYS, "citation", "section", "claim")
@@ -30,6 +29,9 @@ def load_paper(path: Path | str, faults: list[PaperError] | None = None, store: 
     """The paper of one file: a paper file, a text, or the model beside one. Raises PaperError, with all that
     is wrong and where, if the file cannot be used. faults: where those of single claims are put, if not
     raised.   store: where what was read before is found again."""
+    from workbench.papers.text_load import load_model, load_text
+    from workbench.papers.texts import is_text
+
     path = Path(path)
     if is_text(path):
         return load_text(path)
@@ -41,7 +43,7 @@ def load_notation(path: Path | str) -> Notation:
     """The notation of a paper file or a notation file, which need not have claims. Raises PaperError."""
     toml, faults = TomlFile(Path(path)), Faults()
     faults.past(lambda: toml.allow_keys((), _PAPER_KEYS))
-    notation = faults.past(lambda: notation_of(notation_chain(toml)))
+    notation = faults.past(lambda: _notation_of(notation_chain(toml)))
     faults.stop()
     return notation
 
@@ -56,7 +58,7 @@ def installed_notation(name: str = DEFAULT, store: Store | None = None) -> Notat
         raise PaperError(name, None, None, _NO_FILES)
     is_whole = len(paper.files) == 1
     files = first if is_whole else next((c[:-1] for c in (first, *chains) if len(c) > 1), first)
-    return Kept(store).once("notation", files, lambda: notation_of(files))
+    return Kept(store).once("notation", files, lambda: _notation_of(files))
 
 
 @cache
@@ -76,6 +78,8 @@ def find_paper(name: Path | str | None = None, store: Store | None = None) -> Pa
         return load_installed(DEFAULT, store)
     if str(name) in installed_names() and not Path(name).is_file():
         return load_installed(str(name), store)
+    from workbench.papers.texts import is_text
+
     path = Path(name)
     if path.exists() or path.suffix == ".toml" or is_text(path) or path.name != str(name):
         return load_paper(path, store=store)
@@ -96,7 +100,7 @@ def merge(
     found, kept = Faults(), Kept(store)
     files = [_PaperFile.open(Path(path), found, kept) for path in paths]
     below = next((file.below for file in files if file.below and len(files) > 1), None)
-    shared = below and found.past(lambda: kept.once("notation", below, lambda: notation_of(below)))
+    shared = below and found.past(lambda: kept.once("notation", below, lambda: _notation_of(below)))
     is_usable = not found
     if theorems is None:
         needed = any("theorem" in claim for file in files for claim in file.claims)
@@ -106,7 +110,7 @@ def merge(
     skipped: list[str] = []
     for file in files:
         claims += file.read(owners, theorems, skipped, found, kept)
-        found.past(partial(require_claims, file.toml, {*owners, *skipped}))
+        found.past(partial(_require_claims, file.toml, {*owners, *skipped}))
     parts: dict[str, list[str]] = {name: [] for name in skipped}
     for claim in claims:
         parts.setdefault(owners[claim.id], []).append(claim.id)
@@ -185,7 +189,7 @@ class _PaperFile:
             faults.tell(toml.error_at_key((), "missing key 'title'"))
         section, key = past(lambda: toml.text(("section",))), kept.key("claims", chain)
         before: _Read | None = kept.get(key)
-        notation = before.notation if before else past(lambda: notation_of(chain))
+        notation = before.notation if before else past(lambda: _notation_of(chain))
         if notation is None:
             faults.stop()
         below = chain[:-1]
@@ -205,6 +209,8 @@ class _PaperFile:
         if self.before is not None and self._is_as_before(self.before, owners, theorems):
             owners |= self.before.owners
             return self.before.claims
+        from workbench.papers.claim_tables import ClaimTable
+
         claims: list[Claim] = []
         for index, claim in enumerate(self.claims):
             table = ClaimTable(self.toml, ("claim", index), self.notation, self.section, owners, theorems)
@@ -230,6 +236,20 @@ class _PaperFile:
                 if isinstance(name, str) and name not in known:
                     message = f"{path[0]}: no claim has the id {name!r}{elsewhere}"
                     faults.tell(self.toml.error_at_value(("claim", index, *path), message))
+
+
+def _notation_of(files: Sequence[TomlFile]) -> Notation:
+    from workbench.papers.notation import notation_of
+
+    return notation_of(files)
+
+
+def _require_claims(file: TomlFile, ids: Container[str]) -> None:
+    """Raises PaperError for a table [motion.claims] that names no claim."""
+    for claim in file.value(("motion", "claims"), dict, {}):
+        if claim not in ids:
+            message = f"motion: no claim has the id {claim!r}"
+            raise file.error_at_key(("motion", "claims", claim), message)
 
 
 def _budget(file: TomlFile) -> Budget | None:

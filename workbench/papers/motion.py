@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from workbench.drake.bindings import Bound, alternatives
 from workbench.drake.special_motions import NAMES
@@ -65,13 +65,6 @@ def formulas(file: TomlFile, notation: Notation) -> Iterator[tuple[str, OnMotion
         if (holds is None) == (none is None):
             raise file.error_at_key(path, "motion: expected holds, or none and why no motion shows it")
         yield claim, OnMotions(holds, printed, orders, on, none)
-
-
-def require_claims(file: TomlFile, ids: Container[str]) -> None:
-    """Raises PaperError for a table [motion.claims] that names no claim."""
-    for claim in file.value(("motion", CLAIMS), dict, {}):
-        if claim not in ids:
-            raise file.error_at_key(("motion", CLAIMS, claim), f"motion: no claim has the id {claim!r}")
 
 
 def _formula(file: TomlFile, path: KeyPath, notation: Notation, orders: Orders | None) -> Formula | None:

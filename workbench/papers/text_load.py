@@ -8,7 +8,7 @@ from pathlib import Path
 
 from workbench.papers.faults import Faults
 from workbench.papers.model import CITATION_KEYS
-from workbench.papers.notation import notation_chain
+from workbench.papers.notation_files import notation_chain
 from workbench.papers.text_model import MODEL_KEYS, TextModel, read_directives, read_entries, read_scopes
 from workbench.papers.text_paper import TextPaper, text_paper
 from workbench.papers.texts import Text, read_text

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from workbench.judge.kernel.families import SAME_TERM
-from workbench.judge.verdict import Counterexample, Outcome, Verdict
+from workbench.judge.verdict import SAME_TERM, Counterexample, Outcome, Verdict
 from workbench.papers.model import Claim, Formula
 from workbench.typeset.differences import difference
 from workbench.verify.on_motions import Witnessed, witnessed

@@ -12,13 +12,12 @@ from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.evidence.points import Trial
 from workbench.judge.evidence.reals import surely_differ
 from workbench.judge.kernel.case import Case, NoDefinitions, Setting
-from workbench.judge.kernel.families import SAME_TERM
 from workbench.judge.kernel.laws import law_for
 from workbench.judge.kernel.rotated import in_rotated_frame
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PRIME, PointSource, ResidueRing, sample
 from workbench.judge.subject.inventory import Lookup, NotExact, has_gradient
-from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.printer import to_latex
 from workbench.language.terms import Relation, Statement, Symbol
 

@@ -19,7 +19,7 @@ from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
 from workbench.judge.subject.addends import has_sums
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.construct import relation
 from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import instantiate
@@ -65,7 +65,6 @@ WORST_FIRST = (
 )
 
 _WHY_OPEN = "fails for some sums, which it may say something of, or where two indices are the same"
-SAME_TERM = "both sides are the same term, so nothing is tested"
 
 
 def judge_family(

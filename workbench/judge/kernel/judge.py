@@ -11,13 +11,13 @@ from workbench.judge.kernel.branches import holds_arc, judge_branch
 from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.kernel.equation import IN_FORCE, Equation
 from workbench.judge.kernel.extrema import judge_extremum
-from workbench.judge.kernel.families import SAME_TERM, WORST_FIRST, judge_family
+from workbench.judge.kernel.families import WORST_FIRST, judge_family
 from workbench.judge.kernel.inequation import judge_inequation
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.exponentials import holds_exponentials, without_exponentials
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.subject.small import to_first_order
-from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
 from workbench.language.construct import apply, zero
 from workbench.language.construct import relation as equated
 from workbench.language.printer import to_latex

@@ -1,0 +1,36 @@
+"""The files that a paper file stands on, and what may stand in them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from workbench.papers.toml_file import TomlFile
+
+NOTATION_KEYS = (
+    "title", "doi", "notation", "conventions", "symbols", "definitions", "motion", "frames",
+    "points", "budget",
+)  # fmt: skip
+
+
+def notation_chain(file: TomlFile) -> list[TomlFile]:
+    """The notation files that `file` stands on, the deepest first, and `file` itself."""
+    chain = [file]
+    while (name := _notation_file(chain[0])) is not None:
+        user = chain[0]
+        path = user.path.parent / name
+        if Path(name).name != name:
+            raise user.error_at_value(("notation",), f"notation: expected a file beside this, got {name!r}")
+        if any(path.resolve() == link.path.resolve() for link in chain):
+            raise user.error_at_value(("notation",), f"notation: {name} refers back to itself")
+        if not path.is_file():
+            raise user.error_at_value(("notation",), f"notation: no file {name!r} beside this one")
+        chain.insert(0, TomlFile(path))
+        chain[0].allow_keys((), NOTATION_KEYS)
+    return chain
+
+
+def _notation_file(file: TomlFile) -> str | None:
+    """The file that this one stands on; a table [notation] may name that file under `from`."""
+    if not isinstance(file.data.get("notation"), dict):
+        return file.text(("notation",))
+    return file.text(("notation", "from"))

@@ -177,6 +177,30 @@ CHAPTERS = r"""
 \begin{equation}\label{e4} a\end{equation}
 \end{document}
 """
+ONE_APPENDIX = r"""
+\section{One}\label{s1}
+\appendix
+\begin{equation}a\label{e1}\end{equation}
+\section{Proof}\label{s2}
+\subsection{Sub}\label{s3}\subsection{Sub}\label{s4}\subsubsection{Sub}\label{s5}
+\begin{equation}a\label{e2}\end{equation}
+\section{Another}\label{s6}
+\end{document}
+"""
+UNNUMBERED = r"""
+\chapter{One}\label{c1}
+\section{A}\subsection{B}\label{s1}
+\begin{equation}a\label{e1}\end{equation}
+\section*{C}\label{s2}
+\chapter*{D}\label{c2}
+\setsecnumdepth{subsection}\section{E}\label{s3}\subsection{F}\label{s4}
+\setsecnumdepth{chapter}\section{G}\label{s5}
+\begin{equation}a\label{e2}\end{equation}
+\appendix\chapter{H}\label{c3}\section{I}\label{s6}
+\begin{equation}a\label{e3}\end{equation}
+\backmatter\chapter{J}\section{K}\label{s7}
+\end{document}
+"""
 
 
 def of_class(name: str, body: str, numbers: str, preamble: str = "") -> tuple[str, dict[str, str]]:
@@ -195,6 +219,10 @@ CLASSES = {
     "amsbook": of_class("amsbook", CHAPTERS, "1,2,2,3,4,5"),
     "memoir": of_class("memoir", CHAPTERS, "1,2,1,1.1,1.2,1.3"),
     "revtex4-2": of_class("revtex4-2", SECTIONED, "1,I,2,I A,I A 1,I B,3,II,4,A,A1"),
+    "memoir without numbers": of_class(
+        "memoir", UNNUMBERED, "1,1.1,1.1,1.1,1.1,1.2,1.2.1,1.2.1,1.2,A,A,A.1,A"
+    ),
+    "IEEEtran with one appendix": of_class("IEEEtran", ONE_APPENDIX, "I,1,A,A,B,B1,2,B1"),
     "IEEEtran": of_class("IEEEtran", SECTIONED, "1,I,2,I-A,I-A1,I-B,3,II,4,A,5"),
 }
 

@@ -110,7 +110,9 @@ class TexReader(DisplayReader):
                 self.argument()
 
     def _display(self, token: Token, environment: str) -> None:
+        self.counters.begin()
         display = read_display(self, token, environment)
+        self.counters.end()
         before = sentence_before(token.source.text, token.start)
         self.displays.append(with_sentence(display, before))
 
@@ -128,6 +130,7 @@ class TexReader(DisplayReader):
             if name == "document":
                 return True
             self._end(token, name)
+            self.counters.end()
         elif word in SECTIONS:
             self._section(word)
         elif (command := _COMMANDS.get(word)) is not None:  # also where a class redefines it
@@ -139,12 +142,15 @@ class TexReader(DisplayReader):
     def _begin(self, token: Token, name: str) -> None:
         if name in _VERBATIM:
             self._skip_verbatim(name)
-        elif (name in DISPLAYS and name not in self.names.environments) or (name == "math" and self.inline):
+            return
+        if (name in DISPLAYS and name not in self.names.environments) or (name == "math" and self.inline):
             self._display(token, name)
-        elif name == "subequations":
+            return
+        self.counters.begin()
+        if name == "subequations":
             self.counters.begin_subequations()
         elif name == "appendices":
-            self.counters.appendix()
+            self.counters.appendix(only=False)
         elif name in self.theorems:
             self.counters.step(self.theorems[name] or name)
         elif name in ("figure", "table", "figure*", "table*"):
@@ -344,7 +350,10 @@ _COMMANDS = {
     "newtheorem": TexReader.new_theorem,
     "newcounter": TexReader.new_counter,
     "label": TexReader.label,
-    **dict.fromkeys(("appendix", "appendices"), lambda reader, token: reader.counters.appendix()),
+    **dict.fromkeys(
+        ("appendix", "appendices"), lambda reader, token: reader.counters.appendix(token.word == "appendix")
+    ),
+    "setsecnumdepth": lambda reader, token: reader.counters.number_to(reader.word()),
     **dict.fromkeys(("addchap", "addsec"), TexReader.unnumbered),
     "mainmatter": lambda reader, token: reader.counters.matter(main=True),
     **dict.fromkeys(("frontmatter", "backmatter"), lambda reader, token: reader.counters.matter(main=False)),

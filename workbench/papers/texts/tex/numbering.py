@@ -56,8 +56,9 @@ class Counters:
             **{name: f"\\the{outer}.\\arabic{{{name}}}" for name, outer in self.within.items()},
         }
         self.current = ""  # what a label refers to
+        self._outer: list[str] = []  # that of the environments around this one
         self.top, self.document_class = "section", ""
-        self.is_book, self._is_main = False, True
+        self.is_book, self._unnumbered = False, frozenset[str]()
         self._saved: tuple[int, str | None] | None = None  # of the equations around subequations
 
     def use_class(self, name: str) -> None:
@@ -81,14 +82,21 @@ class Counters:
     def step_section(self, name: str, starred: bool = False) -> None:
         """One deeper than secnumdepth has no number, nor has a chapter outside of the main matter."""
         is_deep = SECTIONS.index(name) - 1 > self.values["secnumdepth"]
-        is_outside = not self._is_main and (name == "chapter" or self.document_class == "memoir")
+        is_outside = name in self._unnumbered
         if self.document_class == "beamer" or not (starred or is_deep or is_outside):
             self.step(name)
         elif self.document_class in _KOMA and not (starred and name == "chapter"):
             self._reset_below(name)
 
+    def number_to(self, name: str) -> None:
+        """Memoir's \\setsecnumdepth: what is deeper than `name` has no number."""
+        depths = {"none": -10, "all": 5} | {each: depth for depth, each in enumerate(SECTIONS, start=-1)}
+        self.values["secnumdepth"] = depths.get(name, self.values["secnumdepth"])
+
     def matter(self, main: bool) -> None:
-        self._is_main = main or self.document_class == "amsbook"
+        if self.document_class != "amsbook":
+            others = SECTIONS if self.document_class == "memoir" else ("chapter",)
+            self._unnumbered = frozenset(() if main else others)
         if self.document_class in _KOMA:
             for name in ("section", *_FLOATS):
                 plain = f"\\arabic{{{name}}}"
@@ -112,8 +120,16 @@ class Counters:
         self.within.pop(name, None)
         self.printed[name] = f"\\arabic{{{name}}}"
 
-    def appendix(self) -> None:
-        """Its \\setcounter resets what it names, and nothing below."""
+    def begin(self) -> None:
+        """What an environment numbers, labels behind it do not refer to."""
+        self._outer.append(self.current)
+
+    def end(self) -> None:
+        self.current = self._outer.pop() if self._outer else self.current
+
+    def appendix(self, only: bool) -> None:
+        """Its \\setcounter resets what it names, and nothing below. only: one, whose sections have no
+        numbers in IEEEtran."""
         if self.document_class == "beamer":
             return
         self.values[self.top] = self.values["section"] = 0
@@ -125,6 +141,10 @@ class Counters:
             self.within["equation"] = "section"
         if self.document_class == "elsarticle":
             self.values["equation"] = 0
+        if self.document_class == "IEEEtran" and only:
+            self.step("section")
+            self._unnumbered = frozenset({"section"})
+            self.printed["subsection"] = "\\Alph{subsection}"
 
     def number(self, name: str) -> str:
         """\\thename."""

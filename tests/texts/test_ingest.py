@@ -56,6 +56,13 @@ def test_kinds_are_those_with_which_the_formulas_fit(
     assert got.items() >= kinds.items()
 
 
+def test_what_only_a_sentence_defines_with_is_declared(tmp_path: Path) -> None:
+    said = "The angular momentum is $L$, where $L = J \\omega$ and $\\omega$ is a vector; also $E = m c$."
+    found = ingested(tmp_path, f"{said}\n\n$$ \\dot{{L}} = \\tau $$")
+    assert [(each.name, each.body) for each in found.definitions] == [("L", r"J \omega")]
+    assert {"J", r"\omega"} <= found.guesses.keys() and "E" not in found.guesses
+
+
 PAGE = r"""\newcommand{\vect}[1]{\bm{#1}}
 Let $\vect{r}$ be a position vector, $\vect{\Omega}$ an angular velocity and $R$ a rotation matrix.
 \[ \vect{r} = R \vect{x} \]

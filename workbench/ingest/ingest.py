@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -129,12 +129,14 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         *(proposal.question for proposal in accepted),
         *questions_of(text, best.formulas, best.guesser.guesses),
     ]
+    in_displays = _definitions(made)
+    in_sentences, more = _in_sentences(inline, best, {each.name for each in in_displays})
     return Ingested(
         text,
         macros,
-        best.guesser.guesses,
+        best.guesser.guesses | more,
         made,
-        _each_once([*_definitions(made), *_in_sentences(inline, best), *_magnitudes(made, best.guesser)]),
+        _each_once([*in_displays, *in_sentences, *_magnitudes(made, best.guesser)]),
         list(dict.fromkeys(questions)),
         accepted,
         fences,
@@ -231,16 +233,23 @@ def _each_once(proposed: Iterable[Proposed]) -> list[Proposed]:
     return list(first.values())
 
 
-def _in_sentences(inline: list[Display], reading: _Reading) -> Iterator[Proposed]:
-    """What a sentence says of a symbol of the displays: "where $L = J \\omega$"."""
+def _in_sentences(
+    inline: list[Display], reading: _Reading, defined: Container[str]
+) -> tuple[list[Proposed], dict[str, Guess]]:
+    """What a sentence says of a symbol of the displays, "where $L = J \\omega$", and guesses of what it says
+    that with."""
     guesser = reading.guesser.knowing(reading.guesser.guesses)
     shown = set().union(*(outcome.symbols for outcome in reading.outcomes))
+    found: list[Proposed] = []
+    guesses: dict[str, Guess] = {}
     for display in inline:
         if display.latex.count("=") == 1 and not _opaque(display, display.latex):
             (outcome,) = guesser.read_all([display.latex])
             for each in _definitions([Formula(display, display.latex, outcome)]):
-                if each.name in shown:
-                    yield replace(each, why="a sentence says so", sure=False)
+                if each.name in shown and each.name not in defined:
+                    found.append(replace(each, why="a sentence says so", sure=False))
+                    guesses |= {name: guesser.guesses[name] for name in outcome.symbols}
+    return found, guesses
 
 
 def _magnitudes(formulas: list[Formula], guesser: Guesser) -> Iterator[Proposed]:

@@ -49,7 +49,7 @@ def in_the_hand_of(one: Author) -> Iterator[None]:
 
 
 #: How tightly a notation holds, by its form.
-_FORMS = {"closed": ATOM, "marked": FACTOR, "infix": INFIX, "product": PRODUCT, "open": SUM}
+_FORMS = {"closed": ATOM, "marked": FACTOR, "infix": INFIX, "open": SUM}
 
 
 def is_spelt_as_one(term: Term) -> bool:

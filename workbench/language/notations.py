@@ -100,17 +100,15 @@ class Notation:
         return dict(_places(self.pattern, self.formals, "alone"))
 
     @property
-    def form(self) -> Literal["closed", "marked", "infix", "product", "open"]:
+    def form(self) -> Literal["closed", "marked", "infix", "open"]:
         """What it is beside others: closed as a bracket or a letter is, with a superscript, a sign between
-        two, a product, or open to what stands there."""
+        two or a product, or open to what stands there."""
         match core(self.pattern):
             case Leaf() | Styled() | Bracket() | Matrix() | Scripted(sup=None, primes=0):
                 return "closed"
             case Scripted():
                 return "marked"
-        if self.sign is not None:
-            return "infix"
-        return "product" if isinstance(self.pattern, Product) else "open"
+        return "open" if self.sign is None and not isinstance(self.pattern, Product) else "infix"
 
     def matched(self, node: Node) -> dict[str, Node] | None:
         """The nodes in the places of the formal arguments; None if the node is not spelt so."""

@@ -42,7 +42,7 @@ def zeros(p, random):
         for c, letters in p:
             others = [point[letter] for letter in letters if letter != along]
             coefficients[letters.count(along)] += c * np.prod(others)
-        for root in np.roots(coefficients[::-1]):
+        for root in np.roots(coefficients[::-1]) if coefficients.any() else [np.float64(point[along])]:
             found = {**point, along: float(root.real)}
             if abs(root.imag) < 1e-9 and abs(value(p, found)) < 1e-10:
                 yield found

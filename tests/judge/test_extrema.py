@@ -115,6 +115,12 @@ KNOWN = [
 
 
 class TestKnown:
+    def test_what_it_is_where_the_rank_falls(self):
+        """(x − 1)² + (f y + 3)² is 0 somewhere, and at least 9 where f = 0."""
+        found = verdict(r"\min_{x, y \in \mathbb{R}} ((x - 1)^2 + (f y + 3)^2) = 0")
+        assert found.outcome == Outcome.REFUTED and found.reason == "the least value is another one"
+        assert (found.counterexample.values, found.counterexample.left) == ({"f": ("0",)}, ("9",))
+
     def test_of_numbers_on_a_line(self):
         assert outcome(r"\min_{x \in \mathbb{R}} \|f x + 3\| = 0, f \neq 0") == Outcome.PROVED
         assert outcome(r"\min_{x \in \mathbb{R}} \|f x + 3\| = 3, f \neq 0") == Outcome.REFUTED

@@ -25,6 +25,8 @@ TABLE = SymbolTable.build(
         r"x'": {"where": {"x": "vector"}, "means": r"\dot{x}"},
         r"x \wedge y": {"where": {"x": "vector", "y": "vector"}, "means": r"x \times y"},
         r"\mathds{1}_{3\times 3}": {"means": r"\mathbf{I}"},
+        "[x]": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+        "[NB]": {"means": "T"},
     }
 )
 SAME = [
@@ -38,6 +40,8 @@ SAME = [
     (r"{}_B\hat{\omega}_{IB}", r"\operatorname{skew}({}_B\omega_{IB})"),
     (r"v' + a'", r"\dot{v} + \dot{a}"),
     (r"\mathds{1}_{3\times3}", r"\mathbf{I}"),
+    (r"[NB]^T [a] [N B]", r"T^T \operatorname{skew}(a) T"),
+    (r"[[NB] v]", r"\operatorname{skew}(T v)"),
 ]
 
 

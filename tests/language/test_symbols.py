@@ -104,6 +104,13 @@ def test_a_table_is_never_changed() -> None:
     assert set(wider.symbols) == {Name("x"), Name("y")}
 
 
+def test_a_mark_over_scripts_is_one_over_their_letter() -> None:
+    for over, under in ((r"\vec{a_{cm}}", r"\vec{a}_{cm}"), (r"\hat{\mathbf{e_1}}", r"\hat{\mathbf{e}}_1")):
+        assert read_key(over) == read_key(under)
+    with pytest.raises(SpecError):
+        read_key(r"\vec{a_1}_2")
+
+
 def test_the_letter_of_a_symbol_is_a_label_where_it_stands_for_no_index() -> None:
     kinds = {"m": "scalar", "T_m": "vector", "a_{cm_x}": "scalar", "I_{nm}": "scalar"}
     table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})

@@ -102,6 +102,8 @@ MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
         ("$$z = x + y = y - x$$\n\n$$x^2 y + y = y^2 + x$$", None),
         (r"$$\mathbf{u} \cdot \mathbf{u} = x y$$", "says what y is"),
         (r"$$\mathbf{u} \cdot \mathbf{u} = x$$", None),
+        (r"$$\mathbf{w} = \mathbf{s} \times \mathbf{r}$$", r"says what \mathbf{w} is"),
+        (r"$$\mathbf{w} + x \mathbf{s} = \mathbf{s}$$", None),
     ],
 )
 def test_what_the_text_says_elsewhere_leaves_a_falsehood_open(
@@ -109,7 +111,9 @@ def test_what_the_text_says_elsewhere_leaves_a_falsehood_open(
 ) -> None:
     (tmp_path / "p.md").write_text(text)
     column = r"\begin{bmatrix} x \\ 0 \\ 1 \end{bmatrix}"
-    (tmp_path / "p.toml").write_text(f"{MODEL}[definitions]\n'\\mathbf{{u}}' = '{column}'\n")
+    other = r"\begin{bmatrix} x \\ y \\ z \end{bmatrix}"
+    defined = f"[definitions]\n'\\mathbf{{u}}' = '{column}'\n'\\mathbf{{w}}' = '{other}'\n"
+    (tmp_path / "p.toml").write_text(f"{MODEL}{defined}")
     claim = load_paper(tmp_path / "p.toml").claims[-1]
     assert claim.printed.statement is not None
     said = claim.unsettled or claim.says

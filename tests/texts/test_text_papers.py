@@ -153,6 +153,7 @@ STEPS = [
     (r"x = 1 \text{ or } x = 2", [r"x = 1 \text{ or } x = 2"]),
     (r"a = b \Rightarrow c = d", [r"a = b \Rightarrow c = d"]),
     (r"f = g(a, b), h", [r"f = g(a, b), h"]),
+    (r"\begin{split} a &= b & \rightarrow b &= a \\ c &= d & \to d &= c \end{split}", ["a = b", "b = a", "c = d", "d = c"]),
     (r"x_\text{and} = y \text{ and } u = v", [r"x_\text{and} = y", "u = v"]),
     (r"a = 1 + 2 + ...", ["a = 1 + 2 + ..."]),
     (r"\begin{cases} a = b \\ c = d \end{cases}", ["a = b", "c = d"]),

@@ -88,6 +88,10 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
             node = prefixed(mark, right) or node
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
     styles, letter = unstyled(scripted.nucleus)
+    if isinstance(letter, Scripted) and not (scripted.sub or scripted.sup or scripted.primes):
+        scripted = letter  # \vec{a_{cm}} is \vec{a}_{cm}
+        inner, letter = unstyled(letter.nucleus)
+        styles = (*styles, *inner)
     if isinstance(letter, Accented) and letter.accent == "~":
         below, letter = unstyled(letter.body)
         styles = (*styles, "\\tilde", *below)

@@ -72,8 +72,9 @@ class Notation:
             kind = formals[letter].removeprefix("dual ")
             if type_of_kind(kind) is None and kind not in map(str, KINDS.values()):
                 raise SpecError(f"where: {letter} is {kind!r}; expected a kind such as vector", key)
-        if not formals and _letter(notation.pattern) is None:
-            raise SpecError("a notation without arguments is a symbol: a letter or a number in its font", key)
+        if not formals and _letter(notation.pattern) is None and not isinstance(notation.pattern, Bracket):
+            symbol = "a symbol: a letter or a number in its font, or what stands in a bracket"
+            raise SpecError(f"a notation without arguments is {symbol}", key)
         return notation
 
     def fits(self, terms: Mapping[str, Term]) -> bool:
@@ -149,7 +150,7 @@ class Notation:
 
     @property
     def is_constant(self) -> bool:
-        return not self.formals
+        return not self.formals and not isinstance(self.pattern, Bracket)
 
     def _is_formal(self, node: Node) -> bool:
         return isinstance(leaf := core(node), Leaf) and leaf.text in self.formals
@@ -190,7 +191,8 @@ class Notations:
         """Entries that are spelt like the node: brackets, matrices and marks on them."""
         if not self.entries:
             return []
-        alike = (entry for entry in self.entries if entry.formals and _is_alike(entry.pattern, node))
+        named = sorted(self.entries, key=lambda entry: bool(entry.formals))  # [RN] before [x]
+        alike = (entry for entry in named if not entry.is_constant and _is_alike(entry.pattern, node))
         found = ((entry, entry.matched(node)) for entry in alike)
         return [(entry, places) for entry, places in found if places is not None]
 

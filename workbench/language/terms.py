@@ -261,6 +261,13 @@ class Definition:
     body: Term
 
 
+def column_of_symbols(term: Term | None) -> tuple[Symbol, ...]:
+    """The entries of a literal column of scalars that are symbols, no two alike; none for any other term."""
+    entries = term.children if isinstance(term, Block) and term.type.is_column else ()
+    symbols = tuple(entry for entry in entries if isinstance(entry, Symbol))
+    return symbols if len(set(symbols)) == len(entries) == (term.type.rows if term else 0) else ()
+
+
 def is_rate(term: Term) -> bool:
     """Whether the term is a symbol, or a time derivative of one."""
     while isinstance(term, Derivative):

@@ -55,10 +55,10 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
     in_column: dict[int, Line] = {}
     several = len(display.rows) > 1
     for row in display.rows:
-        tokens = _with_implications(respelled(row.tokens, words))
+        tokens = respelled(row.tokens, words)
         inner = None if several else _inside(tokens)
         for piece in [tokens] if inner is None else _split(inner, "\\\\"):
-            for column, (cell, opens) in enumerate(_columns(piece)):
+            for column, (cell, opens) in enumerate(_columns(_with_implications(piece))):
                 cell = trimmed(cell)
                 if not cell:
                     continue

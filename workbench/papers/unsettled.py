@@ -18,6 +18,7 @@ from workbench.language.terms import (
     Symbol,
     Term,
     Zero,
+    column_of_symbols,
 )
 from workbench.language.types import Declaration
 from workbench.papers.model import Claim
@@ -42,7 +43,8 @@ def with_unsettled(claims: Sequence[Claim], sources: Sequence[Source]) -> list[C
         if statement is not None:
             known = {definition.declaration.name for definition in claim.notation.definitions}
             symbols = [term.declaration for term in terms_of(statement) if isinstance(term, Symbol)]
-            free = [each for each in symbols if each.name not in known]
+            open_columns = {each.name for each in symbols if _is_open(claim, each, symbols)}
+            free = [each for each in symbols if each.name not in known - open_columns]
             why = _of_unread(free, unread) or _of_components(free, claim) or _of_a_star(statement, sources)
             claim = replace(claim, unsettled=why, says=_solved_for(statement, free, _within(claim, symbols)))
         made.append(claim)
@@ -106,6 +108,17 @@ def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
             part, array = declaration.name, whole.name
             return f"{part} reads as a component of {array}; a definition of {array} says so"
     return None
+
+
+def _is_open(claim: Claim, column: Declaration, symbols: Sequence[Declaration]) -> bool:
+    """Whether the symbol is a column of symbols that nothing defines and that the claim has nowhere else."""
+    bodies = [each.body for each in claim.notation.definitions if each.declaration == column]
+    entries = {entry.declaration.name for entry in column_of_symbols(bodies[0] if len(bodies) == 1 else None)}
+    others = [each for each in symbols if each != column]
+    known = {each.declaration.name for each in claim.notation.definitions}
+    return bool(entries) and entries.isdisjoint(
+        known | {each.name for each in others} | _within(claim, others)
+    )
 
 
 def _within(claim: Claim, symbols: Sequence[Declaration]) -> set[Name]:

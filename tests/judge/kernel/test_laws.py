@@ -76,6 +76,31 @@ def test_a_mistaken_chain_rule_is_no_law(wrong: str) -> None:
     assert law.outcome == Outcome.UNCHECKED and "law" in law.verdict.reason
 
 
+COLUMN = {"z": r"\begin{bmatrix} x \\ y \\ f \end{bmatrix}"}
+NUMBERS = {name: "scalar" for name in ("x", "y", "f", "h")}
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\dot{z} = R v", Outcome.UNCHECKED),
+        (r"\frac{d}{dt}(h z) = v", Outcome.UNCHECKED),
+        (r"\dot{z} = x v", Outcome.UNCHECKED),
+        (r"\dot{z} = 2 \dot{z}", Outcome.REFUTED),
+        (r"\frac{d}{dt}(h z) = h \dot{z}", Outcome.REFUTED),
+        (r"\dot{z} = \dot{x} v", Outcome.REFUTED),
+        (r"\begin{bmatrix} 0 & 0 & 1 \end{bmatrix} z = x", Outcome.REFUTED),
+    ],
+)
+def test_a_column_of_free_symbols_is_free(formula: str, outcome: Outcome) -> None:
+    symbols = {"R": "rotation", "v": "vector", **NUMBERS}
+    definitions = [f"{name} = {body}" for name, body in COLUMN.items()]
+    said = check(formula, symbols, definitions=definitions)
+    assert said.outcome == outcome
+    if outcome is Outcome.UNCHECKED:
+        assert r"states a law for \dot{z}," in said.verdict.reason
+
+
 def test_what_a_definition_ties_is_no_law() -> None:
     definitions = {"k": r"\operatorname{vect}(\dot{R} R^T)"}
     symbols = {"R": "rotation", "a": "vector"}

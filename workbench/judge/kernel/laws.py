@@ -19,7 +19,15 @@ from workbench.judge.second.rings import FloatRing, PointSource, RationalRing, s
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parts
 from workbench.language.construct import derivative
-from workbench.language.terms import Apply, Derivative, Relation, Symbol, Term
+from workbench.language.terms import (
+    Apply,
+    Block,
+    Derivative,
+    Relation,
+    Symbol,
+    Term,
+    column_of_symbols,
+)
 
 _LINEAR = frozenset(
     {"mul", "neg", "dot", "cross", "outer", "transpose", "skew", "vector part", "scalar part"}
@@ -44,18 +52,27 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     for side, term in enumerate(sides):
         for symbol, order, alone in _occurrences(term, definitions, 0, True):
             found[symbol].append(_Occurrence(side, order, alone))
-    for symbol, occurrences in found.items():
-        order = inventory.orders.get(symbol, 0)
-        highest = [o for o in occurrences if o.order == order]
-        is_free = not (symbol.declaration.constant or symbol.declaration.of or symbol.declaration.clock)
-        if order and len(highest) == 1 and is_free:
-            (place,) = highest
-            if sum(map(len, found.values())) == 1:
+    groups = [(symbol, (symbol,)) for symbol in found]
+    for whole, entries in [*groups, *_columns(relation, definitions)]:
+        orders = {inventory.orders.get(symbol, 0) for symbol in entries}
+        highest = [o for symbol in entries for o in found[symbol] if o.order in orders]
+        free = [s for s in entries if not (s.declaration.constant or s.declaration.of or s.declaration.clock)]
+        if len(orders) == 1 and all(orders) and len(entries) == len(highest) == len(free):
+            (order,), place = orders, highest[0]
+            if sum(map(len, found.values())) == len(entries):
                 return None  # ẋ = 0 says that x is constant
             foreign = any(all(o.side != place.side for o in others) for others in found.values())
-            if (place.alone or foreign) and _has_solutions(relation, inventory, definitions, symbol, order):
-                return derivative(symbol, order)
+            alone = all(each.alone for each in highest)
+            if (alone or foreign) and _has_solutions(relation, inventory, definitions, entries, order):
+                return derivative(whole, order)
     return None
+
+
+def _columns(relation: Relation, definitions: Lookup) -> Iterator[tuple[Symbol, tuple[Symbol, ...]]]:
+    """The symbols that a definition makes columns of symbols."""
+    for term in dict.fromkeys([*relation.left.walk(), *relation.right.walk()]):
+        if isinstance(term, Symbol) and (entries := column_of_symbols(definitions.lookup(term))):
+            yield term, entries
 
 
 def _occurrences(
@@ -74,7 +91,9 @@ def _occurrences(
     else:
         for place, child in enumerate(term.children):
             others = (*term.children[:place], *term.children[place + 1 :])
-            is_linear = isinstance(term, Apply) and term.head in _LINEAR and all(map(_is_constant, others))
+            is_linear = isinstance(term, Block) or (
+                isinstance(term, Apply) and term.head in _LINEAR and all(map(_is_constant, others))
+            )
             yield from _occurrences(child, definitions, order, alone and (not order or is_linear))
 
 
@@ -83,11 +102,12 @@ def _is_constant(term: Term) -> bool:
 
 
 def _has_solutions(
-    relation: Relation, inventory: Inventory, definitions: Lookup, symbol: Symbol, order: int
+    relation: Relation, inventory: Inventory, definitions: Lookup, symbols: tuple[Symbol, ...], order: int
 ) -> bool:
-    """Whether, at random values of all else, some value of the derivative satisfies the equation."""
+    """Whether, at random values of all else, some values of the derivatives satisfy the equation."""
     unknowns = [
         Parameter(symbol, part, orders - 1, component)
+        for symbol in symbols
         for part, count, orders in parts(symbol, order)
         for component in range(count)
         if orders == order + (part != "spin")

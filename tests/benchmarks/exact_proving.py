@@ -86,7 +86,9 @@ def main() -> None:
 
         base, terms = seconds(flint)
         row = [f"{n:>2} {terms:>7} {base:9.4f}"]
-        polyring, agreed = seconds(lambda s=statement, i=inventory: recheck(s, i, definitions, Assumptions(())), 0.0001)
+        polyring, agreed = seconds(
+            lambda s=statement, i=inventory: recheck(s, i, definitions, Assumptions(())), 0.0001
+        )
         assert agreed
         row.append(f"{polyring / base:8.0f}×")
         drake, agreed = seconds(lambda s=statement, i=inventory: recheck_by_drake(s, i, definitions), 0.0001)

@@ -101,7 +101,7 @@ def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:
     if claim.supposed:
         raise NotCertified("a goal under suppositions of its claim")
     name = "claim_" + re.sub(r"\W+", "_", claim.id).strip("_")
-    made = _joined(name, claim.goal.goal, scope, proof)
+    made = joined(name, claim.goal.goal, scope, proof)
     return Certificate(None, (made,), header=OF_MOMENTS, title=f"{claim.id}, the goal")
 
 
@@ -119,7 +119,7 @@ def of_one_instant(form: Form) -> Certificate:
             premise[0] if len(premise) == 1 else Both(tuple(premise)),
             Atom(instantiate(form.formula.statement, values)),
         )
-        theorems.append(replace(_joined(name, goal, scope, Kernel()), prefix=f"in_{name}"))
+        theorems.append(replace(joined(name, goal, scope, Kernel()), prefix=f"in_{name}"))
     motions = Certificate(None, tuple(dict.fromkeys(chosen)), header=OF_MOMENTS, title="premises are met")
     return Certificate(form, tuple(theorems), str(claim.orders), OF_MOMENTS, motions)
 
@@ -162,7 +162,7 @@ def _chosen(one: Relation, scope: Scope) -> Chosen:
     return Chosen(left.text, left.type, right.at(ATOM))
 
 
-def _joined(name: str, goal: Goal, scope: Scope, proof: Proof) -> Whole:
+def joined(name: str, goal: Goal, scope: Scope, proof: Proof) -> Whole:
     speaker = Speaker(scope.definitions)
     try:
         _speak_of_what_is_free(speaker, goal, scope)

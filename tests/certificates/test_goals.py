@@ -7,8 +7,17 @@ import pytest
 from click.testing import CliRunner
 
 from tests.certificates.emitted import whole_theorems
+from workbench import check
+from workbench.certificates.forms import forms_of
+from workbench.certificates.goals.rates import spread
+from workbench.certificates.goals.whole import of_one_instant
 from workbench.certificates.read_back import Unread
+from workbench.certificates.theorem import theorem
+from workbench.certificates.trial import holds_whatever_they_are
 from workbench.cli.commands import main
+from workbench.language.construct import apply, relation
+from workbench.language.terms import Derivative, Symbol, TimeOperator
+from workbench.papers import find_paper
 
 JOINED = whole_theorems()
 
@@ -129,3 +138,32 @@ def test_the_command_writes_the_goals(tmp_path):
     text = (tmp_path / "claim_76_definition_goal.v").read_text("utf-8")
     assert JOINED["76.definition"].statement in text
     assert "Theorem step_1 (K : diff_ring)" in text
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"\frac{d^2}{dt^2} (a \times \dot{b} - s c)",
+        r"\frac{d}{dt} (\tilde{a} \tilde{b} c)",
+        r"\frac{d^3}{dt^3} ((a \cdot b) c + 2 a)",
+        r"\mathbf{D} [a \times b] + \mathbf{D} [\mathbf{D} [c]]",
+    ],
+)
+def test_derivatives_of_free_symbols_alone_say_the_same(text):
+    symbols = {"a": "vector", "b": "vector", "c": "vector", "s": "scalar"}
+    claim = check(f"{text} = c", symbols=symbols).result.claim
+    (term, definitions) = claim.printed.statement.left, claim.notation.definitions
+    made = spread(term, definitions)
+    assert all(isinstance(p.body, Symbol) for p in made.walk() if isinstance(p, Derivative))
+    assert not any(isinstance(p, TimeOperator) for p in made.walk())
+    assert holds_whatever_they_are(theorem("t", relation("=", term, made), (), definitions))
+    false = relation("=", term, apply("neg", made))
+    assert not holds_whatever_they_are(theorem("t", false, (), definitions))
+
+
+def test_what_is_supposed_at_one_instant_is_said_of_it():
+    (form,) = (f for c in find_paper("chapter").claims if c.id == "110.A" for f in forms_of(c))
+    made = of_one_instant(form)
+    assert made.misread == ""
+    assert "equal_at now rho (zero : vector K) -> equal_at now A_0_1 (D v)." in made.statement
+    assert "exists (rho : vector K), equal_at now rho (zero : vector K)." in made.motions.statement

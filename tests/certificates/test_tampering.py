@@ -9,10 +9,13 @@ import pytest
 from tests.certificates.emitted import all_certificates, one
 from workbench.certificates import coqc
 from workbench.certificates.families import general
+from workbench.certificates.forms import Certificate
+from workbench.certificates.goals.whole import OF_MOMENTS, joined
 from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import HEADER, theorem
 from workbench.certificates.trial import holds_whatever_they_are
-from workbench.judge.theorems.goals import Scope
+from workbench.judge.theorems.goals import Atom, Implies, Scope
+from workbench.judge.theorems.proofs import Kernel
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import Sequent
 from workbench.language.instances import instantiate
@@ -165,3 +168,42 @@ def test_every_false_statement_about_every_n_is_refused():
     assert [s.fault for s in said if not s.accepted] == []
     print(f"\n{kinds.total()} false statements about every n, all refused")
     assert kinds.total() >= 30
+
+
+#: (claim, form) with inverses of blocks and of tensors; and with what is supposed at one instant.
+OTHERS = (
+    ("24.inverse", "printed"),
+    ("33.twist", "printed"),
+    ("51.value", "printed"),
+    ("62.inverse", "corrected"),
+    ("110.A", "printed"),
+    ("111", "printed"),
+)
+
+
+def test_every_false_statement_with_inverses_or_at_one_instant_is_refused():
+    texts = []
+    for claim_id, name in OTHERS:
+        (claim,) = (c for c in find_paper("chapter").claims if c.id == claim_id)
+        values, definitions = claim.instances[min(2, len(claim.instances) - 1)], claim.notation.definitions
+        statement = instantiate(getattr(claim, name).statement, values)
+        supposed = [instantiate(s, values) for s in claim.supposed]
+        screen = Screen(definitions, supposed, [{}])
+        screen.keep(statement)
+        false = (e.statement for e in edits(statement) if e.statement is not None)
+        mutated = [s for s in false if (r := screen.residual(s)) is not None and any(r)][:4]
+        for number, changed in enumerate([statement, *mutated]):
+            if claim_id.startswith("11"):
+                goal = Implies(Atom(supposed[0]), Atom(changed))
+                made = joined("base", goal, Scope(claim.notation.symbols, definitions, {}), Kernel())
+                text = Certificate(None, (made,), header=OF_MOMENTS).text
+            else:
+                text = Certificate(None, (theorem("base", changed, supposed, definitions),)).text
+            texts.append((claim_id, number, text))
+    with ThreadPoolExecutor(2) as pool:
+        said = list(pool.map(lambda one: coqc.check(one[2], remember=False), texts))
+    for (claim_id, number, _), heard in zip(texts, said, strict=True):
+        assert heard.accepted == (number == 0), (claim_id, number, heard.fault)
+        assert number == 0 or "true = true" in heard.fault or "unify" in heard.fault, heard.fault
+    print(f"\n{len(texts) - len(OTHERS)} false statements with inverses or at one instant, all refused")
+    assert len(texts) - len(OTHERS) >= 20

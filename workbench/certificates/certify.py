@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from workbench.certificates import coqc
 from workbench.certificates.by_hand import by_hand
 from workbench.certificates.forms import Certificate, Form, certificate, forms_of
-from workbench.certificates.nodes import NotCertified
+from workbench.certificates.goals.whole import of_one_instant
+from workbench.certificates.nodes import NotCertified, OneInstant
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import all_steps
 from workbench.judge.verdict import Outcome, Verdict
@@ -113,6 +114,12 @@ def written(form: Form, verdict: Verdict) -> Certified:
                 made = refutation(form, verdict)
             return Certified(form, verdict.outcome, made, misread=made.misread)
         made = certificate(form, every=(verdict.scope or "").startswith("all"))
+    except OneInstant as obstacle:
+        try:
+            made = of_one_instant(form)
+            return Certified(form, verdict.outcome, made, misread=made.misread)
+        except NotCertified:
+            return Certified(form, verdict.outcome, None, str(obstacle))
     except NotCertified as obstacle:
         return Certified(form, verdict.outcome, None, str(obstacle))
     try:

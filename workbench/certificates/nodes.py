@@ -23,6 +23,10 @@ class NotCertified(Exception):
     """No theorem can be written for a claim; the message is the first obstacle."""
 
 
+class OneInstant(NotCertified):
+    """What is supposed holds at one instant only."""
+
+
 def named(kind: str) -> str:
     return _BEYOND.get(kind, kind)
 

@@ -10,7 +10,7 @@ from workbench.certificates import blocks, functions, nodes, operators, read_bac
 from workbench.certificates.emitter import Emitter
 from workbench.certificates.goals.propositions import conditions
 from workbench.certificates.meaning import OfTerm, OfText, applied, bound
-from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, flag, single
+from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, OneInstant, flag, single
 from workbench.certificates.trial import can_be_certified
 from workbench.judge.theorems.goals import Variable
 from workbench.judge.theorems.sequents import relations_of
@@ -232,7 +232,7 @@ def _written(
     premises = [r for s in assume for r in _relations(s)]
     for premise in premises:
         if premise.operator == "=" and _at_an_instant(premise, statement, definitions):
-            raise NotCertified("an assumption that holds at one instant only")
+            raise OneInstant("an assumption that holds at one instant only")
     norms_first(emitter, [s for r in (*premises, *relations_of(statement)) for s in (r.left, r.right)])
     while isinstance(statement, Implication):
         premises += _relations(statement.left)

@@ -9,6 +9,7 @@ from dataclasses import replace
 from workbench.certificates.goals.lemmas import only_now, restored, without_derivatives
 from workbench.certificates.goals.places import Alias, Place, as_given, belongs, flattened, has
 from workbench.certificates.goals.propositions import said
+from workbench.certificates.goals.rates import spread
 from workbench.certificates.goals.script import Script
 from workbench.certificates.nodes import ATOM, KINDS, NotCertified
 from workbench.certificates.theorem import Theorem, theorem
@@ -16,7 +17,8 @@ from workbench.judge.theorems.goals import Atom, Variable
 from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.substitution import Substitution
 from workbench.language.construct import relation, symbol
-from workbench.language.terms import Apply, Relation, Term
+from workbench.language.definitions import expand
+from workbench.language.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator
 
 
 class Equations(Script):
@@ -36,6 +38,9 @@ class Equations(Script):
         if one.operator != "=":
             raise NotCertified("an inequation to be shown by computing")
         used = [a for a in at.aliases if any(has(a, side, at) for side in (one.left, one.right))]
+        if given and not at.aliases and self._moves(at, one, given):
+            self._by_rates(at, one, given)
+            return
         if given:
             also = [
                 a
@@ -60,6 +65,29 @@ class Equations(Script):
                     self._by_lemma(at, new, ())
                 else:
                     self._by_lemma(at, new, [as_given(a) for a in used], plain=True)
+
+    def _moves(self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]]) -> bool:
+        """Whether derivatives are taken of what is made of a free symbol that something is supposed of."""
+        free = {p for r, _ in given for p in (r.left, r.right) if isinstance(p, Symbol)}
+        full = (expand(side, at.scope.definitions) for side in (one.left, one.right))
+        parts = (p for side in full for p in side.walk())
+        return any(
+            isinstance(p, TimeOperator)
+            or (isinstance(p, Derivative) and p.body not in free and bool(free.intersection(p.body.walk())))
+            for p in parts
+        )
+
+    def _by_rates(self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]]) -> None:
+        """By the derivatives of free symbols, of which each has a value of its own at the instant."""
+        left, right = (spread(side, at.scope.definitions) for side in (one.left, one.right))
+        self._by_way_of(left, right, one.left.type.dual or one.right.type.dual)
+        for new, known in (
+            (relation("=", one.left, left), ()),
+            (relation("=", left, right), given),
+            (relation("=", right, one.right), ()),
+        ):
+            with self.part():
+                self._by_lemma(at, new, known)
 
     def _unaliased(self, at: Place, term: Term) -> Term:
         for alias in reversed(at.aliases):

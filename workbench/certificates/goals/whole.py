@@ -4,28 +4,32 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from workbench.certificates.forms import Certificate
+from workbench.certificates.forms import Certificate, Form
 from workbench.certificates.goals.joins import Joiner
 from workbench.certificates.goals.lemmas import at_an_instant
 from workbench.certificates.goals.places import Place
-from workbench.certificates.goals.propositions import Speaker, said
+from workbench.certificates.goals.propositions import Speaker, equal, relations, said
 from workbench.certificates.goals.propositions_read import faults
 from workbench.certificates.meaning import OfTerm, OfText
-from workbench.certificates.nodes import NotCertified
+from workbench.certificates.nodes import ATOM, NotCertified
 from workbench.certificates.theorem import HEADER, Theorem, binder_faults, differs, premise_faults
 from workbench.judge.theorems.goals import (
+    Atom,
+    Both,
     Goal,
     GoalError,
+    Implies,
     Scope,
     atoms,
 )
 from workbench.judge.theorems.members import bound_names
-from workbench.judge.theorems.proofs import Proof
+from workbench.judge.theorems.proofs import Kernel, Proof
 from workbench.judge.theorems.sequents import NotShown, names_of, relations_of
 from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.terms import IllFormed, Symbol, Term
+from workbench.language.instances import instantiate
+from workbench.language.terms import Apply, IllFormed, Relation, Symbol, Term
 from workbench.papers.model import Claim
 
 OF_MOMENTS = HEADER.replace(
@@ -47,6 +51,7 @@ class Whole:
     top: Sequence[str]
     at_instant: frozenset[str]
     names: Mapping[str, Term]
+    prefix: str = ""  # of its lemmas, where several theorems stand in a file
 
     @property
     def statement(self) -> str:
@@ -67,7 +72,11 @@ class Whole:
             lemma.text + (at_an_instant(lemma) if lemma.name in self.at_instant else "")
             for lemma in self.lemmas
         )
-        return f"{lemmas}Notation K := smooth_functions.\n{self.statement}\n{self.proof}\n"
+        own = f"Notation K := smooth_functions.\n{self.statement}\n{self.proof}\n"
+        if not self.prefix:
+            return lemmas + own
+        section = f"Section {self.prefix}.\n{own}End {self.prefix}.\n"
+        return re.sub(r"\bstep_(?=\d)", f"{self.prefix}_step_", lemmas + section)
 
     def read_back_faults(self) -> list[str]:
         """Where the text, read again, does not say what the goal says, or is not the text again."""
@@ -81,6 +90,7 @@ class Whole:
         """A definition, or that cosine and sine are those of an angle."""
         if line.startswith("let "):
             name, text = line.removeprefix("let ").removesuffix(" in").split(" := ", 1)
+            name = name.split(" : ")[0]
             body = self.speaker.definitions.lookup(self.names[name])
             return differs(name, text, OfText(self.names, of_term), of_term(body))
         return premise_faults(line.removesuffix(" ->"), OfText(self.names, of_term), ())
@@ -88,10 +98,71 @@ class Whole:
 
 def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:
     """Raises NotCertified with the first obstacle."""
-    goal = claim.goal.goal
-    name = "claim_" + re.sub(r"\W+", "_", claim.id).strip("_")
     if claim.supposed:
         raise NotCertified("a goal under suppositions of its claim")
+    name = "claim_" + re.sub(r"\W+", "_", claim.id).strip("_")
+    made = joined(name, claim.goal.goal, scope, proof)
+    return Certificate(None, (made,), header=OF_MOMENTS, title=f"{claim.id}, the goal")
+
+
+def of_one_instant(form: Form) -> Certificate:
+    """A form that supposes what some free symbols are at one instant, and holds there. They may have any
+    values, which is the theorem that the premises can be met."""
+    claim, notation = form.claim, form.claim.notation
+    scope, theorems, chosen = Scope(notation.symbols, notation.definitions, {}), [], []
+    for values in claim.instances:
+        name = form.identifier + "".join(f"_{n}{value}" for n, value in values.items())
+        supposed = [one for s in claim.supposed for one in relations(instantiate(s, values))]
+        chosen += [_chosen(one, scope) for one in supposed]
+        premise = [Atom(one) for one in supposed]
+        goal = Implies(
+            premise[0] if len(premise) == 1 else Both(tuple(premise)),
+            Atom(instantiate(form.formula.statement, values)),
+        )
+        theorems.append(replace(joined(name, goal, scope, Kernel()), prefix=f"in_{name}"))
+    motions = Certificate(None, tuple(dict.fromkeys(chosen)), header=OF_MOMENTS, title="premises are met")
+    return Certificate(form, tuple(theorems), str(claim.orders), OF_MOMENTS, motions)
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """That a free symbol can have this value at any instant."""
+
+    letter: str
+    type: str
+    value: str
+
+    @property
+    def name(self) -> str:
+        return f"{self.letter}_chosen"
+
+    @property
+    def statement(self) -> str:
+        said = equal("dual" in self.type, self.letter, self.value)
+        return f"Theorem {self.name} (now : instant) : exists ({self.letter} : {self.type}), {said}."
+
+    @property
+    def text(self) -> str:
+        proof = f"Proof. exists {self.value}. exact (same_at now _). Qed."
+        return f"Notation K := smooth_functions.\n{self.statement}\n{proof}\n"
+
+    def read_back_faults(self) -> list[str]:
+        return []
+
+
+def _chosen(one: Relation, scope: Scope) -> Chosen:
+    symbol, value = one.left, one.right
+    own = symbol.declaration if isinstance(symbol, Symbol) else None
+    if own is None or own.rotation or own.unit or scope.definitions.lookup(symbol) or one.operator != "=":
+        raise NotCertified("premises at one instant that do not say what a free symbol is")
+    speaker = Speaker(scope.definitions)
+    left, right = speaker.symbol(symbol), speaker.term(value)
+    if len(speaker.binders) != 1:
+        raise NotCertified("premises at one instant on several symbols")
+    return Chosen(left.text, left.type, right.at(ATOM))
+
+
+def joined(name: str, goal: Goal, scope: Scope, proof: Proof) -> Whole:
     speaker = Speaker(scope.definitions)
     try:
         _speak_of_what_is_free(speaker, goal, scope)
@@ -104,19 +175,8 @@ def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:
     except (NotShown, GoalError, ReadError, IllFormedAt, IllFormed) as error:
         raise NotCertified(str(error)) from None
     speaker.introduced = introduced
-    made = Whole(
-        name,
-        goal,
-        scope,
-        speaker,
-        proposition,
-        joiner.lemmas,
-        joiner.lines,
-        top,
-        frozenset(joiner.at_instant),
-        names,
-    )
-    return Certificate(None, (made,), header=OF_MOMENTS, title=f"{claim.id}, the goal")
+    at_instant = frozenset(joiner.at_instant)
+    return Whole(name, goal, scope, speaker, proposition, joiner.lemmas, joiner.lines, top, at_instant, names)
 
 
 def _speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope) -> None:
@@ -128,11 +188,16 @@ def _speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope) -> None:
                 for part in side.walk():
                     if (
                         isinstance(part, Symbol)
+                        and part.type.kind != "operator"
                         and part.declaration.name not in bound
                         and not names_of(part, scope) & bound
                     ):
                         speaker.symbol(part)
-                    elif getattr(part, "head", "") in ("cos", "sin") and not names_of(part, scope) & bound:
+                    elif (
+                        isinstance(part, Apply)
+                        and (part.head in ("cos", "sin") or part.arguments[0].type.kind == "operator")
+                        and not names_of(part, scope) & bound
+                    ):
                         speaker.term(part)
     for text, name in [(t, n) for n, t in speaker.binders]:
         speaker.known[text] = name

@@ -315,6 +315,54 @@ a \times c = \frac{a \cdot b}{b \cdot b} b \times c \text{ for } a \parallel b
     supposing={"b": "f a", "n": r"a \times c"},
 )
 
+CONDITIONS = Kit(
+    r"""
+[symbols]
+f = "scalar"
+g = "scalar"
+x = "scalar"
+y = "scalar"
+h = "scalar"
+a = "vector"
+b = "vector"
+c = "vector"
+u = "vector"
+T = "tensor"
+S = "tensor"
+U = "tensor"
+R = "rotation"
+""",
+    _lines(r"""
+f^2 g = f \text{ for } f g = 1
+(f + g)^2 = f^2 + g^2 + 2 \text{ for } f g = 1
+\frac{1}{f} + \frac{1}{g} = f + g \text{ for } f g = 1
+(x^2 - y^2)^2 + 4 x^2 y^2 = 1 \text{ for } x^2 + y^2 = 1
+x^4 - y^4 = x^2 - y^2 \text{ for } x^2 + y^2 = 1
+\frac{x}{1 - y} = \frac{1 + y}{x} \text{ for } x^2 + y^2 = 1
+T^{-1} = T^T \text{ for } T^T T = \mathbf{I}
+(T a) \cdot (T b) = a \cdot b \text{ for } T^T T = \mathbf{I}
+T (a \times b) = \det(T) (T a) \times (T b) \text{ for } T^T T = \mathbf{I}
+a \cdot (S b) = b \cdot (S a) \text{ for } S = S^T
+\operatorname{vect}(S + \tilde{a}) = a \text{ for } S = S^T
+a \times b = b \times c \text{ for } a + b + c = 0
+a^2 - b^2 = c \cdot (b - a) \text{ for } a + b + c = 0
+(a, b, c) = 0 f \text{ for } a + b + c = 0
+u \times (u \times b) = (u \cdot b) u - b \text{ for } \|u\| = 1
+(\tilde{u})^3 = -\tilde{u} \text{ for } \|u\| = 1
+U^2 = U \text{ for } U = u \otimes u, \|u\| = 1
+"""),
+    supposing={
+        "g": r"\frac{1}{f}",
+        "x": r"\frac{1 - h^2}{1 + h^2}",
+        "y": r"\frac{2 h}{1 + h^2}",
+        "T": "-R",
+        "S": r"a \otimes b + b \otimes a + h \mathbf{I}",
+        "c": "-a - b",
+        "u": r"R \frac{b}{\|b\|}",
+        "U": r"u \otimes u",
+    },
+)
+
 SLOPES = Kit(
     r"""
 [conventions]
@@ -428,6 +476,6 @@ names = ["P"]
 
 KITS = {
     "small": SMALL, "sums": SUMS, "exponentials": EXPONENTIALS, "jacobians": JACOBIANS, "twists": TWISTS,
-    "quaternions": QUATERNIONS, "angles": ANGLES, "oriented": ORIENTED, "slopes": SLOPES, "frames": FRAMES,
+    "quaternions": QUATERNIONS, "angles": ANGLES, "oriented": ORIENTED, "conditions": CONDITIONS, "slopes": SLOPES, "frames": FRAMES,
     "homogeneous": HOMOGENEOUS,
 }  # fmt: skip

@@ -12,6 +12,7 @@ from tests.language.generated import TABLE, VARIABLES, terms
 from workbench import check
 from workbench.language.authors import in_the_hand_of
 from workbench.language.construct import zero
+from workbench.language.errors import ReadError
 from workbench.language.hand import Hand
 from workbench.language.instances import free_integers
 from workbench.language.printer import to_latex
@@ -189,3 +190,61 @@ def test_an_order_in_brackets_differentiates_where_dots_do(order: int) -> None:
 
 
 TWO_FRAMES = SymbolTable.build({"v": {"kind": "vector"}, "w": {"kind": "vector"}})
+
+
+SELECT = r"\begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & 0 \end{bmatrix}"
+LAST = r"\begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix}"
+TURN = f"{SELECT} H {SELECT}^T"
+WORDS = SymbolTable.build(
+    {
+        **{name: {"kind": "vector"} for name in "xy"},
+        **{name: {"kind": "matrix 6×1"} for name in "VW"},
+        **{name: {"kind": "transform"} for name in "GH"},
+        **{name: {"kind": "scalar"} for name in "ad"},
+    }
+).with_notations(
+    {
+        r"\operatorname{Exp}(x)": {"where": VECTOR, "means": r"\exp(\operatorname{skew}(x))"},
+        r"\mathrm{ad}(x)": {"where": VECTOR, "means": r"\operatorname{skew}(x)"},
+        r"\mathrm{Ad}_{H}": {
+            "where": {"H": "matrix 4×4"},
+            "means": rf"\begin{{bmatrix}} {TURN} & 0 \\ \operatorname{{skew}}({SELECT} H {LAST}) {TURN} & {TURN} \end{{bmatrix}}",
+        },
+    }
+)
+
+
+@pytest.mark.parametrize(
+    ("formula", "shown"),
+    [
+        (r"\exp(\tilde{x}) y = \mathrm{Exp}(x) y", r"\operatorname{Exp} (x) y = \operatorname{Exp} (x) y"),
+        (
+            r"\mathrm{Ad}_{GH} V = \mathrm{Ad}_G \operatorname{Ad}_H V",
+            r"\operatorname{Ad}_{G H} V = \operatorname{Ad}_{G} \operatorname{Ad}_{H} V",
+        ),
+        (r"\mathrm{Ad}_H^{-1} V = W", r"\operatorname{Ad}_{H}^{-1} V = W"),
+        (r"\operatorname{ad}(x) y = x", r"\operatorname{ad} (x) y = x"),
+        ("ad = a^2", "a d = a^{2}"),  # a product
+    ],
+)
+def test_a_word_is_an_operation_of_the_paper(formula: str, shown: str) -> None:
+    (said,) = read(formula, WORDS)
+    assert written(said, Hand(WORDS)) == shown
+    assert read(shown, WORDS) == (said,)
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        r"\operatorname{Foo}(x) = y",
+        r"\mathrm{Exp}(G) = y",
+        r"\mathrm{Exp} x = y",
+        r"\operatorname{Log}(G) = x",
+        r"\mathrm{Exp}(x)^T y = y",
+        r"\mathrm{Ad}_x V = V",
+        r"\mathrm{Ad} V = V",
+    ],
+)
+def test_a_word_that_nothing_explains_is_refused(formula: str) -> None:
+    with pytest.raises(ReadError, match=r"words in a formula|logarithms"):
+        read(formula, WORDS)

@@ -24,6 +24,7 @@ from workbench.language.syntax import (
     Styled,
     Sum,
     core,
+    is_own_word,
     parse,
 )
 from workbench.language.terms import Term, Zero
@@ -106,7 +107,7 @@ class Notation:
         match core(self.pattern):
             case Leaf() | Styled() | Bracket() | Matrix() | Scripted(sup=None, primes=0):
                 return "closed"
-            case Scripted():
+            case Scripted() | Product(items=(_, Bracket())):
                 return "marked"
         return "open" if self.sign is None and not isinstance(self.pattern, Product) else "infix"
 
@@ -220,6 +221,10 @@ def _is_alike(pattern: Node, node: Node) -> bool:
             return len(pattern.rows) == len(node.rows)
         case Scripted(), Scripted():
             return _is_alike(core(pattern.nucleus), core(node.nucleus))
+        case Product(items=(one, Bracket())), Product(items=(other, Bracket())):
+            return _is_alike(_without_scripts(one), _without_scripts(other))
+        case Leaf(kind="FUNCTION"), Leaf(kind="FUNCTION"):
+            return pattern.text == node.text
     return False
 
 
@@ -283,7 +288,10 @@ def _places(value: Any, formals: Mapping[str, str], place: Place) -> Iterator[tu
     if isinstance(value, Bracket | Matrix | Styled):
         place = "alone"
     elif isinstance(value, Scripted):
-        place = "marked"
+        yield from _places(value.nucleus, formals, "marked")
+        for script in (value.sub, value.sup):
+            yield from _places(script, formals, "alone")
+        return
     elif isinstance(value, Node) and core(value) is value:
         place = "beside"
     for part in _parts(value):
@@ -303,5 +311,12 @@ def _collide(one: Notation, other: Notation) -> bool:
 
 def is_shape(node: Node) -> bool:
     """Whether a node that is no name may be spelt in the paper's own notation."""
-    nucleus = node.nucleus if isinstance(node, Scripted) else node
-    return isinstance(nucleus, Bracket | Matrix)
+    match node:
+        case Product(items=(word, Bracket())):
+            return is_own_word(_without_scripts(word))
+    nucleus = _without_scripts(node)
+    return isinstance(nucleus, Bracket | Matrix) or is_own_word(nucleus)
+
+
+def _without_scripts(node: Node) -> Node:
+    return node.nucleus if isinstance(node, Scripted) else node

@@ -199,6 +199,11 @@ def is_function(node: Node) -> bool:
     return isinstance(leaf, Leaf) and leaf.kind == "FUNCTION"
 
 
+def is_own_word(node: Node) -> bool:
+    """Whether only a paper can say what the function is."""
+    return isinstance(node, Leaf) and node.kind == "FUNCTION" and node.name not in FUNCTIONS
+
+
 def is_numeral(node: Node) -> bool:
     """A number, perhaps with scripts."""
     leaf = node.nucleus if isinstance(node, Scripted) else node
@@ -289,7 +294,7 @@ class _Builder(Transformer):
         token = children[0]
         if token.type == "FUNCTION":
             name = token.removeprefix("\\")
-            return Leaf(token.start_pos, token.type, FUNCTIONS[name], name, bare=name == token)
+            return Leaf(token.start_pos, token.type, FUNCTIONS.get(name, name), name, bare=name == token)
         return Leaf(token.start_pos, token.type, str(token))
 
     def group(self, children):

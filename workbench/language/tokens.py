@@ -24,6 +24,7 @@ from workbench.language.vocabulary import (
     SIZES,
     SPACING,
     UPRIGHT,
+    UPRIGHT_NAMES,
     WORDS,
 )
 
@@ -171,8 +172,10 @@ class Tokenizer:
             self.label(plain, at)
         elif plain in EXPECTED:
             self.refused = self.refused or Fault(f"{text}: {EXPECTED[plain]}", at)
+        elif plain in UPRIGHT_NAMES or (text.startswith("\\operatorname") and plain.isalpha()):
+            self.emit("FUNCTION", f"\\{plain}", at)  # the paper may say what it is
         elif plain:
-            raise Fault(f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}", at)
+            raise Fault(words_in_a_formula(text), at)
 
     def in_script(self) -> bool:
         """Whether what comes is a script, or the first letter of what comes."""
@@ -327,6 +330,10 @@ class Tokenizer:
     def inside(self) -> str:
         """What the innermost bracket or environment holds: "matrix", "lines" or ""."""
         return self.open[-1].contents if self.open else ""
+
+
+def words_in_a_formula(text: str) -> str:
+    return f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}"
 
 
 def _guessed(dots: str) -> str:

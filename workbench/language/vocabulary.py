@@ -163,6 +163,8 @@ WORDS = {
 
 #: What operations are called: no product of letters, with or without a backslash.
 NAMES = frozenset(["Ad", "Exp", "Log", "diag", "log", "rank", "sgn", "sign", "vec", "vex", "Rot", "Trans"])
+#: The same where they stand upright; ad without a command is a product.
+UPRIGHT_NAMES = NAMES | {"ad"}
 #: What stands upright and is more than one letter, and no word: groups and differentials.
 UPRIGHT = frozenset(["SO", "SE", "so", "se", "dt", "dx", "dy", "dz", "dq", "ds"])
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from workbench.language import construct
 from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.factors import Factor, Row
+from workbench.language.elaboration.letters import raised
 from workbench.language.elaboration.quotients import Rate, slope, value_of
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
@@ -17,12 +19,16 @@ from workbench.language.syntax import (
     Fraction,
     Group,
     Leaf,
+    Node,
+    Product,
     Scripted,
     in_a_row,
     is_function,
     is_left_script,
+    is_own_word,
 )
 from workbench.language.terms import IllFormed, Integer, Number, Term, is_rate
+from workbench.language.tokens import words_in_a_formula
 
 
 def function(row: Row, place: int) -> Factor:
@@ -30,6 +36,8 @@ def function(row: Row, place: int) -> Factor:
     item = row.items[place]
     leaf = item.nucleus if isinstance(item, Scripted) else item
     head = leaf.text
+    if is_own_word(leaf):
+        return _of_the_paper(row, item, leaf, place)
     if (
         leaf.bare
         and leaf.name not in row.scope.table.bare_functions
@@ -57,6 +65,22 @@ def function(row: Row, place: int) -> Factor:
             raise Fault("an inverse function or an inverse value? bracket the value", item.at)
         term = row.scope.build(item.at, construct.power, term, exponent)
     return Factor(term, leaf.at, end, item)
+
+
+def _of_the_paper(row: Row, item: Node, leaf: Leaf, place: int) -> Factor:
+    """\\operatorname{Exp}(x) and \\mathrm{Ad}_T, as [notation] explains them; what is raised is the value."""
+    sup = item.sup if isinstance(item, Scripted) else None
+    bare = leaf if item is leaf else replace(item, sup=None)
+    if bare != leaf and bare.sub is None and not bare.primes:
+        bare = leaf
+    behind = row.items[place + 1 : place + 2]
+    tried: list[tuple[Node, int]] = [(bare, place + 1)]
+    if behind and isinstance(behind[0], Bracket):
+        tried.insert(0, (Product(leaf.at, (bare, behind[0])), place + 2))
+    for node, end in tried:
+        if (term := row.scope.written(node)) is not None:
+            return Factor(term if sup is None else raised(row.scope, term, sup), leaf.at, end, item)
+    raise Fault(words_in_a_formula(f"\\operatorname{{{leaf.name}}}"), leaf.at)
 
 
 def _root(row: Row, leaf: Leaf, place: int) -> Factor:

@@ -125,6 +125,11 @@ e^{\frac{f}{2}} e^{\frac{f}{2}} = e^{f}
 \frac{e^{f}}{e^{g}} = e^{f - g}
 (e^{f} + e^{-f})^2 - (e^{f} - e^{-f})^2 = 4
 \frac{d}{dt} \frac{1}{1 + e^{-f}} = \dot{f} \frac{e^{-f}}{(1 + e^{-f})^2}
+\frac{\partial}{\partial y} e^{2 y} = 2 e^{2 y}
+\frac{\partial}{\partial y} e^{A} = \frac{\partial A}{\partial y} e^{A}
+\frac{\partial}{\partial z} (y e^{y z}) = y^2 e^{y z}
+\frac{\partial}{\partial y} \frac{1}{1 + e^{-y}} = \frac{e^{-y}}{(1 + e^{-y})^2}
+\frac{d}{dt} (\frac{\partial}{\partial y} e^{\omega y}) = \omega^2 \dot{y} e^{\omega y}
 \frac{d}{dt} (e^{-\omega t} \sin f) = e^{-\omega t} (\dot{f} \cos f - \omega \sin f)
 """),
 )

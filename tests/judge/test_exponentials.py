@@ -63,3 +63,31 @@ def test_a_symbol_e_is_no_exponential() -> None:
     assert check("e^2 = 2 e", {"e": "scalar"}).verdict.outcome == "refuted"
     with pytest.raises(ValueError, match="expected an integer"):
         check("x^{y/2} = x", SYMBOLS)
+
+
+COORDINATES = {
+    **SYMBOLS,
+    "p": {"kind": "scalar", "independent": True},
+    "q": {"kind": "scalar", "independent": True},
+    "A": {"kind": "scalar", "of": ["p", "q"]},
+}
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\frac{\partial}{\partial p} e^{2 p} = 2 e^{2 p}", "proved"),
+        (r"\frac{\partial}{\partial p} e^{A} = \frac{\partial A}{\partial p} e^{A}", "proved"),
+        (r"\frac{\partial}{\partial p} (q e^{p q}) = q^2 e^{p q}", "proved"),
+        (r"\frac{\partial^2}{\partial p^2} e^{-\lambda p} = \lambda^2 e^{-\lambda p}", "proved"),
+        (r"\frac{\partial}{\partial p} e^{e^{p}} = e^{p} e^{e^{p}}", "proved"),
+        (r"\frac{d}{dt} (\frac{\partial}{\partial p} e^{c p}) = c^2 \dot{p} e^{c p}", "proved"),
+        (r"\frac{\partial}{\partial p} e^{p q} = p e^{p q}", "unchecked"),
+        (r"\frac{\partial}{\partial p} e^{2 p} = e^{2 p}", "unchecked"),
+        (r"\frac{\partial}{\partial p} e^{x p} = x e^{x p}", "unchecked"),  # x may depend on p
+        (r"\frac{\partial}{\partial p} e^{p} + \dot{x} e^x = e^p", "unchecked"),
+        (r"\frac{\partial}{\partial p} e^{\dot{p}} = e^{\dot{p}}", "unchecked"),
+    ],
+)
+def test_slopes(formula: str, outcome: str) -> None:
+    assert check(formula, COORDINATES).verdict.outcome == outcome

@@ -6,7 +6,7 @@ from workbench import check
 from workbench.judge.verdict import Outcome
 from workbench.language.errors import ReadError
 from workbench.language.printer import to_latex
-from workbench.language.reader import read, read_formula
+from workbench.language.reader import read, read_formula, read_term
 from workbench.language.symbols import SymbolTable
 
 KINDS = {
@@ -122,3 +122,41 @@ def test_nothing_is_claimed_where_nothing_satisfies_the_premises_behind_the_firs
     )
     assert found.outcome == Outcome.UNCHECKED
     assert "holds for n = 0..4" in found.verdict.reason
+
+
+PREFIXED = SymbolTable.build(
+    {
+        **{
+            name: {"kind": "vector"}
+            for name in ("{}^A v", "{}^A_B w", "{}_B w", "{}^{A_0} v", "{}^A v_1", "v")
+        },
+        "{}^A R^B": {"kind": "rotation"},
+        r"\hbar": {"kind": "scalar"},
+        r"\prescript{C}{}{v}": {"kind": "vector"},
+    }
+)
+
+
+@pytest.mark.parametrize(
+    ("spelt", "meant"),
+    [
+        (r"\prescript{A}{}{v}", "{}^A v"),
+        (r"\prescript{A}{B}{w}", "{}^A_B w"),
+        (r"\prescript{}{B}{w}", "{}_B w"),
+        (r"\prescript{A_0}{}{v}", "{}^{A_0} v"),
+        (r"\prescript{A}{}{v}_1", "{}^A v_1"),
+        (r"\prescript{A}{}{\dot{v}}", r"{}^A \dot{v}"),
+        (r"\prescript{A}{}{R}^B \prescript{A}{}{v}", "{}^A R^B {}^A v"),
+        (r"\hbar \prescript{C}{}{v}", r"\hbar {}^C v"),
+    ],
+)
+def test_scripts_on_the_left_by_a_command(spelt: str, meant: str) -> None:
+    assert read_term(spelt, PREFIXED) == read_term(meant, PREFIXED)
+
+
+@pytest.mark.parametrize(
+    "formula", [r"\prescript{A}{v}", r"\prescript A{}{v}", r"\prescript{}{}{v}", r"\prescript{A}{}{v + v}"]
+)
+def test_a_command_without_its_scripts_is_refused(formula: str) -> None:
+    with pytest.raises(ReadError):
+        read_term(formula, PREFIXED)

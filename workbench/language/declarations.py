@@ -18,7 +18,18 @@ from workbench.language.spelling import (
     prefixed,
     spell,
 )
-from workbench.language.syntax import Accented, Chain, Group, Leaf, Node, Product, Scripted, parse, unstyled
+from workbench.language.syntax import (
+    Accented,
+    Chain,
+    Group,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    core,
+    parse,
+    unstyled,
+)
 from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
 _FLAGS = ("constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal", "small")
@@ -83,7 +94,7 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
     left_sub = left_sup = None
     match node:
         case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
-            left_sub, left_sup, node = left.sub, left.sup, right
+            left_sub, left_sup, node = left.sub, left.sup, core(right)
         case Product(items=(Leaf(text=prefix) as mark, right)) if prefix in PREFIXES:
             node = prefixed(mark, right) or node
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from lark import Token
@@ -63,6 +64,14 @@ class _Open(NamedTuple):
     contents: str = ""
 
 
+@dataclass
+class _Prescript:
+    """depth: how many brackets are open around it.   argument: which of its three comes."""
+
+    depth: int
+    argument: int = 1
+
+
 def tokenize(text: str) -> Iterator[Token]:
     """The tokens of a formula; token.start_pos is its offset, token.end_pos where it ends. Raises Fault."""
     return iter(Tokenizer(text).tokens())
@@ -81,6 +90,7 @@ class Tokenizer:
         self.out: list[Token] = []
         self.open: list[_Open] = []
         self.size: str | None = None  # a pending \left, \right, \bigl …
+        self.prescripts: list[_Prescript] = []
         self.refused: Fault | None = None  # told if the brackets match
 
     def tokens(self) -> list[Token]:
@@ -207,6 +217,10 @@ class Tokenizer:
             return
         if name in SIZES:
             self.size = name
+        elif name == "prescript":
+            for kind, value in (("LBRACE", "{"), ("RBRACE", "}"), ("SUP", "^")):
+                self.emit(kind, value, at)
+            self.prescripts.append(_Prescript(len(self.open)))
         elif text in BRACKETS:
             self.bracket(text, at)
         elif name in COMMANDS:
@@ -229,12 +243,19 @@ class Tokenizer:
         if text in CHARACTERS:
             self.emit(*CHARACTERS[text], at)
         elif text == "{":
+            if self.prescript_at(2):
+                self.emit("SUB", "_", at)
             is_script = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
             self.push("{", at, "script" if is_script else "")
             self.emit("LBRACE", text, at)
         elif text == "}":
             self.pop("{", "}", at)
-            self.emit("RBRACE", text, at)
+            if self.prescript_at(1, 2) and [t.type for t in self.out[-1:]] == ["LBRACE"]:
+                del self.out[-2:]  # a script that is empty
+            else:
+                self.emit("RBRACE", text, at)
+            if self.prescript_at(1, 2, 3):
+                self.prescripts[-1].argument += 1
         elif text == "&":
             inside = self.inside()
             if inside == "matrix":
@@ -258,6 +279,13 @@ class Tokenizer:
             self.emit("MARK" if self.in_script() else "INFIX", text, at)  # r^{P/O}
         else:
             raise Fault(f"unexpected character {text!r} (U+{ord(text):04X})", at)
+
+    def prescript_at(self, *arguments: int) -> bool:
+        """Whether a brace here is that of one of these arguments of \\prescript{A}{B}{x}, {}^A_B x."""
+        while self.prescripts and self.prescripts[-1].argument > 3:
+            self.prescripts.pop()
+        open_ = self.prescripts[-1] if self.prescripts else None
+        return open_ is not None and open_.argument in arguments and open_.depth == len(self.open)
 
     def null_delimiter(self, at: int) -> None:
         """\\left\\{ \\begin{array} … \\right. is a brace around lines; no other bracket is one-sided."""

@@ -6,7 +6,7 @@ from workbench.language.operators import TEX_FUNCTIONS
 
 _LETTERS = """
     alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho
-    varrho sigma varsigma tau upsilon phi varphi chi psi omega ell imath jmath
+    varrho sigma varsigma tau upsilon phi varphi chi psi omega ell hbar imath jmath wp varkappa
     Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega
 """
 _FONTS = (

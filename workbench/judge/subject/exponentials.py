@@ -20,6 +20,7 @@ from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import raised
 from workbench.language.integers import Linear
 from workbench.language.names import Name
+from workbench.language.operators import PARTIALS
 from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol, Term
 from workbench.language.types import SCALAR, Declaration
@@ -43,8 +44,9 @@ def without_exponentials(said: Relation, definitions: Definitions) -> Exponentia
     """Raises NotExact for powers and derivatives beyond what is supposed."""
     sides = [expand(side, definitions) for side in (said.left, said.right)]
     sizes: dict[tuple[Term, ...], int] = {}
-    _Pass(sizes).all(sides, definitions)
-    made = _Pass(sizes)
+    varied = _differentiated_by(sides)
+    _Pass(sizes, bool(varied)).all(sides, definitions)
+    made = _Pass(sizes, bool(varied))
     left, right = made.all(sides, definitions)
     highest = max(map(_order, sides))
     if highest > _HIGHEST:
@@ -56,6 +58,13 @@ def without_exponentials(said: Relation, definitions: Definitions) -> Exponentia
         for order in range(highest):
             known = derivative(rate, order) if order else rate
             supposed.append(relation("=", derivative(own, order + 1), known))
+        slopes = [by for by in varied if by in own.declaration.of]
+        for by in slopes:
+            known = apply("mul", own, apply("partial", _exponent(factors, sizes[factors]), by))
+            supposed.append(relation("=", apply("partial", own, by), known))
+            for again in slopes:
+                twice = apply("partial", apply("partial", own, by), again)
+                supposed.append(relation("=", twice, apply("partial", known, again)))
     return Exponentials(relation("=", left, right), tuple(supposed))
 
 
@@ -64,10 +73,11 @@ def _is_exponential(term: Term) -> bool:
 
 
 class _Pass:
-    """sizes: the common denominator of the coefficients that each product has in exponents."""
+    """sizes: the common denominator of the coefficients that each product has in exponents.   varied: whether
+    something is partially differentiated, so that an exponential is a function of what its exponent is of."""
 
-    def __init__(self, sizes: dict[tuple[Term, ...], int]) -> None:
-        self.sizes = sizes
+    def __init__(self, sizes: dict[tuple[Term, ...], int], varied: bool) -> None:
+        self.sizes, self.varied = sizes, varied
         self.symbols: dict[tuple[Term, ...], Symbol] = {}
         self.done: dict[int, Term] = {}
 
@@ -100,13 +110,36 @@ class _Pass:
         if factors not in self.symbols:
             exponent = _exponent(factors, size)
             name = Name(f"e^{{{to_latex(exponent)}}}", of=(exponent,))
-            self.symbols[factors] = symbol(Declaration(name, SCALAR, Linear(0), constant=not factors))
+            of = _coordinates(factors) if self.varied else ()
+            own = Declaration(name, SCALAR, Linear(0), constant=not factors, of=of)
+            self.symbols[factors] = symbol(own)
         return self.symbols[factors]
 
 
 def _exponent(factors: tuple[Term, ...], size: int) -> Term:
     parts = factors if size == 1 and factors else (number(Fraction(1, size)), *factors)
     return reduce(lambda one, other: apply("mul", one, other), parts)
+
+
+def _differentiated_by(sides: Sequence[Term]) -> list[Term]:
+    """The scalars by which something is partially differentiated."""
+    parts = [part for side in sides for part in side.walk()]
+    found = (p.arguments[1] for p in parts if isinstance(p, Apply) and p.head in PARTIALS)
+    return list(dict.fromkeys(by for by in found if by.type == SCALAR))
+
+
+def _coordinates(factors: Sequence[Term]) -> tuple[Symbol, ...]:
+    """What the factors are functions of, if all are functions of coordinates alone."""
+    found: list[Symbol] = []
+    for part in (part for factor in factors for part in factor.walk()):
+        if isinstance(part, Derivative):
+            return ()
+        if isinstance(part, Symbol) and not part.declaration.constant:
+            own = part.declaration
+            if not (own.independent or own.of):
+                return ()
+            found += own.of or (part,)
+    return tuple(dict.fromkeys(found))
 
 
 def _order(term: Term) -> int:

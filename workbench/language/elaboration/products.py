@@ -143,15 +143,14 @@ def _body(scope: Scope, head: Summation, rest: Sequence[Node]) -> Term:
 
 def _with_left_scripts(row: Row, place: int) -> Factor:
     left = row.items[place]
-    following = row.items[place + 1] if place + 1 < len(row.items) else None
+    following = core(row.items[place + 1]) if place + 1 < len(row.items) else None
     if isinstance(following, Fraction) and left.sup is not None and left.sub is None:
         found = rate(row.scope, following)
         if found is not None and found.frame is None:
             return derivative(row, place + 1, found._replace(frame=left.sup))
-    named = core(following)
-    if not isinstance(named, Leaf | Styled | Accented | Scripted):
+    if not isinstance(following, Leaf | Styled | Accented | Scripted):
         raise Fault("left scripts must stand before a symbol", left.at)
-    return _name(row, place + 1, named, Scripts(left.sub, left.sup))
+    return _name(row, place + 1, following, Scripts(left.sub, left.sup))
 
 
 def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:

@@ -10,8 +10,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from workbench.ingest.asked import Outcome
 from workbench.ingest.features import feature_of
-from workbench.ingest.kinds import Guesser, Outcome
+from workbench.ingest.kinds import Guesser
 from workbench.ingest.proposals import Proposal, ground_of, proposals_for, words_of
 from workbench.ingest.prose import Prose
 from workbench.ingest.questions import questions_of

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from itertools import combinations, islice
 
+from workbench.ingest.asked import Asked, Asks, Outcome
 from workbench.ingest.prose import Prose
 from workbench.ingest.typefaces import (
     CAPITAL,
@@ -30,7 +31,6 @@ from workbench.language.reader import read, unclaimed
 from workbench.language.spelling import INDEX_LETTERS
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import parses
-from workbench.language.terms import Statement
 from workbench.language.types import Declaration
 
 _UNKNOWN = re.compile(r"unknown symbol (.+)", re.DOTALL)
@@ -57,59 +57,6 @@ _MOST_GROUPS = 200
 _MOST_TOGETHER = 4
 
 
-@dataclass
-class Outcome:
-    """What came of reading one formula: statements, or a message, and whether its types do not fit."""
-
-    statements: tuple[Statement, ...] | None = None
-    message: str = ""
-    ill_formed: bool = False
-    symbols: set[str] = field(default_factory=set)
-
-    @property
-    def stage(self) -> int:
-        """How far the reader comes: 3 if it reads the formula, 2 if only its two sides do not fit."""
-        if self.statements is not None:
-            return 3
-        return (2 if "the two sides differ" in self.message else 1) if self.ill_formed else 0
-
-    @property
-    def progress(self) -> tuple[bool, str]:
-        """Whether the formula is read, and what keeps it from it."""
-        return self.statements is not None, self.message
-
-
-@dataclass
-class _Asks:
-    """What the reader asks next, and what comes of each answer. name: whose kind; None: which are known."""
-
-    name: Name | None
-    then: dict[object, _Asks | Outcome] = field(default_factory=dict)
-
-
-@dataclass
-class _Asked(Mapping[Name, Declaration]):
-    """Symbols, and what was asked of them."""
-
-    symbols: Mapping[Name, Declaration]
-    asked: dict[Name | None, None] = field(default_factory=dict)
-
-    def __getitem__(self, name: Name) -> Declaration:
-        self.asked[name] = None
-        return self.symbols[name]
-
-    def __iter__(self) -> Iterator[Name]:
-        self.asked[None] = None
-        return iter(self.symbols)
-
-    def __len__(self) -> int:
-        return len(self.symbols)
-
-    def values(self) -> Iterable[Declaration]:
-        """The reader looks for a quaternion among them."""
-        return self.symbols.values()
-
-
 class Guesser:
     """Reads formulas with guessed symbols, declaring each when it is met."""
 
@@ -122,7 +69,7 @@ class Guesser:
         self.takes_steps = False
         self._symbols: dict[Guess | tuple[Guess, Guess], Mapping[Name, Declaration]] = {}
         self._names: dict[Name, tuple[str, ...]] = {}
-        self._read_before: dict[object, _Asks | Outcome] = {}
+        self._read_before: dict[object, Asks | Outcome] = {}
         self._near_before: dict[str, tuple[int, list[str], frozenset[str]]] = {}
 
     def knowing(self, guesses: Mapping[str, Guess]) -> Guesser:
@@ -289,7 +236,7 @@ class Guesser:
 
         key = (latex, quaternion is None)
         known = self._read_before.get(key)
-        while isinstance(known, _Asks):
+        while isinstance(known, Asks):
             known = known.then.get(answer(known.name))
         if known is None:
             outcome, asked = self._fresh(
@@ -297,8 +244,8 @@ class Guesser:
             )
             place, slot = self._read_before, key
             for name in asked:
-                if not isinstance(place.get(slot), _Asks):
-                    place[slot] = _Asks(name)
+                if not isinstance(place.get(slot), Asks):
+                    place[slot] = Asks(name)
                 place, slot = place[slot].then, answer(name)
             known = place[slot] = outcome
         return known
@@ -321,7 +268,7 @@ class Guesser:
             symbols |= self._declared(guess)
             for letter in letters.values() if guess.name not in letters else ():
                 symbols |= self._beside(guess, letter)
-        asked = _Asked(symbols)
+        asked = Asked(symbols)
         table = replace(self.ground, symbols=asked, names_close=False)
         try:
             try:

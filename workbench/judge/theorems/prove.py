@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from workbench.judge.kernel.equation import Equation
-from workbench.judge.kernel.families import SAME_TERM
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
@@ -42,7 +41,7 @@ from workbench.judge.theorems.proofs import (
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent, relations_of
 from workbench.judge.theorems.substitution import Substitution, at_integer
-from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
 from workbench.language.construct import number, relation
 from workbench.language.definitions import expand
 from workbench.language.errors import IllFormedAt, ReadError

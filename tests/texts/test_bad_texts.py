@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import os
 import random
+import re
 import time
 from pathlib import Path
 
 import pytest
 
-from workbench.papers import PaperError
+from workbench.papers import PaperError, load_paper
 from workbench.papers.texts import SUFFIXES, read_text
 
 WARNED = [
@@ -127,6 +129,61 @@ def test_a_cut_text_loses_only_what_is_cut(tmp_path: Path) -> None:
         displays = _read(tmp_path, whole[:end]).displays
         closed = whole[:end].count("\\end{align}") + whole[:end].count("\\]")
         assert len(displays) >= closed
+
+
+PAGE = r"""
+# Spin
+\newcommand{\v}[1]{\boldsymbol{#1}}
+The spin is $\v{\omega}$, where $L = J \v{\omega}$ é.
+
+$$ \dot{L} = \v{\tau} \tag{1} $$
+\begin{align} a &= b + c \label{eq:a} \\ &= \begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix} d \end{align}
+
+.. math:: x = y
+"""
+
+
+def _truncated(draw: random.Random, content: bytes) -> bytes:
+    return content[: draw.randrange(len(content))]
+
+
+def _flipped(draw: random.Random, content: bytes) -> bytes:
+    damaged = bytearray(content)
+    for _ in range(draw.randrange(1, 12)):
+        damaged[draw.randrange(len(damaged))] = draw.randrange(256)
+    return bytes(damaged)
+
+
+def _unbalanced(draw: random.Random, content: bytes) -> bytes:
+    marks = [match.span() for match in re.finditer(rb"\\(?:begin|end)\{\w+\}|[{}$&]|\\\\", content)]
+    start, end = draw.choice(marks)
+    return content[:start] + content[end:] + draw.choice([b"", content[start:end] * 2])
+
+
+def _controlled(draw: random.Random, content: bytes) -> bytes:
+    place = draw.randrange(len(content))
+    return content[:place] + bytes(draw.choices([1, 7, 8, 11, 12, 27, 127, 155], k=5)) + content[place:]
+
+
+def _encoded(draw: random.Random, content: bytes) -> bytes:
+    return content.decode().encode(draw.choice(["utf-16", "utf-32", "latin-1", "cp037"]))
+
+
+@pytest.mark.parametrize("suffix", [".tex", ".md", ".rst", ".ipynb"])
+@pytest.mark.parametrize("damage", [_truncated, _flipped, _unbalanced, _controlled, _encoded])
+def test_a_damaged_text_is_read_or_refused_in_words(
+    tmp_path: Path, damage, suffix: str, request: pytest.FixtureRequest
+) -> None:
+    draw = random.Random(11)
+    content = (
+        PAGE if suffix != ".ipynb" else json.dumps({"cells": [{"cell_type": "markdown", "source": PAGE}]})
+    )
+    for _ in range(300 if request.config.getoption("--slow") else 3):
+        try:
+            _read(tmp_path, damage(draw, content.encode()), f"p{suffix}")
+            load_paper(tmp_path / f"p{suffix}")
+        except PaperError as error:
+            assert len(error.message) < 300 and error.message.isprintable()
 
 
 @pytest.mark.slow

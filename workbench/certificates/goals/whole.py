@@ -14,7 +14,8 @@ from workbench.certificates.goals.propositions import Speaker, equal, relations,
 from workbench.certificates.goals.propositions_read import faults
 from workbench.certificates.meaning import OfTerm, OfText
 from workbench.certificates.nodes import ATOM, NotCertified
-from workbench.certificates.theorem import HEADER, Theorem, binder_faults, differs, premise_faults
+from workbench.certificates.said_again import binder_faults, differs, premise_faults
+from workbench.certificates.theorem import HEADER, Theorem
 from workbench.judge.theorems.goals import (
     Atom,
     Both,

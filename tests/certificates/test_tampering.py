@@ -204,6 +204,6 @@ def test_every_false_statement_with_inverses_or_at_one_instant_is_refused():
         said = list(pool.map(lambda one: coqc.check(one[2], remember=False), texts))
     for (claim_id, number, _), heard in zip(texts, said, strict=True):
         assert heard.accepted == (number == 0), (claim_id, number, heard.fault)
-        assert number == 0 or "true = true" in heard.fault or "unify" in heard.fault, heard.fault
+        assert number == 0 or heard.fault.startswith("Error: In environment"), heard.fault  # of its proof
     print(f"\n{len(texts) - len(OTHERS)} false statements with inverses or at one instant, all refused")
     assert len(texts) - len(OTHERS) >= 20

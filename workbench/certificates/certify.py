@@ -117,7 +117,7 @@ def written(form: Form, verdict: Verdict) -> Certified:
     except OneInstant as obstacle:
         try:
             made = of_one_instant(form)
-            return Certified(form, verdict.outcome, made, misread=made.misread)
+            return Certified(form, verdict.outcome, made, misread=made.misread or made.motions.misread)
         except NotCertified:
             return Certified(form, verdict.outcome, None, str(obstacle))
     except NotCertified as obstacle:

@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.certificates import blocks, functions, nodes, operators, read_back, sums
+from workbench.certificates import blocks, functions, nodes, operators, sums
 from workbench.certificates.emitter import Emitter
-from workbench.certificates.goals.propositions import conditions
-from workbench.certificates.meaning import OfTerm, OfText, applied, bound
 from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, OneInstant, flag, single
+from workbench.certificates.said_again import faults_of
 from workbench.certificates.trial import can_be_certified
-from workbench.judge.theorems.goals import Variable
 from workbench.judge.theorems.sequents import relations_of
 from workbench.language.construct import relation as make_relation
-from workbench.language.construct import symbol as make_symbol
 from workbench.language.definitions import Definitions, expand
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
 from workbench.language.terms import (
     Apply,
     Conjunction,
@@ -55,35 +49,7 @@ class Theorem:
 
     def read_back_faults(self) -> list[str]:
         """Where the text, read again, does not say what the terms say, or is not the text again."""
-        emitter = self.emitter
-        of_term = OfTerm(emitter.definitions, len(emitter.integers))
-        of_text = OfText(emitter.read_back, of_term, emitter.families, emitter.integers)
-        faults = binder_faults(emitter, emitter.read_back)
-        supposed = [(of_term(r.left), of_term(r.right)) for r in self._supposed()]
-        for line in emitter.statement:
-            if line.endswith("->"):
-                faults += premise_faults(line.removesuffix(" ->"), of_text, supposed)
-            found = re.fullmatch(r"let (\S+)(?: : [^:=]+)? := (.*) in", line, re.DOTALL)
-            if found and found[1] in emitter.families.values():
-                faults += self._family_faults(*found.groups(), of_text)
-            symbol = emitter.read_back.get(found[1]) if found else None
-            if symbol is None:
-                continue
-            body = emitter.definitions.lookup(symbol)
-            faults += differs(found[1], found[2], of_text, of_term(body))
-        for conclusion, relation in zip(self.conclusions, self.relations, strict=True):
-            if "≡" not in conclusion:  # a matrix equation
-                _, _, _, left, right = read_back.expression(conclusion).arguments
-                sides = [str(left), str(right)]
-            else:
-                sides = re.split(r" (?:≡ε|≡) ", conclusion)
-            for text, term in zip(sides, (relation.left, relation.right), strict=True):
-                wanted = of_term(term)
-                if "operator" in (relation.left.type.kind, relation.right.type.kind):
-                    wanted = applied(wanted, ("probe",))
-                    of_text.bound = {emitter.binders[0][0] if emitter.binders else "x": ("probe",)}
-                faults += differs("the conclusion", text, of_text, wanted)
-        return faults
+        return faults_of(self.emitter, self.conclusions, self.relations, self._supposed())
 
     def _supposed(self) -> list[Relation]:
         statement, assume, _ = self.source or (None, (), ())
@@ -92,32 +58,6 @@ class Theorem:
             premises += _relations(statement.left)
             statement = statement.right
         return premises
-
-    def _family_faults(self, name: str, text: str, of_text: OfText) -> list[str]:
-        """Of a family that is given by its first member and a step, or by a function of the index."""
-        emitter = self.emitter
-        declaration = next(d for d, n in emitter.families.items() if n == name)
-        of_term = OfTerm(emitter.definitions, len(emitter.integers) + 1)
-        (step,) = (
-            d for d in emitter.definitions if d.declaration == declaration and not d.index[0].is_number
-        )
-        index = Linear.variable(bound(len(emitter.integers)))
-        wanted = of_term(instantiate(step.body, dict.fromkeys(step.index[0].variables, index)))
-        inner = OfText(emitter.read_back, of_term, emitter.families, emitter.integers)
-        found = re.fullmatch(
-            r"from_(zero|one) (.+) \(fun \((\S+) : nat\) \((\S+) : ([^)]+)\) => (.+)\)", text
-        )
-        if found is None:
-            variable, body = read_back.expression(text).arguments
-            inner.integers = {**inner.integers, str(variable): index}
-            return differs(name, str(body), inner, wanted)
-        first, base, variable, member, type_, body = found.groups()
-        inner.integers = {**inner.integers, variable: index}
-        inner.bound = {member: ("symbol", make_symbol(declaration, (index,)))}
-        least = make_symbol(declaration, (Linear({"zero": 0, "one": 1}[first]),))
-        kind = nodes.type_name(declaration.type.dual, KINDS[declaration.type.kind])
-        wrong = [] if type_ == kind else [f"{name}: its members are said to be {type_}"]
-        return wrong + differs(name, base, of_text, of_term(least)) + differs(name, body, inner, wanted)
 
     @property
     def statement(self) -> str:
@@ -254,59 +194,6 @@ def norms_first(emitter: Emitter, terms: Sequence[Term]) -> None:
         if isinstance(part, Apply) and part.head == "norm" and part.arguments[0].type.kind == "vector":
             real = Apply(SCALAR, None, "norm", (functions.part("re", part.arguments[0]),))
             emitter.term(real if part.type.dual else part)
-
-
-def binder_faults(emitter: Emitter, names: Mapping[str, Term]) -> list[str]:
-    """Where a variable is said to be, or supposed to be, what its term is not."""
-    faults = []
-    for name, type_ in emitter.binders:
-        own = names.get(re.split(r"[ )]", type_)[-1] if name in emitter.holes else name)
-        if type_.startswith("nat -> ") or (own is None and name not in emitter.holes):
-            continue  # a family; what an operator acts on
-        if name in emitter.holes:
-            declared = own.declaration if isinstance(own, Symbol) else None
-            wanted = conditions(Variable(declared), type_.split()[-1]) if declared else []
-        elif isinstance(own, Apply) and own.head in ("cos", "sin", "norm"):
-            wanted = ["scalar K"]
-        else:
-            kind = KINDS.get(own.type.kind)
-            wanted = [nodes.type_name(own.type.dual, kind) if kind else "@matrix K"]
-        if type_ not in wanted:
-            faults.append(f"{name} is supposed to be {type_}")
-    return faults
-
-
-def premise_faults(text: str, of_text: OfText, supposed: Sequence[tuple[object, object]]) -> list[str]:
-    """Where a premise says of a name what its term is not, or supposes what nobody did."""
-    if "≡" in text:
-        said = tuple(of_text(read_back.expression(side)) for side in re.split(r" (?:≡ε|≡) ", text))
-        length = said[0][1] if said[0][:1] == ("mul",) and said[0][1] == said[0][2] else None
-        true = said in supposed or (length and length[0] == "norm" and said[1] == ("square", length[1]))
-        return [] if true else [f"{text} is supposed"]
-    word, *parts = read_back.expression(text).arguments
-    of = [of_text(part) for part in parts if not str(part).isdigit()]
-    wanted = {
-        "inverse": [("inverse", of[0])],
-        "inverse_matrix": [("inverse", of[0])],
-        "reciprocal": [("over", of[0])],
-        "turn": [("cos", of[0]), ("sin", of[0])],
-    }.get(str(word))
-    if wanted == of[1:] or (of[0][0] == "re" and of[1:] == [("cos", of[0][1]), ("sin", of[0][1])]):
-        return []
-    return [f"{text} is supposed"]
-
-
-def differs(what: str, text: str, of_text: OfText, wanted: object) -> list[str]:
-    read = read_back.expression(text)
-    again = str(read)
-    faults = (
-        []
-        if again in (text, f"({text})") or f"({again})" == text
-        else [f"{what}: {text} is written again as {again}"]
-    )
-    if of_text(read) != wanted:
-        faults.append(f"{what}: the text says {of_text(read)}, the term {wanted}")
-    return faults
 
 
 def _proof_of(parts: list[str]) -> str:

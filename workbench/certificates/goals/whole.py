@@ -10,18 +10,20 @@ from workbench.certificates.forms import Certificate, Form
 from workbench.certificates.goals.joins import Joiner
 from workbench.certificates.goals.lemmas import at_an_instant
 from workbench.certificates.goals.places import Place
-from workbench.certificates.goals.propositions import Speaker, equal, relations, said
+from workbench.certificates.goals.propositions import Speaker, relations, said
 from workbench.certificates.goals.propositions_read import faults
 from workbench.certificates.meaning import OfTerm, OfText
 from workbench.certificates.nodes import ATOM, NotCertified
-from workbench.certificates.theorem import HEADER, Theorem, binder_faults, differs, premise_faults
+from workbench.certificates.said_again import binder_faults, differs, premise_faults
+from workbench.certificates.theorem import HEADER, Theorem
 from workbench.judge.theorems.goals import (
     Atom,
-    Both,
+    Exists,
     Goal,
     GoalError,
     Implies,
     Scope,
+    Variable,
     atoms,
 )
 from workbench.judge.theorems.members import bound_names
@@ -109,57 +111,30 @@ def of_one_instant(form: Form) -> Certificate:
     """A form that supposes what some free symbols are at one instant, and holds there. They may have any
     values, which is the theorem that the premises can be met."""
     claim, notation = form.claim, form.claim.notation
-    scope, theorems, chosen = Scope(notation.symbols, notation.definitions, {}), [], []
+    scope, theorems, chosen = Scope(notation.symbols, notation.definitions, {}), [], {}
     for values in claim.instances:
         name = form.identifier + "".join(f"_{n}{value}" for n, value in values.items())
         supposed = [one for s in claim.supposed for one in relations(instantiate(s, values))]
-        chosen += [_chosen(one, scope) for one in supposed]
-        premise = [Atom(one) for one in supposed]
-        goal = Implies(
-            premise[0] if len(premise) == 1 else Both(tuple(premise)),
-            Atom(instantiate(form.formula.statement, values)),
-        )
+        chosen |= {one: _chosen(one, scope) for one in supposed}
+        goal = Implies(Atom(supposed[0]), Atom(instantiate(form.formula.statement, values)))
         theorems.append(replace(joined(name, goal, scope, Kernel()), prefix=f"in_{name}"))
-    motions = Certificate(None, tuple(dict.fromkeys(chosen)), header=OF_MOMENTS, title="premises are met")
+    if len(chosen) > 1:
+        raise NotCertified("several premises at one instant")
+    motions = Certificate(None, tuple(chosen.values()), header=OF_MOMENTS, title="premises are met")
     return Certificate(form, tuple(theorems), str(claim.orders), OF_MOMENTS, motions)
 
 
-@dataclass(frozen=True)
-class Chosen:
+def _chosen(one: Relation, scope: Scope) -> Whole:
     """That a free symbol can have this value at any instant."""
-
-    letter: str
-    type: str
-    value: str
-
-    @property
-    def name(self) -> str:
-        return f"{self.letter}_chosen"
-
-    @property
-    def statement(self) -> str:
-        said = equal("dual" in self.type, self.letter, self.value)
-        return f"Theorem {self.name} (now : instant) : exists ({self.letter} : {self.type}), {said}."
-
-    @property
-    def text(self) -> str:
-        proof = f"Proof. exists {self.value}. exact (same_at now _). Qed."
-        return f"Notation K := smooth_functions.\n{self.statement}\n{proof}\n"
-
-    def read_back_faults(self) -> list[str]:
-        return []
-
-
-def _chosen(one: Relation, scope: Scope) -> Chosen:
-    symbol, value = one.left, one.right
-    own = symbol.declaration if isinstance(symbol, Symbol) else None
-    if own is None or own.rotation or own.unit or scope.definitions.lookup(symbol) or one.operator != "=":
+    own = one.left.declaration if isinstance(one.left, Symbol) else None
+    if own is None or own.rotation or own.unit or scope.definitions.lookup(one.left) or one.operator != "=":
         raise NotCertified("premises at one instant that do not say what a free symbol is")
-    speaker = Speaker(scope.definitions)
-    left, right = speaker.symbol(symbol), speaker.term(value)
-    if len(speaker.binders) != 1:
-        raise NotCertified("premises at one instant on several symbols")
-    return Chosen(left.text, left.type, right.at(ATOM))
+    goal, speaker = Exists((Variable(own),), Atom(one), False), Speaker(scope.definitions)
+    proposition, value = said(speaker, goal), speaker.term(one.right).at(ATOM)
+    if speaker.binders or own.constant:
+        raise NotCertified("premises at one instant on several symbols, or on constants")
+    lines = [f"exists {value}.", "exact (same_at now _)."]
+    return Whole("chosen", goal, scope, speaker, proposition, (), lines, (), frozenset(), {})
 
 
 def joined(name: str, goal: Goal, scope: Scope, proof: Proof) -> Whole:

@@ -67,7 +67,7 @@ def written(term, hand: Hand) -> str:
         return to_latex(term)
 
 
-@settings(max_examples=250, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=120, deadline=None, suppress_health_check=list(HealthCheck))
 @given(terms)
 def test_what_an_author_writes_reads_as_the_same_term(term: Term) -> None:
     for table, hand in zip(TABLES, KNOWN, strict=True):

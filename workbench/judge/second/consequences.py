@@ -77,15 +77,17 @@ class _Supposed:
 
     def _vanishes(self, p: PolyElement) -> bool:
         """Whether a power is in the ideal: of p, of p times what is not 0, or, where p = x − y and no term of
-        x and y is ever negative, of p (x + y)."""
+        x and y is ever negative, of p (x + y). What the divisors show as they are is seen sooner."""
         factors = [p.ring.one, *([prod(self._elsewhere)] if self._elsewhere else [])]
         if self._ring.is_made_of_sizes(p):
             factors.append(p.new({powers: abs(c) for powers, c in p.items()}))
-        return any(self._power_vanishes(p * factor) for factor in factors)
+        return self._power_vanishes(p, self._divisors) or any(
+            self._power_vanishes(p * factor, self._basis) for factor in factors
+        )
 
-    def _power_vanishes(self, p: PolyElement) -> bool:
+    def _power_vanishes(self, p: PolyElement, by: Sequence[PolyElement]) -> bool:
         for _ in range(4):
-            p = self._remainder(self._ring.normal(p))
+            p = self._remainder(self._ring.normal(p), by)
             if not p:
                 return True
             if len(p) > _LONGEST:
@@ -93,22 +95,19 @@ class _Supposed:
             p = p * p
         return False
 
-    def _remainder(self, p: PolyElement) -> PolyElement:
+    def _remainder(self, p: PolyElement, by: Sequence[PolyElement]) -> PolyElement:
         group = _spread([p])
         for place, value in self._values:
             group = _with_value(group, place, value)
         p = self._ring.normal(group[0][0])
-        return p.set_ring(self._basis[0].ring).rem(self._basis).set_ring(p.ring) if p and self._basis else p
+        return p.set_ring(by[0].ring).rem(by).set_ring(p.ring) if p and by else p
 
     @cached_property
     def _basis(self) -> list[PolyElement]:
         ring = self._ring.rationals.clone(order=grevlex)
         relations = self._ring.over_rationals(self._ring.relations)
-        basis = (
-            groebner([p.set_ring(ring) for p in (*self._divisors, *relations)], ring)
-            if self._divisors
-            else []
-        )
+        generators = [p.set_ring(ring) for p in (*self._divisors, *relations)]
+        basis = groebner(generators, ring) if self._divisors else []
         require_python_integers(*basis)
         return basis
 

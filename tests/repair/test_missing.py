@@ -55,7 +55,7 @@ def without_an_addend(claim, formula, random):
 def test_a_dropped_addend_is_found_again(paper):
     random = Random(7)
     tried = found = 0
-    for claim, formula in right_claims(paper)[::13]:
+    for claim, formula in right_claims(paper)[::26]:
         damaged = without_an_addend(claim, formula, random)
         try:
             found_by = None if damaged is None else finder(claim, damaged)
@@ -67,7 +67,7 @@ def test_a_dropped_addend_is_found_again(paper):
         tried += 1
         if any(screen.vanishes(edit.statement) for edit in (*search.outer(), *search.inner())):
             found += 1
-    assert tried > 4
+    assert tried > 2
     assert found >= 0.7 * tried
 
 

@@ -97,7 +97,7 @@ def test_different(paper, name, one, other):
 def test_a_multiple_is_the_same_and_a_damaged_equation_is_not(paper):
     random = Random(3)
     rearranged = false = 0
-    for claim, formula in right_claims(paper)[::9]:
+    for claim, formula in right_claims(paper)[::18]:
         statement = formula.statement
         assert same(claim, statement, statement)
         for damaged in damages(claim, formula, random, 1):
@@ -116,4 +116,4 @@ def test_a_multiple_is_the_same_and_a_damaged_equation_is_not(paper):
                 continue
             assert same(claim, statement, scaled), claim.id
             rearranged += 1
-    assert rearranged > 10 and false > 50
+    assert rearranged > 5 and false > 25

@@ -103,6 +103,19 @@ def test_long_files_take_no_longer_than_their_length(tmp_path: Path, name: str, 
     assert time.process_time() - start < 5 * max(1, len(content) / 100_000)
 
 
+@pytest.mark.parametrize("addends", [4_900, 25_000, 1_000_000])
+def test_a_formula_of_any_length_is_judged_or_refused_at_once(tmp_path: Path, addends: int) -> None:
+    """Up to 20,000 characters of one formula are read; the next formula is, in any case."""
+    paper = tmp_path / "p.tex"
+    paper.write_text("\\[ a " + "+ b " * addends + "= c \\] \\[ a + b = b + a \\]")
+    (tmp_path / "p.toml").write_text(
+        'source = "p.tex"\n[symbols]\na = "scalar"\nb = "scalar"\nc = "scalar"\n'
+    )
+    claims = load_paper(tmp_path / "p.toml").claims
+    assert (claims[0].printed.statement is None) == (addends > 4_900)
+    assert claims[1].printed.statement is not None
+
+
 SNIPPETS = [
     "\\begin{align}", "\\end{align}", "\\[", "\\]", "$$", "$", "{", "}", "\\\\", "&", "\\def\\x#1{#1\\x}", "\\x", "\\newcommand",
     "\\let\\a=", "\\if", "\\else", "\\fi", "\\ifx", "\\begin{verbatim}", "\\verb|", "\\label{a}", "\\tag", "\\input{p}", "#1", "%", "\n\n",

@@ -377,9 +377,15 @@ _NAMES = {
 }
 
 
+#: A longer formula is not read; none of a book is as long.
+MOST_CHARACTERS = 20_000
+
+
 @lru_cache(maxsize=4096)
 def parse(text: str) -> Lines:
     """The lines of a formula. Raises Fault."""
+    if len(text) > MOST_CHARACTERS:
+        raise Fault(f"a formula of {len(text)} characters; up to {MOST_CHARACTERS} are read", 0)
     try:
         return _parser().parse(text)
     except UnexpectedInput as error:

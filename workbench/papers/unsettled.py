@@ -114,11 +114,11 @@ def _is_open(claim: Claim, column: Declaration, symbols: Sequence[Declaration]) 
     """Whether the symbol is a column of symbols that nothing defines and that the claim has nowhere else."""
     bodies = [each.body for each in claim.notation.definitions if each.declaration == column]
     entries = {entry.declaration.name for entry in column_of_symbols(bodies[0] if len(bodies) == 1 else None)}
+    if not entries:
+        return False
     others = [each for each in symbols if each != column]
     known = {each.declaration.name for each in claim.notation.definitions}
-    return bool(entries) and entries.isdisjoint(
-        known | {each.name for each in others} | _within(claim, others)
-    )
+    return entries.isdisjoint(known | {each.name for each in others} | _within(claim, others))
 
 
 def _within(claim: Claim, symbols: Sequence[Declaration]) -> set[Name]:

@@ -78,8 +78,10 @@ def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] 
 
 def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """[x \\; y \\; z]^T, symbols with nothing but space between them, as [x, y, z]^T."""
+    if tokens[place].text != "[":
+        return None
     end = next((i for i in range(place, len(tokens)) if tokens[i].text in ("]", "&", "\\\\", "=")), None)
-    if tokens[place].text != "[" or end is None or tokens[end].text != "]":
+    if end is None or tokens[end].text != "]":
         return None
     above = past(tokens, end + 1)
     if [token.text for token in tokens[above : above + 1]] != ["^"]:

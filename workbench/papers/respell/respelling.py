@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
+from workbench.language.syntax import MOST_CHARACTERS
 from workbench.papers.respell.by_hand import as_read
 from workbench.papers.respell.plain_tex import with_nuclei, with_typefaces
 from workbench.papers.texts import Token
@@ -69,7 +70,10 @@ _RENAMED = {
 
 def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Token]:
     """Without what moves, colours or numbers; bold italics and brackets by names that the reader knows; and
-    letters that stand together and are one of the words by the command of this name."""
+    letters that stand together and are one of the words by the command of this name. What is too long to be
+    read stays as it is."""
+    if len(tokens) > MOST_CHARACTERS:
+        return list(tokens)
     made = list(_respelled(list(with_nuclei(list(with_typefaces(as_read(tokens)))))))
     if any(token.word in _OPERATORS for token in tokens):
         made = _tidied(made)

@@ -125,7 +125,7 @@ class DifferentialRing:
     @contextmanager
     def removable(self) -> Iterator[None]:
         """What is divided by in here may vanish: the quotients are analytic there, as sin x / x is at 0, so
-        that an identity that holds beside that place holds on it."""
+        that an identity that holds beside that place holds on it. Equations may leave nothing beside it."""
         self._removable = True
         yield
         self._removable = False
@@ -149,6 +149,11 @@ class DifferentialRing:
     def denominators(self) -> tuple[Polynomial, ...]:
         """What was divided by, up to numbers, in normal form, where quotients are not analytic."""
         return tuple(d for name, d in self._reciprocals if name in self._divided)
+
+    @property
+    def limits(self) -> tuple[Polynomial, ...]:
+        """What else was divided by: where it vanishes, the quotients are limits."""
+        return tuple(d for name, d in self._reciprocals if name not in self._divided)
 
     @property
     def relations(self) -> tuple[Polynomial, ...]:

@@ -113,3 +113,28 @@ def test_terms_of_one_value_turn_alike(latex):
 @pytest.mark.parametrize("latex", [r"f^2 + g^2 = 0 \Rightarrow f = 0", r"f^3 = g^3 \Rightarrow f = g"])
 def test_what_only_real_numbers_obey_is_open(latex):
     assert outcome(latex) == Outcome.UNCHECKED
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"a = 0 \Rightarrow \exp(\tilde{a}) = 2 \mathbf{I}",
+        r"\|a\| = 0 \Rightarrow \exp(\tilde{a}) = 2 \mathbf{I}",
+        r"a \cdot a = 0 \Rightarrow \exp(\tilde{a}) b = 2 b",
+        r"a = f b \text{ and } f = 0 \Rightarrow \exp(\tilde{a}) = 2 \mathbf{I}",
+    ],
+)
+def test_a_limit_is_not_seen_from_beside_where_an_equation_holds(latex):
+    """sin ‖a‖ / ‖a‖ times ‖a‖ is 0 at a = 0, and so is anything else."""
+    assert outcome(latex) in (Outcome.UNCHECKED, Outcome.REFUTED)
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"f = 0 \Rightarrow f \exp(\tilde{a}) b = 0",
+        r"n \cdot m = 0 \Rightarrow (\exp(\tilde{a}) n) \cdot (\exp(\tilde{a}) m) = 0",
+    ],
+)
+def test_what_no_equation_speaks_of_is_seen_from_beside(latex):
+    assert outcome(latex) == Outcome.PROVED

@@ -74,7 +74,7 @@ class Equation(Case):
             if screened is False:
                 return None
             residuals = bare.exact.residuals(self.relation)
-            if not bare._vanishes(residuals) or bare.solved.gaps():
+            if not bare._vanishes(residuals) or bare.solved.gaps() or bare.solved.limits():
                 return None
         except (NotExact, ZeroDivisionError):
             return None
@@ -134,6 +134,11 @@ class Equation(Case):
         gaps = self.solved.gaps()
         if gaps:
             return case._conditional(gaps, evidence)
+        if self.solved.limits():
+            reason = (
+                "under the equations something may be 0 at which a sine or an exponential is a limit here"
+            )
+            return Verdict(Outcome.UNCHECKED, reason=reason, evidence=tuple(evidence))
         return Verdict(Outcome.PROVED, evidence=tuple(evidence))
 
     def _recheck(self) -> list[Evidence] | None:

@@ -36,6 +36,10 @@ def _proportional(p: Polynomial, q: Polynomial) -> bool:
     return p * q.leading_coefficient() == q * p.leading_coefficient()
 
 
+def _places(p: Polynomial) -> set[int]:
+    return {place for place, degree in enumerate(p.degrees()) if degree > 0}
+
+
 class Pivot(NamedTuple):
     """A generator, its place in the ring, and what it is where the equations hold."""
 
@@ -64,16 +68,32 @@ class Equations:
         self._rest, self._nonzero = rest, nonzero
 
     def gaps(self) -> list[Polynomial]:
-        """The irreducible factors of the denominators that are not kept from vanishing.
+        """The irreducible factors of the denominators that are not kept from vanishing."""
+        return self._not_excluded(self._ring.denominators)
 
-        p ≠ 0 excludes the zeros of every factor of p. A factor that is a positive number plus a sum of
-        squares of monomials has no real zero.
-        """
+    def limits(self) -> list[Polynomial]:
+        """The same of denominators at whose zeros the quotients are limits, as sin x / x is at 0. Where
+        equations hold that speak of x, what is seen beside such a place says nothing of it."""
+        bound = self._bound()
+        return [p for p in self._not_excluded(self._ring.limits) if not bound.isdisjoint(_places(p))]
+
+    def _bound(self) -> set[int]:
+        """The generators that the equations speak of, and those that relations tie to them."""
+        said = [{pivot.place, *_places(pivot.value)} for pivot in self.solved]
+        bound = set().union(*said, *map(_places, self._rest))
+        tied = [_places(relation) for relation in self._ring.relations]
+        while more := [places for places in tied if not bound.isdisjoint(places) and not places <= bound]:
+            bound = bound.union(*more)
+        return bound
+
+    def _not_excluded(self, denominators: Sequence[Polynomial]) -> list[Polynomial]:
+        """p ≠ 0 excludes the zeros of every factor of p. A factor that is a positive number plus a sum of
+        squares of monomials has no real zero."""
         engine = self._engine
         apart = [*self._nonzero, *(factor for p in self._nonzero for factor in _factors(engine, p))]
         gaps = [
             factor
-            for denominator in self._ring.denominators
+            for denominator in denominators
             for factor in _factors(engine, denominator)
             if not any(_proportional(factor, known) for known in apart)
             and not is_nowhere_zero(factor, engine.norm_places)
@@ -130,7 +150,7 @@ class _Spread:
 
     def __init__(self, polynomial: Polynomial) -> None:
         self.polynomial = polynomial
-        self.places = {place for place, degree in enumerate(polynomial.degrees()) if degree}
+        self.places = _places(polynomial)
 
     def replaced(self, pivot: Pivot) -> _Spread:
         if pivot.place not in self.places:

@@ -171,8 +171,8 @@ BAD_PAPERS = [
     ),
     BadPaper(
         "a megabyte of braces",
-        claim("id = 'x'\nprinted = '" + "{" * 50_000 + "«" + "{" * 950_000 + "'"),
-        "printed",
+        claim("id = 'x'\nprinted = '«" + "{" * 1_000_000 + "'"),
+        "a formula of 1000000 characters; up to 20000 are read",
     ),
     BadPaper(
         "deeply nested braces",

@@ -123,11 +123,19 @@ def check(
 ) -> Checked | CheckedLines:
     """See `workbench.check`."""
     with standard(Memory) as memory:
-        known = _notation(symbols, paper, notation, at, memory)
-    known = _defined(known, definitions)
+        known = _defined(_notation(symbols, paper, notation, at, memory), definitions)
+        claims = _claims(_texts("latex", latex), known, _texts("assume", assume), orders)
+        results = judge_claims(claims, budget=budget, memory=memory)
+    checked = [Checked(result) for result in results]
+    return checked[0] if len(checked) == 1 else CheckedLines(checked)
+
+
+def _claims(
+    latex: Sequence[str], known: Notation, conditions: Sequence[str], orders: str | None
+) -> list[Claim]:
+    """One for each line; a line that defines a symbol defines it for those after it."""
     given = None if orders is None else Orders.parse(orders)
-    conditions = _texts("assume", assume)
-    lines = split_lines(*_texts("latex", latex))
+    lines = split_lines(*latex)
     claims = []
     for number, line in enumerate(lines, start=1):
         formula, values = _formula(line, known, given)
@@ -139,10 +147,7 @@ def check(
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
         name = "check" if len(lines) == 1 else f"check.{number}"
         claims.append(Claim(name, formula, known, assume=supposed, orders=values))
-    with standard(Memory) as memory:
-        results = judge_claims(claims, budget=budget, memory=memory)
-    checked = [Checked(result) for result in results]
-    return checked[0] if len(checked) == 1 else CheckedLines(checked)
+    return claims
 
 
 def _texts(name: str, given: str | Sequence[str]) -> tuple[str, ...]:

@@ -56,8 +56,10 @@ def is_spelt_as_one(term: Term) -> bool:
     """Whether the author has a spelling for it in which something stands once that is in it more often, as x
     is in the derivative of x in a frame: no part of it can be changed by itself then."""
     own = author()
-    parts = Counter(term.walk()) if own is not None else {}
-    spellings = own.spellings(term) if own is not None else ()
+    spellings = list(own.spellings(term)) if own is not None else ()
+    if not spellings:
+        return False
+    parts = Counter(term.walk())
     return any(parts[argument] > 1 for _, arguments in spellings for argument in arguments.values())
 
 

@@ -49,7 +49,7 @@ class ExactAlgebra:
         norms = {}
         for name, square in self._norms:
             if p.degrees()[places[name]] > 0:
-                norms[name] = _root(self.at(square, values))
+                norms[name] = _rational_root(self.at(square, values))
         return self.ring.at(p, {**values, **norms})
 
     def diagonal(self, value: int, rows: int = 3, columns: int | None = None) -> Matrix:
@@ -202,7 +202,7 @@ class ExactAlgebra:
         return norm
 
 
-def _root(square: Fraction) -> Fraction:
+def _rational_root(square: Fraction) -> Fraction:
     root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
     if root * root != square:
         raise NotExact(f"{square} has no rational root")

@@ -9,12 +9,13 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import chain, islice
 
+from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.evidence.points import Trial, accepted, counterexample, first_trial, trial_at, trials
 from workbench.judge.evidence.reals import real_trials, surely_differ
 from workbench.judge.evidence.solutions import solved_points
 from workbench.judge.first.exact import ExactEngine
-from workbench.judge.kernel.ideals import impossible
-from workbench.judge.kernel.vanishing import Equations, solve, square_of
+from workbench.judge.kernel.ideals import impossible, square_of
+from workbench.judge.kernel.vanishing import Equations, solve
 from workbench.judge.second.number_field import NumberFieldRing
 from workbench.judge.subject.angles import with_parts_of_angles
 from workbench.judge.subject.assumptions import Assumptions, Unsatisfiable
@@ -68,14 +69,19 @@ class Case:
         self.definitions = with_parts_of_angles(self.sides, known)
         self.inventory: Inventory = take_inventory(self.sides, self.definitions)
 
-    @cached_property
+    @property
     def exact(self) -> ExactEngine:
-        """The first engine. What the assumptions divide by they suppose not to be 0."""
+        """The first engine."""
+        return self._supposing[0]
+
+    @cached_property
+    def _supposing(self) -> tuple[ExactEngine, list[Polynomial]]:
+        """The first engine, and what is supposed not to be 0: all that the assumptions divide by, too."""
         engine = ExactEngine(self.inventory, self.definitions)
         for relation in self.assumptions.relations:
             engine.residuals(relation)
-        self.nonzero = [*engine.ring.denominators, *(square_of(engine, r) for r in self.assumptions.nonzero)]
-        return engine
+        apart = [square_of(engine, relation) for relation in self.assumptions.nonzero]
+        return engine, [*engine.ring.denominators, *apart]
 
     def require_satisfiable(self) -> None:
         """Raises Unsatisfiable if it is proved that no point satisfies the assumptions: under them anything
@@ -159,7 +165,8 @@ class Case:
 
     @cached_property
     def solved(self) -> Equations:
-        return solve(self.exact, self.assumptions.equations, self.nonzero)
+        engine, nonzero = self._supposing
+        return solve(engine, self.assumptions.equations, nonzero)
 
     def counterexample(self, trial: Trial, relation: Relation) -> Counterexample:
         """The trial's point, an angle told by what of it occurs: its value, or its cosine and sine."""

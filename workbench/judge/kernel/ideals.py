@@ -10,9 +10,19 @@ from flint import Ordering, fmpq_mpoly_ctx, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_mpo
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.first.exact import ExactEngine
 from workbench.judge.subject.assumptions import Assumptions
+from workbench.language.terms import Relation
 
 #: Beyond these sizes (polynomials of a basis, terms of one, bits of a coefficient) a basis is not sought.
 LIMITS = (60, 400, 4096)
+
+
+def square_of(engine: ExactEngine, relation: Relation) -> Polynomial:
+    """What is 0 just where both sides are the same: of scalars their difference, else the sum of its
+    components' squares."""
+    residuals = engine.residuals(relation)
+    if len(residuals) == 1:
+        return residuals[0]
+    return engine.ring.reduce(sum((r * r for r in residuals), engine.ring.zero))
 
 
 def impossible(engine: ExactEngine, assumptions: Assumptions) -> bool:
@@ -23,10 +33,7 @@ def impossible(engine: ExactEngine, assumptions: Assumptions) -> bool:
         if not any(engine.residuals(relation)):
             return True
     equations = [p for e in assumptions.equations for p in engine.residuals(e)]
-    nonzero = []
-    for relation in assumptions.nonzero:
-        residuals = engine.residuals(relation)
-        nonzero.append(residuals[0] if len(residuals) == 1 else sum((p * p for p in residuals), ring.zero))
+    nonzero = [square_of(engine, relation) for relation in assumptions.nonzero]
     nonzero += [ring.clear(d) for d in ring.denominators]
     names = (*ring.names, *(f"apart{i}" for i in range(len(nonzero))))
     context = fmpz_mpoly_ctx.get(names, Ordering.lex)

@@ -13,15 +13,6 @@ from workbench.judge.kernel.ideals import Ideal, has_even_powers, is_nowhere_zer
 from workbench.language.terms import Relation
 
 
-def square_of(engine: ExactEngine, relation: Relation) -> Polynomial:
-    """What is 0 just where both sides are the same: of scalars their difference, else the sum of its
-    components' squares."""
-    residuals = engine.residuals(relation)
-    if len(residuals) == 1:
-        return residuals[0]
-    return engine.ring.reduce(sum((r * r for r in residuals), engine.ring.zero))
-
-
 def _factors(engine: ExactEngine, p: Polynomial) -> list[Polynomial]:
     """Irreducible polynomials, without reciprocals, one of which vanishes where p does and all that p is made
     of is defined: a norm vanishes where its square does."""
@@ -75,7 +66,7 @@ class Equations:
         """The same of denominators at whose zeros the quotients are limits, as sin x / x is at 0. Where
         equations hold that speak of x, what is seen beside such a place says nothing of it."""
         bound = self._bound()
-        return [p for p in self._not_excluded(self._ring.limits) if not bound.isdisjoint(_places(p))]
+        return self._not_excluded([p for p in self._ring.limits if not bound.isdisjoint(_places(p))])
 
     def _bound(self) -> set[int]:
         """The generators that the equations speak of, and those that relations tie to them."""
@@ -90,16 +81,20 @@ class Equations:
         """p ≠ 0 excludes the zeros of every factor of p. A factor that is a positive number plus a sum of
         squares of monomials has no real zero."""
         engine = self._engine
-        apart = [*self._nonzero, *(factor for p in self._nonzero for factor in _factors(engine, p))]
         gaps = [
             factor
             for denominator in denominators
             for factor in _factors(engine, denominator)
-            if not any(_proportional(factor, known) for known in apart)
+            if not any(_proportional(factor, known) for known in self._apart)
             and not is_nowhere_zero(factor, engine.norm_places)
         ]
         supposed = self.solved or self._rest
         return [factor for factor in gaps if not supposed or not self._excludes(factor)]
+
+    @cached_property
+    def _apart(self) -> list[Polynomial]:
+        """What does not vanish, and its factors."""
+        return [*self._nonzero, *(factor for p in self._nonzero for factor in _factors(self._engine, p))]
 
     def imply(self, residuals: Sequence[Polynomial]) -> bool:
         """Whether all are seen to vanish where the equations hold; as the components of a vector do where

@@ -53,7 +53,6 @@ class _Supposed:
     def __init__(self, ring: SympyRing, zeros: list[PolyElement], elsewhere: list[PolyElement]) -> None:
         self._ring, self._elsewhere = ring, elsewhere
         self._values: list[tuple[int, PolyElement]] = []
-        self._divisors: list[PolyElement] = []
         bound = {place for r in ring.relations for powers in r for place, power in enumerate(powers) if power}
         pending, divisors = _spread(zeros), []
         while pending:

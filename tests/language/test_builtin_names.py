@@ -158,6 +158,17 @@ def test_the_superscript_t_is_the_transpose_whatever_t_is() -> None:
         read_term("A^T", table(A=TENSOR), {"T"})
 
 
+@pytest.mark.parametrize("mark", ["-T", r"-\top", r"-\mathrm{T}", r"{-\mathsf T}"])
+def test_minus_t_is_the_transpose_of_the_inverse(mark: str) -> None:
+    known = table(A=TENSOR)
+    assert read_term(f"A^{{{mark}}}", known) == read_term("(A^{-1})^T", known)
+    for bad in ("A^{-1-T}", "A^{-2T}"):
+        with pytest.raises(ReadError, match="expected an integer, -1, T, -T"):
+            read_term(bad, known)
+    with pytest.raises(ReadError, match="the transpose, or a power"):
+        read_term("A^{-T}", known, {"T"})
+
+
 @pytest.mark.parametrize(
     "name",
     [

@@ -268,8 +268,11 @@ def _refuse_label(term: Term, sup: Node) -> None:
 
 
 def _is_transpose(sup: Node | None) -> bool:
+    """Whether it is the T of A^T or A^{\\mathrm{T}}."""
     inner = core(sup)
-    return inner is not None and (_is_upright_t(inner) or (isinstance(inner, Leaf) and inner.text == "T"))
+    if isinstance(inner, Styled) and inner.style in ("\\mathrm", "\\mathsf"):
+        inner = core(inner.body)
+    return isinstance(inner, Leaf) and inner.text == "T"
 
 
 def _column(scope: Scope, row: Bracket) -> Term:
@@ -285,14 +288,6 @@ def _upright(term: Term) -> Term:
         return term
     is_transposed = isinstance(term, Apply) and term.head == "transpose"
     return term.arguments[0] if is_transposed else construct.apply("transpose", term)
-
-
-def _is_upright_t(node: Node) -> bool:
-    """The T of A^{\\mathrm{T}}."""
-    match node:
-        case Styled(style="\\mathrm" | "\\mathsf", body=Leaf(text="T") | Group(parts=(Leaf(text="T"),))):
-            return True
-    return False
 
 
 def _with_quotients(node: Node) -> Node:
@@ -343,8 +338,10 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
     match inner:
         case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
             raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)
-        case _ if _is_upright_t(inner) or (isinstance(inner, Leaf) and inner.text == "T"):
+        case _ if _is_transpose(inner):
             return term if isinstance(term, Zero) else scope.apply(sup.at, "transpose", term)
+        case Sum(addends=(("-", _, below),)) if _is_transpose(below):
+            return raised(scope, scope.apply(sup.at, "inverse", term), below)
         case Leaf(kind="MARK", text="*"):
             return scope.apply(sup.at, "adjugate", term)
         case Bracket(kind="(", parts=(order,)):
@@ -354,7 +351,7 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
         return scope.build(sup.at, instances.raised, root, Linear(halves))
     exponent = linear(inner, scope.variables)
     if exponent is None:
-        known = "an integer, -1, T, *, or an order in round brackets"
+        known = "an integer, -1, T, -T, *, or an order in round brackets"
         raise Fault(f"expected {known} as superscript; {scope.known_variables()}", sup.at)
     if exponent.is_number and exponent.constant < 0:
         base = term if exponent.constant == -1 else scope.build(sup.at, construct.power, term, -exponent)

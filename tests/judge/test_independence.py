@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -152,6 +153,11 @@ def test_the_field_is_a_field():
     a, b = QQ(3, 4), QQ(-5, 6)
     assert QQ.quo(a, b) * b == a and QQ.exquo(a, b) == a / b
     assert QQ.div(a, b) == (a / b, QQ.zero) and QQ.rem(a, b) == 0
+
+
+@pytest.mark.parametrize(("name", "home"), sympy_gate.HOMES.items())
+def test_a_name_of_the_table_is_sympy_s(name, home):
+    assert getattr(sympy_gate, name) is getattr(import_module(home), name)
 
 
 def test_a_name_that_is_not_in_the_table_is_refused():

@@ -208,6 +208,54 @@ def test_only_the_same_rotation_is_taken_from_both_sides(always, latex, cheaper)
     assert both(latex)[1] == (both(cheaper)[0] if cheaper else None)
 
 
+#: A term, and what it is in the rotated frame; None where it is left as it is.
+TERMS = [
+    (r"R \mathbf{I} R^T S", "S"),
+    (r"(R T R^T)^3", "R T T T R^T"),
+    (r"(R T R^T)^{-3}", "R T^{-1} T^{-1} T^{-1} R^T"),
+    (r"(T R)^2", "T R T R"),
+    (r"T^0", None),
+    (r"f (R T R^T)", "R (f T) R^T"),
+    (r"(R T R^T) f", "R (T f) R^T"),
+    (r"f (R a)", "R (f a)"),
+    (r"-(R T R)", "R (-T) R"),
+    (r"(R T S)^T", "S^T T^T R^T"),
+    (r"(R T S)^{-1}", "S^{-1} T^{-1} R^T"),
+    (r"(R T S)^*", "S^* T^* R^T"),
+    (r"R^* R^{-1} (R^T)^T T", "R^T T"),
+    (r"\widetilde{R R a}", r"R R \tilde{a} R^T R^T"),
+    (r"\widetilde{R^T T a}", r"R^T \widetilde{T a} R"),
+    (r"\operatorname{vect}(R T R^T)", r"R \operatorname{vect} T"),
+    (r"\operatorname{vect}(R T R)", None),
+    (r"\operatorname{sym}(R R T R^T R^T)", r"R R (\operatorname{sym} T) R^T R^T"),
+    (r"\operatorname{skew}(R T R^T)", r"R (\operatorname{skew} T) R^T"),
+    (r"R a \times R b", r"R (a \times b)"),
+    (r"R R a \times R b", r"R (R a \times b)"),
+    (r"R a \times R^T b", None),
+    (r"T a \times T b", None),
+    (r"R a \otimes R b", r"R (a \otimes b) R^T"),
+    (r"R a \otimes b", None),
+    (r"\det (R T R S)", r"\det T \det S"),
+    (r"\det (R R)", "1"),
+    (r"\operatorname{trace} (R T S R^T)", r"\operatorname{trace} (T S)"),
+    (r"\operatorname{trace} (T R R^T)", r"\operatorname{trace} T"),
+    (r"R a \cdot R b", r"a \cdot b"),
+    (r"R T a \cdot R b", r"T a \cdot b"),
+    ("(R a, R b, R c)", "(a, b, c)"),
+    ("(R a, R b, c)", None),
+    (r"\|R T a\|", r"\|T a\|"),
+    (r"\|T a\|", None),
+    (r"R (T R^T R + S)", "R (T + S)"),
+    (r"\cos(R a \cdot R b)", r"\cos(a \cdot b)"),
+]
+
+
+@pytest.mark.parametrize(("latex", "turned"), TERMS)
+def test_each_rule_takes_the_rotations_out(latex, turned):
+    (claim, expected) = (read(f"{each} = {each}", TABLE)[0] for each in (latex, turned or latex))
+    assert rotated._Frame(Definitions()).simple(claim.left) == expected.left
+
+
 @pytest.mark.parametrize(
     ("latex", "turns"),
     [

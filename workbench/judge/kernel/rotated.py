@@ -120,7 +120,7 @@ class _Frame:
                 return fold(lambda a, b: apply("mul", a, b), factors) if factors else number(1)
             case Apply(head="trace", arguments=(body,)) if body.type.kind == "tensor":
                 return apply("trace", self._out_of_both(self.word(body), body)[1])
-            case Apply(head="dot" | "triple", arguments=arguments):
+            case Apply(head="dot" | "triple" | "norm", arguments=arguments):
                 return apply(term.head, *self._shared([self.word(a) for a in arguments])[1])
         if not term.children:
             return term

@@ -93,6 +93,8 @@ TRUE = {
     "turn back": r"e^{\alpha \tilde{u}} e^{-\alpha \tilde{u}} = \mathbf{I}",
     "turn about a scaled axis": r"e^{2 \alpha \tilde{u}} = e^{\widetilde{\alpha u}} e^{\tilde{u} \alpha}",
     "sum with numbers as bounds": r"\sum_{k=1}^3 k a = 6 a",
+    "operators beside a tensor": r"T = T + \mathbf{D} - \mathbf{D}",
+    "a tensor beside operators": r"T + \mathbf{D} - \mathbf{D} = T",
     "operator acts": r"(\mathbf{D} + \tilde{a}) b = \dot{b} + a \times b",
 }
 

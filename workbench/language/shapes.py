@@ -25,8 +25,12 @@ def multiple(term: Term) -> Literal["zero", "identity"] | None:
                 return multiple(right)
             return multiple(left) if right.type.kind == "scalar" else None
         case Apply(head="add"):
-            found = {multiple(argument) for argument in term.arguments}
-            return None if None in found else "identity" if "identity" in found else "zero"
+            found: Literal["zero", "identity"] = "zero"
+            for argument in term.arguments:
+                if (each := multiple(argument)) is None:
+                    return None
+                found = "identity" if each == "identity" else found
+            return found
     return None
 
 

@@ -66,6 +66,48 @@ def test_both_engines_give_the_same_value(kind, dual):
     assert compared >= 30
 
 
+#: What a symbol can be declared as.
+SPECS = [
+    *(
+        {"kind": f"{dual}{kind}"}
+        for kind in ("scalar", "vector", "tensor", "rotation")
+        for dual in ("", "dual ")
+    ),
+    *({"kind": kind} for kind in ("transform", "hamilton quaternion", "matrix 2x3", "matrix 6x1")),
+    *({"kind": kind, "unit": True} for kind in ("vector", "dual vector")),
+    *({"kind": f"{dual}hamilton quaternion", "unit": True} for dual in ("", "dual ")),
+    {"kind": "tensor", "symmetric": True},
+    *({"kind": kind, "constant": True} for kind in ("scalar", "vector", "rotation", "transform")),
+]
+
+
+@pytest.mark.parametrize("spec", SPECS, ids=lambda spec: " ".join(map(str, spec.values())))
+def test_both_engines_give_the_same_value_of_a_free_symbol(spec):
+    (statement,) = read("x = x", SymbolTable().with_specs({"x": spec}))
+    for order in range(4):
+        term = derivative(statement.left, order)
+        exact, jets, point = engines_at_a_point([term], order)
+        assert value_at(exact, term, point) == jets.components(term)
+
+
+def test_a_free_angle_has_a_circle_of_its_own_whatever_its_value():
+    table = SymbolTable().with_specs({"x": {"kind": "scalar"}, "a": {"kind": "vector"}})
+    (statement,) = read(r"x \cos x = \cos \|a\|", table)
+    x, one = statement.left.arguments[0], (Fraction(5, 13), Fraction(12, 13))
+    inventory = take_inventory([statement.left, statement.right], FREE)
+    point = sample(inventory, RationalRing(), Random(1), lambda _: True)
+    for parameter in point:
+        if parameter.part == "circle":
+            own = (Fraction(3, 5), Fraction(4, 5)) if parameter.symbol == x else one
+            point[parameter] = own[parameter.component]
+        else:  # ‖a‖ = x = 1
+            point[parameter] = Fraction(parameter.component == 0)
+    jets = JetEngine(PointSource(RationalRing(), point), FREE)
+    assert jets.components(statement.left) == [Fraction(3, 5)] and jets.components(statement.right) == [
+        one[0]
+    ]
+
+
 class Fractions(RationalRing):
     """The rationals without Python's integers."""
 

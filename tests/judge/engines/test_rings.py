@@ -8,7 +8,7 @@ from judge.test_judge import TABLE
 
 from workbench.judge.second.rings import PRIME, FloatRing, RationalRing, Residue, ResidueRing
 from workbench.judge.second.sympy_ring import SympyRing
-from workbench.judge.second.tangents import Tangent, TangentRing
+from workbench.judge.second.tangents import Tangent, TangentRing, pushed
 from workbench.judge.subject.inventory import take_inventory
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
@@ -118,3 +118,20 @@ def test_a_tangent_is_a_change_along_a_line():
 def test_doubles():
     ring = FloatRing()
     assert (ring.divide(1.0, 4.0), ring.constant(3, 4), ring.root(2.25)) == (0.25, 0.75, 1.5)
+
+
+@pytest.mark.parametrize("depth", [1, 2, 3])
+def test_cosine_and_sine_of_a_moved_angle_are_those_of_the_sum(depth):
+    """Of a step ε₁ + … with ε² = 0: the second powers of the sum are not 0, those beyond the depth are."""
+    ring = RATIONALS[0]
+    steps = []
+    for _ in range(depth):
+        ring = TangentRing(ring)
+        steps = [Tangent(ring, step, step * 0) for step in steps]
+        steps.append(Tangent(ring, ring.constant(0, 1).value, ring.constant(1, 1).value))
+    start = ring.constant(3, 5), ring.constant(4, 5)
+    at_once = pushed(start, sum(steps[1:], steps[0]), ring)
+    one_by_one = start
+    for step in steps:
+        one_by_one = one_by_one[0] - one_by_one[1] * step, one_by_one[1] + one_by_one[0] * step
+    assert at_once == one_by_one

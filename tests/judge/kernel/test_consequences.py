@@ -3,8 +3,10 @@
 from random import Random
 
 import pytest
+from judge.test_judge import judged
 
 from workbench import check
+from workbench.judge.second import consequences
 from workbench.judge.verdict import Outcome
 
 SYMBOLS = (
@@ -126,7 +128,14 @@ def test_what_only_real_numbers_obey_is_open(latex):
 )
 def test_a_limit_is_not_seen_from_beside_where_an_equation_holds(latex):
     """sin ‖a‖ / ‖a‖ times ‖a‖ is 0 at a = 0, and so is anything else."""
-    assert outcome(latex) in (Outcome.UNCHECKED, Outcome.REFUTED)
+    checked = check(latex, symbols=SYMBOLS)
+    assert checked.outcome == Outcome.REFUTED or "is a limit here" in checked.verdict.reason
+
+
+def test_what_the_second_engine_does_not_see_is_open(monkeypatch):
+    monkeypatch.setattr(consequences, "recheck", lambda *_: False)
+    verdict = judged(r"f a = f b \Rightarrow f (a \cdot c) = f (b \cdot c)")
+    assert verdict.outcome == Outcome.UNCHECKED and "the second engine does not see" in verdict.reason
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ from workbench.judge.kernel.equation import IN_FORCE, Equation
 from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import WORST_FIRST, judge_family
 from workbench.judge.kernel.inequation import judge_inequation
+from workbench.judge.kernel.premises import put_in
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.exponentials import holds_exponentials, without_exponentials
 from workbench.judge.subject.inventory import NotExact
@@ -92,7 +93,7 @@ class Judge(Setting):
             case Relation(operator="=") if holds_exponentials(statement, self.definitions):
                 return self._exponential(statement, assume)
             case Relation(operator="="):
-                return Equation(self, statement, assume).verdict()
+                return self._equation(statement, assume)
             case Relation(operator="≈"):
                 return self._approximated(statement, assume)
             case Relation():
@@ -106,6 +107,27 @@ class Judge(Setting):
             case Naming():
                 return self._named(statement, assume)
         raise NotExact("a statement of this form")
+
+    def _equation(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
+        try:
+            verdict = Equation(self, said, assume).verdict()
+        except NotExact:
+            if (found := self._by_premise(said, assume)) is None:
+                raise
+            return found
+        is_open = verdict.outcome is Outcome.UNCHECKED and said.left != said.right
+        return (self._by_premise(said, assume) if is_open else None) or verdict
+
+    def _by_premise(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict | None:
+        """What is found if a premise defines a symbol."""
+        with suppress(NotExact, Unsatisfiable, ZeroDivisionError):
+            if (found := put_in(said, assume, self.definitions, self.bound)) is not None:
+                premise, others, definitions = found
+                verdict = replace(self, definitions=definitions)._judge(said, tuple(others))
+                if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
+                    evidence = Evidence("premise", "put in as a definition", {"formula": to_latex(premise)})
+                    return replace(verdict, evidence=(evidence, *verdict.evidence))
+        return None
 
     def _exponential(self, said: Relation, assume: tuple[Statement, ...]) -> Verdict:
         found = without_exponentials(said, self.definitions)

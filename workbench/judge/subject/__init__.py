@@ -1,5 +1,7 @@
 """What a statement is about, before any arithmetic: the one thing that the two engines share."""
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Protocol
 
 from workbench.language.terms import Symbol, Term
@@ -9,6 +11,17 @@ class Lookup(Protocol):
     """One step of definition: the body of a defined symbol, None for a free one."""
 
     def lookup(self, symbol: Symbol) -> Term | None: ...
+
+
+@dataclass(frozen=True)
+class With:
+    """The definitions, and more of them."""
+
+    definitions: Lookup
+    more: Mapping[Symbol, Term]
+
+    def lookup(self, symbol: Symbol) -> Term | None:
+        return self.more.get(symbol) or self.definitions.lookup(symbol)
 
 
 class NotExact(ValueError):

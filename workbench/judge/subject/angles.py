@@ -6,12 +6,12 @@ Where θ/2 stands under a sine, θ is 2 h with a free angle h; of ω t the half 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from math import lcm
 
-from workbench.judge.subject import Lookup, NotExact
+from workbench.judge.subject import Lookup, NotExact, With
 from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector
 from workbench.language.construct import apply, number, symbol
 from workbench.language.names import Name
@@ -24,17 +24,6 @@ Sum = dict[tuple[Term, ...], Fraction]
 NO_ANGLE = "the sine or cosine of anything but a rational combination of angles"
 
 
-class _Parts:
-    """The definitions, and beside them angles as multiples of parts of them."""
-
-    def __init__(self, definitions: Lookup, multiples: Mapping[Symbol, Term]) -> None:
-        self._definitions = definitions
-        self._multiples = multiples
-
-    def lookup(self, symbol: Symbol) -> Term | None:
-        return self._multiples.get(symbol) or self._definitions.lookup(symbol)
-
-
 def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
     """The definitions under which every free angle in the terms is a whole multiple of a free one."""
     denominators: dict[Symbol, int] = {}
@@ -43,7 +32,7 @@ def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
             if isinstance(angle, Symbol) and part.denominator > 1:
                 denominators[angle] = lcm(denominators.get(angle, 1), part.denominator)
     multiples = {a: _multiple(a, size) for a, size in denominators.items()}
-    return _Parts(definitions, multiples) if multiples else definitions
+    return With(definitions, multiples) if multiples else definitions
 
 
 def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:

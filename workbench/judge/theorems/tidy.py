@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from itertools import dropwhile, pairwise
 
 from workbench.language.construct import apply, derivative, rebuild, relation
@@ -36,6 +37,7 @@ def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
             yield sign, term
 
 
+@cache
 def _tidy(term: Term) -> Term:
     children = tuple(_tidy(child) for child in term.children)
     unchanged = all(new is old for new, old in zip(children, term.children, strict=True))

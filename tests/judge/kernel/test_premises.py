@@ -1,0 +1,109 @@
+"""What premises say a symbol is: they decide what the ideal of the equations does not, and nothing wrongly."""
+
+import pytest
+
+from workbench import check
+from workbench.judge.kernel.premises import put_in
+from workbench.judge.verdict import Outcome
+from workbench.language.defining import read_definition
+from workbench.language.definitions import Definitions
+from workbench.language.reader import read
+from workbench.language.symbols import SymbolTable
+
+SYMBOLS = (
+    dict.fromkeys("xyz", "scalar")
+    | dict.fromkeys("abc", "vector")
+    | {"T": "tensor", "S": "tensor", "R": "rotation", "n": {"kind": "vector", "unit": True}}
+)
+
+#: A symbol, what it is, and claims of both kinds with ? for it.
+CASES = [
+    ("x", "2 y", r"\cos ? = 2 \cos^2 y - 1", r"\cos ? = 2 \cos^2 y + 1"),
+    ("x", "y + z", r"\sin ? = \sin y \cos z + \cos y \sin z", r"\sin ? = \sin y \cos z - \cos y \sin z"),
+    ("x", "y", r"?^2 - y^2 + \cos ? = \cos y", r"? + \cos ? = y - \cos y"),
+    ("x", "y", r"\dot{y} \cos ? + z \dot{y} = \dot{y} (z + \cos y)", r"\dot{y} \cos ? = \dot{y} \sin y"),
+    ("x", r"\|a\|", r"\cos ? = \cos \|R a\|", r"\cos ? = \cos (2 \|R a\|)"),
+    ("a", "-b", r"\exp(\tilde{?}) \exp(\tilde{b}) = \mathbf{I}", r"\exp(\tilde{?}) = \exp(\tilde{b})"),
+    ("a", "x n", r"\exp(\tilde{?}) n = n", r"\exp(\tilde{?}) b = b + (\sin x) n \times b"),
+    ("a", "R b", r"\cos \|?\| = \cos \|b\|", r"\cos \|?\| = \cos \|b\| + \|b\|"),
+    ("T", r"\exp(\tilde{a})", r"?^T ? = \mathbf{I}", "? = ?^T"),
+    ("T", r"\exp(\tilde{a}) R", r"\det ? = 1", "? a = R a + b"),
+]
+
+
+def outcome(latex):
+    return check(latex, symbols=SYMBOLS).outcome
+
+
+@pytest.mark.parametrize(("symbol", "value", "true", "false"), CASES)
+def test_a_claim_under_it_is_the_claim_of_it(symbol, value, true, false):
+    for claim, expected in ((true, Outcome.PROVED), (false, Outcome.REFUTED)):
+        premise = rf"{symbol} = {value} \Rightarrow "
+        assert outcome(premise + claim.replace("?", symbol)) == expected
+        direct = claim.replace(r"\tilde{?}", rf"\widetilde{{{value}}}").replace("?", f"({value})")
+        assert outcome(direct) == expected
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"x = 0 \Rightarrow \cos x = 1", Outcome.PROVED),
+        (r"x = 0 \Rightarrow \sin x = 1", Outcome.REFUTED),
+        (r"x = y \text{ and } y = z \Rightarrow \cos x = \cos z", Outcome.PROVED),
+        (r"x = y \text{ and } y = z \Rightarrow \cos x = \sin z", Outcome.REFUTED),
+        (r"a = T b \text{ and } b = S c \Rightarrow \cos\|a\| = \cos\|T S c\|", Outcome.PROVED),
+        (r"a = T b \text{ and } b = S c \Rightarrow \cos\|a\| = \cos\|S T c\|", Outcome.REFUTED),
+        (r"\cos x \neq \cos y \Rightarrow x \neq y", Outcome.PROVED),
+        # x² = y² leaves two values, and one that is said at an instant has no rate
+        (r"x^2 = y^2 \Rightarrow \cos x = \cos y", Outcome.UNCHECKED),
+        (r"x = y \Rightarrow \dot{x} \cos x = \dot{y} \cos y", Outcome.UNCHECKED),
+        (r"x = x y \Rightarrow \cos x = \cos(x y)", Outcome.UNCHECKED),
+        (r"a = 0 \Rightarrow \exp(\tilde{a}) = 2 \mathbf{I}", Outcome.UNCHECKED),
+    ],
+)
+def test_premises_together_and_those_that_say_less(latex, expected):
+    assert outcome(latex) == expected
+
+
+FREE = {"kind": "scalar"}
+
+
+@pytest.mark.parametrize(
+    ("premise", "claim", "more"),
+    [
+        ("x = y", r"\dot{x} = \dot{y}", {}),
+        ("x = y", r"\mathbf{D} (x a) = \mathbf{D} (y a)", {}),
+        ("x = x y", "x = y", {}),
+        ("x = v", "x = y", {}),
+        ("x = w", "x = y", {}),
+        ("x = 1/y", "x = y", {}),
+        (r"x = \sqrt{y}", "x = y", {}),
+        ("T = S^{-1}", "T = S", {}),
+        ("x = y", "z = 1", {}),
+        (r"x \neq y", "x = z", {}),
+        ("n = R n", "n = a", {}),
+        ("x = y", "x = z", {name: {**FREE, "constant": True} for name in "xy"}),
+        ("x = y", "x = z", {name: {**FREE, "uniform": True} for name in "xy"}),
+        ("x_1 = x_2", "x_1 = z", {"x_k": FREE, "x": {"kind": "vector"}}),
+        (r"\underline{x} = y", r"\underline{x} = z", {r"\underline{x}": {"kind": "dual scalar"}, "y": {**FREE, "constant": True}}),
+    ],
+)  # fmt: skip
+def test_what_does_not_define_a_symbol(premise, claim, more):
+    symbols = {key: {"kind": spec} if isinstance(spec, str) else spec for key, spec in SYMBOLS.items()}
+    table = SymbolTable().with_specs({**symbols, **more})
+    found = []
+    for name, body in (("v", "x^2"), ("w", "1/y")):
+        definition, table = read_definition(name, body, table)
+        found.append(definition)
+    definitions = Definitions(found)
+    (given,), (said,) = read(premise, table), read(claim, table)
+    assert put_in(said, [given], definitions, ()) is None
+
+
+def test_a_symbol_that_is_bound_to_a_motion_is_not_free():
+    table = SymbolTable().with_specs({"x": FREE, "y": FREE})
+    (given,), (said,) = read("x = y", table), read(r"\cos x = \cos y", table)
+    x, y = given.left.declaration.name, given.right.declaration.name
+    assert put_in(said, [given], Definitions(), ()) is not None
+    assert put_in(said, [given], Definitions(), (x,))[2].lookup(given.right) == given.left
+    assert put_in(said, [given], Definitions(), (x, y)) is None

@@ -1,0 +1,60 @@
+"""Premises that say what a free symbol is at the instant.
+
+    x = t ⇒ P(x)    says the same as    P(t)
+
+for an x that t does not hold and of which no derivative is taken: so x = t may be a definition of x.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+
+from workbench.judge.subject import Lookup, With
+from workbench.judge.subject.assumptions import Assumptions
+from workbench.judge.subject.inventory import take_inventory
+from workbench.language.names import Name
+from workbench.language.terms import Apply, Relation, Statement, Symbol, Term
+from workbench.language.types import Declaration
+
+#: What need not have a value.
+_PARTIAL = frozenset(("div", "inverse", "root"))
+
+
+def put_in(
+    claim: Relation, assume: Sequence[Statement], definitions: Lookup, bound: Collection[Name]
+) -> tuple[Relation, list[Relation], Lookup] | None:
+    """The first premise x = t that can define x, the others, and the definitions with it. bound: the names
+    of symbols that are not free."""
+    premises = Assumptions(assume).relations
+    for place, premise in enumerate(premises):
+        others = [*premises[:place], *premises[place + 1 :]]
+        for symbol, value in ((premise.left, premise.right), (premise.right, premise.left)):
+            if premise.operator != "=" or not _is_any(symbol, bound):
+                continue
+            if symbol.type != value.type or not _is_total(value, definitions):
+                continue
+            sides = [side for r in (claim, *others) for side in (r.left, r.right)]
+            orders = take_inventory(sides, definitions).orders  # of the free ones
+            if orders.get(symbol) == 0 and symbol not in take_inventory([value], definitions).orders:
+                return premise, others, With(definitions, {symbol: value})
+    return None
+
+
+def _is_any(term: Term, bound: Collection[Name]) -> bool:
+    """Whether it is a symbol of which nothing else is known."""
+    if not isinstance(term, Symbol):
+        return False
+    said = term.declaration
+    return said == Declaration(said.name, said.type, said.weight) and said.name not in bound
+
+
+def _is_total(value: Term, definitions: Lookup) -> bool:
+    return not any(isinstance(part, Apply) and part.head in _PARTIAL for part in _all_of(value, definitions))
+
+
+def _all_of(term: Term, definitions: Lookup) -> Iterator[Term]:
+    """The parts of a term, and of the definitions in it."""
+    for part in term.walk():
+        yield part
+        if isinstance(part, Symbol) and (body := definitions.lookup(part)) is not None:
+            yield from _all_of(body, definitions)

@@ -62,16 +62,15 @@ from workbench.judge.theorems.sequents import (
     relations_of,
     supposed,
 )
-from workbench.judge.theorems.substitution import Substitution, at_integer, is_function
+from workbench.judge.theorems.substitution import Substitution, at_integer, differentiates
 from workbench.judge.theorems.sum_rules import pascal, termwise
 from workbench.language.construct import apply, power, relation, symbol, zero
 from workbench.language.declarations import read_key
-from workbench.language.definitions import Definitions
 from workbench.language.integers import Linear
 from workbench.language.reader import read_term
 from workbench.language.spelling import linear
 from workbench.language.syntax import parse
-from workbench.language.terms import Derivative, Relation, Statement, Symbol, Term, TimeOperator, Zero
+from workbench.language.terms import Relation, Statement, Term, Zero
 from workbench.language.types import SCALAR, VECTOR, Declaration
 
 
@@ -271,7 +270,7 @@ def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator
     inner = scope.with_variables([variable for variable, _ in letters])
     image = read_term(proof.expression, inner.table, scope.integers)
     for variable, lasting in letters:
-        if not lasting and _differentiates(image, variable.name, scope.definitions):
+        if not lasting and differentiates(image, variable.name, scope.definitions):
             raise NotShown("a premise at one instant may not be differentiated")
     from_left = Substitution(lefts, scope.definitions).as_written(image)
     from_right = Substitution(rights, scope.definitions).as_written(image)
@@ -282,19 +281,6 @@ def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator
 
 def _is_unequal(statement: Statement) -> bool:
     return all(r.operator == "≠" for r in relations_of(statement)) and not hasattr(statement, "lasting")
-
-
-def _differentiates(term: Term, name: str, definitions: Definitions, below: bool = False) -> bool:
-    if isinstance(term, Symbol) and term.declaration.name == name:
-        return below
-    if isinstance(term, Derivative) or is_function(term, definitions):
-        return any(_differentiates(child, name, definitions, True) for child in term.children)
-    operator = (
-        term.children and getattr(term, "head", "") == "mul" and term.children[0].type.kind == "operator"
-    )
-    if operator or isinstance(term, TimeOperator):
-        return any(_differentiates(child, name, definitions, True) for child in term.children)
-    return any(_differentiates(child, name, definitions, below) for child in term.children)
 
 
 def _instance(sequent: Sequent, use: Use):

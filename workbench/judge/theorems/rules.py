@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from workbench.judge.theorems.defined import is_defined_everywhere, that_is_defined
 from workbench.judge.theorems.goals import (
     All,
     AllBelow,
@@ -132,12 +133,13 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
         case Atom(Relation("=", left, Zero())), ByLength(then) if left.type in (SCALAR, VECTOR):
             square = relation("=", power(left, 2), zero(SCALAR))
             yield from obligations(sequent.of(Atom(square)), then)
-        case Atom(Relation("≠", left, right)), Contradicts(place, then):
+        case Atom(Relation("≠", left, right) as statement), Contradicts(place, then):
             denied = _premise(sequent, place).goal
             if not isinstance(denied, Atom) or not isinstance(denied.statement, Relation):
                 raise NotShown(f"premise {place} is no inequation")
             if denied.statement.operator != "≠":
                 raise NotShown(f"premise {place} denies nothing")
+            yield from _defined(sequent, statement)
             inner = sequent.given(Atom(relation("=", left, right)), False)
             absurd = relation("=", denied.statement.left, denied.statement.right)
             yield from obligations(inner.of(Atom(absurd)), then)
@@ -208,9 +210,18 @@ def _cases(sequent: Sequent, text: str, equal: Proof, unequal: Proof) -> Iterato
     said = sequent.scope.statement(text)
     if not isinstance(said, Relation) or said.operator != "=":
         raise NotShown(f"expected one equation to tell the cases apart, got {text}")
+    yield from _defined(sequent, said)
     other = relation("≠", said.left, said.right)
     yield from obligations(sequent.given(Atom(said), False), equal)
     yield from obligations(sequent.given(Atom(other), False), unequal)
+
+
+def _defined(sequent: Sequent, said: Relation) -> Iterator[Obligation]:
+    """That both sides are defined, where they divide: as a premise, the statement would say so by itself."""
+    scope = sequent.scope
+    sides = said.left, said.right
+    if not all(is_defined_everywhere(side, scope.definitions) for side in sides):
+        yield Obligation("defined", that_is_defined(*sides), scope, tuple(supposed(sequent, None)))
 
 
 def _pointwise(sequent: Sequent, statement: Statement, letter: str, then: Proof) -> Iterator[Obligation]:

@@ -54,8 +54,7 @@ def is_constant(term: Term, definitions: Definitions) -> bool:
 
 def is_function(term: Term, definitions: Definitions) -> bool:
     """Whether it is a function that the paper defines: its definition may differentiate its argument."""
-    name = term.declaration.name if isinstance(term, Symbol) and term.arguments else None
-    return any(definition.declaration.name == name for definition in definitions)
+    return isinstance(term, Symbol) and bool(term.arguments) and bool(definitions.about(term))
 
 
 def differentiates(term: Term, name: Name, definitions: Definitions, below: bool = False) -> bool:
@@ -70,16 +69,12 @@ def differentiates(term: Term, name: Name, definitions: Definitions, below: bool
 def _differentiates_by_place(term: Term, definitions: Definitions) -> bool:
     """Whether it is a div, a curl or a ∂, or a function that the paper defines by one."""
     if not is_function(term, definitions):
-        return isinstance(term, Apply) and term.head in GRADIENTS | PARTIALS
-    waiting, seen = [term], set()
-    while waiting:
-        for part in waiting.pop().walk():
-            if isinstance(part, Apply) and part.head in GRADIENTS | PARTIALS:
-                return True
-            if isinstance(part, Symbol) and part.declaration.name not in seen:
-                seen.add(part.declaration.name)
-                waiting += [d.body for d in definitions if d.declaration == part.declaration]
-    return False
+        return _is_by_place(term)
+    return any(map(_is_by_place, definitions.reached(term)))
+
+
+def _is_by_place(term: Term) -> bool:
+    return isinstance(term, Apply) and term.head in GRADIENTS | PARTIALS
 
 
 class Substitution:
@@ -102,7 +97,7 @@ class Substitution:
         self.used = {
             part.declaration.name
             for term in terms.values()
-            for part in expand(term, definitions).walk()
+            for part in definitions.reached(term)
             if isinstance(part, Symbol)
         }
         self.integers = frozenset().union(*map(free_integers, terms.values()))
@@ -167,8 +162,7 @@ class Substitution:
 
     def _left_over(self, part: Symbol) -> bool:
         """Whether a member of a family, which stays as it is, depends on one of the letters."""
-        own = (d for d in self.definitions if d.declaration == part.declaration)
-        return any(self._is_reached_by(definition, set()) for definition in own)
+        return any(self._is_reached_by(definition, set()) for definition in self.definitions.about(part))
 
     def _is_reached_by(self, definition: Definition, seen: set[str]) -> bool:
         """Whether the definition uses one of the letters, and not as a formal argument of its own."""
@@ -179,9 +173,8 @@ class Substitution:
             seen.add(part.declaration.name)
             if part.declaration.name in self.terms:
                 return True
-            for other in self.definitions:
-                if other.declaration == part.declaration and self._is_reached_by(other, seen):
-                    return True
+            if any(self._is_reached_by(other, seen) for other in self.definitions.about(part)):
+                return True
         return False
 
     def _term(self, term: Term, differentiated: bool) -> Term:

@@ -301,7 +301,18 @@ def test_the_kernel_supposes_what_it_is_given():
 
 
 @pytest.mark.parametrize("parts", [1, 3])
-def test_each_equation_of_a_statement_has_a_proof(parts):
-    found = outcome(r"2 a = a + a \wedge T - T = 0", Each(*[Kernel()] * parts))
+@pytest.mark.parametrize("said", [r"2 a = a + a \wedge T - T = 0", r"2 a = a + a = \frac{4}{2} a"])
+def test_each_equation_of_a_statement_has_a_proof(said, parts):
+    found = outcome(said, Each(*[Kernel()] * parts))
     assert found.outcome == Outcome.UNCHECKED and f"got {parts}" in found.reason
-    assert outcome(r"2 a = a + a \wedge T - T = 0", Each(Kernel(), Kernel())).outcome == Outcome.PROVED
+    assert outcome(said, Each(Kernel(), Kernel())).outcome == Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("chain", "at"), [(r"2 a = a + a = 3 a", "a + a = 3 a"), ("2 a = 3 a = a + 2 a", "2 a = 3 a")]
+)
+def test_each_link_of_a_chain_is_shown(chain, at):
+    found = outcome(chain, Each(Kernel(), Kernel()))
+    assert found.outcome == Outcome.UNCHECKED and f"{at} is refuted" in found.reason
+    swapped = Each(Follows("Y", Y=Use(0)), Kernel())  # a proof of one link is none of another
+    assert outcome(r"a = b \Rightarrow a = b = 2 b", Given(swapped)).outcome == Outcome.UNCHECKED

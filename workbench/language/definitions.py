@@ -32,12 +32,32 @@ class Definitions:
             d.declaration.name.at(d.index): d for d in self._all if all(i.is_number for i in d.index)
         }
         self._known: dict[Symbol, Term | None] = {}
+        self._about: dict[Name, tuple[Definition, ...]] = {}
 
     def __iter__(self) -> Iterator[Definition]:
         return iter(self._all)
 
     def __len__(self) -> int:
         return len(self._all)
+
+    def about(self, symbol: Symbol) -> tuple[Definition, ...]:
+        """The definitions of the symbol's family: also of its members by themselves, as Φ₁ is one of Φₙ."""
+        family = symbol.declaration.name
+        if family not in self._about:
+            names = ((d, d.declaration.name) for d in self._all)
+            own = (d for d, name in names if name == family or family.index_of(name) is not None)
+            self._about[family] = tuple(own)
+        return self._about[family]
+
+    def reached(self, term: Term) -> Iterator[Term]:
+        """What stands in the term, and in the definitions of all that stands there, down to the last."""
+        waiting, seen = [term], set()
+        while waiting:
+            for part in waiting.pop().walk():
+                yield part
+                if isinstance(part, Symbol) and part.declaration.name not in seen:
+                    seen.add(part.declaration.name)
+                    waiting += [definition.body for definition in self.about(part)]
 
     def lookup(self, symbol: Symbol) -> Term | None:
         """What the symbol is defined as, one step, for its own index and arguments; None if it is primitive.

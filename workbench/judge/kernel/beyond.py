@@ -57,7 +57,7 @@ def _numbers(terms: Iterable[Term], definitions: Definitions) -> Iterator[int]:
             yield from (abs(linear.constant) for linear in _linear(part))
             if isinstance(part, Symbol) and part.declaration not in seen:
                 seen.add(part.declaration)
-                own = [d for d in definitions if d.declaration == part.declaration]
+                own = definitions.about(part)
                 yield from (abs(place.constant) for definition in own for place in definition.index)
                 waiting += [definition.body for definition in own]
 

@@ -213,7 +213,7 @@ def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Stateme
             for part in gradient.walk():
                 hidden: list[Term] = []
                 if isinstance(part, Symbol) and not all(i.is_number for i in part.index):
-                    own = (d for d in judge.definitions if d.declaration == part.declaration)
+                    own = judge.definitions.about(part)
                     hidden = [expand(definition.body, judge.definitions) for definition in own]
                 elif isinstance(part, Derivative) and not part.order.is_number:
                     hidden = [part.body]

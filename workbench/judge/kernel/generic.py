@@ -58,10 +58,8 @@ def judge_addends(judge: InstanceJudge, statement: Statement) -> Verdict | None:
     if not isinstance(statement, Relation) or statement.operator != "=":
         return None
     sides = (statement.left, statement.right)
-    families = {
-        part.declaration for t in sides for part in t.walk() if isinstance(part, Symbol) and part.index
-    }
-    if any(f.apart or any(d.declaration == f for d in judge.definitions) for f in families):
+    members = [part for t in sides for part in t.walk() if isinstance(part, Symbol) and part.index]
+    if any(member.declaration.apart or judge.definitions.about(member) for member in members):
         return None
     try:
         said = addend_by_addend(statement)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from workbench.judge.kernel.in_force import InstanceJudge, exceptions, rewritten
+from workbench.judge.theorems.defined import is_defined_everywhere
 from workbench.judge.theorems.operators import with_free_values, with_operators_applied
 from workbench.judge.theorems.sums import without_sums
 from workbench.judge.theorems.tidy import is_same_sum, tidy
@@ -33,13 +34,16 @@ class Form:
 
 
 def forms(statement: Statement, judge: InstanceJudge, least: Mapping[str, int]) -> Iterator[Form]:
-    """The equation with sums taken away; then with operators applied too, and definitions written out.
+    """The equation with sums taken away; then with operators applied too, and definitions written out. None
+    where something divides: a sum that is taken away could hide that.
 
     least: the least value of each integer."""
     if not isinstance(statement, Relation) or statement.operator != "=":
         return
     definitions = judge.definitions
     whole = relation("=", expand(statement.left, definitions), expand(statement.right, definitions))
+    if not all(is_defined_everywhere(side, definitions) for side in (whole.left, whole.right)):
+        return
     applied = (with_operators_applied(form, definitions) for form in (statement, whole))
     since = _since(statement, judge)
     for form, begin in ((statement, {}), *((form, since) for form in applied)):

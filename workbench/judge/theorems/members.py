@@ -18,7 +18,7 @@ from workbench.judge.theorems.goals import (
     inside,
 )
 from workbench.judge.theorems.sequents import NotShown, Obligation, Sequent, names_of, supposed
-from workbench.judge.theorems.substitution import Substitution
+from workbench.judge.theorems.substitution import Substitution, differentiates
 from workbench.language.construct import apply, derivative, identity, number, power, relation, symbol, zero
 from workbench.language.declarations import read_key
 from workbench.language.integers import Linear
@@ -70,6 +70,8 @@ def _member(scope: Scope, variable: Variable, latex: str) -> Term:
         return scope.term(latex)
     argument = replace(variable.argument, name=Name("X"))
     term = scope.with_variables([Variable(argument)]).term(latex)
+    if differentiates(term, argument.name, scope.definitions):
+        raise NotShown(f"{variable.letter} makes something of a value, and {latex} of its derivatives")
     inner = symbol(variable.argument)
     return Substitution({Variable(argument): inner}, scope.definitions).as_written(term)
 

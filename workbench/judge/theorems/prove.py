@@ -11,6 +11,7 @@ from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
+from workbench.judge.theorems.defined import is_defined_everywhere, taken_by_maps, that_is_defined
 from workbench.judge.theorems.forms import Form, forms
 from workbench.judge.theorems.goals import (
     All,
@@ -43,18 +44,14 @@ from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Pre
 from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
 from workbench.language.construct import number, relation
-from workbench.language.definitions import expand
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.instances import free_integers, instantiate
-from workbench.language.operators import LINEAR, PRODUCTS
 from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, IllFormed, Statement
+from workbench.language.terms import IllFormed, Relation, Statement
 
 #: Verdicts of one judge on equations, by what is claimed, what is supposed and the integers with their least
 #: values.
 Lemmas: TypeAlias = "dict[tuple[Statement, tuple[Statement, ...], tuple[tuple[str, int], ...]], Verdict]"
-
-_DEFINED_EVERYWHERE = LINEAR | {*PRODUCTS, "add", "det"}
 
 _SHOWN = (Outcome.PROVED, Outcome.DEFINITION)
 
@@ -139,6 +136,8 @@ class _Prover:
         found: list[Evidence] = []
         asked = list(obligations(sequent, proof))
         for obligation in asked:
+            if (verdict := self._defined(obligation)).outcome not in _SHOWN:
+                return _not_shown(obligation, verdict)
             if obligation.is_trivial:
                 if part or obligation.rule != FORMULA:
                     found.append(Evidence(f"goal, {obligation.rule}", "both sides are the same term"))
@@ -154,6 +153,16 @@ class _Prover:
             return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
         return Verdict(Outcome.PROVED, scope=_scope_of(sequent.goal), evidence=tuple(found))
 
+    def _defined(self, obligation: Obligation) -> Verdict:
+        """Whether what the judge of formulas does not look into is defined: the same term on both sides, and
+        what maps are taken of."""
+        said, known = obligation.statement, self.judge.definitions
+        asked = list(taken_by_maps(said, known)) if isinstance(said, Relation) else []
+        if obligation.is_trivial and not is_defined_everywhere(said.left, known):
+            asked.append(said.left)
+        verdicts = (self._judge(replace(obligation, statement=that_is_defined(term))) for term in asked)
+        return next((v for v in verdicts if v.outcome not in _SHOWN), Verdict(Outcome.PROVED))
+
     def _judge(self, obligation: Obligation) -> Verdict:
         used = _integers(obligation)
         try:
@@ -162,7 +171,7 @@ class _Prover:
             if same and self._first_hold(obligation, used):
                 return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
             verdict = self._judged(obligation.statement, obligation, used)
-            if verdict.outcome == Outcome.REFUTED or _is_for_all(verdict, used):
+            if verdict.outcome in (Outcome.REFUTED, Outcome.CONDITIONAL) or _is_for_all(verdict, used):
                 return verdict
             looked_at = _MEMBERS if verdict.outcome in _SHOWN else 0
             simpler = [form for form in simpler if form.holds_from(used, looked_at)]
@@ -174,20 +183,12 @@ class _Prover:
             return Verdict(Outcome.UNCHECKED, reason=reason)
 
     def _first_hold(self, obligation: Obligation, used: Mapping[str, int]) -> bool:
-        """Whether the first members, which may be undefined on both sides, are defined and hold: at a random
-        point; where something is divided by, as the kernel says."""
+        """Whether the first members, which there may be none of on both sides, hold at a random point."""
         for more in (0, 2):
             values = {name: least + more for name, least in used.items()}
             said, *assume = (instantiate(s, values) for s in (obligation.statement, *obligation.assume))
-            sides = [expand(side, self.judge.definitions) for side in (said.left, said.right)]
-            heads = {part.head for side in sides for part in side.walk() if isinstance(part, Apply)}
             with suppress(NotExact):
-                if heads <= _DEFINED_EVERYWHERE:
-                    holds = Equation(self.judge, said, tuple(assume)).screen() is not False
-                else:
-                    verdict = self.judge.judge_instance(said, tuple(assume), None)
-                    holds = verdict.outcome in _SHOWN or verdict.reason == SAME_TERM
-                if not holds:
+                if Equation(self.judge, said, tuple(assume)).screen() is False:
                     return False
         return True
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from workbench.judge.theorems.defined import is_defined_everywhere, that_is_defined
 from workbench.judge.theorems.goals import (
     All,
     AllBelow,
@@ -62,16 +63,15 @@ from workbench.judge.theorems.sequents import (
     relations_of,
     supposed,
 )
-from workbench.judge.theorems.substitution import Substitution, at_integer, is_function
+from workbench.judge.theorems.substitution import Substitution, at_integer, differentiates
 from workbench.judge.theorems.sum_rules import pascal, termwise
 from workbench.language.construct import apply, power, relation, symbol, zero
 from workbench.language.declarations import read_key
-from workbench.language.definitions import Definitions
 from workbench.language.integers import Linear
 from workbench.language.reader import read_term
 from workbench.language.spelling import linear
 from workbench.language.syntax import parse
-from workbench.language.terms import Derivative, Relation, Statement, Symbol, Term, TimeOperator, Zero
+from workbench.language.terms import Relation, Statement, Term, Zero
 from workbench.language.types import SCALAR, VECTOR, Declaration
 
 
@@ -133,12 +133,13 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
         case Atom(Relation("=", left, Zero())), ByLength(then) if left.type in (SCALAR, VECTOR):
             square = relation("=", power(left, 2), zero(SCALAR))
             yield from obligations(sequent.of(Atom(square)), then)
-        case Atom(Relation("≠", left, right)), Contradicts(place, then):
+        case Atom(Relation("≠", left, right) as statement), Contradicts(place, then):
             denied = _premise(sequent, place).goal
             if not isinstance(denied, Atom) or not isinstance(denied.statement, Relation):
                 raise NotShown(f"premise {place} is no inequation")
             if denied.statement.operator != "≠":
                 raise NotShown(f"premise {place} denies nothing")
+            yield from _defined(sequent, statement)
             inner = sequent.given(Atom(relation("=", left, right)), False)
             absurd = relation("=", denied.statement.left, denied.statement.right)
             yield from obligations(inner.of(Atom(absurd)), then)
@@ -209,9 +210,18 @@ def _cases(sequent: Sequent, text: str, equal: Proof, unequal: Proof) -> Iterato
     said = sequent.scope.statement(text)
     if not isinstance(said, Relation) or said.operator != "=":
         raise NotShown(f"expected one equation to tell the cases apart, got {text}")
+    yield from _defined(sequent, said)
     other = relation("≠", said.left, said.right)
     yield from obligations(sequent.given(Atom(said), False), equal)
     yield from obligations(sequent.given(Atom(other), False), unequal)
+
+
+def _defined(sequent: Sequent, said: Relation) -> Iterator[Obligation]:
+    """That both sides are defined, where they divide: as a premise, the statement would say so by itself."""
+    scope = sequent.scope
+    sides = said.left, said.right
+    if not all(is_defined_everywhere(side, scope.definitions) for side in sides):
+        yield Obligation("defined", that_is_defined(*sides), scope, tuple(supposed(sequent, None)))
 
 
 def _pointwise(sequent: Sequent, statement: Statement, letter: str, then: Proof) -> Iterator[Obligation]:
@@ -271,7 +281,7 @@ def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator
     inner = scope.with_variables([variable for variable, _ in letters])
     image = read_term(proof.expression, inner.table, scope.integers)
     for variable, lasting in letters:
-        if not lasting and _differentiates(image, variable.name, scope.definitions):
+        if not lasting and differentiates(image, variable.name, scope.definitions):
             raise NotShown("a premise at one instant may not be differentiated")
     from_left = Substitution(lefts, scope.definitions).as_written(image)
     from_right = Substitution(rights, scope.definitions).as_written(image)
@@ -282,19 +292,6 @@ def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator
 
 def _is_unequal(statement: Statement) -> bool:
     return all(r.operator == "≠" for r in relations_of(statement)) and not hasattr(statement, "lasting")
-
-
-def _differentiates(term: Term, name: str, definitions: Definitions, below: bool = False) -> bool:
-    if isinstance(term, Symbol) and term.declaration.name == name:
-        return below
-    if isinstance(term, Derivative) or is_function(term, definitions):
-        return any(_differentiates(child, name, definitions, True) for child in term.children)
-    operator = (
-        term.children and getattr(term, "head", "") == "mul" and term.children[0].type.kind == "operator"
-    )
-    if operator or isinstance(term, TimeOperator):
-        return any(_differentiates(child, name, definitions, True) for child in term.children)
-    return any(_differentiates(child, name, definitions, below) for child in term.children)
 
 
 def _instance(sequent: Sequent, use: Use):

@@ -165,6 +165,6 @@ def names_of(term: Term, scope: Scope) -> set[str]:
         for part in body.walk():
             if isinstance(part, Symbol) and part.declaration.name not in names | formals:
                 names.add(part.declaration.name)
-                own = (d for d in scope.definitions if d.declaration == part.declaration)
+                own = scope.definitions.about(part)
                 waiting += [(d.body, frozenset(p.name for p in d.parameters)) for d in own]
     return names

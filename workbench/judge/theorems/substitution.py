@@ -23,7 +23,8 @@ from workbench.language.construct import rebuild, relation, zero
 from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import free_integers, instantiate
 from workbench.language.integers import Linear, as_linear
-from workbench.language.operators import COMPONENTWISE
+from workbench.language.names import Name
+from workbench.language.operators import COMPONENTWISE, GRADIENTS, PARTIALS
 from workbench.language.terms import (
     Apply,
     BigSum,
@@ -53,16 +54,36 @@ def is_constant(term: Term, definitions: Definitions) -> bool:
 
 def is_function(term: Term, definitions: Definitions) -> bool:
     """Whether it is a function that the paper defines: its definition may differentiate its argument."""
-    name = term.declaration.name if isinstance(term, Symbol) and term.arguments else None
-    return any(definition.declaration.name == name for definition in definitions)
+    return isinstance(term, Symbol) and bool(term.arguments) and bool(definitions.about(term))
+
+
+def differentiates(term: Term, name: Name, definitions: Definitions, below: bool = False) -> bool:
+    """Whether the letter stands, or could stand, under a derivative by time."""
+    if isinstance(term, Symbol) and term.declaration.name == name:
+        return below
+    below = below or isinstance(term, Derivative | TimeOperator) or is_function(term, definitions)
+    below = below or (getattr(term, "head", "") == "mul" and term.children[0].type.kind == "operator")
+    return any(differentiates(child, name, definitions, below) for child in term.children)
+
+
+def _differentiates_by_place(term: Term, definitions: Definitions) -> bool:
+    """Whether it is a div, a curl or a ∂, or a function that the paper defines by one."""
+    if not is_function(term, definitions):
+        return _is_by_place(term)
+    return any(map(_is_by_place, definitions.reached(term)))
+
+
+def _is_by_place(term: Term) -> bool:
+    return isinstance(term, Apply) and term.head in GRADIENTS | PARTIALS
 
 
 class Substitution:
     """Terms for the bound letters of one quantifier.
 
     What stands for a constant letter under a derivative, or where something is supposed for all times, must
-    be constant too: at an instant a constant has the value of the term there, and not its derivatives.
-    Definitions that use a letter of the paper are written out.
+    be constant too: at an instant a constant has the value of the term there, and not its derivatives. Under
+    div, curl and ∂ nothing is put in: a letter has the value of the term at one place, and what is known of
+    it is known there. Definitions that use a letter of the paper are written out.
     """
 
     def __init__(self, terms: Mapping[Variable, Term], definitions: Definitions) -> None:
@@ -76,7 +97,7 @@ class Substitution:
         self.used = {
             part.declaration.name
             for term in terms.values()
-            for part in expand(term, definitions).walk()
+            for part in definitions.reached(term)
             if isinstance(part, Symbol)
         }
         self.integers = frozenset().union(*map(free_integers, terms.values()))
@@ -136,10 +157,12 @@ class Substitution:
         """The term with its letters replaced where they stand in it; definitions are left as they are."""
         return self._term(term, False)
 
+    def _stands_in(self, term: Term) -> bool:
+        return any(isinstance(p, Symbol) and p.declaration.name in self.terms for p in term.walk())
+
     def _left_over(self, part: Symbol) -> bool:
         """Whether a member of a family, which stays as it is, depends on one of the letters."""
-        own = (d for d in self.definitions if d.declaration == part.declaration)
-        return any(self._is_reached_by(definition, set()) for definition in own)
+        return any(self._is_reached_by(definition, set()) for definition in self.definitions.about(part))
 
     def _is_reached_by(self, definition: Definition, seen: set[str]) -> bool:
         """Whether the definition uses one of the letters, and not as a formal argument of its own."""
@@ -150,12 +173,13 @@ class Substitution:
             seen.add(part.declaration.name)
             if part.declaration.name in self.terms:
                 return True
-            for other in self.definitions:
-                if other.declaration == part.declaration and self._is_reached_by(other, seen):
-                    return True
+            if any(self._is_reached_by(other, seen) for other in self.definitions.about(part)):
+                return True
         return False
 
     def _term(self, term: Term, differentiated: bool) -> Term:
+        if _differentiates_by_place(term, self.definitions) and self._stands_in(term):
+            raise GoalError("a letter is under a derivative by the place, or by a coordinate")
         if isinstance(term, Symbol) and term.declaration.name in self.terms:
             variable, new = self.terms[term.declaration.name]
             if differentiated and variable.name in self.moving:

@@ -1,0 +1,213 @@
+"""Goals of known falsity, by the way in which each would be shown, and true ones of the same shape beside them."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench.judge.kernel.judge import Judge
+from workbench.judge.theorems.goals import GoalError, Scope
+from workbench.judge.theorems.proofs import (
+    ByLength,
+    Cases,
+    Contradicts,
+    Each,
+    Follows,
+    Given,
+    Have,
+    Induction,
+    Kernel,
+    Obtain,
+    Pointwise,
+    Proof,
+    Proven,
+    Squares,
+    Termwise,
+    Unique,
+    Use,
+    Ways,
+    Witness,
+)
+from workbench.judge.theorems.prove import Lemmas, prove
+from workbench.judge.theorems.reading import read_goal
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.defining import read_definitions
+from workbench.language.symbols import SymbolTable
+
+VECTOR, SCALAR, TENSOR = {"kind": "vector"}, {"kind": "scalar"}, {"kind": "tensor"}
+SYMBOLS = {
+    **dict.fromkeys(["a", "b", "w", "p", r"\omega", "y_k"], VECTOR),
+    "h": SCALAR,
+    **dict.fromkeys(["T", "U"], TENSOR),
+    "P": {"kind": "operator"},
+    "s": VECTOR | {"constant": True},
+    "c_k": SCALAR | {"constant": True},
+    "r": VECTOR | {"coordinate": True},
+    "q": SCALAR | {"independent": True},
+    **dict.fromkeys(["f", "g"], SCALAR | {"of": ["q"]}),
+}
+DEFINITIONS = {
+    "F_1": r"\tilde{\omega}",
+    "F_{n+1}": r"\dot{F}_n + F_n F_1",
+    "e_0": "h",
+    "e_{n+1}": "2 e_n",
+    "d_0": "a",
+    "d_1": "b",
+    "d_{n+2}": "d_{n+1} + d_n",
+    "z_0": "0 h",
+    "z_1": "0 h",
+    "z_2": "0 h",
+    "z_{n+3}": "h + z_n",
+    "N_0": "h",
+    "N_7": "0 h",
+    "N_{n+1}": r"\dot{N}_n",
+    "V_0(w)": "w",
+    "V_5(w)": "2 w",
+    "V_{n+1}(w)": r"\dot{V}_n(w)",
+    "G(w)": r"\operatorname{div} w",
+    "S_0": "y_0",
+    "S_{n+1}": "S_n + y_{n+1}",
+    "H_0": r"\frac{1}{h} a",
+    "H_{n+1}": r"\dot{H}_n",
+}
+
+
+@pytest.fixture(scope="module")
+def judged():
+    definitions, table = read_definitions(DEFINITIONS, SymbolTable.build(SYMBOLS))
+    scope, judge = Scope(table, definitions, {}), Judge(definitions)
+    lemmas: Lemmas = {}
+
+    def verdict(goal: str, proof: Proof) -> Verdict:
+        return prove(read_goal(goal, scope), scope, judge, Proven(proof), lemmas=lemmas)
+
+    return verdict
+
+
+def _is_shown(judged, goal: str, proof: Proof) -> bool:
+    try:
+        return judged(goal, proof).outcome not in (Outcome.UNCHECKED, Outcome.REFUTED)
+    except GoalError:
+        return False
+
+
+OF_0 = Use(0)
+LATER = Induction(step=Follows(r"\dot{Y}", Y=Use(-1)))
+SAME = Have(
+    r"2 a \cdot b = a \cdot b + a \cdot b", Kernel(), Follows(r"\frac{1}{h} - \frac{1}{h} + Y", Y=Use(-1))
+)
+DOT = r"\dot{X}"
+
+FALSE: dict[str, list[tuple[str, Proof]]] = {
+    "what is so at one place says nothing of derivatives there": [
+        (r"f = g \Rightarrow \frac{\partial f}{\partial q} = \frac{\partial g}{\partial q}", Follows(r"\frac{\partial Y}{\partial q}", Y=OF_0)),
+        (r"f = g \Longrightarrow \frac{\partial f}{\partial q} = \frac{\partial g}{\partial q}", Follows(r"\frac{\partial Y}{\partial q}", Y=OF_0)),
+        (r"f = g \Rightarrow \frac{df}{dq} = \frac{dg}{dq}", Follows(r"\frac{dY}{dq}", Y=OF_0)),
+        (r"w = p \Rightarrow \operatorname{div} w = \operatorname{div} p", Follows(r"\operatorname{div} Y", Y=OF_0)),
+        (r"w = p \Rightarrow G(w) = G(p)", Follows("G(Y)", Y=OF_0)),
+        (r"s = r \Rightarrow \operatorname{div} s = 3", Follows(r"\operatorname{div} Y", Y=OF_0)),
+        (r"\exists c \in V_3 : \operatorname{div} c = 3", Witness({"c": "r"})),
+        (r"\exists k \in \mathbb{R} : \frac{\partial k}{\partial q} = 1", Witness({"k": "q"})),
+        (r"\Big( \forall c \in V_3 : \operatorname{div} (T c) = 0 \Big) \Rightarrow \operatorname{div} (T r) = 0", Follows("Y", Y=Use(0, {"c": "r"}))),
+    ],
+    "what is so at one instant says nothing of derivatives there": [
+        (r"a = b \Rightarrow \forall n \geq 0 : a^{(n)} = b^{(n)}", Induction(Follows("Y", Y=OF_0), Follows(r"\dot{Y}", Y=Use(-1)))),
+        (r"\forall n \geq 0 : a = b \Rightarrow a^{(n)} = b^{(n)}", Follows("Y^{(n)}", Y=OF_0)),
+        (r"\forall n \geq 0 : a = b \Rightarrow V_n(a) = V_n(b)", Follows("V_n(Y)", Y=OF_0)),
+        (r"\forall c \in V_3 : c = a \Rightarrow \dot{a} = \mathbf{0}", Follows(r"\dot{Y}", Y=Use(0, back=True))),
+        (r"\dot{a} = \mathbf{0}", Have(r"\exists c \in V_3 : c = a", Witness({"c": "a"}), Obtain(-1, Follows(r"\dot{Y}", Y=Use(-1, back=True))))),
+        (r"\exists c \in V_3 : c = a \wedge \dot{c} = \dot{a}", Witness({"c": "a"})),
+        (r"\forall c \in V_3 : \exists d \in V_3^\mathbb{R} : d = c \wedge \dot{d} = d", Witness({"d": "c"})),
+    ],
+    "a map makes something of a value alone": [
+        (r"\exists v \in V_3 \to V_3 : \Big( \forall c \in V_3 : v(c) = \mathbf{0} \Big) \wedge v(a) = \dot{a}", Witness({"v": DOT})),
+        (r"\exists v \in V_3 \to V_3 : \Big( \forall c \in V_3 : v(c) = \mathbf{0} \Big) \wedge v(a) = \dot{a}", Witness({"v": r"\mathbf{D} X"})),
+        (r"\Big( \forall v \in V_3 \to V_3 : v(a) = v(b) \Big) \Rightarrow \dot{a} = \dot{b}", Follows("Y", Y=Use(0, {"v": DOT}))),
+    ],
+    "nothing is said where it divides by 0": [
+        (r"h \frac{1}{h} = 1", Cases(r"\frac{1}{h} = 1")),
+        (r"\forall k \in \mathbb{R} : k \frac{1}{k} = 1", Given(Cases(r"\frac{1}{k} = 2"))),
+        (r"\frac{1}{h} = \frac{1}{h} \Leftrightarrow 2 h = h + h", Kernel()),
+        (r"\frac{1}{h} - \frac{1}{h} + 2 a \cdot b = a \cdot b + a \cdot b", SAME),
+        (r"\frac{1}{h} P a - \frac{1}{h} P a + a = a", Kernel()),
+        (r"\forall v \in V_3 \to V_3 : v(\frac{1}{h} a) - v(\frac{1}{h} a) + a = a", Kernel()),
+        (r"\forall n \geq 0 : P H_n - P H_n + a = a", Kernel()),
+        (r"\forall k \in \mathbb{R} : k \neq 0 \Rightarrow \frac{k}{h} \neq 0", Given(Contradicts(0, Kernel((1,))))),
+        (r"\forall n \geq 0 : \sum_{k=3}^n \frac{1}{h} y_k = \sum_{k=4}^{n+1} y_{k-1} \frac{1}{h}", Kernel()),
+        (r"\forall n \geq 0 : \frac{n-5}{n-5} a^{(n)} = a^{(n)}", Kernel()),
+        (r"\exists! k \in \mathbb{R} : k h = 1", Unique({"k": r"\frac{1}{h}"}, only=Follows(r"\frac{Y}{h}", Y=Use(-1)))),
+        (r"\exists X \in L(V_3, V_3) : X T = \mathbf{I}", Witness({"X": "T^{-1}"})),
+    ],
+    "a letter in the base of a recurrence is bound with it": [
+        (r"\Big( \forall a \in V_3^\mathbb{R} : \forall n \geq 0 : d_n \times a = \mathbf{0} \Big) \Rightarrow \forall c \in V_3^\mathbb{R} : d_0 \times c = \mathbf{0}", Given(Follows("Y", Y=Use(0, {"a": "c", "n": "0"})))),
+        (r"\forall c \in V_3^\mathbb{R} : c = d_0 \Rightarrow \forall a \in V_3^\mathbb{R} : a = c", Given(Follows("Y", Y=Use(0, back=True)))),
+        (r"\forall n \geq 0 : y_n = d_n \Rightarrow \forall a \in V_3^\mathbb{R} : y_n = d_n", Given(Follows("Y", Y=OF_0))),
+        (r"\forall n \geq 0 : \exists c \in V_3^\mathbb{R} : \forall a \in V_3^\mathbb{R} : c = d_n + \mathbf{0}", Witness({"c": "d_n"})),
+    ],
+    "the first members are not all": [
+        *((r"\forall n \geq 0 : z_n = 0", by) for by in (Kernel(), Induction(), Induction(letter="m"), Induction(step=Follows("Y", Y=Use(-1))))),
+        *((r"\forall n \geq 0 : N_n = h^{(n)}", by) for by in (Kernel(), Induction(), LATER)),
+        (r"\forall n \geq 0 : N_{n+1} = \dot{N}_n", Kernel()),
+        (r"\forall n \geq 0 : \sum_{k=0}^{n} N_{k+1} = \sum_{k=0}^{n} \dot{N}_k", Termwise()),
+        (r"\forall n \geq 0 : \sum_{k=1}^{n+1} N_k = \sum_{k=0}^{n} \dot{N}_k", Kernel()),
+        (r"\forall n \geq 0 : V_n(a) = a^{(n)}", LATER),
+        *((r"\forall n \geq 0 : n (n-1) (n-2) a^{(n)} = \mathbf{0}", by) for by in (Kernel(), Induction())),
+        (r"\forall n \geq 0 : C_n^3 a^{(n)} = \mathbf{0}", Kernel()),
+        *((r"\forall n \geq 0 : \sum_{k=0}^{n} C_k^3 y_k = \mathbf{0}", by) for by in (Kernel(), Induction())),
+        (r"\forall m, n \geq 0 : m n (m-1) (n-1) (m-2) (n-2) h = 0", Kernel()),
+    ],
+    "off by one": [
+        (r"\forall n \geq 0 : \sum_{k=0}^{n} y_k = y_0 + y_1 + \sum_{k=2}^{n} y_k", Kernel()),
+        (r"\forall n \geq 0 : S_n = \sum_{k=1}^{n} y_k", Induction(step=Follows("Y + y_{n+1}", Y=Use(-1)))),
+        (r"\forall n \geq 0 : S_n = \sum_{k=0}^{n+1} y_k", Induction(step=Follows("Y + y_{n+1}", Y=Use(-1)))),
+        (r"\forall n \geq 0 : \sum_{k=1}^{n-1} C_n^k a^{(k)} \times b^{(n-k)} = (a \times b)^{(n)} - a \times b^{(n)} - a^{(n)} \times b", Kernel()),
+        (r"\forall n \geq 1 : \sum_{k=0}^{n} C_n^{k+1} a^{(k)} \times b^{(n-k)} = (a \times b)^{(n)}", Kernel()),
+        (r"\forall n \geq 2 : \frac{d}{dt} \left(\sum_{k=0}^{n-3} C_{n-3}^k a^{(k)} \times b^{(n-3-k)}\right) = \sum_{k=0}^{n-2} C_{n-2}^k a^{(k)} \times b^{(n-2-k)}", Kernel()),
+        (r"\Big( \forall n \geq 0 : a = \sum_{k=0}^{n} c_n y_k \Big) \Rightarrow \forall k \geq 0 : a = \sum_{l=0}^{k} c_l y_l", Given(Follows("Y", Y=Use(0, {"n": "k"})))),
+    ],
+    "a wrong base": [
+        (r"\forall n \geq 0 : e_n = 3 \cdot 2^n h", Induction(step=Follows("2 Y", Y=Use(-1)))),
+        (r"\forall n \geq 1 : F_n = \mathbf{0}", Induction(step=Follows(r"\dot{Y} + Y F_1", Y=Use(-1)))),
+        (r"\forall n \geq 1 : F_n = F_n^T", Induction(step=Follows(r"\dot{Y} + Y F_1", Y=Use(-1)))),
+        (r"\forall n \geq 0 : d_n = a", Induction(step=Follows("Z - Y", Y=Use(-1, {"m": "n-1"}), Z=Use(-1, {"m": "n"})), letter="m")),
+    ],
+    "one way, one part, one member": [
+        (r"a \cdot b = 0 \Leftrightarrow a = \mathbf{0}", Ways(Kernel(), Follows(r"Y \cdot b", Y=OF_0))),
+        (r"\forall c \in \underline{V}_3 : c^2 = 0 \Rightarrow c = \mathbf{0}", ByLength()),
+        (r"\Big( \exists c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", Given(Obtain(0, Pointwise("d", Follows("Y", Y=Use(-1)))))),
+        (r"\Big( \forall c \in V_3 : c \cdot a = 0 \Rightarrow c \cdot b = 0 \Big) \Rightarrow a = b", Pointwise("d", Follows("Y", Y=Use(0, {"c": "d"})))),
+        (r"\exists k \in \mathbb{R} : h = k \wedge k \neq 0", Witness({"k": "h"})),
+        (r"\forall Q \in SO_3 : \exists c \in V_3 : Q = \exp \tilde{c}", Witness({"c": r"\operatorname{vect} Q"})),
+        (r"\exists! X \in L(V_3, V_3) : X s = s", Unique({"X": r"\mathbf{I}"}, only=Pointwise("d", Follows("Y", Y=Use(-1))))),
+        (r"h^2 \geqslant 0 ; -h^2 \geqslant 0", Each(Squares("h"), Squares("h"))),
+        (r"h^2 \geqslant 1", Squares("h")),
+    ],
+}  # fmt: skip
+
+TRUE: list[tuple[str, Proof]] = [
+    (r"a = b \Longrightarrow \forall n \geq 0 : a^{(n)} = b^{(n)}", Induction(Follows("Y", Y=OF_0), Follows(r"\dot{Y}", Y=Use(-1)))),
+    (r"a = b \Rightarrow \forall v \in V_3 \to V_3 : v(a) = v(b)", Given(Follows("v(Y)", Y=OF_0))),
+    (r"\exists v \in V_3 \to V_3 : \forall c \in V_3 : v(2 c) = 2 v(c)", Witness({"v": "T X"})),
+    (r"h \neq 0 \Rightarrow h \frac{1}{h} = 1", Given(Cases(r"\frac{1}{h} = 1"))),
+    (r"h \neq 0 \Rightarrow \Big( \frac{1}{h} = \frac{1}{h} \Leftrightarrow 2 h = h + h \Big)", Kernel()),
+    (r"h \neq 0 \Rightarrow \forall k \in \mathbb{R} : k \neq 0 \Rightarrow \frac{k}{h} \neq 0", Given(Contradicts(1, Follows("Y h", Y=Use(-1))))),
+    (r"\forall n \geq 0 : S_n = \sum_{k=0}^{n} y_k", Induction(step=Follows("Y + y_{n+1}", Y=Use(-1)))),
+    (r"\forall n \geq 1 : \sum_{k=0}^{n} y_k = y_0 + y_1 + \sum_{k=2}^{n} y_k", Kernel()),
+    (r"\forall n \geq 1 : \sum_{k=1}^{n-1} C_n^k a^{(k)} \times b^{(n-k)} = (a \times b)^{(n)} - a \times b^{(n)} - a^{(n)} \times b", Kernel()),
+    (r"\forall n \geq 7 : N_{n+1} = \dot{N}_n", Kernel()),
+    (r"\forall n \geq 5 : V_{n+1}(a) = \dot{V}_n(a)", Kernel()),
+    (r"\forall n \geq 0 : e_{n+2} = 4 e_n", Kernel()),
+    (r"\Big( \forall c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", Pointwise("d", Follows("Y", Y=Use(0, {"c": "d"})))),
+    (r"\exists c \in V_3 : c = a", Witness({"c": "a + 0 b"})),
+    (r"\forall c, d \in V_3 : c^2 + d^2 \geqslant 2 c \cdot d", Squares("c - d")),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("why", FALSE)
+def test_no_false_goal_is_shown(judged, why):
+    assert [goal for goal, proof in FALSE[why] if _is_shown(judged, goal, proof)] == []
+
+
+@pytest.mark.parametrize(("goal", "proof"), TRUE)
+def test_true_ones_of_the_same_shape_are(judged, goal, proof):
+    found = judged(goal, proof)
+    assert found.outcome == Outcome.PROVED, found.reason

@@ -1,6 +1,9 @@
 """Campaigns of minutes run only with --slow, on other random cases each time; all else on the same ones."""
 
 import os
+import signal
+from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
@@ -9,6 +12,26 @@ from workbench.budget import workers
 
 #: Papers that tests judge themselves: what they claim is not all right.
 collect_ignore_glob = ["judge/papers/*.toml"]
+
+HERE = Path(__file__).parent
+
+#: What is judged matters there, and not in which process: a fork takes several times as long as most judgements.
+JUDGED_HERE = {"judge", "language", "texts"}
+
+#: Of processor time; no default test takes a tenth of it. What never ends, ends its process.
+SECONDS = 120
+
+
+@pytest.fixture(autouse=True)
+def judged_here(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    if request.path.relative_to(HERE).parts[0] not in JUDGED_HERE:
+        yield
+        return
+    monkeypatch.setattr(workers, "get_all_start_methods", list)
+    if request.node.get_closest_marker("slow") is None:
+        signal.setitimer(signal.ITIMER_PROF, SECONDS)
+    yield
+    signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

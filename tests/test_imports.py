@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator, Mapping
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -30,7 +31,8 @@ ROOMS = {
 }
 
 
-def modules(root: Path) -> dict[str, str]:
+@cache
+def modules(root: Path) -> Mapping[str, str]:
     """The source of each module of a package, by its dotted name."""
     found = {}
     for path in sorted(root.rglob("*.py")):
@@ -41,13 +43,20 @@ def modules(root: Path) -> dict[str, str]:
 
 def imported(source: str, package: str) -> Iterator[str]:
     """The names that a module of the package imports anywhere: in functions and for type checkers only, too."""
+    for level, origin, names in _import_statements(source):
+        outer = package.split(".")[: len(package.split(".")) + 1 - level] if level else []
+        yield from (".".join([*outer, *origin, name]) for name in names)
+
+
+@cache
+def _import_statements(source: str) -> list[tuple[int, list[str], list[str]]]:
+    """(dots before it, from where, what) of each import."""
+    found = []
     for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            outer = package.split(".")[: len(package.split(".")) + 1 - node.level] if node.level else []
-            origin = ".".join([*outer, *filter(None, [node.module])])
-            yield from (f"{origin}.{alias.name}" for alias in node.names)
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            level, module = getattr(node, "level", 0), getattr(node, "module", None)
+            found.append((level, [module] if module else [], [alias.name for alias in node.names]))
+    return found
 
 
 def graph(sources: Mapping[str, str]) -> dict[str, set[str]]:

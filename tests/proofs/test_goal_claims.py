@@ -26,12 +26,11 @@ QUICK = ("48.uniquely", "Theorem_3.exists", "71", "Theorem5", "82.translation", 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_with_nonsense_printed_every_claim_fails(file, tmp_path):
-    """One claim after the other, alone with the notation of its file."""
-    text = file.read_text("utf-8")
-    head, *tables = re.split(r"(?m)^(?=\[\[claim\]\]$)", text)
+    """Each has a fault of its own, within its own lines."""
+    head, *tables = re.split(r"(?m)^(?=\[\[claim\]\]$)", file.read_text("utf-8"))
     for notation in CHAPTER.glob("notation.toml"):
         (tmp_path / notation.name).write_text(notation.read_text("utf-8"), "utf-8")
-    damaged = tmp_path / file.name
+    text, places = head, []
     for table in tables:
         (claim,) = tomllib.loads(table)["claim"]
         table = re.sub(r"(?ms)^inherits = .*?\n", "", table)
@@ -39,9 +38,14 @@ def test_with_nonsense_printed_every_claim_fails(file, tmp_path):
             table = re.sub(r"(?ms)^printed = ('''.*?'''|'.*?')\n", "", table)
         table = f"{table}printed = '{NONSENSE}'\n"
         assert tomllib.loads(table)["claim"][0]["printed"] == NONSENSE
-        damaged.write_text(head + table, "utf-8")
-        with pytest.raises(PaperError, match="printed"):
-            merge([damaged], proofs.chapter.theorems)
+        first, text = text.count("\n"), text + table
+        places.append(range(first + 1, text.count("\n") + 1))
+    damaged = tmp_path / file.name
+    damaged.write_text(text, "utf-8")
+    with pytest.raises(PaperError) as caught:
+        merge([damaged], proofs.chapter.theorems)
+    faults = {f.line for f in caught.value.faults if "printed" in f.message or r"\nonsense" in f.message}
+    assert places and all(faults & {*lines} for lines in places)
 
 
 def verdict(name: str, goal: str | None = None, theorem: Proven | None = None) -> Verdict:

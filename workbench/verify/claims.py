@@ -352,6 +352,10 @@ def forms(claim: Claim) -> list[str]:
 
 def _load_engines() -> None:
     """Here, once, and not in each process."""
+    import workbench.judge.evidence.motion_check
+    import workbench.judge.evidence.truth
     import workbench.judge.kernel.judge
+    import workbench.judge.second.consequences
     import workbench.judge.second.drake_ring
-    import workbench.judge.second.sympy_ring  # noqa: F401
+    import workbench.judge.second.sympy_ring
+    import workbench.verify.special  # noqa: F401

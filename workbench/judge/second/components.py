@@ -36,6 +36,8 @@ class Value:
         return len(self.re) - 1
 
     def cut(self, first: int, last: int) -> Value:
+        if first == 0 and last == self.depth:
+            return self
         du = None if self.du is None else self.du[first : last + 1]
         return Value(self.re[first : last + 1], du)
 

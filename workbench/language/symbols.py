@@ -55,6 +55,8 @@ class SymbolTable:
     frames: Mapping[str, Term] = field(default_factory=dict)
     #: names in brackets that only say what a symbol depends on: f(q)
     arguments: frozenset[Name] = frozenset()
+    #: which of these the definition of a name uses
+    depends: Mapping[Name, frozenset[Name]] = field(default_factory=dict)
     #: functions that the paper writes without a backslash, though it has their letters as symbols
     bare_functions: frozenset[str] = frozenset()
     #: whether ∂f/∂x of a scalar by a vector is a row or a column; None: it is not said

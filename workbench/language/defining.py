@@ -60,7 +60,6 @@ def read_definition(key: str, body: str, table: SymbolTable) -> tuple[Definition
     return definition, replace(table, defined=known, primitive=primitive, depends=depends)
 
 
-
 @dataclass(frozen=True)
 class _Head:
     """The left side of a definition: the spellings that it may mean, best first, and its formal arguments."""

@@ -293,9 +293,12 @@ def _with_arguments(
 
 
 def _argument(name: Name, text: str, table: SymbolTable) -> tuple[Declaration, tuple[Linear, ...]]:
-    if read_key(text)[0] == CLOCK.name and CLOCK.name not in table.symbols:
-        return CLOCK, ()
-    found = table.find(key_spelling(parse(text).lines[0][0], text))
+    try:
+        if read_key(text)[0] == CLOCK.name and CLOCK.name not in table.symbols:
+            return CLOCK, ()
+        found = table.find(key_spelling(parse(text).lines[0][0], text))
+    except SpecError as error:
+        raise SpecError(f"of: {text}: {error.message}", str(name)) from None
     if found is None:
         raise SpecError(f"of: {text} is no declared symbol", str(name))
     argument, index = found

@@ -176,13 +176,13 @@ class Tokenizer:
         is_script = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
         is_label = is_script or [token.type for token in self.out[-2:]] == ["SUB", "LBRACE"]
         if is_label and plain[-1:].isalpha() and not (plain in FUNCTIONS and not is_script):
-            self.label(words.strip(' ,.'), at, braced=is_script)
+            self.label(words.strip(" ,."), at, braced=is_script)
         elif plain in FUNCTIONS:
             self.emit("FUNCTION", f"\\{plain}", at)
         elif (word := plain[:1].lower() + plain[1:]) in WORDS:
             self.joining(WORDS[word], word, at)
         elif text.startswith("\\mathrm") and (len(plain) == 1 or plain in UPRIGHT or self.in_script()):
-            self.label(words.strip(' ,.'), at)
+            self.label(words.strip(" ,."), at)
         elif plain in EXPECTED:
             self.refused = self.refused or Fault(f"{text}: {EXPECTED[plain]}", at)
         elif plain in UPRIGHT_NAMES or (text.startswith("\\operatorname") and plain.isalpha()):

@@ -55,7 +55,6 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "triangleq": ("RELATION", "="),
     "coloneq": ("RELATION", "="),
     "coloneqq": ("RELATION", "="),
-    "equiv": ("RELATION", "="),
     "approx": ("RELATION", "≈"),
     "geq": ("RELATION", "≥"),
     "ge": ("RELATION", "≥"),

@@ -59,7 +59,9 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
         if scope.places.setdefault((name, symbol.index), place) != place:
             raise Fault(f"{name} at two places; say what it depends on by a symbol for each", bracket.at)
         if missing := scope.table.depends.get(name, frozenset()) - inside:
-            raise Fault(f"{name} is defined by {min(map(str, missing))}, and taken at another place", bracket.at)
+            raise Fault(
+                f"{name} is defined by {min(map(str, missing))}, and taken at another place", bracket.at
+            )
 
 
 def is_argument(scope: Scope, part: Node) -> bool:

@@ -30,9 +30,15 @@ TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()}
     {
         r"\lfloor a \rfloor_\times": {"where": {"a": "vector"}, "means": r"\tilde{a}"},
         r"[a \times]": {"where": {"a": "vector"}, "means": r"\tilde{a}"},
+        "[a]": {"where": {"a": "vector"}, "means": r"\tilde{a}"},
     }
 )
 SAME = [
+    (r"\left[\begin{matrix} x \\ y \\ z \end{matrix}\right]", r"\begin{bmatrix} x \\ y \\ z \end{bmatrix}"),
+    (
+        r"[w] \left[\begin{array}{c} x \\ y \\ z \end{array}\right]",
+        r"\tilde{w} \begin{bmatrix} x \\ y \\ z \end{bmatrix}",
+    ),
     (r"\mathbf{pq}^T", r"\mathbf{p} (\mathbf{q}^T)"),
     (r"(\mathbf{pq})^T", r"(\mathbf{p} \mathbf{q})^T"),
     (r"\Delta t^2", r"(\Delta t)^2"),

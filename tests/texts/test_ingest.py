@@ -167,7 +167,7 @@ def test_a_macro_that_only_tex_can_follow_is_guessed_to_be_brackets_and_asked_fo
     path.write_text(r"\usepackage{own}\begin{document}\[ a \pa{b + c} = a b - a c \]\end{document}")
     found = ingest(path)
     assert found.fences == {r"\around": r"\left\lparen #1\right\rparen"}
-    assert any(r"Does \around print its argument in brackets" in question for question in found.questions)
+    assert any(r"Does \around print" in question for question in found.questions)
     (tmp_path / "p.toml").write_text(model_text(found, tmp_path / "p.toml"))
     (claim,) = load_paper(tmp_path / "p.toml").claims
     assert claim.printed.latex == r"a \left(b + c\right) = a b - a c"

@@ -20,6 +20,10 @@ SPELLED = {
     r"m_{\text{\text{sc}}} = J_{\textit{7}}": r"m_{\text{sc}} = J_{\text{7}}",
     r"x \buildrel\Delta\over= \varOmega y": r"x := \mathit{\Omega}y",
     r"A = \left[ {\begin{array}{*{20}{c}} 0&1 \end{array}} \right]": r"A = \left[ \begin{array}{c} 0&1 \end{array} \right]",
+    r"x = {a + b \over c}": r"x = \frac{a + b }{ c}",
+    r"\leftexp{B}{\omega} = y": r"{}^{B} {\omega} = y",
+    r"a = \omega_\mathcal{{B}/\cal{N}}": r"a = \omega_{\mathcal{B}/\mathcal{N}}",
+    r"\pd[2]{f}{x} = \od{y}{t}": r"\frac{\partial^{2} f}{\partial x^{2}} = \frac{d y}{d t}",
 }
 #: What more than one way of reading it is left to the reader, which refuses it.
 AS_IT_IS = [
@@ -51,6 +55,23 @@ def test_an_empty_line_parts_the_equations_of_a_directive(tmp_path: Path) -> Non
     (display,) = read_text(path).displays
     latex = [" ".join(step.spelled()[0].split()) for line in steps_of(display) for step in line]
     assert latex[:2] == ["a = b", "c = d"] and len(latex) == 3
+
+
+def test_sphinx_takes_a_label_from_below_the_formula(tmp_path: Path) -> None:
+    path = tmp_path / "p.rst"
+    path.write_text("Text\n\n.. math::\n   a = b\n   :label: eq:x\n\nMore.\n")
+    (display,) = read_text(path).displays
+    assert display.latex.strip() == "a = b" and list(display.labels) == ["eq:x"]
+
+
+def test_doxygen_has_delimiters_of_its_own(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(
+        "\\f$ \\newcommand{\\R}[1]{R_{#1}} \\f$\n\nText with \\f$a = 1\\f$ in it.\n\n"
+        "\\f[ \\R{a} = b \\f]\n\n@f[ c = d @f]\n\n\\f$ e = f \\f$\n"
+    )
+    latex = ["".join(display.latex.split()) for display in read_text(path).displays]
+    assert latex == ["R_{a}=b", "c=d", "e=f"]
 
 
 def test_a_row_of_eqnarray_without_a_sign_goes_on_with_the_one_before(tmp_path: Path) -> None:

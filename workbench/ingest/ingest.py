@@ -17,6 +17,7 @@ from workbench.ingest.proposals import Proposal, ground_of, proposals_for, words
 from workbench.ingest.prose import Prose
 from workbench.ingest.questions import questions_of
 from workbench.ingest.typefaces import Guess
+from workbench.ingest.undeclared import letters_in_bold
 from workbench.language.integers import Linear
 from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol
@@ -104,7 +105,7 @@ class Ingested:
 def ingest(path: Path, macros: Path | None = None) -> Ingested:
     """Raises PaperError for a text that cannot be used, or that has no display."""
     text = read_text(path, macros)
-    fences = {f"\\{name}": body for name, body in text.fences.items()}
+    fences = letters_in_bold(text.displays) | {f"\\{name}": body for name, body in text.fences.items()}
     if fences:
         text = read_text(path, macros, bodies=fences)
     if not text.displays:
@@ -126,7 +127,7 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         known = best.guesser.guesses
     made, accepted = best.made(), best.proposals
     questions = [
-        *(f"Does {name} print its argument in brackets, {body}?" for name, body in fences.items()),
+        *(f"Does {name} print {body}?" for name, body in fences.items()),
         *(proposal.question for proposal in accepted),
         *questions_of(text, best.formulas, best.guesser.guesses),
     ]

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from itertools import combinations, islice
+from itertools import chain, combinations, islice
 
 from workbench.ingest.asked import Asked, Asks, Outcome
 from workbench.ingest.prose import Prose
@@ -47,6 +47,12 @@ _LABELLED = re.compile(rf"{_LETTER}(?:{_ABOVE}{_BELOW}|(?:{_BELOW})?{_ABOVE})")
 _OF_KINDS = re.compile(
     r"(?:expected|transpose of|juxtaposition of) an? (?:scalar|vector|tensor|quaternion)|differ in type"
 )
+#: Maps of twists, by what they are the map of.
+_ADJOINT = re.compile(
+    rf"(?:\\(?:operatorname|mathrm|text)\s*\{{\s*[Aa]d\s*\}}|(?<![\\A-Za-z])Ad(?![A-Za-z])){_BELOW}"
+)
+#: e with an exponent, which is no transpose and no number.
+_EXPONENTIAL = re.compile(r"(?<![A-Za-z\\])e\s*\^\s*\{\s*(?!-?\d+\s*\}|T\s*\}|\*|\\top|\\ast|\()")
 _MATRIX = re.compile(r"matrix \d+×\d+")
 _MOST_SIZES = 3
 #: More symbols than these in a text are tried in turn no further.
@@ -67,6 +73,7 @@ class Guesser:
         self.guesses: dict[str, Guess] = {}
         self.refused: dict[str, str] = {}
         self.takes_steps = False
+        self.has_exponentials = False
         self._symbols: dict[Guess | tuple[Guess, Guess], Mapping[Name, Declaration]] = {}
         self._names: dict[Name, tuple[str, ...]] = {}
         self._read_before: dict[object, Asks | Outcome] = {}
@@ -76,6 +83,7 @@ class Guesser:
         """One that has guessed no more than this, and remembers what was read. What the notation or the
         frames spell is no symbol to be guessed."""
         other = Guesser(self.prose, self.ground)
+        other.has_exponentials = self.has_exponentials
         other._symbols, other._names, other._read_before = self._symbols, self._names, self._read_before
         for name, guess in guesses.items():
             with suppress(SpecError):
@@ -85,6 +93,7 @@ class Guesser:
 
     def read_all(self, formulas: Sequence[str]) -> list[Outcome]:
         """Declares what the formulas need; each is read with all the symbols that are known by then."""
+        self.has_exponentials = self.has_exponentials or any(map(_EXPONENTIAL.search, formulas))
         return [
             replace(self._read(latex, self.guesses), symbols=_known(latex, self.guesses))
             for latex in formulas
@@ -197,7 +206,7 @@ class Guesser:
                 break
             unknown = _UNKNOWN.search(outcome.message)
             name = self._labelled(latex, guesses) if unknown is None else bare_name(unknown[1])
-            if name is None:
+            if name is None or (name == "e" and self.has_exponentials):
                 break
             name = self._without_accent(name)
             if name in self.refused:
@@ -310,7 +319,7 @@ class Guesser:
     def _labelled(self, latex: str, guesses: Mapping[str, Guess]) -> str | None:
         """A symbol with a capital or a script letter as a superscript, which is no power, and which is not
         known yet."""
-        for match in _LABELLED.finditer(latex):
+        for match in chain(_LABELLED.finditer(latex), _ADJOINT.finditer(latex)):
             with suppress(SpecError):
                 key, places = read_key(match[0])
                 if not places and key not in self.ground.symbols and str(key) not in guesses:

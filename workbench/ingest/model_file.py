@@ -56,7 +56,7 @@ def _lines(ingested: Ingested, path: Path, chosen: list[Proposed], refused: dict
         if macros:
             yield f"from = {macros}"
         for name, body in ingested.fences.items():
-            yield f"{_string(name)} = {_string(body)}  # guessed: it seems to print brackets"
+            yield f"{_string(name)} = {_string(body)}  # guessed: it seems to print that"
         yield ""
     for table, entries in tables.items():
         yield f"[{table}]"

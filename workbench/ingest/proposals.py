@@ -34,10 +34,16 @@ _ROTATIONS = frozenset("ACDQRS")
 _LABELS = re.compile(r"\{\}\s*[_^]|/|\\hat")
 _UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
 _SYMBOL = r"(?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])"
-_LABELLED = rf"{_SYMBOL}\s*(?:_\s*(?:\w|\{{\s*\w+\s*\}}))?"
+_DOTTED = rf"(?:\\d*dot\s*\{{?\s*{_SYMBOL}\s*\}}?|{_SYMBOL})"
+_LABELLED = rf"{_DOTTED}\s*(?:_\s*(?:\w|\{{\s*\w+\s*\}}))?"
 _BEHIND = r"(?<=[A-Za-z}])\s*(?:\\left)?\(\s*"
 _BRACKET = re.compile(rf"{_BEHIND}({_SYMBOL})\s*(?:\\right)?\)")
 _LIST = re.compile(rf"{_BEHIND}({_LABELLED}(?:\s*,\s*{_LABELLED})+)\s*(?:\\right)?\)")
+#: (∂f/∂x)^T, which is a column then.
+_TRANSPOSED_SLOPE = re.compile(
+    r"\\partial\s*\{?\\?[A-Za-z{}\\() ,]*\}\s*(?:\\right)?\s*\)?\s*\^\s*\{?\s*(?:\\top|T)(?![A-Za-z])"
+)
+_DOTS_OFF = re.compile(rf"\\d*dot\s*\{{?\s*({_SYMBOL})\s*\}}?")
 _TYPED = {name: re.compile(rf"(?<!\\)(?<!\\arc)(?<!arc)(?<!a){name}(?![A-Za-z2])") for name in FUNCTIONS}
 #: The sum of a quaternion's parts, or i j k = -1: by the font of the units.
 _UNITS_OF_QUATERNIONS = re.compile(
@@ -104,6 +110,11 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
         yield replace(_conventions("functions", f"['{name}']", why, question, pattern), stands=True)
     for entry in _NOTATION:
         yield _notation(*entry)
+    spin, other = (_TOP, _BOTTOM) if _SPIN_FIRST.search(together) else (_BOTTOM, _TOP)
+    means = rf"\begin{{bmatrix}} \operatorname{{skew}}({spin}) & {other} \\ 0 & 0 \end{{bmatrix}}"
+    for trigger, key in ((_IN_BRACKETS, "[V]"), (r"\^\s*\{?\s*\\wedge(?![A-Za-z])", r"V^\wedge")):
+        question = f"Is {key} of a twist its matrix of 4×4?"
+        yield _notation(trigger, key, {"V": "matrix 6×1"}, means, "a bracket or a wedge on a twist", question)
     for unit in dict.fromkeys(match[0] for match in _UNITS.finditer(together)):
         trigger = re.escape(unit)
         question = f"Is {unit} the unit tensor?"
@@ -116,9 +127,13 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
         yield _conventions("arguments", f"['{inside}']", "a bracket with one symbol", question, trigger)
     for inside in dict.fromkeys(match[1].strip() for match in _LIST.finditer(together)):
         question = f"Does ({inside}) only say what a symbol depends on?"
-        several = ", ".join(f"'{symbol.strip()}'" for symbol in inside.split(","))
+        bare = (_DOTS_OFF.sub(r"\1", symbol.strip()) for symbol in inside.split(","))
+        several = ", ".join(f"'{symbol}'" for symbol in dict.fromkeys(bare))
         trigger = re.compile(re.escape(inside))
         yield _conventions("arguments", f"[{several}]", "symbols in a bracket", question, trigger)
+    gradient = '"row"' if _TRANSPOSED_SLOPE.search(together) else '"column"'
+    question = "How does the derivative of a scalar by a column stand, as a row or a column?"
+    yield _conventions("gradient", gradient, "a partial derivative", question, re.compile(r"\\partial"))
     yield from _frames(together)
     question = r"Is \hat{x} the skew tensor of x?"
     hat = _notation(
@@ -169,6 +184,11 @@ _OF_QUATERNIONS: tuple[tuple[str, str, dict[str, str], str], ...] = (
     (r"\^\{?\s*\\oplus", r"q^\oplus", _Q, _LEFT % "-"),
     (r"-1\s*\\oplus", r"q^{-1 \oplus}", _Q, r"(q^{-1})^\oplus"),
 )
+_TOP, _BOTTOM = (
+    rf"\begin{{bmatrix}} {row} \end{{bmatrix}} V"
+    for row in (r"\mathbf{I} & \mathbf{0}_{3\times 3}", r"\mathbf{0}_{3\times 3} & \mathbf{I}")
+)
+_SPIN_FIRST = re.compile(r"matrix\}\s*(?:\{\})?(?:[_^]\S*\s*)?(?:\\[a-z]+\s*\{?\s*)*\\(?:omega|Omega)")
 _NOTATION: tuple[tuple[str, str, dict[str, str], str, str, str], ...] = (
     (
         r"(?<!\^)(?<!\^\{)\s*\\(?:wedge|land)(?![A-Za-z])",

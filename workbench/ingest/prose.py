@@ -14,7 +14,7 @@ _WORDS = (
         re.compile(r"rotation(?:al)? matri|orthogonal (?:matri|tensor)|rotation tensor|direction cosine"),
         "rotation",
     ),
-    (re.compile(r"homogeneous|transformation matri|rigid[- ](?:body )?transform"), "matrix 4×4"),
+    (re.compile(r"homogeneous|transformation matri|rigid[- ](?:body )?transform"), "transform"),
     (re.compile(r"unit(?:[- ]length|-norm)? (?:vector|axis|direction)|normali[sz]ed vector"), "unit vector"),
     (re.compile(r"\bvectors?\b|velocit|position\b|displacement|angular momentum|torque"), "vector"),
     (re.compile(r"\btensors?\b|\bmatri(?:x|ces)\b"), "tensor"),

@@ -82,6 +82,8 @@ def kinds_by_face(name: str) -> tuple[str, ...]:
 
 def by_typeface(name: str) -> Guess:
     core = _LEFT.sub("", name)
+    if core.startswith("\\operatorname"):
+        return Guess(name, "matrix 6×6", "a map of twists")
     marked = _MARKED.match(core)
     letter = (marked[1] if marked else core).lstrip("\\")
     letter = re.match(r"[A-Za-z]+", letter)[0] if re.match(r"[A-Za-z]", letter) else ""

@@ -149,6 +149,8 @@ def apply(head: str, *arguments: Term) -> Term:
     """The term head(arguments); OPERATORS says which heads there are and what each takes."""
     if head == "add":
         arguments = agree(_as_quaternions(arguments), "the addends")
+    if head == "cross" and [argument.type.kind for argument in arguments] == ["vector", "tensor"]:
+        head, arguments = "mul", (apply("skew", arguments[0]), arguments[1])  # of each column
     if head == "quaternion":
         arguments = _with_shapes(arguments, (SCALAR, VECTOR))
     if head == "mul" and not any(filling(a) == "zero" or a.type.kind == "scalar" for a in arguments):
@@ -166,8 +168,24 @@ def _as_quaternions(terms: Sequence[Term]) -> tuple[Term, ...]:
     """The terms; beside a quaternion those that have a scalar and a vector part, made quaternions."""
     if not any(term.type.kind == "quaternion" for term in terms):
         return tuple(terms)
-    parts = [None if term.type.kind == "quaternion" else scalar_and_vector(term) for term in terms]
-    return tuple(t if p is None else apply("quaternion", *p) for t, p in zip(terms, parts, strict=True))
+    return tuple(map(_as_quaternion, terms))
+
+
+def _as_quaternion(term: Term) -> Term:
+    """The quaternion of a column of four, of a scalar or a vector; anything else as it is."""
+    if term.type.kind == "quaternion":
+        return term
+    if (parts := scalar_and_vector(term)) is not None:
+        return apply("quaternion", *parts)
+    if (term.type.rows, term.type.columns) != (4, 1):
+        return term
+    match term:
+        case Apply(head="neg" | "add" as head, arguments=addends):
+            return apply(head, *map(_as_quaternion, addends))
+        case Apply(head="mul", arguments=(factor, column)) if column.type == term.type:
+            return apply("mul", factor, _as_quaternion(column))
+    first, *rest = ([number(int(i == j)) if i == j else zero() for j in range(4)] for i in range(4))
+    return apply("quaternion", apply("mul", block([first]), term), apply("mul", block(rest), term))
 
 
 def _with_shapes(terms: Sequence[Term], types: Sequence[Type]) -> tuple[Term, ...]:

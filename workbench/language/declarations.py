@@ -26,6 +26,7 @@ from workbench.language.syntax import (
     Node,
     Product,
     Scripted,
+    as_letter,
     core,
     parse,
     unstyled,
@@ -106,6 +107,7 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
     if isinstance(letter, Accented) and letter.accent == "~":
         below, letter = unstyled(letter.body)
         styles = (*styles, "\\tilde", *below)
+    letter = as_letter(letter)
     if not isinstance(letter, Leaf):
         raise SpecError("expected one symbol: a letter with its font and scripts", key)
     is_figure = letter.kind == "NUMBER" and letter.text != "0" and styles

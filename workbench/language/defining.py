@@ -54,7 +54,10 @@ def read_definition(key: str, body: str, table: SymbolTable) -> tuple[Definition
     name = definition.declaration.name
     known = {**table.defined, name: (*table.defined.get(name, ()), definition.index)}
     primitive = table.primitive.union(_primitives(definition, known))
-    return definition, replace(table, defined=known, primitive=primitive)
+    names = {each.declaration.name for each in _symbols(definition.body)}
+    used = (table.arguments & names).union(*(table.depends.get(each, ()) for each in (name, *names)))
+    depends = {**table.depends, name: used}
+    return definition, replace(table, defined=known, primitive=primitive, depends=depends)
 
 
 @dataclass(frozen=True)

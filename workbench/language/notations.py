@@ -232,8 +232,8 @@ def _is_alike(pattern: Node, node: Node) -> bool:
 
 @cache
 def _fields(kind: type[Node]) -> tuple[str, ...]:
-    """What a kind of node holds, but its place."""
-    return tuple(each.name for each in fields(kind) if each.name != "at")
+    """What a kind of node says, but its place."""
+    return tuple(each.name for each in fields(kind) if each.name != "at" and each.compare)
 
 
 def _parts(value: Any) -> Iterable[Any]:

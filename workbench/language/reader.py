@@ -9,7 +9,7 @@ from functools import partial
 from typing import TypeVar
 
 from workbench.language.elaboration.elaborate import Elaborator
-from workbench.language.elaboration.ranges import Range
+from workbench.language.elaboration.ranges import Range, names_a_set
 from workbench.language.elaboration.statements import Reading, reading_of, term_of
 from workbench.language.errors import ALONE, SAYS_NOTHING, Fault, IllFormedAt, Misfit, ReadError, place
 from workbench.language.symbols import SymbolTable
@@ -79,7 +79,11 @@ def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterab
         return "says only what its symbols are declared to be"
     if error.message != ALONE:
         raise error
-    read_term(latex, table, integers)
+    try:
+        read_term(latex, table, integers)
+    except ReadError:
+        if not _placed(latex, names_a_set):
+            raise
     return "an expression, which claims nothing"
 
 

@@ -11,7 +11,7 @@ from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
 from workbench.language.notations import is_shape
-from workbench.language.spelling import linear, linear_or_none, spell_label
+from workbench.language.spelling import Named, linear, linear_or_none, spell_label
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Group, Leaf, Node, Product, Scripted, Sum
 from workbench.language.terms import IllFormed, Symbol, Term, Zero, is_rate
@@ -30,6 +30,8 @@ class Scope(ABC):
         self.table = table
         self.variables = variables
         self.depth = 0
+        #: what stands in the bracket behind a symbol and says what it depends on
+        self.places: dict[Named, tuple[str, ...]] = {}
         self.tensor_operand: int | None = None  # where an operator was last applied to a bare tensor
 
     @abstractmethod

@@ -212,6 +212,9 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
         case Scripted(sup=None, primes=0, factorial=False):
             inner = _spell_list((node.nucleus, node.sub), "_{", variables)
             return None if inner is None else [*inner, "}"]
+        case Scripted(sub=None, primes=0, factorial=False):  # the star of B^* beside B
+            inner = _spell_list((node.nucleus, node.sup), "^{", ())
+            return None if inner is None or linear_or_none(node.nucleus, variables) else [*inner, "}"]
         case Infix(operator=operator):
             return [written("INFIX", operator)]
     return None

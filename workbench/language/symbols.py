@@ -55,6 +55,8 @@ class SymbolTable:
     frames: Mapping[str, Term] = field(default_factory=dict)
     #: names in brackets that only say what a symbol depends on: f(q)
     arguments: frozenset[Name] = frozenset()
+    #: which of these the definition of a name uses
+    depends: Mapping[Name, frozenset[Name]] = field(default_factory=dict)
     #: functions that the paper writes without a backslash, though it has their letters as symbols
     bare_functions: frozenset[str] = frozenset()
     #: whether ∂f/∂x of a scalar by a vector is a row or a column; None: it is not said
@@ -291,9 +293,12 @@ def _with_arguments(
 
 
 def _argument(name: Name, text: str, table: SymbolTable) -> tuple[Declaration, tuple[Linear, ...]]:
-    if read_key(text)[0] == CLOCK.name and CLOCK.name not in table.symbols:
-        return CLOCK, ()
-    found = table.find(key_spelling(parse(text).lines[0][0], text))
+    try:
+        if read_key(text)[0] == CLOCK.name and CLOCK.name not in table.symbols:
+            return CLOCK, ()
+        found = table.find(key_spelling(parse(text).lines[0][0], text))
+    except SpecError as error:
+        raise SpecError(f"of: {text}: {error.message}", str(name)) from None
     if found is None:
         raise SpecError(f"of: {text} is no declared symbol", str(name))
     argument, index = found

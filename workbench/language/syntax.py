@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
 from pathlib import Path
 
@@ -110,7 +110,10 @@ class Binomial(Node):
 
 @dataclass(frozen=True, slots=True)
 class Matrix(Node):
+    """`bare`: it is written without brackets of its own."""
+
     rows: tuple[tuple[Node, ...], ...]
+    bare: bool = field(default=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,6 +205,11 @@ def is_function(node: Node) -> bool:
 def is_own_word(node: Node) -> bool:
     """Whether only a paper can say what the function is."""
     return isinstance(node, Leaf) and node.kind == "FUNCTION" and node.name not in FUNCTIONS
+
+
+def as_letter(node: Node) -> Node:
+    """A word such as Ad, where a paper has a symbol of this name."""
+    return Leaf(node.at, "LETTER", f"\\operatorname{{{node.name}}}") if is_own_word(node) else node
 
 
 def is_numeral(node: Node) -> bool:
@@ -304,7 +312,11 @@ class _Builder(Transformer):
         return tuple(child for child in children if isinstance(child, Node))
 
     def bracket(self, children):
-        return Bracket(children[0].start_pos, str(children[0]), children[1])
+        """[ and ] around a matrix that has no brackets of its own are the matrix's."""
+        kind, parts = str(children[0]), children[1]
+        if kind == "[" and len(parts) == 1 and isinstance(parts[0], Matrix) and parts[0].bare:
+            return replace(parts[0], bare=False)
+        return Bracket(children[0].start_pos, kind, parts)
 
     def styled(self, children):
         return Styled(children[0].start_pos, str(children[0]), _braced(children[1]))
@@ -323,7 +335,7 @@ class _Builder(Transformer):
 
     def matrix(self, children):
         rows = tuple(child for child in children if isinstance(child, tuple))
-        return Matrix(children[0].start_pos, rows)
+        return Matrix(children[0].start_pos, rows, str(children[0]) in ("matrix", "smallmatrix", "array"))
 
     def environment(self, children):
         return children[1]

@@ -45,6 +45,7 @@ _TOKEN = re.compile(
     | \\(?:text|textrm|mbox)\s*\{(?P<prose>[A-Za-z,'’\s]+:\s*)\}
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
       \{(?P<words>atan2|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
+    | \\(?:text|textrm|mbox)\s*\{(?P<said>[^{}$]*)\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[A-Za-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
     | \\(?P<command>[A-Za-z]+|[^A-Za-z])
@@ -138,6 +139,8 @@ class Tokenizer:
             case "prose":
                 if self.out and self.out[-1].type not in ("BREAK", "BEGIN_LINES"):
                     raise Fault(f"{text}: words in a formula", at)
+            case "said":
+                raise Fault(words_in_a_formula(text), at)
             case "words":
                 self.words(text, match["words"], at)
             case "name":
@@ -172,14 +175,14 @@ class Tokenizer:
         plain = " ".join(words.replace(",", " ").split()).rstrip(".")
         is_script = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
         is_label = is_script or [token.type for token in self.out[-2:]] == ["SUB", "LBRACE"]
-        if is_label and plain.isalpha() and not (plain in FUNCTIONS and not is_script):
-            self.label(plain, at, braced=is_script)
+        if is_label and plain[-1:].isalpha() and not (plain in FUNCTIONS and not is_script):
+            self.label(words.strip(" ,."), at, braced=is_script)
         elif plain in FUNCTIONS:
             self.emit("FUNCTION", f"\\{plain}", at)
         elif (word := plain[:1].lower() + plain[1:]) in WORDS:
             self.joining(WORDS[word], word, at)
         elif text.startswith("\\mathrm") and (len(plain) == 1 or plain in UPRIGHT or self.in_script()):
-            self.label(plain, at)
+            self.label(words.strip(" ,."), at)
         elif plain in EXPECTED:
             self.refused = self.refused or Fault(f"{text}: {EXPECTED[plain]}", at)
         elif plain in UPRIGHT_NAMES or (text.startswith("\\operatorname") and plain.isalpha()):
@@ -203,12 +206,16 @@ class Tokenizer:
             self.emit(kind, {"IMPLICATION": "⇔", "FORALL": "∀"}.get(kind, word), at)
 
     def label(self, letters: str, at: int, braced: bool = False) -> None:
-        """Upright letters; as a script that stands without braces they need some."""
+        """Upright letters, with the commas between words; as a script that stands without braces they need
+        some."""
         if braced:
             self.emit("LBRACE", "{", at)
         for i, letter in enumerate(letters):
-            self.emit("STYLE", "\\mathrm", at)
-            self.emit("LETTER", letter, at + i)
+            if letter == ",":
+                self.emit("COMMA", ",", at + i)
+            elif letter.isalpha():
+                self.emit("STYLE", "\\mathrm", at)
+                self.emit("LETTER", letter, at + i)
         if braced:
             self.emit("RBRACE", "}", at)
 

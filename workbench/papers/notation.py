@@ -15,6 +15,7 @@ from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Definition, Symbol
 from workbench.papers.frames import framed, require_rotations
 from workbench.papers.model import Notation
+from workbench.papers.model import PaperError
 from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot
 from workbench.papers.ties import ties
 from workbench.papers.toml_file import TomlFile
@@ -39,9 +40,8 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     table = _spellings(files, table)
     table, definitions, turns = framed([*files, *scopes], table)
     made_by_frames = frozenset(definition.declaration.name for definition in definitions)
-    for file, key, body in _in_scope(files, scopes):
-        definition, table = _definition(file, key, body, table)
-        definitions.append(definition)
+    found, table = _definitions(list(_in_scope(files, scopes)), scopes, table)
+    definitions += found
     bound: dict[Symbol, str] = {}
     for file, keys in _keys(files, "motion"):
         bound |= bindings(file, table, [key for key in keys if key not in (ROBOT, CLAIMS)])
@@ -52,6 +52,31 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     notation = Notation(table, known, bound, robots[-1] if robots else None)
     notation = replace(notation, words=_words(files), framed=made_by_frames)
     return replace(notation, on_motions=dict(f for file in files for f in formulas(file, notation)))
+
+
+def _definitions(
+    entries: list[tuple[TomlFile, str, str]], scopes: Sequence[TomlFile], table: SymbolTable
+) -> tuple[list[Definition], SymbolTable]:
+    """The definitions in their order. In a scope, one that needs another behind it comes after that; and one
+    from before it that does not fit what the scope declares is no longer in force."""
+    found: list[Definition] = []
+    waiting: list[tuple[TomlFile, str, str]] = []
+    for file, key, body in entries:
+        try:
+            definition, table = _definition(file, key, body, table)
+        except PaperError:
+            if not scopes:
+                raise
+            waiting.append((file, key, body))
+        else:
+            found.append(definition)
+    own = [entry for entry in waiting if entry[0] in scopes]
+    if len(waiting) < len(entries) and own:
+        more, table = _definitions(waiting, scopes, table)
+        return [*found, *more], table
+    for entry in own:
+        _definition(*entry, table)
+    return found, table
 
 
 def _spellings(files: Sequence[TomlFile], table: SymbolTable) -> SymbolTable:

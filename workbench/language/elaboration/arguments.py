@@ -1,10 +1,14 @@
-"""What stands in a bracket behind a symbol and says only what it depends on."""
+"""What stands in a bracket behind a symbol and says only what it depends on: the same wherever the symbol has
+a bracket, since f(x) and f(y) are two values."""
 
 from __future__ import annotations
 
 from workbench.language.declarations import key_spelling
 from workbench.language.errors import Fault, SpecError
+from workbench.language.latex import latex_of
+from workbench.language.names import Name
 from workbench.language.scope import Scope
+from workbench.language.spelling import Spelling
 from workbench.language.syntax import Accented, Bracket, Leaf, Node, Scripted, Styled
 from workbench.language.terms import Derivative, Symbol, Term, TimeOperator, is_accented_symbol
 
@@ -21,14 +25,20 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
             return True
         raise Fault("a function at another place than its argument; a product needs no bracket", bracket.at)
     if len(bracket.parts) > 1:
-        return all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
+        only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
+        if only_says:
+            _take_place(scope, bracket, term)
+        return only_says
     if not bracket.parts:
         return False
     (part,) = bracket.parts
     if term.type.kind == "operator":
         return isinstance(part, Styled) and isinstance(scope.term(part), TimeOperator)
     if is_argument(scope, part):
-        return term.type.kind != "scalar" or scope.term(part).type.kind != "scalar"
+        only_says = term.type.kind != "scalar" or scope.term(part).type.kind != "scalar"
+        if only_says:
+            _take_place(scope, bracket, term)
+        return only_says
     if scope.is_time(part):
         return True
     lone = is_accented_symbol(term) and isinstance(part, Leaf | Styled | Accented | Scripted)
@@ -39,12 +49,35 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     return False
 
 
+def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
+    """Raises Fault where a symbol is taken at another place in the formula, or by its definition."""
+    parts = [part for part in bracket.parts if not scope.is_time(part)]
+    place = tuple(map(latex_of, parts))
+    inside = set().union(*map(_names, parts))
+    for symbol in (each for each in function.walk() if isinstance(each, Symbol)):
+        name = symbol.declaration.name
+        if scope.places.setdefault((name, symbol.index), place) != place:
+            raise Fault(f"{name} at two places; say what it depends on by a symbol for each", bracket.at)
+        if missing := scope.table.depends.get(name, frozenset()) - inside:
+            raise Fault(
+                f"{name} is defined by {min(map(str, missing))}, and taken at another place", bracket.at
+            )
+
+
 def is_argument(scope: Scope, part: Node) -> bool:
-    """Whether the paper says that f(x) is f, which depends on x."""
-    if not scope.table.arguments:
-        return False
+    """Whether the paper says that f(x) is f, which depends on x; f(\\dot{x}) is f then, too."""
+    return bool(scope.table.arguments) and not scope.table.arguments.isdisjoint(_names(part))
+
+
+def _names(part: Node) -> set[Name]:
+    spelling = _spelled(part)
+    return set() if spelling is None else {spelling.exact, spelling.declared()[0]}
+
+
+def _spelled(part: Node) -> Spelling | None:
+    while isinstance(part, Accented) and part.accent != "~":
+        part = part.body
     try:
-        spelling = key_spelling(part, "")
+        return key_spelling(part, "")
     except SpecError:
-        return False
-    return not scope.table.arguments.isdisjoint({spelling.exact, spelling.declared()[0]})
+        return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from workbench.language.elaboration.arguments import is_own_variable
 from workbench.language.elaboration.factors import Factor, Row
@@ -28,6 +29,7 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     Summation,
+    as_letter,
     core,
     in_a_row,
     is_numeral,
@@ -122,7 +124,8 @@ def _factor(row: Row, place: int) -> Factor:
         case Summation():
             raise Fault("the sum has no body", item.at)
         case Leaf(kind="FUNCTION") | Scripted(nucleus=Leaf(kind="FUNCTION")):
-            return function(row, place)
+            named = _as_name(row.scope, item)
+            return function(row, place) if named is None else _name(row, place, named, Scripts())
         case Fraction():
             found = rate(row.scope, item)
             if found is not None:
@@ -133,6 +136,15 @@ def _factor(row: Row, place: int) -> Factor:
         case Leaf(kind="LETTER") | Styled() | Accented() | Scripted():
             return _name(row, place, item, Scripts())
     return Factor(row.scope.term(item), item.at, place + 1, item)
+
+
+def _as_name(scope: Scope, item: Node) -> Node | None:
+    """Ad_T, where that is a symbol."""
+    nucleus = item.nucleus if isinstance(item, Scripted) else item
+    letter = as_letter(nucleus)
+    if letter is nucleus or not scope.table.has_letter(letter.text):
+        return None
+    return replace(item, nucleus=letter) if isinstance(item, Scripted) else letter
 
 
 def _body(scope: Scope, head: Summation, rest: Sequence[Node]) -> Term:

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
-from workbench.language.construct import apply, identity, number, relation
+from workbench.language.construct import apply, block, identity, number, relation, zero
 from workbench.language.errors import ALONE, Fault
 from workbench.language.integers import Linear
 from workbench.language.names import Name
@@ -20,6 +21,7 @@ from workbench.language.syntax import (
     Chain,
     Group,
     Leaf,
+    Lines,
     Node,
     Product,
     Scripted,
@@ -44,8 +46,23 @@ _SETS = {
     ("SO", "3"): "rotation",
     ("SE", "3"): "transform",
     ("so", "3"): "skew tensor",
+    ("se", "3"): "twist matrix",
     ("S", "2"): "unit vector",
 }
+_FOUR = Type(4, 4)
+_LAST = block([[zero(VECTOR)], [number(1)]])
+
+
+def _transposed(term: Term) -> Term:
+    return apply("transpose", term)
+
+
+def _upper_left(matrix: Term) -> Term:
+    """The block of 3×3 of a matrix of 4×4."""
+    first = block([[identity(TENSOR)], [_transposed(zero(VECTOR))]])
+    return apply("mul", apply("mul", _transposed(first), matrix), first)
+
+
 #: What is true of the members of a set alone: by what they are called, and by their type.
 _EQUATIONS: dict[str | None, dict[Type, Callable[[Term], list[tuple[Term, Term]]]]] = {
     "skew tensor": {TENSOR: lambda x: [(apply("transpose", x), apply("neg", x))]},
@@ -56,8 +73,21 @@ _EQUATIONS: dict[str | None, dict[Type, Callable[[Term], list[tuple[Term, Term]]
         ]
     },
     "unit vector": {VECTOR: lambda x: [(apply("dot", x, x), number(1))]},
+    "transform": {
+        _FOUR: lambda x: [
+            (apply("mul", _transposed(_LAST), x), _transposed(_LAST)),
+            *_EQUATIONS["rotation"][TENSOR](_upper_left(x)),
+        ]
+    },
+    "twist matrix": {
+        _FOUR: lambda x: [
+            (apply("mul", _transposed(_LAST), x), zero(Type(1, 4))),
+            *_EQUATIONS["skew tensor"][TENSOR](_upper_left(x)),
+        ]
+    },
 }
 _STYLE = re.compile(r"\\(mathbb|mathbf|mathrm|mathcal|mathfrak|mathsf|boldsymbol|underline)|[{}\s]")
+_SIZE = "(?:[kmnpNM]|[1-9]n)"
 _OF_TIME = re.compile(r"\^\{\\mathbb\{R\}\}$")
 
 
@@ -197,6 +227,15 @@ def member_claims(term: Term, where: Node, at: int) -> list[Relation]:
     return []
 
 
+def names_a_set(lines: Lines) -> bool:
+    """Whether a formula is a known set alone, such as SO(3)."""
+    match lines.lines:
+        case ((node,),):
+            with suppress(Fault):
+                return kind_of_members(node) is not None
+    return False
+
+
 def kind_of_members(where: Node) -> str | None:
     """What the members of a set are called, real or dual; None for a set that is not known. Raises Fault."""
     name = _STYLE.sub("", _OF_TIME.sub("", set_name(where))).replace("^", "_")
@@ -214,11 +253,19 @@ def _is(term: Term, kind: str) -> bool:
             return isinstance(term, Apply) and term.head in ("skew", "antisymmetric")
         case "transform":
             return isinstance(term, Symbol) and term.declaration.transform
+        case "column":
+            return term.type.columns == 1 and term.type.kind != "quaternion"
+        case "matrix":
+            return term.type.kind not in ("operator", "quaternion")
     return kind in (term.type.kind, str(term.type.with_dual(False)))
 
 
 def _columns(dimension: str) -> str | None:
-    """What the members of ℝⁿ and ℝ^{n×m} are called."""
+    """What the members of ℝⁿ and ℝ^{n×m} are called; of a size that only the text knows too."""
+    if re.fullmatch(_SIZE, dimension):
+        return "column"
+    if re.fullmatch(rf"{_SIZE}(?:×|\\times){_SIZE}", dimension):
+        return "matrix"
     size = re.fullmatch(r"([1-9]\d?)(?:(?:×|\\times)([1-9]\d?))?", dimension)
     return str(Type(int(size[1]), int(size[2] or 1))) if size else None
 

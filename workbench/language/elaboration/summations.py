@@ -18,13 +18,14 @@ _COUNTS = "NMLKnmlk"
 
 
 def summation(scope: Scope, node: Summation, body: Callable[[], Term]) -> Term:
-    """Σ_{k=a}^{b}, Σ_{k₁+k₂=k} or Σ_k of the body, which is read with the variables in scope."""
+    """Σ_{k=a}^{b}, Σ_{k₁+k₂=k}, Σ_k or Σ_k^b of the body, which is read with the variables in scope."""
     lower = node.lower.parts[0] if isinstance(node.lower, Group) and node.lower.parts else node.lower
     no_bounds = "a sum without bounds is not read; " if node.upper is None else ""
     expected = f"{no_bounds}expected the bounds of the sum, as in \\sum_{{k=0}}^{{n}}"
-    over_all = node.upper is None and lower is not None and variable_name(lower)
+    over_all = variable_name(lower) if lower is not None else None
     if over_all:
-        names, start, end = [over_all], Linear(1), _last_of_all(scope, expected, node.at)
+        last = node.upper and _upper_bound(scope, node.upper)
+        names, start, end = [over_all], Linear(1), last or _last_of_all(scope, expected, node.at)
     elif not isinstance(lower, Chain) or [sign for sign, _ in lower.relations] != ["="]:
         raise Fault(expected, node.at)
     else:

@@ -94,7 +94,7 @@ def _label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     if tokens[place].text not in FACES or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
         return None
     end = behind(tokens, place + 1)
-    inside = [token for token in tokens[place + 2 : end - 1] if token.text not in ("{", "}", " ")]
+    inside = [token for token in tokens[place + 2 : end - 1] if token.text not in ("{", "}", " ", "\\cal")]
     if [token.text for token in inside[1::2]] != ["/"] or len(inside) != 3:
         return None
     face = tokens[place]
@@ -170,6 +170,21 @@ def _inverse_function(tokens: list[Token], place: int) -> tuple[list[Token], int
     return ([head.standing_for(f"\\arc{head.text[1:]}")], end) if printed(power) == ["-", "1"] else None
 
 
+def _over(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """{a \\over b} as \\frac{a}{b}."""
+    if tokens[place].text != "{":
+        return None
+    end = behind(tokens, place)
+    depth = 0
+    for middle in range(place + 1, end - 1):
+        depth += (tokens[middle].text == "{") - (tokens[middle].text == "}")
+        if depth == 0 and tokens[middle].text == "\\over":
+            head = tokens[middle]
+            above, below = as_read(tokens[place + 1 : middle]), as_read(tokens[middle + 1 : end - 1])
+            return [head.standing_for("\\frac"), *braced(head, above), *braced(head, below)], end
+    return None
+
+
 def _line(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """A line between the rows of a matrix, which is no row."""
     if tokens[place].text == "\\hline":
@@ -187,7 +202,12 @@ def _line(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
 
 
 def _script_on_the_left(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\leftidx{^A}{x}{_b} as {}^A x_b."""
+    """\\leftidx{^A}{x}{_b} as {}^A x_b, \\leftexp{A}{x} as {}^A x."""
+    if tokens[place].text == "\\leftexp":
+        label, end = group(tokens, past(tokens, place + 1))
+        head = tokens[place]
+        left = [*braced(head, []), head.standing_for("^"), *braced(head, label)]
+        return [*left, head.standing_for(" ")], end
     if tokens[place].text != "\\leftidx":
         return None
     groups: list[list[Token]] = []
@@ -202,6 +222,7 @@ def _script_on_the_left(tokens: list[Token], place: int) -> tuple[list[Token], i
 _BETWEEN = (transposed_row, wide_space, row_of_a_matrix, net_sum)
 _PATTERNS = (
     _script_on_the_left,
+    _over,
     _inverse_function,
     _line,
     _variant,

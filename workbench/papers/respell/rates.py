@@ -1,11 +1,14 @@
-"""Derivatives as authors write them: by the names of the package physics, and seen from a frame."""
+"""Derivatives as authors write them: by the names of the packages physics, derivative and commath, and seen
+from a frame."""
 
 from __future__ import annotations
 
 from workbench.papers.respell.places import braced, group, past, printed
 from workbench.papers.texts import Token
 
-_BY_NAME = {"\\dv": "d", "\\pdv": "\\partial"}
+_BY_NAME = {name: "d" for name in (r"\dv", r"\od", r"\odv")} | {
+    name: r"\partial" for name in (r"\pdv", r"\pd")
+}
 #: What opens before the quotient → what closes behind it, before the subscript that names the frame.
 _AROUND = {
     ("\\left", "."): ["\\right", "|"],

@@ -18,6 +18,8 @@ _PAIRS = {
     "\\\\[": ("\\\\]", True),
     "\\(": ("\\)", False),
     "\\\\(": ("\\\\)", False),
+    **{f"{mark}f$": (f"{mark}f$", False) for mark in "\\@"},
+    **{f"{mark}f[": (f"{mark}f]", True) for mark in "\\@"},
 }
 _INLINE = re.compile(r"(?=[^\s$])[^$\n]*?(?<![\s\\])\$(?![\d$])")
 
@@ -42,7 +44,7 @@ def formulas(view: View, searched: str, escaped: bool, inline: bool) -> Iterator
     """Each formula, and its offsets in the view. `searched` is the view's text with what is no text blanked.
     escaped: brackets are written \\\\[ … \\\\]."""
     brackets = r"\\\\[\[(]" if escaped else r"(?<!\\)\\[\[(]"
-    opening = re.compile(rf"(?<!\\)\$\$?|{brackets}|\\begin\{{({ENVIRONMENTS})\}}")
+    opening = re.compile(rf"[\\@]f[$\[]|(?<!\\)\$\$?|{brackets}|\\begin\{{({ENVIRONMENTS})\}}")
     absent: set[str] = set()
     position = 0
     while match := opening.search(searched, position):

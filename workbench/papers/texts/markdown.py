@@ -47,7 +47,7 @@ def _all(view: View, inline: bool) -> Iterator[tuple[Found, int]]:
         environment = found.environment
         if environment in ("$", "\\(") and _is_a_paragraph(searched, start, end):
             environment = "\\["
-        elif environment in ("$", "\\(") and not inline:
+        elif environment in ("$", "\\(") and not (inline or "\\newcommand" in found.view.text):
             continue
         if in_paragraph and searched.startswith("$$", start) and _stands_in_a_line(searched, start, end):
             if not inline:

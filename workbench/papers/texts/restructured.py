@@ -12,6 +12,8 @@ from workbench.papers.texts.view import View
 
 _DIRECTIVE = re.compile(r"(\s*)\.\. math::[ \t]*(.*)")
 _OPTION = re.compile(r"\s*:(label|name|nowrap|class|no-wrap|width):\s*(.*)")
+#: Sphinx takes it from below the formula, too.
+_LABEL = re.compile(r":label:\s*(.*)")
 _CODE = re.compile(
     r"\s*\.\. (code|code-block|sourcecode|raw|literalinclude|comment|jupyter-\w+|parsed-literal)\b"
 )
@@ -79,6 +81,8 @@ def _directive(
         else:
             is_head = False
         place += 1
+    if len(spans) > 1 and (option := _LABEL.fullmatch(view.text[slice(*spans[-1])])):
+        label, _ = option[1].strip(), spans.pop()
     if not spans:
         return place, iter(())
     start, end = view.at[opening.start + len(match[1])], view.at[spans[-1][1]]

@@ -1,0 +1,47 @@
+"""Columns of four beside quaternions, the groups of motions as sets, Ad as a name, ω × R: identities, and the same
+with one sign or one factor changed."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+
+SYMBOLS = {
+    "p": "hamilton quaternion",
+    "q": "hamilton quaternion",
+    "R": "rotation",
+    "w": "vector",
+    "u": "vector",
+    "A": "tensor",
+    "M": "matrix 4×4",
+}
+DEFINITIONS = [
+    r"H = \begin{bmatrix} R & u \\ 0 & 1 \end{bmatrix}",
+    r"\operatorname{Ad}_H = \begin{bmatrix} R & 0 \\ \tilde{u} R & R \end{bmatrix}",
+]
+_COLUMN = r"\begin{bmatrix} \operatorname{Sc}(p) \\ \operatorname{Vec}(p) \end{bmatrix}"
+_LEFT = r"\begin{bmatrix} \operatorname{Sc}(q) & -(\operatorname{Vec}(q))^T \\ \operatorname{Vec}(q) & \operatorname{Sc}(q) \mathbf{I} %s \operatorname{skew}(\operatorname{Vec}(q)) \end{bmatrix}"
+TRUE_AND_FALSE = [
+    (f"q p = {_LEFT % '+'} {_COLUMN}", f"q p = {_LEFT % '-'} {_COLUMN}"),
+    (f"p q = {_LEFT % '-'} {_COLUMN}", f"p q = {_LEFT % '+'} {_COLUMN}"),
+    (rf"2 q p + p = 2 \left( {_LEFT % '+'} {_COLUMN} \right) + {_COLUMN}", rf"2 q p - p = 2 \left( {_LEFT % '+'} {_COLUMN} \right) + {_COLUMN}"),
+    (r"q^* = M q + (\mathbf{I}_{4} - M) q - 2 \begin{bmatrix} 0 \\ \operatorname{Vec}(q) \end{bmatrix}", r"q^* = M q + (\mathbf{I}_{4} - M) q - \begin{bmatrix} 0 \\ \operatorname{Vec}(q) \end{bmatrix}"),
+    (r"\begin{bmatrix} -w^T \\ \tilde{w} \end{bmatrix} u = w (\begin{bmatrix} 0 \\ u \end{bmatrix} + 0 q)", r"\begin{bmatrix} -w^T \\ -\tilde{w} \end{bmatrix} u = w (\begin{bmatrix} 0 \\ u \end{bmatrix} + 0 q)"),
+    (r"H^{-1} \dot{H} \in se(3)", r"H^T \dot{H} \in se(3)"),
+    (r"\dot{H} H^{-1} \in \mathfrak{se}(3)", r"\dot{H} \in \mathfrak{se}(3)"),
+    (r"H H \in SE(3)", r"2 H \in SE(3)"),
+    (r"\begin{bmatrix} R^T & w \\ 0 & 1 \end{bmatrix} \in SE(3)", r"\begin{bmatrix} -R & w \\ 0 & 1 \end{bmatrix} \in SE(3)"),
+    (r"\begin{bmatrix} R & w \\ 0 & 1 \end{bmatrix} \in SE(3)", r"\begin{bmatrix} R & w \\ 0 & 2 \end{bmatrix} \in SE(3)"),
+    (r"R^T (w \times R) = \widetilde{R^T w}", r"R (w \times R) = \widetilde{R^T w}"),
+    (r"(w \times A) u = w \times (A u)", r"(w \times A) u = A (w \times u)"),
+    (r"\operatorname{Ad}_H^{-1} = \begin{bmatrix} R^T & 0 \\ -R^T \tilde{u} & R^T \end{bmatrix}", r"\operatorname{Ad}_H^{-1} = \begin{bmatrix} R^T & 0 \\ R^T \tilde{u} & R^T \end{bmatrix}"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("true", "false"), TRUE_AND_FALSE)
+def test_what_holds_is_proved_and_what_is_changed_refuted(true: str, false: str) -> None:
+    symbols = {name: {"kind": kind} for name, kind in SYMBOLS.items()}
+    assert check(true, symbols=symbols, definitions=DEFINITIONS).outcome is Outcome.PROVED
+    assert check(false, symbols=symbols, definitions=DEFINITIONS).outcome is Outcome.REFUTED

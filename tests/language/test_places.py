@@ -1,0 +1,57 @@
+"""A bracket that says only what a symbol depends on says where it is taken: f(x) and f(y) are two values."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import permutations
+
+import pytest
+
+from workbench.language.defining import read_definitions
+from workbench.language.errors import ReadError
+from workbench.language.names import Name
+from workbench.language.printer import to_latex
+from workbench.language.reader import read
+from workbench.language.symbols import SymbolTable
+
+LETTERS = ("x", "y", "z")
+KINDS = dict.fromkeys((*LETTERS, "f", "g", "v"), "vector") | {"A": "rotation", "s": "scalar"}
+TABLE = replace(
+    SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()}),
+    arguments=frozenset(map(Name, LETTERS)),
+)
+TWO_PLACES = [
+    "f(X) = f(Y)",
+    "f(X) + v = f(Y)",
+    r"A^T(X) A(Y) = A A^T",
+    r"\dot{f}(X) = f(Y)",
+    "f(X, Y) = f(Y, X)",
+]
+ONE_PLACE = ["f(X) = g(Y)", "f(X) = f", r"\dot{f}(X) = s f(X)", "f(t) = f(X)", r"f(X, \dot{X}) = g(X)"]
+
+
+def at(formula: str, x: str, y: str) -> str:
+    return formula.replace("X", x).replace("Y", y)
+
+
+@pytest.mark.parametrize("formula", TWO_PLACES)
+def test_a_symbol_at_two_places_is_refused(formula: str) -> None:
+    for x, y in permutations(LETTERS, 2):
+        with pytest.raises(ReadError, match="at two places"):
+            read(at(formula, x, y), TABLE)
+
+
+@pytest.mark.parametrize("formula", ONE_PLACE)
+def test_at_one_place_the_bracket_says_nothing(formula: str) -> None:
+    for x, y in permutations(LETTERS, 2):
+        (said,) = read(at(formula, x, y), TABLE)
+        assert "(" not in to_latex(said)
+
+
+@pytest.mark.parametrize("symbol", ["f", "g"])
+def test_what_is_defined_by_x_is_not_taken_at_y(symbol: str) -> None:
+    for x, y in permutations(LETTERS, 2):
+        _, table = read_definitions({"f": f"s {x}", "g": f"f + {x}"}, TABLE)
+        assert read(f"{symbol}({x}) = v", table) and read(rf"{symbol}({x}, \dot{{{y}}}) = v", table)
+        with pytest.raises(ReadError, match=f"defined by {x}, and taken at another place"):
+            read(f"{symbol}({y}) = v", table)

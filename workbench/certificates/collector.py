@@ -29,7 +29,7 @@ _TAKEN = frozenset([
     "red", "pow", "size", "total", "jets", "base", "slot", "find", "env", "upd", "den", "hom", "made",
     "of_time", "claimed", "found", "cosine", "sine", "time", "nonzero_at", "zero_at", "equal_at",
     "value_at", "minv", "unique", "now", "agreed", "still", "sum_from", "choose", "whole", "nat_plus",
-    "nat_minus", "fact",
+    "nat_minus", "pred", "fact",
 ])  # fmt: skip
 
 

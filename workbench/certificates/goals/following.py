@@ -176,8 +176,9 @@ class Following(Equations):
         """The term, or a letter with its value if a constant is asked for and the term is none."""
         own = variable.declaration
         meant = at.scope.definitions.lookup(term) if isinstance(term, Symbol) else None
-        if isinstance(meant, Symbol) and meant.declaration.type == own.type:
-            return self._member(at, variable, meant, by)
+        if isinstance(meant, Symbol):  # what is known of that is known of the term
+            each = (conditions(variable, self._node(one, own.type.dual)) for one in (term, meant))
+            self.speaker.known |= {a: k for a, b in zip(*each, strict=True) if (k := self.known_to_be(b))}
         if all(self.known_to_be(one) for one in conditions(variable, self._node(term, own.type.dual))):
             return at, term
         if not own.constant:

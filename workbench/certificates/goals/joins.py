@@ -53,6 +53,7 @@ from workbench.judge.theorems.sequents import kind_of, relations_of
 from workbench.judge.theorems.substitution import at_integer
 from workbench.language.construct import apply, power, relation, symbol, zero
 from workbench.language.declarations import read_key
+from workbench.language.definitions import expand
 from workbench.language.integers import Linear
 from workbench.language.terms import BigSum, Relation, Zero
 from workbench.language.types import SCALAR, VECTOR, Declaration
@@ -189,12 +190,17 @@ class Joiner(Following):
 
     def _kernel(self, at: Place, using: tuple[int, ...] | None) -> None:
         one, given = one_of(at.goal.statement), self._equations(at, using)
-        if at.scope.integers and given and self._holds_anyway(at, one):
+        if given and self._holds_anyway(at, one):
             given = []
         self._prove(at, one, given)
 
     def _holds_anyway(self, at: Place, one: Relation) -> bool:
         """Whether the premises are not needed."""
+        left, right = (self._unaliased(at, side) for side in (one.left, one.right))
+        if expand(left, at.scope.definitions) == expand(right, at.scope.definitions):
+            return True
+        if not at.scope.integers:
+            return False
         try:
             return holds_whatever_they_are(theorem_for_all("alone", one, (), at.scope))
         except NotCertified:

@@ -212,12 +212,16 @@ def _said(speaker: Speaker, goal: Goal) -> tuple[str, int]:
     raise NotCertified(kind_of(goal))
 
 
-def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope) -> None:
-    """Symbols of the paper, and what is defined of them, before the goal."""
+def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_families: bool = False) -> None:
+    """Symbols of the paper, and what is defined of them, before the goal. by_families: single members, too,
+    as members of their families."""
     bound = set(bound_names(goal))
     terms = [s for one in atoms(goal) for r in relations_of(one) for s in (r.left, r.right)]
     families = [part for term in terms for part in term.walk() if isinstance(part, Symbol) and part.index]
     for part in families:
+        if by_families:
+            places = (Linear.variable(f"i{place}") for place, _ in enumerate(part.index))
+            part = symbol(part.declaration, tuple(places))
         if not names_of(part, scope) & bound:
             prepare(speaker, part)
     while terms:

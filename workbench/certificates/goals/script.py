@@ -104,18 +104,16 @@ class Script:
             for one in conditions(v, name)
         ]
 
-    def _node(self, term: Term, dual: bool) -> str:
-        """The term as an argument, of its type over the smooth functions."""
+    def _node(self, term: Term, dual: bool, plain: bool = True) -> str:
+        """The term as an argument, of its type over the smooth functions. plain: a name needs none."""
         node = self.speaker.term(term)
         node = nodes.embedded(node, node.dual or dual)
-        if node.level == ATOM:
-            return node.text
-        return f"({node.text} : {node.type})"
+        return node.text if plain and node.level == ATOM else f"({node.text} : {node.type})"
 
     def text(self, term: Term) -> str:
         return self.speaker.term(term).at(ATOM)
 
     def _by_way_of(self, one: Term, two: Term, dual: bool) -> None:
         """Three equations for one: up to the first of these terms, up to the second, and on."""
-        middle = " ".join(f"(then_at now (y := {self._node(term, dual)}) _" for term in (one, two))
+        middle = " ".join(f"(then_at now (y := {self._node(term, dual, plain=False)}) _" for term in (one, two))
         self.tell(f"refine {middle} _)).")

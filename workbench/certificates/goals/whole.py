@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from workbench.certificates.forms import Certificate, Form
@@ -127,9 +128,18 @@ def _chosen(one: Relation, scope: Scope) -> Whole:
 
 
 def joined(name: str, goal: Goal, scope: Scope, proof: Proof) -> Whole:
+    try:
+        return _joined(name, goal, scope, proof, False)
+    except NotCertified as obstacle:
+        with suppress(NotCertified):  # the proof can be about every member of a family
+            return _joined(name, goal, scope, proof, True)
+        raise obstacle
+
+
+def _joined(name: str, goal: Goal, scope: Scope, proof: Proof, by_families: bool) -> Whole:
     speaker = Speaker(scope.definitions)
     try:
-        speak_of_what_is_free(speaker, goal, scope)
+        speak_of_what_is_free(speaker, goal, scope, by_families)
         speaker.known |= {text: name for name, text in speaker.binders}
         top = list(speaker.statement)
         proposition = said(speaker, goal)

@@ -286,6 +286,8 @@ def _suppose(emitter: Emitter, premise: Relation) -> None:
         emitter.values.append(single(f"Rule {place}", known))
         return
     symbol, rest, proof = pivot
+    if len(rest) == 1:
+        emitter.premised[symbol] = rest[0], f"({proof} {known})"
     value = emitter.term(rest[0])
     for other in rest[1:]:
         value = nodes.minus(value, emitter.term(other))

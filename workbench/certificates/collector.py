@@ -29,7 +29,7 @@ _TAKEN = frozenset([
     "red", "pow", "size", "total", "jets", "base", "slot", "find", "env", "upd", "den", "hom", "made",
     "of_time", "claimed", "found", "cosine", "sine", "time", "nonzero_at", "zero_at", "equal_at",
     "value_at", "minv", "unique", "now", "agreed", "still", "sum_from", "choose", "whole", "nat_plus",
-    "nat_minus", "fact",
+    "nat_minus", "pred", "fact",
 ])  # fmt: skip
 
 
@@ -82,6 +82,7 @@ class Collector:
         self.composed = False  # whether there are sums, or derivatives of order n of what is no symbol
         self.expands = True  # whether x⁽ⁿ⁾ is said in terms of those of the parts of x
         self.lemmas: list[str] = []  # what the proof shows before
+        self.premised: dict[Symbol, tuple[Term, str]] = {}  # what premises say that symbols are, at all times
         self.coordinate: Node | None = None
         self.several = False  # whether families of several indices are taken
         self._places = 1000

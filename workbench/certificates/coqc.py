@@ -25,7 +25,7 @@ from pathlib import Path
 LIBRARY = (
     "Kin", "Poly", "Terms", "Certify", "Divide", "Modulo", "Symbols", "Forms", "Facts", "Fraction",
     "Context", "Steps", "Orders", "Joins", "Smooth", "Time", "Refute", "Witness", "Duals", "Moment",
-    "Instant", "Reciprocals", "Inverses",
+    "Instant", "Reciprocals", "Inverses", "Every",
 )  # fmt: skip
 
 #: Of Coq's real numbers: what statements about real motions may rest on, and nothing else.

@@ -35,8 +35,8 @@ if TYPE_CHECKING:
 
 def general(
     statement: Statement, supposed: Sequence[Statement], definitions: Definitions
-) -> tuple[Statement, list[Statement], list[str]]:
-    """The statement for all n, its n shifted so that the least index is n itself, and its integer variables.
+) -> tuple[Statement, list[Statement], dict[str, Linear]]:
+    """The statement for all n, its n shifted so that the least index is n itself; what its n stands for.
 
     Raises NotCertified where no integer variable is left, or one of them does not stand alone in an index.
     """
@@ -51,7 +51,7 @@ def general(
     if not least:
         raise NotCertified("no integer variable")
     made = [instantiate(s, least) for s in statements]
-    return made[0], made[1:], sorted(least)
+    return made[0], made[1:], {name: least[name] for name in sorted(least)}
 
 
 def _places(term: Term, bound: frozenset[str]) -> Iterator[Linear]:
@@ -103,6 +103,7 @@ def member(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> 
         value = nodes.embedded(emitter.term(body), symbol.type.dual)
         return emitter.same(text, value, APPLICATION)
     if symbol.declaration in emitter.families and own:
+        numeral(emitter, symbol.index[0] - own[0].index[0].constant)  # that it is defined there
         text = f"{emitter.families[symbol.declaration]} {number}"
         node = emitter.slot(symbol.type.dual, kind, text, APPLICATION)
         if not emitter.bounds:
@@ -168,11 +169,11 @@ def numeral(emitter: Collector, index: Linear) -> str:
     if least.constant < 0 or any(c < 0 for _, c in least.coefficients):
         raise NotCertified(f"the index {index}")
     added = _total(emitter, index, index.constant)
-    return (
-        added
-        if min((c for _, c in index.coefficients), default=1) > 0 <= index.constant
-        else (f"(nat_minus {added} {_total(emitter, -index, -index.constant)})")
-    )
+    if min((c for _, c in index.coefficients), default=1) > 0:
+        for _ in range(-index.constant):
+            added = f"(pred {added})"
+        return added
+    return f"(nat_minus {added} {_total(emitter, -index, -index.constant)})"
 
 
 def _total(emitter: Collector, index: Linear, constant: int) -> str:
@@ -249,21 +250,26 @@ def prepare(emitter: Collector, body: Term, but: Declaration | None = None) -> N
 
 def _function(emitter: Collector, symbol: Symbol, defined: Definition, kind: str) -> None:
     """`let w := (fun i => …) in`, once, of a family that is defined for every index."""
-    variables = defined.index[0].variables
-    if symbol.declaration in emitter.families or defined.index[0] not in map(Linear.variable, variables):
+    variables, least = defined.index[0].variables, defined.index[0].constant
+    if symbol.declaration in emitter.families or defined.parameters or len(variables) != 1 or least < 0:
         return
     (variable,) = variables
-    prepare(emitter, defined.body, symbol.declaration)
+    place = Linear.variable(variable)
+    if defined.index[0] - least != place:
+        return
+    body = instantiate(defined.body, {variable: place - least})
+    prepare(emitter, body, symbol.declaration)
     name = emitter.fresh(_family_name(emitter, symbol))
-    inner = emitter.inside(variable, defined.body)
-    inner.bounds = {variable: (Linear(1), Linear(1))}
+    inner = emitter.inside(variable, body)
+    inner.bounds = {variable: (Linear(max(least, 1)), place)}
     emitter.forget(index := inner.integers[variable])
-    made = nodes.embedded(inner.term(defined.body), symbol.type.dual)
+    made = nodes.embedded(inner.term(body), symbol.type.dual)
     if inner.statement or inner.binders:
         raise NotCertified("a family with definitions of its own")
     emitter.statement.append(f"let {name} := (fun {index} => {made.text}) in")
     emitter.introduced.append(name)
     emitter.families[symbol.declaration] = name
+    emitter.firsts[name] = least
 
 
 def _is_base(emitter: Collector, definition: Definition, own: list[Definition]) -> bool:

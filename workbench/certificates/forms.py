@@ -22,6 +22,7 @@ MORE = {
     "Inverses": ("inverse_matrix",),
     "Reciprocals": ("quadratic_over",),
     "Orders": ("sum_from", "whole", "fact"),
+    "Every": ("from_least", "by_induction", "throughout"),
 }
 
 FORMS = ("printed", "reading", "corrected")
@@ -107,7 +108,7 @@ def certificate(form: Form, every: bool) -> Certificate:
     if every:
         try:
             statement, supposed, integers = general(form.formula.statement, claim.supposed, definitions)
-            made = theorem(form.identifier, statement, supposed, definitions, integers)
+            made = theorem(form.identifier, statement, supposed, definitions, list(integers))
             if not can_be_certified(made):
                 raise NotCertified("a sum of which the library knows too little")
             return Certificate(form, (made,), f"all {', '.join(integers)}" if integers else None)

@@ -8,17 +8,21 @@ how x⁴ of a vector is (x·x)².
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
 from workbench.certificates.read_back import Expression, Unread, number
 from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
+from workbench.judge.theorems.goals import Scope
+from workbench.judge.theorems.sequents import names_of
 from workbench.language.construct import symbol
 from workbench.language.definitions import Definitions
 from workbench.language.instances import count, instantiate
 from workbench.language.integers import Linear
+from workbench.language.names import Name
+from workbench.language.symbols import SymbolTable
 from workbench.language.terms import (
     Apply,
     BigSum,
@@ -59,6 +63,11 @@ def added(parts: list[Any]) -> Any:
     """A sum, its first addend's addends among its own."""
     first, *rest = parts
     return ("add", *(first[1:] if first[0] == "add" else (first,)), *rest)
+
+
+def is_written_out(symbol: Symbol, definitions: Definitions, letters: Collection[Name]) -> bool:
+    """Whether a goal says what is meant at its place, since it depends on letters that the goal binds."""
+    return bool(letters) and not names_of(symbol, Scope(SymbolTable(), definitions, {})).isdisjoint(letters)
 
 
 class OfText:
@@ -173,11 +182,13 @@ class OfText:
         """A natural number of Coq; one without variables is an int."""
         if e.head in self.integers:
             return self.integers[e.head]
-        if e.head.isdigit():
-            return int(e.head)
+        if e.head.removesuffix("%nat").isdigit():
+            return int(e.head.removesuffix("%nat"))
         match [a.head if i == 0 else self.index(a) for i, a in enumerate(e.arguments)]:
             case ["S", one]:
                 return one + 1
+            case ["pred", one]:
+                return one - 1
             case ["nat_plus", one, two]:
                 return one + two
             case ["nat_minus", one, two]:
@@ -222,8 +233,14 @@ def differentiated(value: Any, order: int) -> Any:
 class OfTerm:
     """Meanings of typed terms; symbols stand for themselves."""
 
-    def __init__(self, definitions: Definitions, integers: int = 0) -> None:
-        self.definitions, self.depth = definitions, integers
+    def __init__(
+        self, definitions: Definitions, integers: int = 0, letters: frozenset[Name] = frozenset()
+    ) -> None:
+        self.definitions, self.depth, self.letters = definitions, integers, letters
+
+    def with_letters(self, letters: Iterable[Name], integers: int) -> OfTerm:
+        """Where a quantifier binds these, too: what depends on them is what its definition says."""
+        return OfTerm(self.definitions, integers, self.letters.union(letters))
 
     def __call__(self, t: Term) -> Any:
         match t:
@@ -244,6 +261,9 @@ class OfTerm:
             case TimeOperator():
                 return ("D",)
             case Symbol():
+                body = self.definitions.lookup(t)
+                if body is not None and is_written_out(t, self.definitions, self.letters):
+                    return self(body)
                 return ("symbol", t)
             case Derivative(body=body, order=order):
                 if order.is_number:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 _SIGNS = {"+": 50, "-": 50, "•": 40, "·": 40, "×": 40, "⊗": 40, "∘": 40, "@": 40, "⊕": 50, "⊚": 40}
-_TOKEN = re.compile(r"\s*(<->|->|:=|=>|/\\|≡ε|[()+\-•·×⊗∘@⊕⊚≡:,#~]|[A-Za-z_][\w']*|\d+)")
+_TOKEN = re.compile(r"\s*(<->|->|:=|=>|<=|%nat|/\\|≡ε|[()+\-•·×⊗∘@⊕⊚≡:,#~]|[A-Za-z_][\w']*|\d+)")
 
 
 class Unread(ValueError):
@@ -90,7 +90,7 @@ class Parser:
         if token != "(":
             if not re.match(r"[A-Za-z_\d]", token):
                 raise Unread(f"expected a name, got {token}")
-            return Expression(token)
+            return Expression(token + self.take() if self.peek() == "%nat" else token)
         if self.peek() == "fun":
             self.take()
             name = self.application()

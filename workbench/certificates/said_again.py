@@ -15,6 +15,7 @@ from workbench.language.construct import symbol as make_symbol
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
 from workbench.language.terms import Apply, Relation, Symbol, Term
+from workbench.language.types import Declaration
 
 
 def faults_of(
@@ -26,16 +27,7 @@ def faults_of(
     faults = binder_faults(emitter, emitter.read_back)
     supposed = [(of_term(r.left), of_term(r.right)) for r in premises]
     for line in emitter.statement:
-        if line.endswith("->"):
-            faults += premise_faults(line.removesuffix(" ->"), of_text, supposed)
-        found = re.fullmatch(r"let (\S+)(?: : [^:=]+)? := (.*) in", line, re.DOTALL)
-        if found and found[1] in emitter.families.values():
-            faults += _family_faults(emitter, *found.groups(), of_text)
-        symbol = emitter.read_back.get(found[1]) if found else None
-        if symbol is None:
-            continue
-        body = emitter.definitions.lookup(symbol)
-        faults += differs(found[1], found[2], of_text, of_term(body))
+        faults += line_faults(emitter, line, of_text, supposed)
     for conclusion, relation in zip(conclusions, relations, strict=True):
         if "≡" not in conclusion:  # a matrix equation
             _, _, _, left, right = read_back.expression(conclusion).arguments
@@ -51,15 +43,30 @@ def faults_of(
     return faults
 
 
+def line_faults(
+    emitter: Emitter, line: str, of_text: OfText, supposed: Sequence[tuple[object, object]]
+) -> list[str]:
+    """Of a definition, or of a premise."""
+    if line.endswith("->"):
+        return premise_faults(line.removesuffix(" ->"), of_text, supposed)
+    name, text = re.fullmatch(r"let (\S+)(?: : [^:=]+)? := (.*) in", line, re.DOTALL).groups()
+    if name in emitter.families.values():
+        return _family_faults(emitter, name, text, of_text)
+    symbol = of_text.names.get(name)
+    body = None if symbol is None else emitter.definitions.lookup(symbol)
+    return [] if symbol is None else differs(name, text, of_text, of_text.of_term(body))
+
+
 def _family_faults(emitter: Emitter, name: str, text: str, of_text: OfText) -> list[str]:
     """Of a family that is given by its first member and a step, or by a function of the index."""
     declaration = next(d for d, n in emitter.families.items() if n == name)
     of_term = OfTerm(emitter.definitions, len(emitter.integers) + 1)
     (step,) = (d for d in emitter.definitions if d.declaration == declaration and not d.index[0].is_number)
     index = Linear.variable(bound(len(emitter.integers)))
-    wanted = of_term(instantiate(step.body, dict.fromkeys(step.index[0].variables, index)))
-    inner = OfText(emitter.read_back, of_term, emitter.families, emitter.integers)
     found = re.fullmatch(r"from_(zero|one) (.+) \(fun \((\S+) : nat\) \((\S+) : ([^)]+)\) => (.+)\)", text)
+    first_index = index - (0 if found else step.index[0].constant)
+    wanted = of_term(instantiate(step.body, dict.fromkeys(step.index[0].variables, first_index)))
+    inner = OfText(of_text.names, of_term, emitter.families, emitter.integers)
     if found is None:
         variable, body = read_back.expression(text).arguments
         inner.integers = {**inner.integers, str(variable): index}
@@ -75,14 +82,21 @@ def _family_faults(emitter: Emitter, name: str, text: str, of_text: OfText) -> l
 
 def binder_faults(emitter: Emitter, names: Mapping[str, Term]) -> list[str]:
     """Where a variable is said to be, or supposed to be, what its term is not."""
-    faults = []
+    faults, members = [], {}
+    families = {name: declaration for declaration, name in emitter.families.items()}
     for name, type_ in emitter.binders:
+        if name in families:
+            members.update(_members(families[name], name))
+        if members.get(name) == type_:
+            continue
         own = names.get(re.split(r"[ )]", type_)[-1] if name in emitter.holes else name)
-        if type_.startswith("nat -> ") or (own is None and name not in emitter.holes):
-            continue  # a family; what an operator acts on
+        if own is None and name not in emitter.holes and " " not in type_.removesuffix(" K"):
+            continue  # what an operator acts on
         if name in emitter.holes:
             declared = own.declaration if isinstance(own, Symbol) else None
             wanted = conditions(Variable(declared), type_.split()[-1]) if declared else []
+        elif own is None:
+            wanted = []
         elif isinstance(own, Apply) and own.head in ("cos", "sin", "norm"):
             wanted = ["scalar K"]
         else:
@@ -91,6 +105,17 @@ def binder_faults(emitter: Emitter, names: Mapping[str, Term]) -> list[str]:
         if type_ not in wanted:
             faults.append(f"{name} is supposed to be {type_}")
     return faults
+
+
+def _members(declaration: Declaration, name: str) -> dict[str, str]:
+    """What a family is, and what is supposed of its members."""
+    kind = nodes.type_name(declaration.type.dual, KINDS[declaration.type.kind])
+    places = " ".join(f"i{place}" for place in range(declaration.indices))
+    said = conditions(Variable(declaration), f"({name} {places})")
+    words = [one.split()[0].removeprefix("dual_") for one in said]
+    supposed = [f"forall {places} : nat, {one}" for one in said]
+    found = {f"{name}_{word}": one for word, one in zip(words, supposed, strict=True)}
+    return found | {name: "nat -> " * declaration.indices + kind}
 
 
 def premise_faults(text: str, of_text: OfText, supposed: Sequence[tuple[object, object]]) -> list[str]:

@@ -7,19 +7,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from workbench.certificates import coqc
-from workbench.certificates.families import general
 from workbench.certificates.forms import Certificate
 from workbench.certificates.generalized import Generalizer
 from workbench.certificates.goals.whole import whole
 from workbench.certificates.nodes import NotCertified
-from workbench.certificates.theorem import Theorem, theorem
+from workbench.certificates.theorem import theorem_for_all
 from workbench.certificates.trial import can_be_certified, holds_whatever_they_are
 from workbench.judge.theorems.goals import Atom, Scope
 from workbench.judge.theorems.proofs import Proof, Proven
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import Obligation, Premise, Sequent
 from workbench.judge.verdict import Outcome
-from workbench.language.terms import IllFormed, Statement
+from workbench.language.terms import IllFormed
 from workbench.papers.model import Claim
 from workbench.verify.results import Certification, ClaimResult
 
@@ -137,14 +136,14 @@ def all_steps(results: Sequence[ClaimResult], theorems: Mapping[str, object]) ->
 def _step(claim: Claim, obligation: Obligation, number: int) -> Step:
     scope, title = obligation.scope, f"{claim.id}, {obligation.rule}"
     try:
-        made = _theorem(number, obligation.statement, obligation.assume, scope)
+        made = theorem_for_all(f"step_{number}", obligation.statement, obligation.assume, scope)
         if not can_be_certified(made):
             raise NotCertified("a sum, or a derivative of order n, of which the library knows too little")
     except (NotCertified, IllFormed) as obstacle:
         try:
             general_ = Generalizer(scope.definitions, scope.integers)
             equation = general_.equation(obligation.statement)
-            made = _theorem(number, equation, general_.premises, scope)
+            made = theorem_for_all(f"step_{number}", equation, general_.premises, scope)
         except (NotCertified, IllFormed):
             return Step(None, str(obstacle))
         if not holds_whatever_they_are(made):
@@ -152,14 +151,3 @@ def _step(claim: Claim, obligation: Obligation, number: int) -> Step:
         title = "; ".join([title, *general_.said])
     written = Certificate(None, (made,), title=title)
     return Step(written, misread=written.misread)
-
-
-def _theorem(number: int, statement: Statement, supposed: Sequence[Statement], scope: Scope) -> Theorem:
-    supposed, integers = list(supposed), []
-    if scope.integers:
-        try:
-            statement, supposed, integers = general(statement, supposed, scope.definitions)
-        except NotCertified as obstacle:
-            if str(obstacle) != "no integer variable":
-                raise
-    return theorem(f"step_{number}", statement, supposed, scope.definitions, integers, several=True)

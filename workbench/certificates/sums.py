@@ -203,14 +203,19 @@ def of_symbolic_order(emitter: Collector, term: Derivative) -> Node:
 def _names_a_symbol(emitter: Collector, term: Term) -> bool:
     while isinstance(term, Symbol) and (meaning := emitter.definitions.lookup(term)) is not None:
         term = meaning
-    return isinstance(term, Symbol)
+    return isinstance(term, Symbol) and term not in emitter.premised
 
 
 def _expanded(emitter: Collector, body: Term, order: Linear) -> tuple[Term, str] | None:
     """What x⁽ⁿ⁾ is in terms of those of the parts of x, and how Coq shows it."""
     match body:
+        case Symbol() if body in emitter.premised:
+            value, known = emitter.premised[body]
+            return derivative(value, order), f"apply der_ext; exact {known}."
         case Symbol() if (meaning := emitter.definitions.lookup(body)) is not None:
             return derivative(meaning, order), "reflexivity."
+        case Apply(head="skew" | "vect" as head, arguments=(part,)):
+            return apply(head, derivative(part, order)), f"apply der_{head}."
         case Derivative(body=inner, order=more) if more.is_number:
             return derivative(derivative(inner, order), more), f"exact (@every_der _ _ _ _ {more} _)."
         case Apply(head="add" | "neg" as head, arguments=parts) if len({p.type.dual for p in parts}) == 1:

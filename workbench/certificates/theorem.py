@@ -7,12 +7,15 @@ from dataclasses import dataclass, field, replace
 
 from workbench.certificates import blocks, functions, nodes, operators, sums
 from workbench.certificates.emitter import Emitter
+from workbench.certificates.families import general
 from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, OneInstant, flag, single
 from workbench.certificates.said_again import faults_of
 from workbench.certificates.trial import can_be_certified
+from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.sequents import relations_of
 from workbench.language.construct import relation as make_relation
 from workbench.language.definitions import Definitions, expand
+from workbench.language.integers import Linear
 from workbench.language.terms import (
     Apply,
     Conjunction,
@@ -46,6 +49,7 @@ class Theorem:
     source: tuple[Statement, Sequence[Statement], Sequence[str]] | None = (
         None  # statement, premises, integers
     )
+    stands: dict[str, Linear] = field(default_factory=dict)  # for each integer that was asked for, by its own
 
     def read_back_faults(self) -> list[str]:
         """Where the text, read again, does not say what the terms say, or is not the text again."""
@@ -60,18 +64,23 @@ class Theorem:
         return premises
 
     @property
+    def binders(self) -> list[tuple[str, str]]:
+        own = self.emitter
+        integers = [f"{name}_less_1" if v in own.positive else name for v, name in own.integers.items()]
+        return [*((name, "nat") for name in integers), *own.binders]
+
+    @property
+    def lines(self) -> list[str]:
+        """Definitions and premises before the conclusion."""
+        own = self.emitter
+        above_0 = [f"let {n} := S {n}_less_1 in" for v, n in own.integers.items() if v in own.positive]
+        return [*above_0, *own.statement]
+
+    @property
     def statement(self) -> str:
-        emitter = self.emitter
-        binders = [f"({name} : {type_})" for name, type_ in emitter.binders]
-        lines = list(emitter.statement)
-        for variable, name in reversed(emitter.integers.items()):
-            if variable in emitter.positive:
-                binders.insert(0, f"({name}_less_1 : nat)")
-                lines.insert(0, f"let {name} := S {name}_less_1 in")
-            else:
-                binders.insert(0, f"({name} : nat)")
+        binders = [f"({name} : {type_})" for name, type_ in self.binders]
         head = " ".join([f"Theorem {self.name} (K : diff_ring)", *binders])
-        return "\n  ".join([f"{head} :", *lines, " /\\ ".join(self.conclusions) + "."])
+        return "\n  ".join([f"{head} :", *self.lines, " /\\ ".join(self.conclusions) + "."])
 
     @property
     def proof(self) -> str:
@@ -140,20 +149,38 @@ def theorem(
     integers: Sequence[str] = (),
     slots: Sequence[tuple[bool, str, str]] = (),
     several: bool = False,
+    lasting: bool = False,
 ) -> Theorem:
     """Raises NotCertified with the first obstacle. slots: symbols before those of the statement. several:
-    families of several indices are taken, too, of which it is not shown that there are any."""
+    families of several indices are taken, too, of which it is not shown that there are any. lasting: what is
+    assumed holds at all times."""
     for expands in (False, True):
         cores: Sequence[sums.Summed] = ()
         while True:  # once more where there are sums, with what these have in common
             emitter = _Emitter(definitions, slots)
             emitter.several, emitter.expands, emitter.cores = several, expands, cores
-            made = _written(emitter, name, statement, assume, integers)
+            made = _written(emitter, name, statement, assume, integers, lasting)
             if cores or not emitter.met:
                 break
             cores = sums.cores_of(emitter.met)
         if can_be_certified(made):
             break
+    return made
+
+
+def theorem_for_all(
+    name: str, statement: Statement, assume: Sequence[Statement], scope: Scope, lasting: bool = False
+) -> Theorem:
+    """For every value of the integers of the scope that it speaks of."""
+    stands: dict[str, Linear] = {}
+    if scope.integers:
+        try:
+            statement, assume, stands = general(statement, assume, scope.definitions)
+        except NotCertified as obstacle:
+            if str(obstacle) != "no integer variable":
+                raise
+    made = theorem(name, statement, assume, scope.definitions, list(stands), (), True, lasting)
+    made.stands = stands
     return made
 
 
@@ -163,6 +190,7 @@ def _written(
     statement: Statement,
     assume: Sequence[Statement],
     integers: Sequence[str],
+    lasting: bool,
 ) -> Theorem:
     definitions = emitter.definitions
     emitter.differentiated = sums.differentiated(statement)
@@ -171,7 +199,7 @@ def _written(
     made = Theorem(name, emitter, source=(statement, assume, integers))
     premises = [r for s in assume for r in _relations(s)]
     for premise in premises:
-        if premise.operator == "=" and _at_an_instant(premise, statement, definitions):
+        if premise.operator == "=" and not lasting and _at_an_instant(premise, statement, definitions):
             raise OneInstant("an assumption that holds at one instant only")
     norms_first(emitter, [s for r in (*premises, *relations_of(statement)) for s in (r.left, r.right)])
     while isinstance(statement, Implication):
@@ -258,6 +286,8 @@ def _suppose(emitter: Emitter, premise: Relation) -> None:
         emitter.values.append(single(f"Rule {place}", known))
         return
     symbol, rest, proof = pivot
+    if len(rest) == 1:
+        emitter.premised[symbol] = rest[0], f"({proof} {known})"
     value = emitter.term(rest[0])
     for other in rest[1:]:
         value = nodes.minus(value, emitter.term(other))

@@ -233,6 +233,17 @@ Lemma leibniz_cross d n (u v : V_ d) : der n (u × v) == sum_from 0 (S n) (fun j
 Proof. exact (@leibniz K d Vector (fun a b => der a u × der b v) (fun a b => D_cross d _ _) n 0 0). Qed.
 Lemma leibniz_outer d n (u v : V_ d) : der n (u ⊗ v) == sum_from 0 (S n) (fun j => whole (choose n j) • (der (n - j) u ⊗ der j v)).
 Proof. exact (@leibniz K d Tensor (fun a b => der a u ⊗ der b v) (fun a b => D_outer d _ _) n 0 0). Qed.
+(** Linear maps are passed. *)
+Lemma der_skew d n (u : V_ d) : der n (skew u : T_ d) == skew (der n u).
+Proof.
+  apply (@der_through K d Tensor d Vector (@skew (rng K d))); [intros x y E; now rewrite E|]. revert d n u.
+  intros d _ _. revert d. unary Vector (fun c => DD (Skew (Var c Vector 0))) (fun c => Skew (DD (Var c Vector 0))).
+Qed.
+Lemma der_vect d n (u : T_ d) : der n (vect u : V_ d) == vect (der n u).
+Proof.
+  apply (@der_through K d Vector d Tensor (@vect (rng K d))); [intros x y E; now rewrite E|]. revert d n u.
+  intros d _ _. revert d. unary Tensor (fun c => DD (Vect (Var c Tensor 0))) (fun c => Vect (DD (Var c Tensor 0))).
+Qed.
 (** A right factor that does not change is passed. *)
 Lemma still_act d n (u : T_ d) (v : V_ d) : equal (D v) zero -> der n (u @ v) == der n u @ v.
 Proof.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -12,17 +13,23 @@ from workbench.certificates.goals.propositions import said
 from workbench.certificates.goals.rates import spread
 from workbench.certificates.goals.script import Script
 from workbench.certificates.nodes import ATOM, KINDS, NotCertified
-from workbench.certificates.theorem import Theorem, theorem
+from workbench.certificates.theorem import Theorem, theorem_for_all
+from workbench.certificates.trial import can_be_certified
 from workbench.judge.theorems.goals import Atom, Variable
 from workbench.judge.theorems.members import read_members
+from workbench.judge.theorems.proofs import Kernel, Proof
 from workbench.judge.theorems.substitution import Substitution
 from workbench.language.construct import relation, symbol
 from workbench.language.definitions import expand
+from workbench.language.integers import Linear
 from workbench.language.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator
 
 
 class Equations(Script):
     """Writes the proofs of equations."""
+
+    def show(self, at: Place, proof: Proof) -> None:
+        raise NotImplementedError
 
     def _equations(self, at: Place, using: tuple[int, ...] | None) -> list[tuple[Relation, str]]:
         """What may be supposed of equations, each with its proof."""
@@ -112,9 +119,20 @@ class Equations(Script):
         self.tell(f"refine ({lemma.name}_now K (at_instant now) {' '.join(arguments)}); nonzero.")
         self.at_instant.add(lemma.name)
 
-    def _step(self, at: Place, one: Relation, premises: Sequence[Relation]) -> Theorem:
+    def _always(
+        self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]], stand: dict[Term, Term]
+    ) -> None:
+        """From what is given at all times, so that it may be differentiated."""
+        lemma = self._step(at, one, [r for r, _ in given], lasting=True)
+        proofs = [f"(throughout (fun now => {proof}))" for _, proof in given]
+        use = " ".join([lemma.name, "K", *self._arguments(lemma, stand, proofs, False)])
+        self.tell(f"exact (always now ({use})).")
+
+    def _step(self, at: Place, one: Relation, premises: Sequence[Relation], lasting: bool = False) -> Theorem:
         """The lemma that says so."""
-        lemma = theorem(f"step_{len(self.lemmas) + 1}", one, premises, at.scope.definitions)
+        lemma = theorem_for_all(f"step_{len(self.lemmas) + 1}", one, premises, at.scope, lasting)
+        if not can_be_certified(lemma):
+            raise NotCertified("a sum, or a derivative of order n, of which the library knows too little")
         same = next((x for x in self.lemmas if x.text == lemma.text.replace(lemma.name, x.name)), None)
         if same is None:
             self.lemmas.append(lemma)
@@ -122,8 +140,24 @@ class Equations(Script):
 
     def _arguments(self, lemma: Theorem, stand: dict[Term, Term], proofs: list[str], now: bool) -> list[str]:
         """What the lemma is about here, and the proofs of what it supposes."""
-        own, speaker, given = lemma.emitter, self.speaker, []
+        own, speaker = lemma.emitter, self.speaker
+        families = {name: speaker.families.get(declaration) for declaration, name in own.families.items()}
+        given = [
+            self.number(
+                lemma.stands[variable].substitute({variable: 0}) * -1
+                + Linear.variable(variable)
+                - (variable in own.positive)
+            )
+            for variable in own.integers
+        ]
         for name, type_ in own.binders:
+            family, _, member = name.rpartition("_")
+            if name in families or type_.startswith("forall "):
+                known = families[name] if name in families else families[family]
+                if known is None:
+                    raise NotCertified("a family of which the goal does not speak")
+                given.append(known if name in families else f"{known}_{member}")
+                continue
             if name not in own.holes:
                 term = own.read_back.get(name)
                 if term is None:
@@ -131,7 +165,7 @@ class Equations(Script):
                 given.append(self._node(restored(term, stand), type_.startswith("dual_")))
                 continue
             what, _, of = type_.rpartition(" ")
-            known = speaker.known.get(f"{what} {speaker.term(restored(own.read_back[of], stand)).at(ATOM)}")
+            known = self.known_to_be(f"{what} {speaker.term(restored(own.read_back[of], stand)).at(ATOM)}")
             if known is None:
                 raise NotCertified(f"what is not known to be a {what.split()[0]}")
             given.append(known)
@@ -147,6 +181,14 @@ class Equations(Script):
             else:
                 raise NotCertified("a premise of a step that nothing shows")
         return given
+
+    def known_to_be(self, one: str) -> str | None:
+        """The proof that a quantity is a rotation, a constant, …: of its own, or as a member of a family."""
+        word, _, text = one.partition(" ")
+        family, _, places = re.sub(r"^\((.*?)(?: : \w+ K)?\)$", r"\1", text).partition(" ")
+        if (member := f"{family}_{word.removeprefix('dual_')}") in self.of_families:
+            return f"({member} {places})"
+        return self.speaker.known.get(one)
 
     def _turning(self, angle: Term, stand: dict[Term, Term], now: bool) -> str:
         """That cosine and sine are such."""
@@ -171,18 +213,21 @@ class Equations(Script):
             made.append(self._alias(at, variable, term))
         return replace(at, aliases=(*at.aliases, *made)), made
 
-    def _alias(self, at: Place, variable: Variable, term: Term) -> Alias:
+    def _alias(self, at: Place, variable: Variable, term: Term, by: Proof | None = None) -> Alias:
+        """by: the proof that the term belongs to the letter's set."""
         own = variable.declaration
         if not own.constant or own.type.kind not in KINDS:
             raise NotCertified("a witness that is a function of time")
         dual = own.type.dual
         value = self._node(term, dual)
         shown = []
-        for one in belongs(variable, term):
+        for place, one in enumerate(said_ := belongs(variable, term)):
             name = self.fresh("member")
-            self.tell(f"assert ({name} : {said(self.speaker, Atom(one))}).")
-            with self.part():
-                self._prove(at, one, self._equations(at, None))
+            with self.shown(name, said(self.speaker, Atom(one)), False):
+                if by is None or isinstance(by, Kernel):
+                    self._prove(at, one, self._equations(at, by and by.using))
+                else:
+                    self.show(at.of(Atom(one)), by.proofs[place] if len(said_) > 1 else by)
             shown.append(name)
         name = self._letter(variable)
         known, holds = [f"{name}_constant"], f"{name}_is"

@@ -2,36 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from workbench.certificates.goals.equations import Equations
-from workbench.certificates.goals.places import Place, flattened, same
+from workbench.certificates.goals.lemmas import of_letters
+from workbench.certificates.goals.places import Known, Place, belongs, conj, flattened, same
 from workbench.certificates.goals.propositions import conditions, said
 from workbench.certificates.nodes import NotCertified
-from workbench.judge.theorems.goals import All, Atom, Both, Implies, Variable
+from workbench.judge.theorems.goals import All, AllFrom, Atom, Both, Implies, Variable
 from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.proofs import Follows, Kernel, Proof, Use
 from workbench.judge.theorems.sequents import kind_of
-from workbench.judge.theorems.substitution import Substitution
+from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.language.construct import relation, symbol
 from workbench.language.declarations import read_key
 from workbench.language.names import Name
 from workbench.language.reader import read_term
-from workbench.language.terms import Relation, Symbol, Term, Zero
+from workbench.language.spelling import linear
+from workbench.language.syntax import parse
+from workbench.language.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator, Zero
 from workbench.language.types import Declaration
 
 
 class Following(Equations):
     """Writes the proofs of what follows from premises."""
 
-    def show(self, at: Place, proof: Proof) -> None:
-        raise NotImplementedError
-
     def _follows(self, at: Place, one: Relation, proof: Follows) -> None:
-        lefts, rights, shown = {}, {}, []
+        lefts, rights, shown, lasts = {}, {}, [], True
         for letter, use in proof.uses.items():
-            at, said_, known = self._instance(at, use)
+            at, said_, known, lasting = self._instance(at, use)
+            lasts = lasts and lasting
             kind = said_.left.type.with_dual(said_.left.type.dual or said_.right.type.dual)
             variable = Variable(Declaration(read_key(letter)[0], kind))
             lefts[variable], rights[variable] = said_.left, said_.right
@@ -46,7 +47,7 @@ class Following(Equations):
             self._prove(at, relation("=", one.left, first), ())
         with self.part():
             self._real(relation("=", first, last), dual)
-            self._alike(at, image, shown)
+            self._alike(at, image, shown, lasts)
         with self.part():
             self._real(relation("=", last, one.right), dual)
             self._prove(at, relation("=", last, one.right), ())
@@ -57,12 +58,16 @@ class Following(Equations):
             x, y = (self._node(side, False) for side in (one.left, one.right))
             self.tell(f"refine (embedded_at now (x := {x}) (y := {y}) _).")
 
-    def _alike(self, at: Place, image: Term, shown: Sequence[tuple[Variable, Relation, str]]) -> None:
+    def _alike(
+        self, at: Place, image: Term, shown: Sequence[tuple[Variable, Relation, str]], lasts: bool
+    ) -> None:
         """The same expression of what is equal."""
         if isinstance(image, Symbol) and len(shown) == 1:
             self.tell(f"exact {shown[0][2]}.")
             return
-        scope = at.scope.definitions
+        scope, letters = at.scope.definitions, [symbol(v.declaration) for v, _, _ in shown]
+        moving = lasts and _differentiates(image, letters)
+        image, stand = of_letters(image, letters) if moving else (image, {})
         there = {v: Variable(replace(v.declaration, name=Name(self.fresh("there")))) for v, _, _ in shown}
         ends = []
         for variables, side in ((dict(zip(there, there, strict=True)), "left"), (there, "right")):
@@ -78,6 +83,9 @@ class Following(Equations):
             (relation("=", symbol(v.declaration), symbol(there[v].declaration)), known)
             for v, _, known in shown
         ]
+        if moving:
+            self._always(at, relation("=", *ends), given, stand)
+            return
         pairs = [(v, side) for v, said_, _ in shown for side in (said_.left, said_.right)]
         if all(v.declaration.type.dual == side.type.dual and not isinstance(side, Zero) for v, side in pairs):
             self._by_lemma(at, relation("=", *ends), given, plain=True)
@@ -111,10 +119,10 @@ class Following(Equations):
             with self.part():
                 self._by_lemma(at, new, known, plain=True)
 
-    def _instance(self, at: Place, use: Use) -> tuple[Place, Relation, str]:
-        """The equation that a premise says for these values, and its proof."""
+    def _instance(self, at: Place, use: Use) -> tuple[Place, Relation, str, bool]:
+        """The equation that a premise says for these values, its proof, and whether it lasts."""
         known = at.known[use.premise]
-        goal, proof, given = known.goal, known.proof, dict(use.at)
+        goal, proof, given, lasts = known.goal, known.proof, dict(use.at), known.lasts
         while not isinstance(goal, Atom):
             match goal:
                 case All(variables, body):
@@ -124,26 +132,36 @@ class Following(Equations):
                         if read_key(k)[0] in {v.letter for v in variables}
                     }
                     terms = read_members(at.scope, variables, taken)
-                    new, said_ = {}, []
+                    new, said_, aliases = {}, [], len(at.aliases)
                     for variable, term in terms.items():
-                        at, new[variable] = self._member(at, variable, term)
+                        by = use.members
+                        by = by.get(str(variable.letter), Kernel()) if isinstance(by, Mapping) else by
+                        at, new[variable] = self._member(at, variable, term, by)
                         name = self._node(new[variable], variable.declaration.type.dual)
                         said_.append(name)
+                    lasts = lasts and len(at.aliases) == aliases
                     for variable, name in zip(variables, list(said_), strict=True):
                         for one in conditions(variable, name):
-                            if one not in self.speaker.known:
+                            if (is_one := self.known_to_be(one)) is None:
                                 raise NotCertified("an instance that is not known to be in its set")
-                            said_.append(self.speaker.known[one])
+                            said_.append(is_one)
                     proof = f"({' '.join([proof, *said_])})"
                     goal = Substitution(new, at.scope.definitions).goal(body)
-                case Implies(premise, conclusion, False):
-                    same = next((k.proof for k in at.known if k.goal == premise), None)
+                case AllFrom(integer, least, body):
+                    value = linear(parse(given.pop(integer)).lines[0][0], list(at.scope.integers))
+                    here = " ltac:(from_here)" if least else ""
+                    goal, proof = at_integer(body, integer, value), f"({proof} {self.number(value)}{here})"
+                case Implies(premise, conclusion, always):
+                    same = next((k for k in at.known if k.goal == premise and (k.lasts or not always)), None)
                     if same is None:
-                        same = self.fresh("met")
-                        self.tell(f"assert ({same} : {said(self.speaker, premise)}).")
-                        with self.part():
-                            self.show(at.of(premise), Kernel())
-                    goal, proof = conclusion, f"({proof} {same})"
+                        where = at.at_all_times() if always else at
+                        name = self.fresh("met")
+                        with self.shown(name, said(self.speaker, premise), where.lasts) as shown:
+                            self.show(where.of(premise), Kernel())
+                        same = Known(premise, shown, where.lasts)
+                    lasts = lasts and same.lasts
+                    given_ = f"(fun now => {same.proof})" if always else same.proof
+                    goal, proof = conclusion, f"({proof} {given_})"
                 case Both():
                     break
                 case _:
@@ -151,17 +169,39 @@ class Following(Equations):
         found = flattened(goal, proof)
         one, proof = found[use.part] if len(found) > 1 else found[0]
         if use.back:
-            return at, relation("=", one.right, one.left), f"(back_at now {proof})"
-        return at, one, proof
+            return at, relation("=", one.right, one.left), f"(back_at now {proof})", lasts
+        return at, one, proof, lasts
 
-    def _member(self, at: Place, variable: Variable, term: Term) -> tuple[Place, Term]:
+    def _member(self, at: Place, variable: Variable, term: Term, by: Proof) -> tuple[Place, Term]:
         """The term, or a letter with its value if a constant is asked for and the term is none."""
-        if not variable.declaration.constant:
+        own = variable.declaration
+        meant = at.scope.definitions.lookup(term) if isinstance(term, Symbol) else None
+        if isinstance(meant, Symbol):  # what is known of that is known of the term
+            each = (conditions(variable, self._node(one, own.type.dual)) for one in (term, meant))
+            self.speaker.known |= {a: k for a, b in zip(*each, strict=True) if (k := self.known_to_be(b))}
+        if all(self.known_to_be(one) for one in conditions(variable, self._node(term, own.type.dual))):
             return at, term
-        if isinstance(term, Symbol) and all(
-            c in self.speaker.known for c in conditions(variable, self.text(term))
-        ):
+        if not own.constant:
+            self._of_its_set(at.at_all_times(), variable, term, by)
             return at, term
-        own = Variable(replace(variable.declaration, name=Name(self.fresh("at"))))
-        alias = self._alias(at, own, term)
-        return replace(at, aliases=(*at.aliases, alias)), symbol(own.declaration)
+        letter = Variable(replace(own, name=Name(self.fresh("at"))))
+        alias = self._alias(at, letter, term, by)
+        return replace(at, aliases=(*at.aliases, alias)), symbol(letter.declaration)
+
+    def _of_its_set(self, at: Place, variable: Variable, term: Term, by: Proof) -> None:
+        """That a motion is a rotation, or a unit vector, at all times."""
+        parts = tuple(Atom(one) for one in belongs(variable, term))
+        own = parts[0] if len(parts) == 1 else Both(parts)
+        with self.shown(self.fresh("member"), said(self.speaker, own), True) as shown:
+            self.show(at.of(own), by)
+        (one,) = conditions(variable, self._node(term, variable.declaration.type.dual))
+        self.speaker.known[one] = conj([f"(throughout (fun now => {p}))" for _, p in flattened(own, shown)])
+
+
+def _differentiates(image: Term, letters: Sequence[Symbol]) -> bool:
+    """Whether derivatives are taken of what is made of these letters."""
+    return any(
+        (isinstance(part, Derivative | TimeOperator) and any(p in letters for p in part.walk()))
+        or (isinstance(part, Apply) and part.arguments[0].type.kind == "operator")
+        for part in image.walk()
+    )

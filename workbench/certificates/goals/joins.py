@@ -12,10 +12,14 @@ from dataclasses import replace
 
 from workbench.certificates.goals.following import Following
 from workbench.certificates.goals.places import Known, Place, conj, flattened, one_of
-from workbench.certificates.goals.propositions import said, sides
+from workbench.certificates.goals.propositions import ALWAYS, every, said, sides, speak_of_what_is_free
+from workbench.certificates.goals.script import after
 from workbench.certificates.nodes import ATOM, NotCertified
+from workbench.certificates.theorem import theorem_for_all
+from workbench.certificates.trial import holds_whatever_they_are
 from workbench.judge.theorems.goals import (
     All,
+    AllFrom,
     AtLeast,
     Atom,
     Both,
@@ -24,6 +28,7 @@ from workbench.judge.theorems.goals import (
     Iff,
     Implies,
     Variable,
+    atoms,
     equations,
 )
 from workbench.judge.theorems.proofs import (
@@ -34,6 +39,7 @@ from workbench.judge.theorems.proofs import (
     Follows,
     Given,
     Have,
+    Induction,
     Kernel,
     Pointwise,
     Proof,
@@ -43,10 +49,13 @@ from workbench.judge.theorems.proofs import (
     Witness,
 )
 from workbench.judge.theorems.reading import read_goal
-from workbench.judge.theorems.sequents import kind_of
+from workbench.judge.theorems.sequents import kind_of, relations_of
+from workbench.judge.theorems.substitution import at_integer
 from workbench.language.construct import apply, power, relation, symbol, zero
 from workbench.language.declarations import read_key
-from workbench.language.terms import Relation, Zero
+from workbench.language.definitions import expand
+from workbench.language.integers import Linear
+from workbench.language.terms import BigSum, Relation, Zero
 from workbench.language.types import SCALAR, VECTOR, Declaration
 
 
@@ -55,25 +64,34 @@ class Joiner(Following):
 
     def show(self, at: Place, proof: Proof) -> None:
         match at.goal, proof:
-            case goal, Given(then) if not isinstance(goal, All | Implies):
+            case goal, Given(then) if not isinstance(goal, All | AllFrom | Implies):
                 self.show(at, then)
             case _, Have(text, by, then):
                 lemma = read_goal(text, at.scope)
-                name = self.fresh("have")
-                self.tell(f"assert ({name} : {said(self.speaker, lemma)}).")
-                with self.part():
+                speak_of_what_is_free(self.speaker, lemma, at.scope)
+                with self.shown(self.fresh("have"), said(self.speaker, lemma), at.lasts) as shown:
                     self.show(at.of(lemma), by)
-                self.show(at.given(lemma, name), then)
+                self.show(at.given(lemma, shown, at.lasts), then)
             case _, Cases(text, equal_, unequal):
                 self._cases(at, text, equal_, unequal)
             case All(variables, body), _:
                 names = [self._letter(v) for v in variables]
                 self.tell(f"intros {' '.join([*names, *self._supposed(variables, names)])}.")
                 self.show(replace(at, goal=body, scope=at.scope.with_variables(variables)), proof)
-            case Implies(premise, conclusion, False), _:
+            case AllFrom(integer, least, body), Induction(letter=None):
+                self._induction(at, integer, least, body, proof)
+            case AllFrom(integer, least, body), _:
+                if least:
+                    self.tell(f"refine (from_least {least} _ _).")
+                name = self.counted(integer, least)
+                self._introduce(name, integer)
+                inner = replace(at, goal=body, scope=at.scope.with_integer(integer, least))
+                self.show(inner, proof)
+            case Implies(premise, conclusion, lasting), _:
                 name = self.fresh("premise")
                 self.tell(f"intros {name}.")
-                self.show(at.given(premise, name).of(conclusion), proof)
+                known = f"({name} now)" if lasting else name
+                self.show(at.given(premise, known, lasting).of(conclusion), proof)
             case Iff(left, right), _:
                 ways = (proof.there, proof.back) if isinstance(proof, Ways) else (proof, proof)
                 self.tell("split.")
@@ -130,8 +148,63 @@ class Joiner(Following):
             with self.part():
                 show(place, own)
 
+    def _introduce(self, name: str, integer: str, more: str = "") -> None:
+        less, least = self.speaker.less[integer]
+        self.tell(f"intros {less}{more}.")
+        if least:
+            self.tell(f"pose ({name} := {after(least, less)}).")
+
+    def _induction(self, at: Place, integer: str, least: int, body: Goal, proof: Induction) -> None:
+        """At all times, if it is from what holds at all times."""
+        times = " now" if at.lasts else ""
+        if times:
+            with self.speaker.within():
+                name = self.speaker.integer(integer, least)
+                text = f"{every(name, least)}{ALWAYS}{said(self.speaker, body)}"
+            shown, given = self.fresh("every"), "n n_from" if least else "n"
+            self.tell(f"enough ({shown} : {text}) by exact (fun {given} => {shown} {given} now).")
+            self.tell(f"rename now into {self.fresh('then')}.")
+        self.tell(f"refine (by_induction {least} _ _ _)." if least else "refine (nat_ind _ _ _).")
+        with self.part():
+            if times:
+                self.tell("intros now.")
+            self._first(at.of(at_integer(body, integer, least)), body, proof.begin)
+        with self.part():
+            name, known = self.counted(integer, least), self.fresh("before")
+            self._introduce(name, integer, f" {known}{times}")
+            inner = replace(at, scope=at.scope.with_integer(integer, least))
+            inner = inner.given(body, f"({known}{times})", at.lasts)
+            self.show(inner.of(at_integer(body, integer, Linear.variable(integer) + 1)), proof.step)
+
+    def _first(self, at: Place, body: Goal, proof: Proof) -> None:
+        """Where the induction begins, sums are their addends."""
+        sums = [p for s in atoms(body) for r in relations_of(s) for p in (*r.left.walk(), *r.right.walk())]
+        if isinstance(at.goal, Atom) and any(isinstance(part, BigSum) for part in sums):
+            one = one_of(at.goal.statement)
+            self._by_way_of(one.left, one.right, one.left.type.dual or one.right.type.dual)
+            self.tell("{ added. } {")
+            self.show(at, proof)
+            self.tell("} { added. }")
+        else:
+            self.show(at, proof)
+
     def _kernel(self, at: Place, using: tuple[int, ...] | None) -> None:
-        self._prove(at, one_of(at.goal.statement), self._equations(at, using))
+        one, given = one_of(at.goal.statement), self._equations(at, using)
+        if given and self._holds_anyway(at, one):
+            given = []
+        self._prove(at, one, given)
+
+    def _holds_anyway(self, at: Place, one: Relation) -> bool:
+        """Whether the premises are not needed."""
+        left, right = (self._unaliased(at, side) for side in (one.left, one.right))
+        if expand(left, at.scope.definitions) == expand(right, at.scope.definitions):
+            return True
+        if not at.scope.integers:
+            return False
+        try:
+            return holds_whatever_they_are(theorem_for_all("alone", one, (), at.scope))
+        except NotCertified:
+            return False
 
     def _cases(self, at: Place, text: str, equal_: Proof, unequal: Proof) -> None:
         one = one_of(at.scope.statement(text))

@@ -3,26 +3,45 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from workbench.certificates.nodes import NotCertified
+from workbench.certificates.nodes import KINDS, NotCertified
 from workbench.certificates.read_back import expression
 from workbench.certificates.theorem import Theorem
 from workbench.language.construct import rebuild, relation, symbol
 from workbench.language.definitions import Definitions
+from workbench.language.instances import free_integers
 from workbench.language.names import Name
-from workbench.language.terms import Apply, Derivative, Number, Relation, Symbol, Term, TimeOperator
+from workbench.language.terms import (
+    Apply,
+    BigSum,
+    Counting,
+    Derivative,
+    DualUnit,
+    Identity,
+    Integer,
+    Number,
+    Relation,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
 from workbench.language.types import Declaration
 
 
 def at_an_instant(lemma: Theorem) -> str:
     """The lemma for what agrees in some respect: its premises and its conclusion are that they agree."""
     own = lemma.emitter
-    binders = " ".join(f"({name} : {type_})" for name, type_ in own.binders)
-    lines = [_agreeing(line) for line in own.statement]
+    binders = " ".join(f"({name} : {type_})" for name, type_ in lemma.binders)
+    lines = [_agreeing(line) for line in lemma.lines]
     given = []
-    for name, type_ in own.binders:
+    for name, type_ in lemma.binders:
+        if type_.startswith("forall "):
+            places, said = type_.removeprefix("forall ").split(" : nat, ")
+            given.append(f"(fun {places} => {said.split()[0]}_now K agreed _ ({name} {places}))")
+            continue
         if name not in own.holes:
             given.append(name)
             continue
@@ -99,6 +118,23 @@ def without_derivatives(
     return [relation(r.operator, bare(r.left), bare(r.right)) for r in said_], stand
 
 
+def of_letters(image: Term, letters: Collection[Symbol]) -> tuple[Term, dict[Term, Term]]:
+    """The term with a symbol for each part that does not depend on these letters; what these stand for."""
+    stand: dict[Term, Term] = {}
+
+    def bare(term: Term) -> Term:
+        if term in letters or isinstance(term, Number | Zero | Identity | DualUnit):
+            return term
+        if term.type.kind in KINDS and not any(part in letters for part in term.walk()):
+            known = next((s for s, t in stand.items() if t == term), None)
+            known = known or symbol(Declaration(Name(f"q_{len(stand) + 1}"), term.type))
+            stand[known] = term
+            return known
+        return rebuild(term, [bare(c) for c in term.children]) if term.children else term
+
+    return bare(image), stand
+
+
 def restored(term: Term, stand: dict[Term, Term]) -> Term:
     if term in stand:
         return stand[term]
@@ -111,5 +147,7 @@ def _special(term: Term) -> bool:
     """What is more than any quantity of its kind, or comes with premises of its own."""
     if isinstance(term, Apply) and term.head in ("cos", "sin", "exp"):
         return True
+    if free_integers(term) and term.type.kind in KINDS:
+        return isinstance(term, Symbol | BigSum | Counting | Integer)
     own = term.declaration if isinstance(term, Symbol) else None
     return own is not None and (own.rotation or own.unit or own.constant)

@@ -17,10 +17,11 @@ from workbench.language.types import TENSOR
 
 @dataclass(frozen=True)
 class Known:
-    """A premise, and the proof of it in Coq."""
+    """A premise, and the proof of it in Coq, for any `now` if it lasts."""
 
     goal: Goal
     proof: str
+    lasts: bool = False
 
 
 @dataclass(frozen=True)
@@ -44,8 +45,16 @@ class Place:
     def of(self, goal: Goal) -> Place:
         return replace(self, goal=goal)
 
-    def given(self, goal: Goal, proof: str) -> Place:
-        return replace(self, known=(*self.known, Known(goal, proof)))
+    def given(self, goal: Goal, proof: str, lasts: bool = False) -> Place:
+        return replace(self, known=(*self.known, Known(goal, proof, lasts)))
+
+    @property
+    def lasts(self) -> bool:
+        """Whether what follows here holds at all times."""
+        return not self.aliases and all(known.lasts for known in self.known)
+
+    def at_all_times(self) -> Place:
+        return replace(self, known=tuple(known for known in self.known if known.lasts), aliases=())
 
 
 def flattened(goal: Goal, proof: str) -> list[tuple[Relation, str]]:

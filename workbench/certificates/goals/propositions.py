@@ -12,9 +12,12 @@ from contextlib import contextmanager
 from workbench.certificates import nodes
 from workbench.certificates.collector import identifier
 from workbench.certificates.emitter import Emitter
+from workbench.certificates.families import prepare
+from workbench.certificates.meaning import is_written_out
 from workbench.certificates.nodes import APPLICATION, ATOM, KINDS, Node, NotCertified, flag
 from workbench.judge.theorems.goals import (
     All,
+    AllFrom,
     AtLeast,
     Atom,
     Both,
@@ -22,11 +25,21 @@ from workbench.judge.theorems.goals import (
     Goal,
     Iff,
     Implies,
+    Scope,
     Variable,
+    atoms,
 )
+from workbench.judge.theorems.members import bound_names
+from workbench.judge.theorems.sequents import kind_of, names_of, relations_of
 from workbench.language.construct import symbol
 from workbench.language.definitions import Definitions
+from workbench.language.instances import free_integers
+from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.terms import Apply, Conjunction, Number, Relation, Statement, Symbol, Term
+
+#: What stands before that which holds at all times.
+ALWAYS = "forall now : instant, "
 
 #: A proposition that is no part of another one, or one that needs no brackets where it is.
 _LOOSE, _TIGHT = 1, 0
@@ -37,21 +50,46 @@ class Speaker(Emitter):
 
     def __init__(self, definitions: Definitions) -> None:
         super().__init__(definitions)
+        self.several = True
         self.known: dict[str, str] = {}
+        self.bound: frozenset[Name] = frozenset()  # the letters of the quantifiers around
+        self.less: dict[str, tuple[str, int]] = {}  # of an integer in a proof: what it is more than its least
 
     @contextmanager
     def within(self) -> Iterator[None]:
         """The scope of a quantifier: its letters and what is defined of them."""
         kept = dict(self._symbols), dict(self.read_back), set(self._names), dict(self.known)
+        around = self.bound, self.integers, self.bounds, dict(self.orders), dict(self.less)
         try:
             yield
         finally:
             self._symbols, self.read_back, self._names, self.known = kept
+            self.bound, self.integers, self.bounds, self.orders, self.less = around
             self._made = {}
+
+    def integer(self, letter: str, least: int) -> str:
+        """A name for an integer that is at least so much, from here to the end of its scope."""
+        name = self.fresh(letter)
+        self.integers = {**self.integers, letter: name}
+        self.bounds = {**self.bounds, letter: (Linear(least), Linear.variable(letter))}
+        return name
+
+    def _new(self, symbol: Symbol) -> Node:
+        family = self.families.get(symbol.declaration) if symbol.index else None
+        if family is not None and all(place.is_number for place in symbol.index):
+            if int(symbol.index[0]) < self.firsts.get(family, 0):
+                raise NotCertified(f"the index {symbol.index[0]}")
+            text = " ".join([family, *(f"{place}%nat" for place in symbol.index)])
+            return Node(symbol.type.dual, KINDS[symbol.type.kind], text, APPLICATION, "?")
+        body = self.definitions.lookup(symbol)
+        if body is not None and is_written_out(symbol, self.definitions, self.bound):
+            return nodes.embedded(self.term(body), symbol.type.dual)
+        return super()._new(symbol)
 
     def letter(self, variable: Variable, suffix: str = "") -> str:
         """A name for a letter that a quantifier binds, from here to the end of its scope."""
         name = self.fresh(identifier(symbol(variable.declaration)) + suffix)
+        self.bound |= {variable.name}
         self.call(symbol(variable.declaration), name)
         return name
 
@@ -148,9 +186,10 @@ def _said(speaker: Speaker, goal: Goal) -> tuple[str, int]:
         case Both(parts):
             return _all_of([_said(speaker, part) for part in parts])
         case Implies(premise, conclusion, lasting):
+            given = _said(speaker, premise)
             if lasting:
-                raise NotCertified("a premise at all times")
-            return f"{_enclosed(_said(speaker, premise))} -> {_said(speaker, conclusion)[0]}", _LOOSE
+                given = f"{ALWAYS}{given[0]}", _LOOSE
+            return f"{_enclosed(given)} -> {_said(speaker, conclusion)[0]}", _LOOSE
         case Iff(left, right):
             sides = (_enclosed(_said(speaker, side)) for side in (left, right))
             return " <-> ".join(sides), _LOOSE
@@ -166,7 +205,43 @@ def _said(speaker: Speaker, goal: Goal) -> tuple[str, int]:
                 if unique:
                     parts.append((only(speaker, variables, names, body), _LOOSE))
                 return f"exists {binders}, {_all_of(parts)[0]}", _LOOSE
-    raise NotCertified("a goal about every n")
+        case AllFrom(integer, least, body):
+            with _closed(speaker):
+                name = speaker.integer(integer, least)
+                return f"{every(name, least)}{_said(speaker, body)[0]}", _LOOSE
+    raise NotCertified(kind_of(goal))
+
+
+def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_families: bool = False) -> None:
+    """Symbols of the paper, and what is defined of them, before the goal. by_families: single members, too,
+    as members of their families."""
+    bound = set(bound_names(goal))
+    terms = [s for one in atoms(goal) for r in relations_of(one) for s in (r.left, r.right)]
+    families = [part for term in terms for part in term.walk() if isinstance(part, Symbol) and part.index]
+    for part in families:
+        if by_families:
+            places = (Linear.variable(f"i{place}") for place, _ in enumerate(part.index))
+            part = symbol(part.declaration, tuple(places))
+        if not names_of(part, scope) & bound:
+            prepare(speaker, part)
+    while terms:
+        for part in terms.pop(0).walk():
+            if names_of(part, scope) & bound:
+                body = scope.definitions.lookup(part) if isinstance(part, Symbol) else None
+                terms += [] if body is None or part.declaration.name in bound else [body]
+            elif free_integers(part):
+                continue
+            elif isinstance(part, Symbol) and part.type.kind != "operator":
+                speaker.symbol(part)
+            elif isinstance(part, Apply) and (
+                part.head in ("cos", "sin") or part.arguments[0].type.kind == "operator"
+            ):
+                speaker.term(part)
+
+
+def every(name: str, least: int) -> str:
+    """For each natural number that is at least so much."""
+    return f"forall {name} : nat, " + (f"({least} <= {name})%nat -> " if least else "")
 
 
 def only(speaker: Speaker, variables: Sequence[Variable], names: Sequence[str], body: Goal) -> str:
@@ -186,11 +261,18 @@ def _bound(
     speaker: Speaker, variables: Sequence[Variable], suffix: str = ""
 ) -> Iterator[tuple[str, list[str]]]:
     """What stands behind the quantifier, and what is supposed of its letters."""
-    lines = len(speaker.statement)
-    with speaker.within():
+    with _closed(speaker):
         names = [speaker.letter(v, suffix) for v in variables]
         binders = " ".join(binder(v, n) for v, n in zip(variables, names, strict=True))
         yield binders, [c for v, n in zip(variables, names, strict=True) for c in conditions(v, n)]
+
+
+@contextmanager
+def _closed(speaker: Speaker) -> Iterator[None]:
+    """The scope of a quantifier, in which nothing can be defined."""
+    lines = len(speaker.statement)
+    with speaker.within():
+        yield
     if len(speaker.statement) != lines:
         raise NotCertified("a definition within a goal")
 

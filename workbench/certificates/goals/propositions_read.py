@@ -3,23 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
-from workbench.certificates.goals.propositions import binder, conditions, relations
+from workbench.certificates.goals.propositions import ALWAYS, binder, conditions, every, relations
 from workbench.certificates.meaning import OfTerm, OfText
 from workbench.certificates.read_back import Expression, Parser, Unread
-from workbench.judge.theorems.goals import All, AtLeast, Atom, Both, Exists, Goal, Iff, Implies, Variable
+from workbench.judge.theorems.goals import (
+    All,
+    AllFrom,
+    AtLeast,
+    Atom,
+    Both,
+    Exists,
+    Goal,
+    Iff,
+    Implies,
+    Variable,
+)
 from workbench.language.construct import symbol
 from workbench.language.terms import Relation, Term
+from workbench.language.types import Declaration
 
 _SUPPOSED = ("rotation", "dual_rotation", "unit_vector", "constant")
 
 
 @dataclass(frozen=True)
 class Proposition:
-    """`forall`, `exists`, `->`, `<->`, `and`, `not`, `equal`, `at_least`, or `is` for what a letter is.
+    """`forall`, `exists`, `->`, `<->`, `and`, `not`, `equal`, `at_least`, `is` for what a letter is, `every`
+    of an integer, or `always`.
 
-    binders: as they are written. sides: of an equation, which is `dual` or not; or the words of an `is`."""
+    binders: as they are written; of an integer, its name and its least value. sides: of an equation, which
+    is `dual` or not; or the words of an `is`."""
 
     head: str
     parts: tuple[Proposition, ...] = ()
@@ -32,6 +46,10 @@ class Proposition:
         match self.head:
             case "forall" | "exists":
                 return f"{self.head} {' '.join(self.binders)}, {self.parts[0]}"
+            case "every":
+                return f"{every(self.binders[0], int(self.binders[1]))}{self.parts[0]}"
+            case "always":
+                return f"{ALWAYS}{self.parts[0]}"
             case "->":
                 return f"{self.parts[0].within()} -> {self.parts[1]}"
             case "<->":
@@ -46,7 +64,7 @@ class Proposition:
         return f"{word} {'(d := true) ' if self.dual else ''}now {' '.join(s.at(0) for s in self.sides)}"
 
     def within(self) -> str:
-        loose = self.head in ("forall", "exists", "->", "<->", "and")
+        loose = self.head in ("forall", "exists", "every", "always", "->", "<->", "and")
         return f"({self})" if loose else str(self)
 
 
@@ -54,6 +72,8 @@ class _Reader(Parser):
     def proposition(self) -> Proposition:
         if self.peek() in ("forall", "exists"):
             quantifier, binders = self.take(), []
+            if quantifier == "forall" and self.peek() != "(":
+                return self._counted()
             while self.peek() == "(":
                 binders.append(self._binder())
             self.take(",")
@@ -66,6 +86,18 @@ class _Reader(Parser):
             self.take()
             return Proposition("<->", (left, self._conjunction()))
         return left
+
+    def _counted(self) -> Proposition:
+        """For every integer from its least on, or for every instant."""
+        name, _, type_, _ = self.take(), self.take(":"), self.take(), self.take(",")
+        if (name, type_) == ("now", "instant"):
+            return Proposition("always", (self.proposition(),))
+        if type_ != "nat":
+            raise Unread(f"{name} is a {type_}")
+        least = "0"
+        if self.tokens[self.place : self.place + 1] == ["("] and self.tokens[self.place + 2] == "<=":
+            _, least, _, _, _, _, _ = map(self.take, ("(", None, "<=", name, ")", "%nat", "->"))
+        return Proposition("every", (self.proposition(),), (name, least))
 
     def _conjunction(self) -> Proposition:
         parts = [self._unit()]
@@ -128,6 +160,8 @@ class Comparison:
 
     of_term: OfTerm
     names: Mapping[str, Term]
+    families: Mapping[Declaration, str]
+    integers: Mapping[str, str] = field(default_factory=dict)
 
     def faults(self, said: Proposition, goal: Goal) -> Iterator[str]:
         match goal, said.head:
@@ -139,8 +173,21 @@ class Comparison:
                 yield from self._sides(said, left, right)
             case Both(parts), "and":
                 yield from self._each(said.parts, parts, Comparison.faults)
-            case Implies(premise, conclusion, False), "->":
-                yield from self._each(said.parts, (premise, conclusion), Comparison.faults)
+            case Implies(premise, conclusion, lasting), "->":
+                first, then = said.parts
+                if lasting != (first.head == "always"):
+                    yield f"{first} is supposed at another time"
+                    return
+                parts = first.parts if lasting else (first,)
+                yield from self._each((*parts, then), (premise, conclusion), Comparison.faults)
+            case AllFrom(integer, least, body), "every":
+                name, own = said.binders
+                if own != str(least) or name in self.integers.values():
+                    yield f"{name} is at least {own} and stands for {integer} ≥ {least}"
+                integers = {**self.integers, integer: name}
+                of_term = self.of_term.with_letters((), len(integers))
+                inside = replace(self, integers=integers, of_term=of_term)
+                yield from inside.faults(said.parts[0], body)
             case Iff(left, right), "<->":
                 yield from self._each(said.parts, (left, right), Comparison.faults)
             case All(variables, body), "forall":
@@ -164,7 +211,8 @@ class Comparison:
         names = [text.split()[0].removeprefix("(") for text in said.binders]
         letters = {n: symbol(v.declaration) for n, v in zip(names, variables, strict=False)}
         wanted = [c for n, v in zip(names, variables, strict=False) for c in conditions(v, n)]
-        return replace(self, names={**self.names, **letters}), names, wanted
+        of_term = self.of_term.with_letters([v.name for v in variables], len(self.integers))
+        return replace(self, names={**self.names, **letters}, of_term=of_term), names, wanted
 
     def _binders(
         self, said: Proposition, variables: Sequence[Variable], names: Sequence[str]
@@ -230,7 +278,7 @@ class Comparison:
         yield from self._sides(inner, one.left, one.right)
 
     def _sides(self, said: Proposition, left: Term, right: Term) -> Iterator[str]:
-        of_text = OfText(self.names, self.of_term)
+        of_text = OfText(self.names, self.of_term, self.families, self.integers)
         for text, term in zip(said.sides, (left, right), strict=True):
             meant, wanted = of_text(text), self.of_term(term)
             if meant != wanted:
@@ -246,8 +294,10 @@ def _after(wanted: Sequence[str], said: Proposition) -> Proposition | None:
     return said
 
 
-def faults(text: str, goal: Goal, of_term: OfTerm, names: Mapping[str, Term]) -> list[str]:
+def faults(
+    text: str, goal: Goal, of_term: OfTerm, names: Mapping[str, Term], families: Mapping[Declaration, str]
+) -> list[str]:
     """Where the text, read again, does not say what the goal says, or is not the text again."""
     read = proposition(text)
     found = [] if str(read) == text else [f"{text} is written again as {read}"]
-    return found + list(Comparison(of_term, names).faults(read, goal))
+    return found + list(Comparison(of_term, names, families).faults(read, goal))

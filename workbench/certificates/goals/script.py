@@ -6,11 +6,21 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 from workbench.certificates import nodes
-from workbench.certificates.goals.propositions import Speaker, binder, conditions
+from workbench.certificates.goals.propositions import ALWAYS, Speaker, binder, conditions
 from workbench.certificates.nodes import ATOM, NotCertified
 from workbench.certificates.theorem import Theorem
 from workbench.judge.theorems.goals import Variable
+from workbench.language.integers import Linear
 from workbench.language.terms import Term
+
+
+def after(many: int, number: str) -> str:
+    return "(S " * many + number + ")" * many
+
+
+def nat_sum(parts: Sequence[str]) -> str:
+    first, *rest = parts
+    return f"(nat_plus {first} {nat_sum(rest)})" if rest else first
 
 
 class Script:
@@ -22,6 +32,7 @@ class Script:
         self.lines: list[str] = []
         self.top, speaker.statement = speaker.statement, []
         self._binders = list(speaker.binders)
+        self.of_families = {name for name, what in speaker.binders if what.startswith("forall ")}
         self.at_instant: set[str] = set()  # names of lemmas that are used of an instant
         self._fresh = 0
 
@@ -37,6 +48,33 @@ class Script:
             new = [n for n, _ in self.speaker.binders if n not in dict(self._binders)]
             raise NotCertified(f"a proof about {', '.join(new)}, of which the goal does not speak")
         self.lines.append(line)
+
+    @contextmanager
+    def shown(self, name: str, text: str, lasts: bool) -> Iterator[str]:
+        """What is shown first, of all times if it lasts; yields its proof for `now`."""
+        self.tell(f"assert ({name} : {ALWAYS if lasts else ''}{text}).")
+        with self.part():
+            if lasts:
+                self.tell(f"rename now into {self.fresh('then')}. intros now.")
+            yield f"({name} now)" if lasts else name
+
+    def counted(self, letter: str, least: int) -> str:
+        """Any integer from its least on is so much more than that; its name."""
+        name = self.speaker.integer(letter, least)
+        less = self.speaker.fresh(f"{name}_less_{least}") if least else name
+        self.speaker.less[letter] = (less, least)
+        return name
+
+    def number(self, value: Linear) -> str:
+        """The integer, by how much its letters are more than their least."""
+        constant, parts = value.constant, []
+        for letter, coefficient in value.coefficients:
+            less, least = self.speaker.less[letter]
+            parts += [less] * coefficient
+            constant += coefficient * least
+        if constant < 0 or any(c < 0 for _, c in value.coefficients):
+            raise NotCertified(f"the integer {value}")
+        return after(constant, nat_sum(parts)) if parts else f"{constant}%nat"
 
     def fresh(self, stem: str) -> str:
         self._fresh += 1
@@ -66,18 +104,16 @@ class Script:
             for one in conditions(v, name)
         ]
 
-    def _node(self, term: Term, dual: bool) -> str:
-        """The term as an argument, of its type over the smooth functions."""
+    def _node(self, term: Term, dual: bool, plain: bool = True) -> str:
+        """The term as an argument, of its type over the smooth functions. plain: a name needs none."""
         node = self.speaker.term(term)
         node = nodes.embedded(node, node.dual or dual)
-        if node.level == ATOM:
-            return node.text
-        return f"({node.text} : {node.type})"
+        return node.text if plain and node.level == ATOM else f"({node.text} : {node.type})"
 
     def text(self, term: Term) -> str:
         return self.speaker.term(term).at(ATOM)
 
     def _by_way_of(self, one: Term, two: Term, dual: bool) -> None:
         """Three equations for one: up to the first of these terms, up to the second, and on."""
-        middle = " ".join(f"(then_at now (y := {self._node(term, dual)}) _" for term in (one, two))
+        middle = " ".join(f"(then_at now (y := {self._node(term, dual, plain=False)}) _" for term in (one, two))
         self.tell(f"refine {middle} _)).")

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from workbench.certificates.forms import Certificate, Form
 from workbench.certificates.goals.joins import Joiner
 from workbench.certificates.goals.lemmas import at_an_instant
 from workbench.certificates.goals.places import Place
-from workbench.certificates.goals.propositions import Speaker, relations, said
+from workbench.certificates.goals.propositions import Speaker, relations, said, speak_of_what_is_free
 from workbench.certificates.goals.propositions_read import faults
 from workbench.certificates.meaning import OfTerm, OfText
 from workbench.certificates.nodes import ATOM, NotCertified
-from workbench.certificates.said_again import binder_faults, differs, premise_faults
+from workbench.certificates.said_again import binder_faults, line_faults
 from workbench.certificates.theorem import HEADER, Theorem
 from workbench.judge.theorems.goals import (
     Atom,
@@ -24,14 +25,12 @@ from workbench.judge.theorems.goals import (
     Implies,
     Scope,
     Variable,
-    atoms,
 )
-from workbench.judge.theorems.members import bound_names
 from workbench.judge.theorems.proofs import Kernel, Proof
-from workbench.judge.theorems.sequents import NotShown, names_of, relations_of
+from workbench.judge.theorems.sequents import NotShown
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.instances import instantiate
-from workbench.language.terms import Apply, IllFormed, Relation, Symbol, Term
+from workbench.language.terms import IllFormed, Relation, Symbol, Term
 from workbench.papers.model import Claim
 
 OF_MOMENTS = HEADER.replace(
@@ -82,20 +81,11 @@ class Whole:
 
     def read_back_faults(self) -> list[str]:
         """Where the text, read again, does not say what the goal says, or is not the text again."""
-        speaker = self.speaker
-        of_term = OfTerm(speaker.definitions)
-        found = [fault for line in self.top for fault in self._line(line, of_term)]
+        speaker, of_term = self.speaker, OfTerm(self.speaker.definitions)
+        of_text = OfText(self.names, of_term, speaker.families)
+        found = [fault for line in self.top for fault in line_faults(speaker, line, of_text, ())]
         found += binder_faults(speaker, self.names)
-        return found + faults(self.proposition, self.goal, of_term, self.names)
-
-    def _line(self, line: str, of_term: OfTerm) -> list[str]:
-        """A definition, or that cosine and sine are those of an angle."""
-        if line.startswith("let "):
-            name, text = line.removeprefix("let ").removesuffix(" in").split(" := ", 1)
-            name = name.split(" : ")[0]
-            body = self.speaker.definitions.lookup(self.names[name])
-            return differs(name, text, OfText(self.names, of_term), of_term(body))
-        return premise_faults(line.removesuffix(" ->"), OfText(self.names, of_term), ())
+        return found + faults(self.proposition, self.goal, of_term, self.names, speaker.families)
 
 
 def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:
@@ -138,12 +128,22 @@ def _chosen(one: Relation, scope: Scope) -> Whole:
 
 
 def joined(name: str, goal: Goal, scope: Scope, proof: Proof) -> Whole:
+    try:
+        return _joined(name, goal, scope, proof, False)
+    except NotCertified as obstacle:
+        with suppress(NotCertified):  # the proof can be about every member of a family
+            return _joined(name, goal, scope, proof, True)
+        raise obstacle
+
+
+def _joined(name: str, goal: Goal, scope: Scope, proof: Proof, by_families: bool) -> Whole:
     speaker = Speaker(scope.definitions)
     try:
-        _speak_of_what_is_free(speaker, goal, scope)
+        speak_of_what_is_free(speaker, goal, scope, by_families)
+        speaker.known |= {text: name for name, text in speaker.binders}
         top = list(speaker.statement)
         proposition = said(speaker, goal)
-        names = dict(speaker.read_back)
+        names = {name: term for name, term in speaker.read_back.items() if " " not in name}
         introduced = list(speaker.introduced)
         joiner = Joiner(speaker)
         joiner.show(Place(goal, scope), proof)
@@ -152,27 +152,3 @@ def joined(name: str, goal: Goal, scope: Scope, proof: Proof) -> Whole:
     speaker.introduced = introduced
     at_instant = frozenset(joiner.at_instant)
     return Whole(name, goal, scope, speaker, proposition, joiner.lemmas, joiner.lines, top, at_instant, names)
-
-
-def _speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope) -> None:
-    """Symbols of the paper, and what is defined of them, before the goal."""
-    bound = set(bound_names(goal))
-    for statement in atoms(goal):
-        for one in relations_of(statement):
-            for side in (one.left, one.right):
-                for part in side.walk():
-                    if (
-                        isinstance(part, Symbol)
-                        and part.type.kind != "operator"
-                        and part.declaration.name not in bound
-                        and not names_of(part, scope) & bound
-                    ):
-                        speaker.symbol(part)
-                    elif (
-                        isinstance(part, Apply)
-                        and (part.head in ("cos", "sin") or part.arguments[0].type.kind == "operator")
-                        and not names_of(part, scope) & bound
-                    ):
-                        speaker.term(part)
-    for text, name in [(t, n) for n, t in speaker.binders]:
-        speaker.known[text] = name

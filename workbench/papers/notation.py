@@ -14,8 +14,7 @@ from workbench.language.names import Name
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Definition, Symbol
 from workbench.papers.frames import framed, require_rotations
-from workbench.papers.model import Notation
-from workbench.papers.model import PaperError
+from workbench.papers.model import Notation, PaperError
 from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot
 from workbench.papers.ties import ties
 from workbench.papers.toml_file import TomlFile

@@ -115,5 +115,7 @@ class Script:
 
     def _by_way_of(self, one: Term, two: Term, dual: bool) -> None:
         """Three equations for one: up to the first of these terms, up to the second, and on."""
-        middle = " ".join(f"(then_at now (y := {self._node(term, dual, plain=False)}) _" for term in (one, two))
+        middle = " ".join(
+            f"(then_at now (y := {self._node(term, dual, plain=False)}) _" for term in (one, two)
+        )
         self.tell(f"refine {middle} _)).")

@@ -79,6 +79,7 @@ FREE = {"kind": "scalar"}
         ("x = 1/y", "x = y", {}),
         (r"x = \sqrt{y}", "x = y", {}),
         ("T = S^{-1}", "T = S", {}),
+        (r"x = \frac{d}{dt} \|a\|", "x = y", {}),
         ("x = y", "z = 1", {}),
         (r"x \neq y", "x = z", {}),
         ("n = R n", "n = a", {}),

@@ -11,13 +11,11 @@ from collections.abc import Collection, Iterator, Sequence
 
 from workbench.judge.subject import Lookup, With
 from workbench.judge.subject.assumptions import Assumptions
+from workbench.judge.subject.divisions import never_divides
 from workbench.judge.subject.inventory import take_inventory
 from workbench.language.names import Name
-from workbench.language.terms import Apply, Relation, Statement, Symbol, Term
+from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol, Term, TimeOperator
 from workbench.language.types import Declaration
-
-#: What need not have a value.
-_PARTIAL = frozenset(("div", "inverse", "root"))
 
 
 def put_in(
@@ -49,7 +47,10 @@ def _is_any(term: Term, bound: Collection[Name]) -> bool:
 
 
 def _is_total(value: Term, definitions: Lookup) -> bool:
-    return not any(isinstance(part, Apply) and part.head in _PARTIAL for part in _all_of(value, definitions))
+    """Whether it has a value whatever its symbols are. Only the derivatives of a norm may have none."""
+    parts = list(_all_of(value, definitions))
+    is_still = not any(isinstance(part, Derivative | TimeOperator) for part in parts)
+    return all(never_divides(p) or (is_still and isinstance(p, Apply) and p.head == "norm") for p in parts)
 
 
 def _all_of(term: Term, definitions: Lookup) -> Iterator[Term]:

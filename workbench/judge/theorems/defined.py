@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from workbench.judge.subject.divisions import never_divides
 from workbench.language.construct import apply, relation, zero
 from workbench.language.definitions import Definitions
-from workbench.language.operators import LINEAR, PRODUCTS
-from workbench.language.terms import Apply, Power, Relation, Symbol, Term
-
-_EVERYWHERE = LINEAR | {*PRODUCTS, "add", "det", "sin", "cos", "exp"}
+from workbench.language.terms import Relation, Symbol, Term
 
 
 def is_defined_everywhere(term: Term, definitions: Definitions) -> bool:
     """Whether nothing in the term divides, or is not seen to do without."""
-    return all(map(_never_divides, definitions.reached(term)))
+    return all(map(never_divides, definitions.reached(term)))
 
 
 def taken_by_maps(said: Relation, definitions: Definitions) -> Iterator[Term]:
@@ -28,11 +26,3 @@ def that_is_defined(*terms: Term) -> Relation:
     """What holds where they all are defined, and nowhere else; they are of one kind."""
     total = apply("add", *terms) if len(terms) > 1 else terms[0]
     return relation("=", apply("add", total, apply("neg", total)), zero(total.type))
-
-
-def _never_divides(part: Term) -> bool:
-    if isinstance(part, Power):
-        lowest = part.exponent.substitute(dict.fromkeys(part.exponent.variables, 0))
-        grows = all(coefficient > 0 for _, coefficient in part.exponent.coefficients)
-        return part.base.type.kind == "operator" or (grows and int(lowest) >= 0)
-    return not isinstance(part, Apply) or part.head in _EVERYWHERE

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from functools import cache
+from functools import lru_cache
 from itertools import dropwhile, pairwise
 
 from workbench.language.construct import apply, derivative, rebuild, relation
@@ -37,7 +37,7 @@ def _addends(term: Term, sign: int) -> Iterator[tuple[int, Term]]:
             yield sign, term
 
 
-@cache
+@lru_cache(maxsize=50_000)
 def _tidy(term: Term) -> Term:
     children = tuple(_tidy(child) for child in term.children)
     unchanged = all(new is old for new, old in zip(children, term.children, strict=True))

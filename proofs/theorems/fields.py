@@ -36,6 +36,12 @@ _REST_OF_22 = (
 )
 _TENSORS = Induction(step=Follows(r"\dot{Y} + \boldsymbol{\Phi}_n \boldsymbol{\Phi}_1", Y=Use(-1)))
 _VECTORS = Induction(step=Follows(r"\dot{Y} + \boldsymbol{\Phi}_n \mathbf{a}_1", Y=Use(-1)))
+_BY_TENSORS = Have(_UNROLLED_TENSORS, _TENSORS, Follows(_REST_OF_22, Y=Use(0, {"n": "n"}, back=True)))
+_SKEW = Have(
+    r"\boldsymbol{\Phi}_1 = \tilde{\boldsymbol{\omega}}",
+    Kernel(),
+    Follows(r"\frac{d^{n-1}}{dt^{n-1}} Y", Y=Use(0, back=True)),
+)
 
 THEOREMS = {
     "acceleration_field_is_affine": Proven(
@@ -51,16 +57,11 @@ THEOREMS = {
         )
     ),
     "unrolled_recurrence": Proven(Each(_TENSORS, _VECTORS)),
-    "angular_accelerations_by_tensors": Proven(
-        Each(
-            Have(_UNROLLED_TENSORS, _TENSORS, Follows(_REST_OF_22, Y=Use(0, {"n": "n"}, back=True))),
-            Have(
-                r"\boldsymbol{\Phi}_1 = \tilde{\boldsymbol{\omega}}",
-                Kernel(),
-                Follows(r"\frac{d^{n-1}}{dt^{n-1}} Y", Y=Use(0, back=True)),
-            ),
-        )
-    ),
+    "unrolled_tensors": Proven(_TENSORS),
+    "unrolled_vectors": Proven(_VECTORS),
+    "angular_accelerations_by_tensors": Proven(Each(_BY_TENSORS, _SKEW)),
+    "angular_accelerations_by_sums_of_tensors": Proven(_BY_TENSORS),
+    "skew_angular_accelerations": Proven(_SKEW),
     "unrolled_matrices": Proven(Induction(step=Follows(r"\dot{Y} + \Psi_n \Psi_1", Y=Use(-1)))),
     "rigid_motions_are_a_group": Proven(
         Each(

@@ -91,8 +91,11 @@ _NEXT = Each(
     Follows(r"\dot{Y} + Z \mathbf{v}", Y=_FIELDS, Z=_TENSORS_OF_39),
     Follows(r"\dot{Z} + Z \tilde{\omega}", Z=_TENSORS_OF_39),
 )
+_OF_P_N = (
+    r"\forall n \geq 1 : \mathbf{a}_n = \mathbf{P}_n \mathbf{v} \wedge \Phi_n = \mathbf{P}_n \tilde{\omega}"
+)
 _P_N = Have(
-    r"\forall n \geq 1 : \mathbf{a}_n = \mathbf{P}_n \mathbf{v} \wedge \Phi_n = \mathbf{P}_n \tilde{\omega}",
+    _OF_P_N,
     Induction(step=_NEXT),
     Witness(
         {"P": r"\mathbf{P}_n"},
@@ -120,4 +123,8 @@ THEOREMS = {
         against=At(_AT_REST, Impossible(Follows(r"1 - \frac{1}{3} \operatorname{tr} Y", Y=Use(-1, part=1))))
     ),
     "twist_operator_recurrence": Proven(_NEXT),
+    "operators_make_the_vectors": Proven(
+        Have(_OF_P_N, Induction(step=_NEXT), Follows("Y", Y=Use(0, {"n": "n"})))
+    ),
+    "operators_make_the_tensors": Proven(Induction(step=Follows(r"\dot{Z} + Z \tilde{\omega}", Z=Use(-1)))),
 }

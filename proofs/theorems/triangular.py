@@ -61,7 +61,35 @@ _BY_PASCAL = Have(
     ),
 )
 
+_FOR_EVERY_N = rf"\forall n \geq 1 : \mathbf{{T}}^{{(n-1)}} = \Psi_n - {_OF_ORDER_N}"
+_COLUMN = r"\begin{bmatrix} 1 \\ \mathbf{0} \end{bmatrix}"
+_OF_FIRST_COLUMNS = (
+    r"\forall k \geq 1 : \forall j \geq 0 :"
+    rf" \tilde{{\omega}}^{{(j)}} \Psi_k {_COLUMN} = \omega^{{(j)}} \times \mathbf{{a}}_k"
+)
+_OF_TENSORS = rf"\sum_{{k=1}}^n C_n^k (\tilde{{\omega}}^{{(n-k)}} \Psi_k {_COLUMN})"
+_OF_VECTORS = r"\sum_{k=1}^n C_n^k \omega^{(n-k)} \times \mathbf{a}_k"
+
 #: Name in the claim files → proof.
 THEOREMS = {
     "twist_derivatives_from_accelerations": Proven(_BY_PASCAL),
+    "velocity_derivatives_from_accelerations": Proven(
+        Have(
+            _FOR_EVERY_N,
+            _BY_PASCAL,
+            Have(
+                _OF_FIRST_COLUMNS,
+                Kernel(),
+                Have(
+                    rf"\forall n \geq 0 : {_OF_TENSORS} = {_OF_VECTORS}",
+                    Given(Termwise("k", Follows("C_{k+j}^k Y", Y=Use(1, {"k": "k", "j": "j"})))),
+                    Given(
+                        Follows(
+                            rf"Y {_COLUMN} + {_OF_TENSORS} - Z", Y=Use(0, {"n": "n+1"}), Z=Use(2, {"n": "n"})
+                        )
+                    ),
+                ),
+            ),
+        )
+    ),
 }

@@ -23,7 +23,7 @@ from workbench.papers.toml_places import KeyPath
 _FORMULA_KEYS = ("printed", "formula", "goal", "reading", "corrected", "hypothesis", "assume", "orders")
 _CLAIM_KEYS = (
     *("id", "equation", "section", *_FORMULA_KEYS, "inherits"),
-    *("statement", "theorem", "argued", *MEND_KEYS, "note"),
+    *("statement", "theorem", "argued", "every_n", *MEND_KEYS, "note"),
 )
 _ID = re.compile(r"[\w.+*'-]{1,80}")
 _HYPOTHESIS = re.compile(r"\\hypothesis\s*\\Rightarrow")
@@ -35,6 +35,8 @@ _CONTRADICTIONS = (
     ("goal", "formula"),
     ("goal", "argued"),
     ("corrected", "hypothesis"),
+    ("every_n", "theorem"),
+    ("every_n", "goal"),
 )
 
 
@@ -76,7 +78,8 @@ class ClaimTable:
             note=toml.value((*self.path, "note"), str, ""),
             inherits=toml.texts((*self.path, "inherits")),
             statement=self._text("statement"),
-            theorem=self._text("theorem"),
+            theorem=self._proof("theorem"),
+            every_n=self._proof("every_n"),
             file=toml.path,
             line=toml.places.of_key(self.path)[0],
         )
@@ -108,10 +111,6 @@ class ClaimTable:
 
     def _theorem(self, claim: Claim) -> Claim:
         self._required("statement")
-        if claim.theorem is not None and claim.theorem not in self.theorems:
-            known = ", ".join(sorted(self.theorems)) or "none is installed for this file"
-            message = f"theorem: no proof called {claim.theorem!r} (known: {known})"
-            raise self.toml.error_at_value((*self.path, "theorem"), message)
         reader = self._reader(claim)
         goal = self._goal(claim)
         printed = self._said(
@@ -224,6 +223,14 @@ class ClaimTable:
             return None if text is None else Orders.parse(text)
         except ValueError as error:
             raise self.toml.error_at_value((*self.path, "orders"), str(error)) from None
+
+    def _proof(self, key: str) -> str | None:
+        name = self._text(key)
+        if name is not None and name not in self.theorems:
+            known = ", ".join(sorted(self.theorems)) or "none is installed for this file"
+            message = f"{key}: no proof called {name!r} (known: {known})"
+            raise self.toml.error_at_value((*self.path, key), message)
+        return name
 
     def _refuse_contradictions(self) -> None:
         table = self.toml.value(self.path, dict)

@@ -233,8 +233,9 @@ class Claim:
 
     printed: the formula that is judged, as printed, or, where `ours`, our formula for what is printed in
     words. quote: a printed sentence.   said: the equations of an argued claim.   goal: what one identity
-    cannot say.   theorem: the name of its proof
-    in the installed paper.   argued: why no rule ties that proof to a goal.   fault: what kind of fault the
+    cannot say.   theorem: the name of its proof in the installed paper.   argued: why no rule ties that
+    proof to a goal.   every_n: the name of the proof that its right form, which is judged for some n, holds
+    for every n.   fault: what kind of fault the
     claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps before it in
     its chain, `skip` why its author leaves it out, `unread` why its model
     expects no verdict, `states` the symbol that it may define, `guessed` its
@@ -262,6 +263,7 @@ class Claim:
     goal: Stated | None = None
     theorem: str | None = None
     argued: str | None = None
+    every_n: str | None = None
     fault: str | None = None
     mend: Mend = Mend()
     file: Path | None = None
@@ -294,6 +296,11 @@ class Claim:
     def shown(self) -> str | None:
         """The formula or the sentence that is printed; None where only our formula says it."""
         return None if self.ours else self.printed.latex or self.quote
+
+    @property
+    def right(self) -> Formula:
+        """What stands right for what is printed, if anything does, or what is printed."""
+        return self.corrected or self.reading or self.printed
 
     @property
     def our_formula(self) -> str | None:

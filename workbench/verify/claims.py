@@ -267,6 +267,8 @@ class ClaimJudge:
             if claim.span is not None:
                 return Verdict(Outcome.UNCHECKED, reason=str(error))
             raise PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error}") from None
+        if verdict.outcome is Outcome.PROVED and not (verdict.scope or "all").startswith("all"):
+            verdict = _undisturbed(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
         return self._seen(verdict, claim, formula, hypothesis)
 
     def _seen(self, verdict: Verdict, claim: Claim, form: Formula, hypothesis: Formula | None) -> Verdict:

@@ -84,6 +84,8 @@ class Keys:
         reached = reach.of(names)
         if claim.goal is not None:  # its proof may speak of any symbol
             reached += [reach.whole, self._proofs.get(claim.theorem or "", "")]
+        elif claim.every_n is not None:
+            reached += [reach.whole, self._proofs.get(claim.every_n, "")]
         elif not claim.notation.hand.is_plain:  # what it prints may be any symbol's name
             reached.append(reach.whole)
         return digest(repr((text, reached, self._ground)))

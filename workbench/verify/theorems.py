@@ -7,11 +7,13 @@ from dataclasses import replace
 from functools import cache
 
 from workbench.judge.kernel.judge import Judge
-from workbench.judge.theorems.goals import Scope
+from workbench.judge.theorems.goals import AllFrom, Atom, Goal, GoalError, Implies, Scope, equations
 from workbench.judge.theorems.proofs import False_, Kernel, Proven
 from workbench.judge.theorems.prove import Lemmas, prove
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.papers.model import Claim, Notation, Theorem
+from workbench.language.terms import Statement
+from workbench.papers.model import Claim, Formula, Notation, Theorem
+from workbench.papers.orders import Orders
 
 
 class TheoremJudge:
@@ -34,16 +36,38 @@ class TheoremJudge:
                 return Verdict(
                     Outcome.UNCHECKED, reason=f"{claim.theorem} is an argument, and no proof of a goal"
                 )
+        bare = claim.goal.bare if claim.hypothesis is not None else None
+        return self._shown(claim, claim.goal.goal, proven, bare)
+
+    def _shown(self, claim: Claim, goal: Goal, proven: Proven, bare: Goal | None = None) -> Verdict:
         notation = claim.notation
         return prove(
-            claim.goal.goal,
+            goal,
             Scope(notation.symbols, notation.definitions, {}),
             self._judge_of(notation),
             proven,
-            assume=claim.supposed,
-            bare=claim.goal.bare if claim.hypothesis is not None else None,
+            assume=claim.supposed if claim.goal is not None else (),
+            bare=bare,
             lemmas=self._lemmas.setdefault(id(notation), {}),
         )
+
+    def for_every_n(self, claim: Claim, form: Formula, seen: Verdict) -> Verdict:
+        """The verdict on what holds for some n, with all n for its scope where a proof shows that: the one
+        that the claim names, or the judge of formulas alone."""
+        least = _least(claim.orders)
+        if least is None or not _is_equations(form.statement):
+            return seen
+        goal: Goal = Atom(form.statement)
+        for name, value in reversed(least.items()):
+            goal = AllFrom(name, value, goal)
+        for supposed in reversed(claim.supposed):
+            goal = Implies(Atom(supposed), goal)
+        named = claim.every_n is not None and form is claim.right
+        proven = self._theorems[claim.every_n] if named else Proven(Kernel())
+        shown = self._shown(claim, goal, proven)
+        if shown.outcome is not Outcome.PROVED:
+            return shown if named else seen
+        return replace(shown, read_back=seen.read_back, evidence=(*seen.evidence, *shown.evidence))
 
     def _argument(self, claim: Claim) -> Verdict:
         """What the steps of an argument support: they are checked, and what joins them is prose."""
@@ -54,3 +78,18 @@ class TheoremJudge:
         if verdict.outcome == Outcome.UNCHECKED:
             return verdict
         return replace(verdict, outcome=Outcome.ARGUED, scope=None, reason=claim.argued)
+
+
+def _least(orders: Orders) -> dict[str, int] | None:
+    """The least value of each integer; None where some have a last one, or one that hangs on another."""
+    stated = {each.variable: each for each in orders.stated}
+    if any(each.generic or each.upper is not None or not each.lower.is_number for each in stated.values()):
+        return None
+    return {n: int(stated[n].lower) if n in stated else of_n[0] for n, of_n in orders.ranges.items()}
+
+
+def _is_equations(statement: Statement) -> bool:
+    try:
+        return all(one.operator == "=" for one in equations(statement))
+    except GoalError:
+        return False

@@ -1,5 +1,6 @@
 """Campaigns of minutes run only with --slow, on other random cases each time; all else on the same ones."""
 
+import gc
 import os
 import signal
 from collections.abc import Iterator
@@ -55,3 +56,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         if item.get_closest_marker("slow"):
             item.add_marker(pytest.mark.skip(reason="slow: run with --slow"))
+
+
+def pytest_collection_finish() -> None:
+    gc.freeze()  # what all tests share is looked through for garbage no more
+
+
+def pytest_sessionfinish() -> None:
+    gc.freeze()  # nor what is left, five times by pytest

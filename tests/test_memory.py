@@ -14,7 +14,7 @@ import pytest
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.memory import ground, objects
 from workbench.memory.store import Store
-from workbench.papers import find_paper, load_paper
+from workbench.papers import find_paper, installed_notation, load_installed, load_paper
 from workbench.verify.claims import PaperJudge
 from workbench.verify.keys import Keys, Memory
 
@@ -205,6 +205,13 @@ def test_what_has_faults_is_not_kept(tmp_path):
     for _ in range(2):
         store, claims = read(tmp_path, PAPER + '\n[[claim]]\nid = "4"\nprinted = "a +"\n')
         assert len(claims) == 3 and store.found == 0
+
+
+def test_what_is_installed_is_read_once_whatever_store_is_asked(tmp_path):
+    papers = [load_installed("chapter", Store(tmp_path / f"{n}.sqlite")) for n in range(2)]
+    assert papers[0] is papers[1] is find_paper(None) is find_paper("chapter")
+    assert installed_notation() is installed_notation(store=Store(tmp_path / "3.sqlite"))
+    assert load_installed("vectors") is not papers[0]
 
 
 def test_terms_from_another_process_are_found_among_ours() -> None:

@@ -1,4 +1,4 @@
-"""Each claim of a paper file is a pytest item. The runs are processes of their own, as users have them."""
+"""Each claim of a paper file is a pytest item. The run of all files is a process of its own, as users have it."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import sys
 from pathlib import Path
 
 import pytest
+
+pytest_plugins = ["pytester"]
 
 HEAD = """title = "x"
 [symbols]
@@ -26,11 +28,7 @@ FILES = {
 NO_SETTINGS_FROM_ABOVE = "[pytest]\n"
 
 
-def pytest_run(directory: Path, *arguments: str) -> str:
-    call = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-p", "no:hypothesispytest", *arguments]
-    done = subprocess.run(call, cwd=directory, capture_output=True, text=True, timeout=60)
-    assert done.stderr == ""
-    return done.stdout
+ALONE = ("-p", "no:cacheprovider", "-p", "no:hypothesispytest", "-p", "no:xdist")
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +43,10 @@ def papers(tmp_path_factory) -> Path:
 @pytest.fixture(scope="module")
 def output(papers) -> str:
     """What pytest prints of all the files."""
-    return pytest_run(papers, "-v")
+    call = [sys.executable, "-m", "pytest", *ALONE, "-v"]
+    done = subprocess.run(call, cwd=papers, capture_output=True, text=True, timeout=60)
+    assert done.stderr == ""
+    return done.stdout
 
 
 def test_each_claim_is_an_item_of_its_own(output):
@@ -78,13 +79,13 @@ def test_other_toml_files_are_left_alone(output):
     assert "other.toml" not in output
 
 
-def test_one_claim_can_be_run_alone(papers):
-    assert "1 passed" in pytest_run(papers, "paper.toml::erratum")
+def test_one_claim_can_be_run_alone(papers, pytester):
+    pytester.runpytest_inprocess(*ALONE, papers / "paper.toml::erratum").assert_outcomes(passed=1)
 
 
-def test_what_cannot_be_used_is_a_collection_error_of_one_message(papers, tmp_path):
-    (tmp_path / "bad.toml").write_text(HEAD + TRUE.replace("-b", "-c"), encoding="utf-8")
-    output = pytest_run(papers, "other.toml", str(tmp_path / "bad.toml"))
+def test_what_cannot_be_used_is_a_collection_error_of_one_message(papers, pytester):
+    (pytester.path / "bad.toml").write_text(HEAD + TRUE.replace("-b", "-c"), encoding="utf-8")
+    output = pytester.runpytest_inprocess(*ALONE, papers / "other.toml", "bad.toml").stdout.str()
     assert "other.toml:1:1: unknown key 'tool'" in output
     assert re.search(r"bad\.toml:7:26: printed: unknown symbol c", output)
     assert "2 errors" in output and "Traceback" not in output

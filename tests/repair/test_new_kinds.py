@@ -34,7 +34,7 @@ TURN = r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \en
         (r"(p q)^* = q^* p", r"\left(p q\right)^{*} = q^{*} p^{*}"),
         (r"\sin\theta = \sin\frac{\theta}{2} \cos\frac{\theta}{2}", "2"),
         (r"\frac{d}{dt} \sin\theta = \dot{\theta} \sin\theta", r"\dot{\theta} \cos \theta"),
-        (rf"[{HALF}] r [{HALF}] = {TURNED}", "^{*}"),
+        pytest.param(rf"[{HALF}] r [{HALF}] = {TURNED}", "^{*}", marks=pytest.mark.slow),
         (rf"\exp([0, \theta u]) r \exp([0, -\frac{{\theta}}{{2}} u]) = {TURNED}", r"\frac{1}{2} \left(\theta u\right)"),
         (r"\sin\theta = 2 \sin\frac{\theta}{2} \cos\theta", r"\cos\left(\frac{1}{2} \theta\right)"),
         (r"(H G)^{-1} = H^{-1} G^{-1}", "G^{-1} H^{-1}"),

@@ -5,11 +5,11 @@ What reads formulas and texts comes on first use: what was read before needs non
 
 from __future__ import annotations
 
-from collections.abc import Collection, Container, Mapping, Sequence
+from collections.abc import Callable, Collection, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, partial
+from functools import partial, wraps
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from workbench.budget import Budget
 from workbench.memory.store import Store
@@ -23,6 +23,8 @@ from workbench.papers.toml_file import TomlFile
 
 _PAPER_KEYS = (*NOTATION_KEYS, "citation", "section", "claim")
 _NO_FILES = "the installed paper has no claim files"
+
+T = TypeVar("T")
 
 
 def load_paper(path: Path | str, faults: list[PaperError] | None = None, store: Store | None = None) -> Paper:
@@ -48,8 +50,21 @@ def load_notation(path: Path | str) -> Notation:
     return notation
 
 
-@cache
-def installed_notation(name: str = DEFAULT, store: Store | None = None) -> Notation:
+def _once(read: Callable[[str, Store | None], T]) -> Callable[..., T]:
+    """What is installed is read once by each process, whatever store it could be found in."""
+    found: dict[str, T] = {}
+
+    @wraps(read)
+    def known(name: str = DEFAULT, store: Store | None = None) -> T:
+        if name not in found:
+            found[name] = read(name, store)
+        return found[name]
+
+    return known
+
+
+@_once
+def installed_notation(name: str, store: Store | None) -> Notation:
     """The notation of an installed paper as `load_installed` gives it, without reading the claims."""
     paper = installed(name)
     chains = (notation_chain(TomlFile(path)) for path in paper.files)
@@ -61,8 +76,8 @@ def installed_notation(name: str = DEFAULT, store: Store | None = None) -> Notat
     return Kept(store).once("notation", files, lambda: _notation_of(files))
 
 
-@cache
-def load_installed(name: str, store: Store | None = None) -> Paper:
+@_once
+def load_installed(name: str, store: Store | None) -> Paper:
     """The installed paper of that name, its files merged in order. Raises PaperError if there is none."""
     paper = installed(name)
     if not paper.files:

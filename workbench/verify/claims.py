@@ -138,7 +138,7 @@ class ClaimJudge:
         return Workers(self._verdict_on, self.budget, count, prepare=self._prepare)
 
     def _prepare(self) -> None:
-        _load_engines()
+        load_engines()
         if any(claim.goal is not None for claim in self._waiting):
             _ = self._of_theorems
         if self._witnesses:
@@ -352,7 +352,7 @@ def forms(claim: Claim) -> list[str]:
     return [form for form in FORMS if form == "printed" or getattr(claim, form) is not None]
 
 
-def _load_engines() -> None:
+def load_engines() -> None:
     """Here, once, and not in each process."""
     import workbench.judge.evidence.motion_check
     import workbench.judge.evidence.truth

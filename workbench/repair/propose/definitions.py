@@ -15,10 +15,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache, partial
+from functools import cache
 from time import monotonic
 
-from workbench.budget import Budget, OutOfBudget, Workers
+from workbench.budget import OutOfBudget
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.second.rings import PRIME
 from workbench.judge.subject.inventory import NotExact
@@ -29,7 +29,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, Definition, IllFormed, Relation, Symbol, Term
 from workbench.papers.model import Claim
-from workbench.repair.propose.judging import verdict_or_none
+from workbench.repair.propose.judging import judging
 from workbench.repair.propose.limits import Limits
 from workbench.repair.propose.repair import repair
 from workbench.repair.screening.screen import Screen
@@ -194,7 +194,7 @@ def _holds(claim: Claim, definitions: Definitions) -> bool:
     if claim.printed.statement is None:
         return False
     judge = Judge(definitions)
-    with Workers(partial(verdict_or_none, claim, judge), Budget()) as aside, suppress(OutOfBudget):
+    with judging(claim, judge) as aside, suppress(OutOfBudget):
         verdict = aside.call(claim.printed.statement)
         return verdict is not None and verdict.outcome == Outcome.PROVED
     return False

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from functools import partial
+
+from workbench.budget import Budget, Workers
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Verdict
 from workbench.language.terms import IllFormed, Statement
 from workbench.papers.model import Claim
+from workbench.verify.claims import load_engines
+
+
+def judging(claim: Claim, judge: Judge) -> Workers:
+    """`verdict_or_none` of statements, in a process that ends with its budget."""
+    return Workers(partial(verdict_or_none, claim, judge), Budget(), prepare=load_engines)
 
 
 def verdict_or_none(claim: Claim, judge: Judge, statement: Statement) -> Verdict | None:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cached_property
 from itertools import islice, product
 from time import monotonic
 
-from workbench.budget import Budget, OutOfBudget, Workers
+from workbench.budget import OutOfBudget
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome, Verdict
@@ -23,7 +23,7 @@ from workbench.language.terms import Statement, Symbol, Term
 from workbench.language.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
-from workbench.repair.propose.judging import verdict_or_none
+from workbench.repair.propose.judging import judging
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
@@ -155,7 +155,7 @@ class _Bench:
         printed = claim.printed.statement
         self.printed_size = None if printed is None else _size(printed)
         self.table = claim.notation.symbols
-        self.aside = Workers(partial(verdict_or_none, claim, judge), Budget())
+        self.aside = judging(claim, judge)
 
     def run(self) -> None:
         self.found.complete = True  # until something is cut short

@@ -12,6 +12,7 @@ from workbench.judge.verdict import Outcome
 from workbench.papers.model import Claim
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.repair.propose.repair import Repair, repair
+from workbench.verify.claims import load_engines
 from workbench.verify.results import ClaimResult
 
 #: Verdicts on a printed form that ask for another form.
@@ -47,7 +48,7 @@ def _side_by_side(
     def repaired(place: int) -> Repair:
         return replace(repair(claims[place], limits), claim=None)
 
-    with Workers(repaired, None, workers) as there, suppress(KeyboardInterrupt):
+    with Workers(repaired, None, workers, prepare=load_engines) as there, suppress(KeyboardInterrupt):
         for claim, done in zip(claims, there.map(range(len(claims))), strict=True):
             found[claim.id] = replace(done, claim=claim)
             progress(found[claim.id])

@@ -198,3 +198,29 @@ def test_a_tilde_over_a_known_vector_stays_its_skew_tensor():
     table = SymbolTable.build({"x": {"kind": "vector"}})
     with pytest.raises(SpecError, match="read as a skew tensor"):
         table.with_specs({r"\tilde{x}": {"kind": "vector"}})
+
+
+def test_what_a_symbol_depends_on_is_a_symbol() -> None:
+    specs = {"q": {"kind": "scalar"}, "f": {"kind": "scalar", "of": ["q", r"\dot{q}"]}}
+    with pytest.raises(SpecError, match="expected one symbol") as error:
+        SymbolTable.build(specs)
+    assert error.value.key == "f"
+
+
+def test_a_word_may_be_a_name_and_labels_of_several_words_keep_their_commas() -> None:
+    specs = {r"\operatorname{Ad}_T": {"kind": "matrix 6×6"}, r"v_{\text{trans, max}}": {"kind": "matrix 6×1"}}
+    table = SymbolTable.build(specs)
+    assert read(r"Ad_T^T v_{\mathrm{trans,max}} = \text{Ad}_T^T(v_\text{trans, max})", table)
+    for other in (r"v_{\text{transmax}}", r"\mathrm{Ad}_R v_{\text{trans,max}}"):
+        with pytest.raises(ReadError, match="unknown symbol"):
+            read(f"{other} = 0", table)
+
+
+@pytest.mark.parametrize(
+    "name", [r"\omega_{\mathcal{B}^{\ast}/\mathcal{N}}", r"\omega_{{\mathcal{B}}^*/\mathcal{N}}"]
+)
+def test_a_star_within_a_script_is_part_of_the_name(name: str) -> None:
+    table = SymbolTable.build({r"\omega_{\mathcal{B}^*/\mathcal{N}}": {"kind": "vector"}})
+    assert read(f"{name} = 2 {name}", table)
+    with pytest.raises(ReadError, match="unknown symbol"):
+        read(r"\omega_{\mathcal{B}/\mathcal{N}} = 0", table)

@@ -26,8 +26,15 @@ KINDS = [
         r"$$ F_x = m a_{cm_x} $$ $$ \mathbf{T}_m = m \mathbf{u} $$",
         {"m": "scalar", "F_{x}": "scalar", r"\mathbf{T}_{m}": "vector"},
     ),
+    (
+        r"$$ \mathcal{V}_a = [Ad_{T_{ab}}] \mathcal{V}_b $$ $$ \mathcal{V}_b = \begin{bmatrix} \boldsymbol{\omega} \\ \mathbf{v} \end{bmatrix} $$",
+        {r"\operatorname{Ad}_{T_{a b}}": "matrix 6×6", r"\mathcal{V}_{b}": "matrix 6×1"},
+    ),
+    (r"$a, b \in \mathbb{R}$, $A \in \R^{2 \times 3}$: $$ a A = A b $$", {"a": "scalar", "b": "scalar", "A": "matrix 2×3"}),
+    (r"The homogeneous matrix $T$: $$ T = \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix} \in SE(3), R \in SO(3) $$", {"T": "transform"}),
+    (r"The vector $\tau$: $$ \tau = M(\theta) \ddot{\theta} + h(\theta, \dot{\theta}) $$", {"M": "tensor", "h": "vector"}),
     (r"$$ {}^A\bar{v} = {}^B\bar{v} + \bar{u} \times \bar{p} $$", {r"{}^{A}\bar{v}": "vector"}),
-]
+]  # fmt: skip
 
 #: What a text writes, and the tables that a model needs to read it.
 TABLES = [
@@ -41,6 +48,9 @@ TABLES = [
     (r"$$ \vec{a} . \vec{b} = s . s $$", {"notation"}),
     (r"$$ \dot{R} = R \hat{\omega} $$ $$ R \hat{\omega} R^T = \widehat{R \omega} $$", {"notation"}),
     (r"$$ e = (R^T S - S^T R)^\vee $$ $$ e = e \times e $$", {"notation"}),
+    (r"$$ h(q, \dot{q}) = s \dot{q} $$", {"conventions"}),
+    (r"$$ \mathbf{f} = \frac{\partial L}{\partial \mathbf{q}} $$", {"conventions"}),
+    (r"A homogeneous matrix $T$, $V \in \mathbb{R}^6$: $$ [V] = T^{-1} \dot{T} $$ $$ V = \begin{bmatrix} \boldsymbol{\omega} \\ \mathbf{v} \end{bmatrix} $$", {"notation"}),
     (r"$$ \Gamma(R, S_d) = s \operatorname{tr}(R) $$", {"conventions"}),
     (r"$$ \mathbf{E}(\boldsymbol{\chi}) \mathbf{a} = \mathbf{b}(\boldsymbol{\chi}) $$", {"conventions"}),
     (r"$$ x = arccos(s) $$ $$ s = cos \frac{x}{2} $$", {"conventions"}),
@@ -174,6 +184,28 @@ def test_a_macro_that_only_tex_can_follow_is_guessed_to_be_brackets_and_asked_fo
     assert r"\around" in claim.guessed
     (without,) = load_paper(path.rename(tmp_path / "q.tex")).claims
     assert "could not be expanded" in without.printed.unread
+
+
+def test_what_a_macro_that_nothing_declares_prints_is_guessed_by_its_name(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(r"$$ \bv = \bR \bomega + \bfx + \wrong{\bM} $$ $$ \bv = {\bf x} \beta $$")
+    found = ingest(path)
+    assert found.fences == {
+        r"\bv": r"\mathbf{v}",
+        r"\bR": r"\mathbf{R}",
+        r"\bomega": r"\boldsymbol{\omega}",
+        r"\bfx": r"\mathbf{x}",
+        r"\bM": r"\mathbf{M}",
+    }
+    model = tmp_path / "p.toml"
+    model.write_text(model_text(found, model))
+    assert [claim.printed.statement is None for claim in load_paper(model).claims] == [True, False]
+
+
+def test_e_with_an_exponent_is_no_symbol(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(r"$$ x = e^{-y} $$ $$ e {y} = x $$")
+    assert "e" not in ingest(path).guesses
 
 
 @pytest.mark.parametrize(("options", "latex"), [("", "x"), ("[Pedantic]", "y"), ("[Other]", "x")])

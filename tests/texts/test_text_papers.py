@@ -9,9 +9,12 @@ import pytest
 from click.testing import CliRunner, Result
 
 from workbench.cli.commands import main
+from workbench.judge.verdict import Outcome
 from workbench.papers import load_paper
+from workbench.papers.model import PaperError
 from workbench.papers.steps import steps_of
 from workbench.papers.texts import read_text
+from workbench.verify.claims import judge_paper
 
 TEXT = r"""\newcommand{\cross}[2]{#1 \times #2}
 %! workbench: symbols.'a' = { kind = "vector" }
@@ -121,6 +124,35 @@ def test_a_model_says_what_the_text_does_not(tmp_path: Path) -> None:
         result = run("check", str(tmp_path / name), "--no-proposals")
         assert result.exit_code == 0, result.output
         assert "error" not in result.stdout
+
+
+SCOPED = r"""source = "p.md"
+[symbols]
+'a' = "vector"
+'b' = "vector"
+'s' = "scalar"
+[definitions]
+'u' = 'a + b'
+'v' = 's a'
+[[scope]]
+from = "two"
+symbols = { 'b' = "scalar" }
+definitions = { 'v' = 'w + a', 'w' = 's a' }
+"""
+
+
+def test_a_scope_keeps_what_still_fits_it_and_may_define_in_any_order(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text(
+        "$$ u = a + b $$ (one)\n\n$$ v = a + s a $$ (two)\n\n$$ w = v - a $$\n\n$$ b u = u b $$\n"
+    )
+    (tmp_path / "p.toml").write_text(SCOPED)
+    one, two, three, four = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    assert one.outcome is Outcome.DEFINITION
+    assert two.outcome is three.outcome is Outcome.PROVED
+    assert "unknown symbol u" in four.reason
+    (tmp_path / "p.toml").write_text(SCOPED.replace("'w' = 's a' }", "'w' = 's + a' }"))
+    with pytest.raises(PaperError, match="w: the addends differ"):
+        load_paper(tmp_path / "p.toml")
 
 
 def test_what_no_longer_fits_the_text_is_named_all_at_once(tmp_path: Path) -> None:

@@ -21,7 +21,10 @@ _BY_LATEX = (
     (r"\\lim(?![A-Za-z])|\\limsup|\\sup(?![A-Za-z])", "limits"),
     (r"\\[lcdv]?dots|\.\.\.|…", "ellipsis"),
     (r"\\(?:partial|nabla|pdv)(?![A-Za-z])", "partial derivatives"),
-    (r"\\arg(?:min|max)|\\operatorname\*?\{arg(?:min|max)\}|\\(?:min|max)(?![A-Za-z])", "optimization"),
+    (
+        r"\\arg(?:min|max|(?![A-Za-z]))|\\operatorname\*?\{arg(?:min|max)\}|\\(?:min|max)(?![A-Za-z])",
+        "optimization",
+    ),
     (r"\\(?:mapsto|to|rightarrow|colon)(?![A-Za-z])", "maps"),
     (r"\\log(?![A-Za-z])|\\ln(?![A-Za-z])", "logarithms"),
     (r"\\(?:approx|simeq|sim|propto)(?![A-Za-z])|\\mathcal\{?O", "approximation"),

@@ -11,9 +11,11 @@ from itertools import chain, combinations, islice
 from workbench.ingest.asked import Asked, Asks, Outcome
 from workbench.ingest.prose import Prose
 from workbench.ingest.typefaces import (
+    ADJOINT,
     CAPITAL,
     COMPONENT,
     KINDS,
+    LABELLED,
     USUAL,
     Guess,
     bare_name,
@@ -34,22 +36,8 @@ from workbench.language.syntax import parses
 from workbench.language.types import Declaration
 
 _UNKNOWN = re.compile(r"unknown symbol (.+)", re.DOTALL)
-_LETTER = (
-    r"(?:\\(?:math(?:bf|rm|sf|cal|it)|boldsymbol|bar|vec|hat|underline)\s*\{?\s*)*"
-    r"(?:\\[A-Za-z]+|[A-Za-df-z])\}*"
-)
-_BELOW = r"\s*_\s*(?:\w|\\[A-Za-z]+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})"
-_ABOVE = (
-    r"\s*\^\s*(?:[A-SU-Z](?![A-Za-z])|\{\s*(?:(?!T\s*\})[A-Z][A-Za-z0-9]{0,3}(?:\s*[/,]\s*[A-Z])?"
-    r"|\\math(?:scr|cal|frak|rm|sf|bf)\s*\{?\s*[A-Za-z]+\s*\}?)\s*\})"
-)
-_LABELLED = re.compile(rf"{_LETTER}(?:{_ABOVE}{_BELOW}|(?:{_BELOW})?{_ABOVE})")
 _OF_KINDS = re.compile(
     r"(?:expected|transpose of|juxtaposition of) an? (?:scalar|vector|tensor|quaternion)|differ in type"
-)
-#: Maps of twists, by what they are the map of.
-_ADJOINT = re.compile(
-    rf"(?:\\(?:operatorname|mathrm|text)\s*\{{\s*[Aa]d\s*\}}|(?<![\\A-Za-z])Ad(?![A-Za-z])){_BELOW}"
 )
 #: e with an exponent, which is no transpose and no number.
 _EXPONENTIAL = re.compile(r"(?<![A-Za-z\\])e\s*\^\s*\{\s*(?!-?\d+\s*\}|T\s*\}|\*|\\top|\\ast|\()")
@@ -319,7 +307,7 @@ class Guesser:
     def _labelled(self, latex: str, guesses: Mapping[str, Guess]) -> str | None:
         """A symbol with a capital or a script letter as a superscript, which is no power, and which is not
         known yet."""
-        for match in chain(_LABELLED.finditer(latex), _ADJOINT.finditer(latex)):
+        for match in chain(LABELLED.finditer(latex), ADJOINT.finditer(latex)):
             with suppress(SpecError):
                 key, places = read_key(match[0])
                 if not places and key not in self.ground.symbols and str(key) not in guesses:

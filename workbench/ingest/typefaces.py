@@ -27,6 +27,21 @@ _COMPONENTS = re.compile(
 _BETWEEN_FRAMES = re.compile(
     r"_\{\s*[A-Za-z]\s*[A-Za-z]\s*\}$|_\{[A-Za-z]\}\^\{[A-Za-z]\}|^\{\}[_^]\{[A-Za-z]\}[A-Z][_^]\{[A-Za-z]\}$"
 )
+_LETTER = (
+    r"(?:\\(?:math(?:bf|rm|sf|cal|it)|boldsymbol|bar|vec|hat|underline)\s*\{?\s*)*"
+    r"(?:\\[A-Za-z]+|[A-Za-df-z])\}*"
+)
+_BELOW = r"\s*_\s*(?:\w|\\[A-Za-z]+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})"
+_ABOVE = (
+    r"\s*\^\s*(?:[A-SU-Z](?![A-Za-z])|\{\s*(?:(?!T\s*\})[A-Z][A-Za-z0-9]{0,3}(?:\s*[/,]\s*[A-Z])?"
+    r"|\\math(?:scr|cal|frak|rm|sf|bf)\s*\{?\s*[A-Za-z]+\s*\}?)\s*\})"
+)
+#: A letter with a capital above.
+LABELLED = re.compile(rf"{_LETTER}(?:{_ABOVE}{_BELOW}|(?:{_BELOW})?{_ABOVE})")
+#: Maps of twists, by what they are the map of.
+ADJOINT = re.compile(
+    rf"(?:\\(?:operatorname|mathrm|text)\s*\{{\s*[Aa]d\s*\}}|(?<![\\A-Za-z])Ad(?![A-Za-z])){_BELOW}"
+)
 USUAL, CAPITAL, COMPONENT = "what mechanics calls so", "a capital letter", "a component"
 KINDS = ("scalar", "vector", "tensor")
 

@@ -105,6 +105,8 @@ class Scope(ABC):
     def apply(self, at: int, head: str, *arguments: Term) -> Term:
         if head == "mul" and arguments[0].type == type_of_kind("transform"):
             arguments = (arguments[0], self.as_point(arguments[1], at))
+        if head == "exp" and arguments[0].type.is_square and arguments[0].type.rows > 3:
+            raise Fault(f"the exponential of a {arguments[0].type} is not read", at)
         return self.build(at, construct.apply, head, *arguments)
 
     def as_point(self, term: Term, at: int) -> Term:

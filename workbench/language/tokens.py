@@ -282,6 +282,8 @@ class Tokenizer:
                 self.emit("INFIX", ".", at)
         elif text in BRACKETS:
             self.bracket(text, at)
+        elif text in EXPECTED:
+            self.refused = self.refused or Fault(f"{text}: {EXPECTED[text]}", at)
         elif text == "/":
             self.emit("MARK" if self.in_script() else "INFIX", text, at)  # r^{P/O}
         else:

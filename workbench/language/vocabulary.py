@@ -187,7 +187,9 @@ EXPECTED = {
     **dict.fromkeys(("int", "iint", "iiint", "oint"), "integrals are not read; their derivatives are"),
     **dict.fromkeys(("lim", "limsup", "liminf"), "limits are not read"),
     **dict.fromkeys(("prod", "bigcup", "bigoplus"), "products over an index are not read"),
-    **dict.fromkeys(("leqslant", "ll", "gg", "geqslant"), "inequalities are not read"),
+    **dict.fromkeys(("leqslant", "ll", "gg", "geqslant", "<"), "inequalities are not read"),
+    "nabla": "a gradient is written \\frac{\\partial f}{\\partial x}; [conventions] says how it stands",
+    **dict.fromkeys(("arg", "argmin", "argmax"), "where a bound is reached is not read; \\min and \\max are"),
 }
 
 ENDS_A_FACTOR = frozenset(

@@ -60,21 +60,22 @@ def _definitions(
     from before it that does not fit what the scope declares is no longer in force."""
     found: list[Definition] = []
     waiting: list[tuple[TomlFile, str, str]] = []
+    refused: list[PaperError] = []
     for file, key, body in entries:
         try:
             definition, table = _definition(file, key, body, table)
-        except PaperError:
+        except PaperError as error:
             if not scopes:
                 raise
             waiting.append((file, key, body))
+            refused += [error] if file in scopes else []
         else:
             found.append(definition)
-    own = [entry for entry in waiting if entry[0] in scopes]
-    if len(waiting) < len(entries) and own:
+    if len(waiting) < len(entries) and refused:
         more, table = _definitions(waiting, scopes, table)
         return [*found, *more], table
-    for entry in own:
-        _definition(*entry, table)
+    if refused:  # what is unknown may only follow from another fault
+        raise min(refused, key=lambda error: "unknown symbol" in error.message)
     return found, table
 
 

@@ -55,7 +55,7 @@ def steps_of(display: Display, words: Collection[str] = ()) -> list[list[Step]]:
 
 def _steps(line: Line) -> Iterator[Step]:
     tokens = line.tokens
-    while tokens and tokens[0].text in IMPLICATIONS:  # what follows from the line before is judged by itself
+    while tokens and tokens[0].text in IMPLICATIONS | {"="}:  # what goes on from before is judged by itself
         tokens = trimmed(tokens[1:])
     rows = list(line.rows)
     for clause in _clauses(tokens) if tokens else ():

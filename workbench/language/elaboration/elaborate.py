@@ -122,7 +122,8 @@ class Elaborator(Scope):
     def bracket(self, node: Bracket) -> Term:
         terms = [self.term(part) for part in node.parts]
         if node.kind in ("|", "\\|") and len(terms) == 1:
-            return self.apply(node.at, "norm", terms[0])
+            is_determinant = node.kind == "|" and terms[0].type.is_square and terms[0].type.rows > 1
+            return self.apply(node.at, "det" if is_determinant else "norm", terms[0])
         if len(terms) == 1 and node.kind not in ("\\langle", "\\lfloor"):
             return terms[0]
         if len(terms) == 3 and node.kind in ("(", "\\langle"):

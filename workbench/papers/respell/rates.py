@@ -6,9 +6,7 @@ from __future__ import annotations
 from workbench.papers.respell.places import braced, group, past, printed
 from workbench.papers.texts import Token
 
-_BY_NAME = {name: "d" for name in (r"\dv", r"\od", r"\odv")} | {
-    name: r"\partial" for name in (r"\pdv", r"\pd")
-}
+_BY_NAME = dict.fromkeys((r"\dv", r"\od", r"\odv"), "d") | dict.fromkeys((r"\pdv", r"\pd"), r"\partial")
 #: What opens before the quotient → what closes behind it, before the subscript that names the frame.
 _AROUND = {
     ("\\left", "."): ["\\right", "|"],

@@ -21,7 +21,7 @@ MORE = {
     "Duals": ("dual_over", "dual_length"),
     "Inverses": ("inverse_matrix",),
     "Reciprocals": ("quadratic_over",),
-    "Orders": ("sum_from", "whole", "fact"),
+    "Orders": ("sum_from", "whole", "fact_"),
     "Every": ("from_least", "by_induction", "throughout", "added"),
 }
 

@@ -17,7 +17,7 @@ from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
 from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.sequents import names_of
-from workbench.language.construct import symbol
+from workbench.language.construct import rebuild, symbol
 from workbench.language.definitions import Definitions
 from workbench.language.instances import count, instantiate
 from workbench.language.integers import Linear
@@ -341,8 +341,6 @@ class OfTerm:
 
     def _written_out(self, field: Term) -> Term:
         """The field with what depends on the coordinate replaced by what it is."""
-        from workbench.language.construct import rebuild
-
         if isinstance(field, Symbol):
             body = self.definitions.lookup(field)
             if body is None or not self._depends(body):

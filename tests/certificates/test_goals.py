@@ -15,6 +15,7 @@ from workbench.certificates.read_back import Unread
 from workbench.certificates.theorem import theorem
 from workbench.certificates.trial import holds_whatever_they_are
 from workbench.cli.commands import main
+from workbench.judge.theorems.goals import atoms
 from workbench.language.construct import apply, relation
 from workbench.language.terms import Derivative, Symbol, TimeOperator
 from workbench.papers import find_paper
@@ -133,6 +134,20 @@ def test_a_family_is_supposed_to_be_what_is_declared():
             assert JOINED["117"].read_back_faults()
         finally:
             binders[:] = kept
+
+
+def test_what_is_defined_of_a_letter_is_not_meant_where_the_letter_is_bound():
+    theorem = JOINED["Theorem_1"]
+    (rho,) = {
+        part
+        for one in atoms(theorem.goal)
+        for part in one.right.walk()
+        if isinstance(part, Symbol) and "rho" in str(part.declaration.name)
+    }
+    kept, theorem.names = theorem.names, {**theorem.names, "rho": rho}
+    changed = theorem.proposition.replace("(rho_Q + R @ r)", "rho")
+    seen, theorem.names = faults(theorem, changed), kept
+    assert "bound anew" in seen[0]
 
 
 @pytest.mark.parametrize("name", JOINED)

@@ -1,6 +1,6 @@
 (** Theorems of the chapter that one identity cannot state, each as one theorem of Coq. *)
 From Coq Require Import QArith List Lia.
-From Kin Require Import Kin Poly Terms Certify Modulo Symbols Facts Orders Joins.
+From Kin Require Import Kin Poly Terms Certify Modulo Symbols Facts Orders.
 Import ListNotations.
 Open Scope Q_scope. Open Scope kin_scope.
 Notation T i := (Var false Tensor i). Notation U i := (Var false Vector i). Notation S_ i := (Var false Scalar i).
@@ -95,84 +95,6 @@ Proof.
   intros m n. etransitivity; [apply (@der_total K true Vector)|]. apply (@total_ext K true Vector). intros p _.
   exact (c_123_all K (R p) (Omega p) (R_ok p) n).
 Qed.
-(* on Theorem_1: for every n, Φₙ and aₙ give the n-th acceleration of every body point, and no others do *)
-Theorem c_Theorem_1 (K : diff_ring) (R : tensor K) (rho_Q : vector K) (R_ok : rotation R) : forall n : nat,
-  @exactly_one_pair K false Tensor false Vector (fun Phi a => forall r : vector K, constant (d := false) r ->
-    (der n (rho_Q + R @ r) : vector K) ≡ a + Phi @ (rho_Q + R @ r)).
-Proof.
-  intros n. apply (@one_pair_by_witness K false Tensor false Vector) with (x := (der n R : tensor K) ∘ transpose R)
-    (x' := (der n rho_Q : vector K) - ((der n R : tensor K) ∘ transpose R) @ rho_Q).
-  - intros r r_ok. pose proof (c_14_all K R rho_Q r R_ok r_ok n) as E.
-    transitivity ((der n rho_Q : vector K) + ((der n (rho_Q + R @ r) : vector K) - (der n rho_Q : vector K))).
-    + under (@nil premise) [(false, Vector); (false, Vector)] [as_slot false Vector (der n (rho_Q + R @ r) : vector K); as_slot false Vector (der n rho_Q : vector K)]
-       (U 0) (Plus (U 1) (Minus (U 0) (U 1))).
-    + under [@Value false Vector 0 (Act (T 1) (Minus (Plus (U 2) (U 3)) (U 2)))] [(false, Vector); (false, Tensor); (false, Vector); (false, Vector); (false, Vector)]
-       [as_slot false Vector ((der n (rho_Q + R @ r) : vector K) - (der n rho_Q : vector K)); as_slot false Tensor ((der n R : tensor K) ∘ transpose R);
-        as_slot false Vector rho_Q; as_slot false Vector (R @ r); as_slot false Vector (der n rho_Q : vector K)]
-       (Plus (U 4) (U 0)) (Plus (Minus (U 4) (Act (T 1) (U 2))) (Act (T 1) (Plus (U 2) (U 3)))).
-  - intros A a B b HA HB.
-    assert (Z : constant (K := K) (d := false) (zero : vector K)) by (repeat split; apply dt_num).
-    assert (C : forall r : vector K, constant (d := false) r -> A @ (R @ r) ≡ B @ (R @ r)).
-    { intros r r_ok. pose proof (HA r r_ok) as A1. pose proof (HB r r_ok) as B1.
-      pose proof (HA zero Z) as A0. pose proof (HB zero Z) as B0.
-      assert (E1 : a + A @ (rho_Q + R @ r) ≡ b + B @ (rho_Q + R @ r)) by (now rewrite <- A1).
-      assert (E0 : a + A @ (rho_Q + R @ zero) ≡ b + B @ (rho_Q + R @ zero)) by (now rewrite <- A0).
-      transitivity ((a + A @ (rho_Q + R @ r)) - (a + A @ (rho_Q + R @ zero))).
-      - under (@nil premise) [(false, Tensor); (false, Tensor); (false, Vector); (false, Vector); (false, Vector)]
-          [as_slot false Tensor A; as_slot false Tensor R; as_slot false Vector a; as_slot false Vector rho_Q; as_slot false Vector r]
-          (Act (T 0) (Act (T 1) (U 4))) (Minus (Plus (U 2) (Act (T 0) (Plus (U 3) (Act (T 1) (U 4))))) (Plus (U 2) (Act (T 0) (Plus (U 3) (Act (T 1) (Zer false Vector)))))).
-      - under [@Value false Vector 5 (Plus (U 2) (Act (T 0) (Plus (U 3) (Act (T 1) (U 4))))); @Value false Vector 6 (Plus (U 2) (Act (T 0) (Plus (U 3) (Act (T 1) (Zer false Vector)))))]
-          [(false, Tensor); (false, Tensor); (false, Vector); (false, Vector); (false, Vector); (false, Vector); (false, Vector)]
-          [as_slot false Tensor B; as_slot false Tensor R; as_slot false Vector b; as_slot false Vector rho_Q; as_slot false Vector r;
-           as_slot false Vector (a + A @ (rho_Q + R @ r)); as_slot false Vector (a + A @ (rho_Q + R @ zero))]
-          (Minus (U 5) (U 6)) (Act (T 0) (Act (T 1) (U 4))). }
-    assert (AB : A ≡ B).
-    { assert (back : forall X : tensor K, (X ∘ R) ∘ transpose R ≡ X).
-      { intros X. under (rotation_at 0 1) [(false, Tensor); (false, Vector); (false, Tensor)] [as_slot false Tensor R; as_slot false Vector (spin R); as_slot false Tensor X]
-          (Prod (Prod (T 2) (T 0)) (Transpose (T 0))) (T 2). }
-      assert (assoc : forall (X : tensor K) (r : vector K), (X ∘ R) @ r ≡ X @ (R @ r)).
-      { intros X r. under (@nil premise) [(false, Tensor); (false, Tensor); (false, Vector)] [as_slot false Tensor X; as_slot false Tensor R; as_slot false Vector r]
-          (Act (Prod (T 0) (T 1)) (U 2)) (Act (T 0) (Act (T 1) (U 2))). }
-      rewrite <- (back A), <- (back B). apply prod_ext; [|reflexivity].
-      apply by_axes; rewrite !assoc; apply C, axes_constant; tauto. }
-    split; [exact AB|].
-    pose proof (HA zero Z) as A0. pose proof (HB zero Z) as B0. rewrite A0, AB in B0.
-    transitivity ((a + B @ (rho_Q + R @ zero)) - B @ (rho_Q + R @ zero)).
-    + under (@nil premise) [(false, Vector); (false, Vector)] [as_slot false Vector a; as_slot false Vector (B @ (rho_Q + R @ zero))]
-        (U 0) (Minus (Plus (U 0) (U 1)) (U 1)).
-    + rewrite B0. under (@nil premise) [(false, Vector); (false, Vector)] [as_slot false Vector b; as_slot false Vector (B @ (rho_Q + R @ zero))]
-        (Minus (Plus (U 0) (U 1)) (U 1)) (U 0).
-Qed.
-(* on Theorem5: every orthogonal dual tensor is (I + ε ρ̃) R with exactly one rotation R and one vector ρ *)
-Theorem c_Theorem_5 (K : diff_ring) (Rd : dual_tensor K) (R_ok : dual_rotation Rd) :
-  @exactly_one_pair K false Tensor false Vector (fun R rho => rotation R /\
-    Rd ≡ε ((ident : dual_tensor K) + eps • skew (embed rho : dual_vector K)) ∘ (embed R : dual_tensor K)).
-Proof.
-  assert (parts : forall (R : tensor K) (rho : vector K),
-    Rd ≡ε ((ident : dual_tensor K) + eps • skew (embed rho : dual_vector K)) ∘ (embed R : dual_tensor K) ->
-    R ≡ real_part Rd /\ (skew rho) ∘ R ≡ dual_part Rd).
-  { intros R rho E. split.
-    - under [@Value true Tensor 0 (Prod (Plus (Idt true) (Scale Eps (Skew (Emb (U 2))))) (Emb (T 1)))] [(true, Tensor); (false, Tensor); (false, Vector)]
-        [as_slot true Tensor Rd; as_slot false Tensor R; as_slot false Vector rho] (T 1) (Re (DT 0)).
-    - under [@Value true Tensor 0 (Prod (Plus (Idt true) (Scale Eps (Skew (Emb (U 2))))) (Emb (T 1)))] [(true, Tensor); (false, Tensor); (false, Vector)]
-        [as_slot true Tensor Rd; as_slot false Tensor R; as_slot false Vector rho] (Prod (Skew (U 2)) (T 1)) (Du (DT 0)). }
-  apply (@one_pair_by_witness K false Tensor false Vector) with (x := real_part Rd) (x' := Facts.shift Rd).
-  - split; [exact (dual_rotation_real R_ok)|].
-    under (dual_rotation_at 0 1 2 3) [(true, Tensor); (false, Tensor); (false, Vector); (false, Vector)]
-      [as_slot true Tensor Rd; as_slot false Tensor (real_part Rd); as_slot false Vector (spin (real_part Rd)); as_slot false Vector (Facts.shift Rd)]
-      (DT 0) (Prod (Plus (Idt true) (Scale Eps (Skew (Emb (U 3))))) (Emb (T 1))).
-  - assert (only : forall R rho, rotation R -> R ≡ real_part Rd -> (skew rho) ∘ R ≡ dual_part Rd ->
-      rho ≡ vect ((dual_part Rd : tensor K) ∘ transpose R)).
-    { intros R rho rot _ E. rewrite <- E.
-      under (rotation_at 0 1) [(false, Tensor); (false, Vector); (false, Vector)] [as_slot false Tensor R; as_slot false Vector (spin R); as_slot false Vector rho]
-        (U 2) (Vect (Prod (Prod (Skew (U 2)) (T 0)) (Transpose (T 0)))). }
-    intros R rho S sigma [rot E] [rot' E']. destruct (parts _ _ E) as [A B], (parts _ _ E') as [A' B'].
-    assert (RS : R ≡ S) by (now rewrite A, A'). split; [exact RS|].
-    rewrite (only _ _ rot A B), (only _ _ rot' A' B').
-    under [@Value false Tensor 0 (T 1)] [(false, Tensor); (false, Tensor); (false, Tensor)]
-      [as_slot false Tensor R; as_slot false Tensor S; as_slot false Tensor (dual_part Rd)]
-      (Vect (Prod (T 2) (Transpose (T 0)))) (Vect (Prod (T 2) (Transpose (T 1)))).
-Qed.
 (* on 89.skew: the derivative of R̲ is ω̲̃ R̲ *)
 Theorem c_89_skew (K : diff_ring) (R : dual_tensor K) (R_ok : dual_rotation R) :
   let omega := vect (D R ∘ transpose R) in (D R ∘ transpose R ≡ε skew omega) /\ (D R ≡ε skew omega ∘ R).
@@ -185,6 +107,12 @@ Proof.
       [as_slot true Tensor R; as_slot false Tensor (real_part R); as_slot false Vector (spin (real_part R)); as_slot false Vector (Facts.shift R)]
       (DD (DT 0)) (Prod (Skew (Vect (Prod (DD (DT 0)) (Transpose (DT 0))))) (DT 0)).
 Qed.
+(* Two sequences with the same beginning and the same recursion agree. *)
+Lemma one_sequence (K : diff_ring) d k (s t : nat -> val (rng K d) k) (next : nat -> val (rng K d) k -> val (rng K d) k) m :
+  (forall n x y, equal x y -> equal (next n x) (next n y)) -> equal (s m) (t m) ->
+  (forall n, (m <= n)%nat -> equal (s (S n)) (next n (s n))) -> (forall n, (m <= n)%nat -> equal (t (S n)) (next n (t n))) ->
+  forall n, (m <= n)%nat -> equal (s n) (t n).
+Proof. intros E B HS HT. apply from_lowest; [exact B|]. intros n L IH. rewrite (HS n L), (HT n L). now apply E. Qed.
 (* on 130.from_twist: the recurrence determines every Φₙ = R⁽ⁿ⁾Rᵀ from ω alone *)
 Theorem c_130_from_twist (K : diff_ring) (omega : dual_vector K) (Phi Psi : nat -> dual_tensor K)
   (P0 : Phi 0%nat ≡ε ident) (P : forall n, Phi (S n) ≡ε D (Phi n) + Phi n ∘ skew omega)

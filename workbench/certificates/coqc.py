@@ -24,7 +24,7 @@ from pathlib import Path
 #: In the order in which they are compiled; the first is the one that a reader must read.
 LIBRARY = (
     "Kin", "Poly", "Terms", "Certify", "Divide", "Modulo", "Symbols", "Forms", "Facts", "Fraction",
-    "Context", "Steps", "Orders", "Joins", "Smooth", "Time", "Refute", "Witness", "Duals", "Moment",
+    "Context", "Steps", "Orders", "Smooth", "Time", "Refute", "Witness", "Duals", "Moment",
     "Instant", "Reciprocals", "Inverses", "Every",
 )  # fmt: skip
 

@@ -12,17 +12,16 @@ from typing import TYPE_CHECKING
 from workbench.certificates import nodes, suppositions
 from workbench.certificates.collector import Collector, Origin, spelled
 from workbench.certificates.nodes import APPLICATION, Node, NotCertified
+from workbench.judge.theorems.sequents import relations_of
 from workbench.language.construct import symbol as make_symbol
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
 from workbench.language.terms import (
     BigSum,
-    Conjunction,
     Counting,
     Derivative,
     Integer,
     Power,
-    Relation,
     Symbol,
     Term,
 )
@@ -73,16 +72,8 @@ def _places(term: Term, bound: frozenset[str]) -> Iterator[Linear]:
 
 
 def _terms(statement: Statement) -> Iterator[Term]:
-    match statement:
-        case Relation(left=left, right=right):
-            yield left
-            yield right
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from _terms(part)
-        case _:
-            yield from _terms(statement.left)
-            yield from _terms(statement.right)
+    for one in relations_of(statement):
+        yield from (one.left, one.right)
 
 
 def member(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> Node:

@@ -21,8 +21,8 @@ MORE = {
     "Duals": ("dual_over", "dual_length"),
     "Inverses": ("inverse_matrix",),
     "Reciprocals": ("quadratic_over",),
-    "Orders": ("sum_from", "whole", "fact"),
-    "Every": ("from_least", "by_induction", "throughout"),
+    "Orders": ("sum_from", "whole", "fact_"),
+    "Every": ("from_least", "by_induction", "throughout", "added"),
 }
 
 FORMS = ("printed", "reading", "corrected")
@@ -75,7 +75,8 @@ class Certificate:
             last = f"{names[0]}_each"
             together = f"Definition {last} := ({', '.join(f'@{name}' for name in names)})."
         texts = [t.text for t in self.theorems]
-        needed = [name for name, words in MORE.items() if any(w in text for w in words for text in texts)]
+        words = set(re.findall(r"\w+", " ".join(texts)))
+        needed = [name for name, own in MORE.items() if not words.isdisjoint(own)]
         more = [f"From Kin Require Import {name}." for name in needed]
         return "\n".join([about, *more, self.header, *texts, together, f"Print Assumptions {last}.", ""])
 

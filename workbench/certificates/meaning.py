@@ -17,7 +17,7 @@ from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
 from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.sequents import names_of
-from workbench.language.construct import symbol
+from workbench.language.construct import rebuild, symbol
 from workbench.language.definitions import Definitions
 from workbench.language.instances import count, instantiate
 from workbench.language.integers import Linear
@@ -56,6 +56,7 @@ _UNARY = {
     "neg_op": "neg",
     "mneg": "neg",
 }
+_CONSTANTS = {"zero": "zero", "void": "zero", "ident": "one", "eps": "eps", "D": "D", "unit_op": "one"}
 _BINARY = {"·": "dot", "×": "cross", "⊗": "outer", "∘": "mul", "@": "mul", "•": "mul", "⊚": "mul"}
 
 
@@ -88,6 +89,8 @@ class OfText:
         if str(e) in self.bound:
             return self.bound[str(e)]
         if str(e) in self.names:
+            if self.of_term.written_out(self.names[str(e)]) is not None:
+                raise Unread(f"{e}, which is about a letter that is bound anew")
             return self.of_term(self.names[str(e)])
         if e.head in ("+", "⊕"):
             return added([self(a) for a in e.arguments])
@@ -101,16 +104,8 @@ class OfText:
             return self(e.arguments[0])
         if e.head == "":
             return self._call(*e.arguments)
-        constant = {
-            "zero": ("zero",),
-            "void": ("zero",),
-            "ident": ("one",),
-            "eps": ("eps",),
-            "D": ("D",),
-            "unit_op": ("one",),
-        }
-        if e.head in constant:
-            return constant[e.head]
+        if e.head in _CONSTANTS:
+            return (_CONSTANTS[e.head],)
         raise Unread(f"the name {e.head}")
 
     def _call(self, function: Expression, *arguments: Expression) -> Any:
@@ -143,12 +138,8 @@ class OfText:
             case "mplus":
                 return added(made())
             case "mprod" | "beside" | "above":
-                word = {"mprod": "mul"}.get(name, name)
-                return (
-                    word,
-                    *([int(arguments[0].head)] if name != "mprod" else []),
-                    *map(self, arguments[1:]),
-                )
+                size = [] if name == "mprod" else [int(arguments[0].head)]
+                return ({"mprod": "mul"}.get(name, name), *size, *map(self, arguments[1:]))
             case "mscale":
                 return ("mul", *made())
             case "over" | "length" | "cosine_of" | "sine_of" if arguments[0].head == "now":
@@ -242,6 +233,11 @@ class OfTerm:
         """Where a quantifier binds these, too: what depends on them is what its definition says."""
         return OfTerm(self.definitions, integers, self.letters.union(letters))
 
+    def written_out(self, t: Term) -> Term | None:
+        """What a symbol is that depends on such letters."""
+        body = self.definitions.lookup(t) if self.letters and isinstance(t, Symbol) else None
+        return body if body is not None and is_written_out(t, self.definitions, self.letters) else None
+
     def __call__(self, t: Term) -> Any:
         match t:
             case Number(value=value):
@@ -261,10 +257,8 @@ class OfTerm:
             case TimeOperator():
                 return ("D",)
             case Symbol():
-                body = self.definitions.lookup(t)
-                if body is not None and is_written_out(t, self.definitions, self.letters):
-                    return self(body)
-                return ("symbol", t)
+                body = self.written_out(t)
+                return ("symbol", t) if body is None else self(body)
             case Derivative(body=body, order=order):
                 if order.is_number:
                     return ("der", int(order), self(body))
@@ -295,12 +289,7 @@ class OfTerm:
         for line in entries:
             row = self(line[-1])
             for cell in reversed(line[:-1]):
-                row = (
-                    "beside",
-                    cell.type.columns,
-                    self(cell),
-                    row,
-                )
+                row = ("beside", cell.type.columns, self(cell), row)
             rows.append(row)
         total = rows[-1]
         for line, row in zip(reversed(entries[:-1]), reversed(rows[:-1]), strict=True):
@@ -341,16 +330,13 @@ class OfTerm:
 
     def _written_out(self, field: Term) -> Term:
         """The field with what depends on the coordinate replaced by what it is."""
-        from workbench.language.construct import rebuild
-
         if isinstance(field, Symbol):
             body = self.definitions.lookup(field)
             if body is None or not self._depends(body):
                 return field
             return self._written_out(body)
-        return (
-            rebuild(field, tuple(self._written_out(c) for c in field.children)) if field.children else field
-        )
+        parts = [self._written_out(child) for child in field.children]
+        return rebuild(field, parts) if parts else field
 
     def _depends(self, term: Term) -> bool:
         for part in term.walk():

@@ -240,9 +240,9 @@ def _product(
         return None
     acting = {"scalar": f"scale_{kinds[1][0]}", "tensor": "act" if kinds[1] == "vector" else "prod"}
     rule = acting[kinds[0]] if head == "mul" else head
-    still = _still(emitter, right)
+    still = _still(emitter, right) if rule == "act" else None
     if still is not None:
-        return apply(head, derivative(left, order), right), f"apply still_{rule}; exact {still}."
+        return apply(head, derivative(left, order), right), f"apply still_act; exact {still}."
     name = next(v for v in "ljkipq" if v not in emitter.integers)
     index = Linear.variable(name)
     factors = apply(head, derivative(left, order - index), derivative(right, index))

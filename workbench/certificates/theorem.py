@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from workbench.certificates import blocks, functions, nodes, operators, sums
 from workbench.certificates.emitter import Emitter
 from workbench.certificates.families import general
+from workbench.certificates.goals.propositions import relations
 from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, OneInstant, flag, single
 from workbench.certificates.said_again import faults_of
 from workbench.certificates.trial import can_be_certified
@@ -20,9 +21,7 @@ from workbench.language.terms import (
     Apply,
     Conjunction,
     Derivative,
-    Extremum,
     Implication,
-    Naming,
     Relation,
     Statement,
     Symbol,
@@ -57,9 +56,9 @@ class Theorem:
 
     def _supposed(self) -> list[Relation]:
         statement, assume, _ = self.source or (None, (), ())
-        premises = [r for s in assume for r in _relations(s)]
+        premises = [r for s in assume for r in relations(s)]
         while isinstance(statement, Implication):
-            premises += _relations(statement.left)
+            premises += relations(statement.left)
             statement = statement.right
         return premises
 
@@ -197,18 +196,18 @@ def _written(
     for variable in integers:
         emitter.integers[variable] = emitter.fresh(variable)
     made = Theorem(name, emitter, source=(statement, assume, integers))
-    premises = [r for s in assume for r in _relations(s)]
+    premises = [r for s in assume for r in relations(s)]
     for premise in premises:
         if premise.operator == "=" and not lasting and _at_an_instant(premise, statement, definitions):
             raise OneInstant("an assumption that holds at one instant only")
     norms_first(emitter, [s for r in (*premises, *relations_of(statement)) for s in (r.left, r.right)])
     while isinstance(statement, Implication):
-        premises += _relations(statement.left)
+        premises += relations(statement.left)
         statement = statement.right
     for premise in premises:
         if premise.operator == "=":
             _suppose(emitter, premise)
-    for relation in _relations(statement):
+    for relation in relations(statement):
         if relation.operator != "=":
             kind = "an inequation" if relation.operator == "≠" else "an approximation"
             raise NotCertified(f"{kind} to be proved")
@@ -229,18 +228,6 @@ def _proof_of(parts: list[str]) -> str:
     if len(parts) == 1:
         return f"{parts[0]}."
     return "apart.\n  " + "\n  ".join(f"* {part}." for part in parts)
-
-
-def _relations(statement: Statement) -> Iterator[Relation]:
-    match statement:
-        case Relation(operator="=" | "≠"):
-            yield statement
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from _relations(part)
-        case _:
-            own = {Relation: "an approximation", Extremum: "a minimum or maximum", Naming: "a set or a map"}
-            raise NotCertified(own.get(type(statement), f"an {type(statement).__name__.lower()}"))
 
 
 def _conclude(made: Theorem, relation: Relation) -> None:
@@ -332,7 +319,7 @@ def _at_an_instant(premise: Relation, statement: Statement, definitions: Definit
         part for side in sides if isinstance(side, Apply) and side.head == "add" for part in side.arguments
     ]
     given = [side for side in sides if isinstance(side, Symbol)]
-    full = [expand(side, definitions) for r in _relations(statement) for side in (r.left, r.right)]
+    full = [expand(side, definitions) for r in relations(statement) for side in (r.left, r.right)]
     return any(
         isinstance(part, Derivative) and any(_occurs(symbol, part.body) for symbol in given)
         for term in full

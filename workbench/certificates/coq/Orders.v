@@ -18,16 +18,6 @@ Fixpoint choose (n k : nat) : nat := match n, k with
   | _, 0%nat => 1%nat | 0%nat, _ => 0%nat | S m, S j => choose m j + choose m k end.
 Definition whole {O : ops} (n : nat) : val O Scalar := num (Z.of_nat n # 1).
 
-Lemma hom_same (K : diff_ring) : hom K K (@same K).
-Proof.
-  split; intros.
-  - apply (same_equiv K).
-  - now apply (add_ext K).
-  - now apply (mul_ext K).
-  - now apply (opp_ext K).
-  - now apply (dt_ext K).
-Qed.
-
 (** Operations respect ≡, so that hypotheses can be rewritten with. *)
 Section Respect.
 Variable K : diff_ring.
@@ -56,15 +46,6 @@ End Respect.
 (** From the lowest order on. *)
 Lemma from_lowest (P : nat -> Prop) m : P m -> (forall n, (m <= n)%nat -> P n -> P (S n)) -> forall n, (m <= n)%nat -> P n.
 Proof. intros B H n L. induction L; auto. Qed.
-(** Sequences by recursion exist, so a theorem about all sequences with a recursion is not empty. *)
-Lemma sequence_exists (X : Type) (m : nat) (first : X) (next : nat -> X -> X) :
-  exists s : nat -> X, s m = first /\ forall n, (m <= n)%nat -> s (S n) = next n (s n).
-Proof.
-  exists (fun n => nat_rect (fun _ => X) first (fun i x => next (m + i)%nat x) (n - m)). split.
-  - now rewrite Nat.sub_diag.
-  - intros n L. rewrite Nat.sub_succ_l by exact L. cbn. now replace (m + (n - m))%nat with n by lia.
-Qed.
-
 Section Every.
 Variable K : diff_ring.
 Variables (d : bool) (k : kind).

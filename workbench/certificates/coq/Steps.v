@@ -26,7 +26,7 @@ Lemma turned d k (x y : val (rng K d) k) : equal y x -> equal x y.
 Proof. intros H. now symmetry. Qed.
 Lemma carried k (x y z : val (rng K false) k) : equal (plus x y) z -> equal x (minus z y).
 Proof.
-  assert (S : hom K K same) by (split; intros; [reflexivity | now apply add_ext | now apply mul_ext | now apply opp_ext | now apply dt_ext]).
+  pose proof (hom_same K) as S.
   intros H. transitivity (minus (plus x y) y); [|exact (@r_minus _ _ _ S k _ _ _ _ H (alike false k y))]. clear H z.
   destruct k;
     match goal with |- @equal _ _ ?k _ _ =>
@@ -56,8 +56,7 @@ Variables A B : tensor K.
 Hypothesis H : inverse A B.
 Let cx := @premised K [(false, Tensor); (false, Tensor)] [as_slot false Tensor A; as_slot false Tensor B] eq_refl eq_refl [] (Forall_nil _).
 Notation a := (Var false Tensor 0). Notation b := (Var false Tensor 1).
-Let same_hom : hom K K same.
-Proof. split; intros; [reflexivity | now apply add_ext | now apply mul_ext | now apply opp_ext | now apply dt_ext]. Qed.
+Let same_hom := hom_same K.
 Lemma inverse_det : reciprocal (det A) (det B).
 Proof.
   unfold reciprocal. transitivity (det (prod A B)); [certify cx (Scale (Det a) (Det b)) (Det (Prod a b))|].

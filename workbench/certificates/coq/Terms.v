@@ -98,6 +98,8 @@ Proof.
   intros [N P M O T]. split; cbn; intros; repeat match goal with H : dual_same _ _ _ |- _ => destruct H end;
     split; cbn; auto.
 Qed.
+Lemma hom_same (K : diff_ring) : hom K K same.
+Proof. split; intros; [apply (same_equiv K) | now apply (add_ext K) | now apply (mul_ext K) | now apply (opp_ext K) | now apply (dt_ext K)]. Qed.
 Lemma hom_rng A B R d : hom A B R -> hom (rng A d) (rng B d) (drel R d).
 Proof. destruct d; [apply hom_dual | auto]. Qed.
 

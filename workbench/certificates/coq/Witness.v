@@ -6,7 +6,6 @@ Import ListNotations.
 Open Scope Q_scope. Open Scope kin_scope.
 
 (** The scalars 0, 1, 2 are cos t, sin t and t, as in Refute.v. *)
-Definition time_shapes : list shape := [(false, Scalar); (false, Scalar); (false, Scalar)].
 Definition time_slots : list (slot smooth_functions) :=
   [as_slot false Scalar cosine; as_slot false Scalar sine; as_slot false Scalar time].
 Definition time_at : list premise := Rate 2 (Num false 1) :: turn_at (Var false Scalar 2) 0 1.

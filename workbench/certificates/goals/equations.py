@@ -19,7 +19,7 @@ from workbench.judge.theorems.goals import Atom, Variable
 from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.proofs import Kernel, Proof
 from workbench.judge.theorems.substitution import Substitution
-from workbench.language.construct import relation, symbol
+from workbench.language.construct import symbol
 from workbench.language.definitions import expand
 from workbench.language.integers import Linear
 from workbench.language.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator
@@ -60,18 +60,11 @@ class Equations(Script):
         if not used:
             self._by_lemma(at, one, ())
             return
-        dual = one.left.type.dual or one.right.type.dual
-        self._by_way_of(left, right, dual)
-        for new in (
-            relation("=", one.left, left),
-            relation("=", left, right),
-            relation("=", right, one.right),
-        ):
-            with self.part():
-                if new.left == left and new.right == right:
-                    self._by_lemma(at, new, ())
-                else:
-                    self._by_lemma(at, new, [as_given(a) for a in used], plain=True)
+        for new in self.by_way_of(one, left, right):
+            if new.left == left and new.right == right:
+                self._by_lemma(at, new, ())
+            else:
+                self._by_lemma(at, new, [as_given(a) for a in used], plain=True)
 
     def _moves(self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]]) -> bool:
         """Whether derivatives are taken of what is made of a free symbol that something is supposed of."""
@@ -87,14 +80,8 @@ class Equations(Script):
     def _by_rates(self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]]) -> None:
         """By the derivatives of free symbols, of which each has a value of its own at the instant."""
         left, right = (spread(side, at.scope.definitions) for side in (one.left, one.right))
-        self._by_way_of(left, right, one.left.type.dual or one.right.type.dual)
-        for new, known in (
-            (relation("=", one.left, left), ()),
-            (relation("=", left, right), given),
-            (relation("=", right, one.right), ()),
-        ):
-            with self.part():
-                self._by_lemma(at, new, known)
+        for new, known in zip(self.by_way_of(one, left, right), ((), given, ()), strict=True):
+            self._by_lemma(at, new, known)
 
     def _unaliased(self, at: Place, term: Term) -> Term:
         for alias in reversed(at.aliases):
@@ -109,9 +96,7 @@ class Equations(Script):
             self.tell("exact (same_at now _).")
             return
         if not given and not any(only_now(side) for side in (one.left, one.right)):
-            lemma, stand = self._step(at, one, ()), {}
-            use = " ".join([lemma.name, "K", *self._arguments(lemma, stand, [], False)])
-            self.tell(f"exact (always now ({use})).")
+            self._always(at, one, (), {})
             return
         bare, stand = without_derivatives([one, *(r for r, _ in given)], at.scope.definitions, plain)
         lemma = self._step(at, bare[0], bare[1:])
@@ -122,7 +107,7 @@ class Equations(Script):
     def _always(
         self, at: Place, one: Relation, given: Sequence[tuple[Relation, str]], stand: dict[Term, Term]
     ) -> None:
-        """From what is given at all times, so that it may be differentiated."""
+        """Of all times, from what is given at all times: that may be differentiated."""
         lemma = self._step(at, one, [r for r, _ in given], lasting=True)
         proofs = [f"(throughout (fun now => {proof}))" for _, proof in given]
         use = " ".join([lemma.name, "K", *self._arguments(lemma, stand, proofs, False)])

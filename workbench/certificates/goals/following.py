@@ -41,16 +41,12 @@ class Following(Equations):
         image = read_term(proof.expression, scope.table, at.scope.integers)
         first, last = (Substitution(x, scope.definitions).as_written(image) for x in (lefts, rights))
         dual = one.left.type.dual or one.right.type.dual or first.type.dual or last.type.dual
-        self._by_way_of(first, last, dual)
-        with self.part():
-            self._real(relation("=", one.left, first), dual)
-            self._prove(at, relation("=", one.left, first), ())
-        with self.part():
-            self._real(relation("=", first, last), dual)
-            self._alike(at, image, shown, lasts)
-        with self.part():
-            self._real(relation("=", last, one.right), dual)
-            self._prove(at, relation("=", last, one.right), ())
+        for place, new in enumerate(self.by_way_of(one, first, last, dual)):
+            self._real(new, dual)
+            if place == 1:
+                self._alike(at, image, shown, lasts)
+            else:
+                self._prove(at, new, ())
 
     def _real(self, one: Relation, dual: bool) -> None:
         """An equation of real quantities among dual ones."""
@@ -91,33 +87,15 @@ class Following(Equations):
             self._by_lemma(at, relation("=", *ends), given, plain=True)
             return
         # a real quantity stands for a dual one, or a 0, of which the judge leaves nothing
-        dual = any(end.type.dual for end in ends)
+        values = [{v: getattr(r, side) for v, r, _ in shown} for side in ("left", "right")]
         before, after = (
-            [
-                (
-                    relation(
-                        "=",
-                        symbol(there[v].declaration if side == "right" else v.declaration),
-                        getattr(r, side),
-                    ),
-                    same(v),
-                )
-                for v, r, _ in shown
-            ]
-            for side in ("left", "right")
+            [(relation("=", symbol(letters_[v].declaration), of[v]), same(v)) for v in of]
+            for letters_, of in zip((dict(zip(there, there, strict=True)), there), values, strict=True)
         )
-        first, last = (
-            Substitution({v: getattr(r, side) for v, r, _ in shown}, scope).as_written(image)
-            for side in ("left", "right")
-        )
-        self._by_way_of(*ends, dual)
-        for new, known in (
-            (relation("=", first, ends[0]), before),
-            (relation("=", *ends), given),
-            (relation("=", ends[1], last), after),
-        ):
-            with self.part():
-                self._by_lemma(at, new, known, plain=True)
+        one = relation("=", *(Substitution(of, scope).as_written(image) for of in values))
+        dual = any(end.type.dual for end in ends)
+        for new, known in zip(self.by_way_of(one, *ends, dual), (before, given, after), strict=True):
+            self._by_lemma(at, new, known, plain=True)
 
     def _instance(self, at: Place, use: Use) -> tuple[Place, Relation, str, bool]:
         """The equation that a premise says for these values, its proof, and whether it lasts."""

@@ -181,10 +181,11 @@ class Joiner(Following):
         sums = [p for s in atoms(body) for r in relations_of(s) for p in (*r.left.walk(), *r.right.walk())]
         if isinstance(at.goal, Atom) and any(isinstance(part, BigSum) for part in sums):
             one = one_of(at.goal.statement)
-            self._by_way_of(one.left, one.right, one.left.type.dual or one.right.type.dual)
-            self.tell("{ added. } {")
-            self.show(at, proof)
-            self.tell("} { added. }")
+            for place, _ in enumerate(self.by_way_of(one, one.left, one.right)):
+                if place == 1:
+                    self.show(at, proof)
+                else:
+                    self.tell("added.")
         else:
             self.show(at, proof)
 

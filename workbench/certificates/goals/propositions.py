@@ -36,7 +36,17 @@ from workbench.language.definitions import Definitions
 from workbench.language.instances import free_integers
 from workbench.language.integers import Linear
 from workbench.language.names import Name
-from workbench.language.terms import Apply, Conjunction, Number, Relation, Statement, Symbol, Term
+from workbench.language.terms import (
+    Apply,
+    Conjunction,
+    Extremum,
+    Naming,
+    Number,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
 
 #: What stands before that which holds at all times.
 ALWAYS = "forall now : instant, "
@@ -285,7 +295,8 @@ def relations(statement: Statement) -> Iterator[Relation]:
             for part in parts:
                 yield from relations(part)
         case _:
-            raise NotCertified(f"an {type(statement).__name__.lower()} in a goal")
+            own = {Relation: "an approximation", Extremum: "a minimum or maximum", Naming: "a set or a map"}
+            raise NotCertified(own.get(type(statement), f"an {type(statement).__name__.lower()}"))
 
 
 def _relation(speaker: Speaker, one: Relation) -> str:

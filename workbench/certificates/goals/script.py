@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from itertools import pairwise
 
 from workbench.certificates import nodes
 from workbench.certificates.goals.propositions import ALWAYS, Speaker, binder, conditions
 from workbench.certificates.nodes import ATOM, NotCertified
 from workbench.certificates.theorem import Theorem
 from workbench.judge.theorems.goals import Variable
+from workbench.language.construct import relation
 from workbench.language.integers import Linear
-from workbench.language.terms import Term
+from workbench.language.terms import Relation, Term
 
 
 def after(many: int, number: str) -> str:
@@ -113,9 +115,13 @@ class Script:
     def text(self, term: Term) -> str:
         return self.speaker.term(term).at(ATOM)
 
-    def _by_way_of(self, one: Term, two: Term, dual: bool) -> None:
-        """Three equations for one: up to the first of these terms, up to the second, and on."""
-        middle = " ".join(
-            f"(then_at now (y := {self._node(term, dual, plain=False)}) _" for term in (one, two)
-        )
-        self.tell(f"refine {middle} _)).")
+    def by_way_of(
+        self, one: Relation, first: Term, last: Term, dual: bool | None = None
+    ) -> Iterator[Relation]:
+        """Three equations for one, each to be shown: to the first of these terms, to the last, and on."""
+        dual = one.left.type.dual or one.right.type.dual if dual is None else dual
+        nodes_ = (self._node(term, dual, plain=False) for term in (first, last))
+        self.tell(f"refine {' '.join(f'(then_at now (y := {node}) _' for node in nodes_)} _)).")
+        for left, right in pairwise((one.left, first, last, one.right)):
+            with self.part():
+                yield relation("=", left, right)

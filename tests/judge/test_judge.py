@@ -177,6 +177,7 @@ class TestHypotheses:
         assert verdict.outcome != Outcome.PROVED
         verdict = judged(r"T^{-1} = \frac{T^*}{\det T}", hypothesis=r"\det T \neq 0")
         assert verdict.outcome == Outcome.CONDITIONAL and verdict.hypothesis
+        assert verdict.counterexample and verdict.evidence[-1].method.startswith("witness")
 
     def test_a_hypothesis_that_is_not_needed_leaves_a_proof(self):
         assert judged(TRUE["Lagrange"], hypothesis=r"a \neq 0").outcome == Outcome.PROVED

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from workbench import check
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome
@@ -120,3 +121,11 @@ def test_declarations_that_make_no_sense(spec: dict, message: str) -> None:
 def test_rows_or_columns_are_said() -> None:
     with pytest.raises(ReadError, match="rows or columns"):
         read(r"\frac{\partial W}{\partial x} = 0", SymbolTable.build(SPECS))
+
+
+@pytest.mark.parametrize(("operator", "of_place"), [("div", "3"), ("curl", "0")])
+def test_a_field_of_numbers_has_no_slope(operator, of_place):
+    place = {"p": {"kind": "vector", "coordinate": True}}
+    numbers = r"\begin{bmatrix} 1 \\ 2 \\ 3 \end{bmatrix}"
+    latex = rf"\operatorname{{{operator}}} p + \operatorname{{{operator}}} {numbers} = {of_place}"
+    assert check(latex, symbols=place).outcome == Outcome.PROVED

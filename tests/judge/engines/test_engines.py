@@ -14,6 +14,7 @@ from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource, RationalRing, ResidueRing, sample
 from workbench.judge.second.sympy_ring import SympyRing
 from workbench.judge.subject.inventory import NotExact, take_inventory
+from workbench.judge.subject.parameters import parameters
 from workbench.language.construct import apply, derivative, relation
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
@@ -108,6 +109,13 @@ def test_a_free_angle_has_a_circle_of_its_own_whatever_its_value():
     ]
 
 
+def test_the_dual_part_of_a_real_quantity_is_zero_at_zero_too():
+    (statement,) = read(r"\operatorname{Du} x = 0", SymbolTable().with_specs({"x": {"kind": "scalar"}}))
+    for value in (0, 3):
+        point = {p: Fraction(value) for p in parameters(take_inventory([statement.left], FREE))}
+        assert JetEngine(PointSource(RationalRing(), point), FREE).components(statement.left) == [0]
+
+
 class Fractions(RationalRing):
     """The rationals without Python's integers."""
 
@@ -140,6 +148,17 @@ def test_whole_numbers_stay_python_s_however_large(kind, dual):
             assert found[0] == found[1] and {type(x) for x in found[0]} <= {int, Fraction}
             compared, largest = compared + 1, max(largest, *map(abs, found[0]))
     assert compared >= 10 and largest > 2**64
+
+
+def test_whole_slopes_stay_python_s_however_large():
+    table = SymbolTable().with_specs({"q": {"kind": "scalar"}, "f": {"kind": "scalar", "of": ["q"]}})
+    (statement,) = read(r"\frac{d^2}{dt^2} \frac{\partial f}{\partial q} = 0", table)
+    square = apply("mul", statement.left, statement.left)
+    inventory, found = take_inventory([square], FREE), []
+    for ring in (RationalRing((10**4, 10**4 + 1)), Fractions((10**4, 10**4 + 1))):
+        point = sample(inventory, ring, Random(1), lambda _: True)
+        found += JetEngine(PointSource(ring, point), FREE).components(square)
+    assert found[0] == found[1] and found[0] > 2**64
 
 
 @pytest.mark.parametrize("kind", ("scalar", "vector", "tensor"))

@@ -130,12 +130,14 @@ def test_a_limit_is_not_seen_from_beside_where_an_equation_holds(latex):
     """sin ‖a‖ / ‖a‖ times ‖a‖ is 0 at a = 0, and so is anything else."""
     checked = check(latex, symbols=SYMBOLS)
     assert checked.outcome == Outcome.REFUTED or "is a limit here" in checked.verdict.reason
+    assert checked.verdict.evidence
 
 
 def test_what_the_second_engine_does_not_see_is_open(monkeypatch):
     monkeypatch.setattr(consequences, "recheck", lambda *_: False)
     verdict = judged(r"f a = f b \Rightarrow f (a \cdot c) = f (b \cdot c)")
     assert verdict.outcome == Outcome.UNCHECKED and "the second engine does not see" in verdict.reason
+    assert verdict.evidence
 
 
 @pytest.mark.parametrize(

@@ -23,10 +23,6 @@ def _factors(engine: ExactEngine, p: Polynomial) -> list[Polynomial]:
     return factors
 
 
-def _proportional(p: Polynomial, q: Polynomial) -> bool:
-    return p * q.leading_coefficient() == q * p.leading_coefficient()
-
-
 def _places(p: Polynomial) -> set[int]:
     return {place for place, degree in enumerate(p.degrees()) if degree > 0}
 
@@ -85,16 +81,15 @@ class Equations:
             factor
             for denominator in denominators
             for factor in _factors(engine, denominator)
-            if not any(_proportional(factor, known) for known in self._apart)
-            and not is_nowhere_zero(factor, engine.norm_places)
+            if factor not in self._apart and not is_nowhere_zero(factor, engine.norm_places)
         ]
         supposed = self.solved or self._rest
         return [factor for factor in gaps if not supposed or not self._excludes(factor)]
 
     @cached_property
     def _apart(self) -> list[Polynomial]:
-        """What does not vanish, and its factors."""
-        return [*self._nonzero, *(factor for p in self._nonzero for factor in _factors(self._engine, p))]
+        """The irreducible factors of what does not vanish."""
+        return [factor for p in self._nonzero for factor in _factors(self._engine, p)]
 
     def imply(self, residuals: Sequence[Polynomial]) -> bool:
         """Whether all are seen to vanish where the equations hold; as the components of a vector do where

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from workbench.judge.kernel.in_force import InstanceJudge, exceptions, rewritten
+from workbench.judge.subject.addends import spread
 from workbench.judge.theorems.defined import is_defined_everywhere
 from workbench.judge.theorems.operators import with_free_values, with_operators_applied
 from workbench.judge.theorems.sums import without_sums
@@ -49,7 +50,9 @@ def forms(statement: Statement, judge: InstanceJudge, least: Mapping[str, int]) 
     for form, begin in ((statement, {}), *((form, since) for form in applied)):
         if begin is None:
             continue
-        rest = with_free_values(tidy(without_sums(tidy(form), least)), definitions)
+        tidied = tidy(form)
+        addends = tidy(relation("=", spread(tidied.left), spread(tidied.right)))
+        rest = with_free_values(tidy(without_sums(addends, least)), definitions)
         if rest != statement:
             yield Form(rest, begin)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from workbench.language.construct import apply, big_sum, derivative, power, rebuild, symbol, zero
+from workbench.language.construct import apply, big_sum, derivative, number, power, rebuild, symbol, zero
 from workbench.language.definitions import Definitions
 from workbench.language.instances import free_integers
 from workbench.language.names import Name
@@ -13,7 +13,9 @@ from workbench.language.printer import to_latex
 from workbench.language.terms import (
     Apply,
     BigSum,
+    Counting,
     Identity,
+    Integer,
     Power,
     Relation,
     Symbol,
@@ -21,7 +23,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import Declaration
+from workbench.language.types import SCALAR, Declaration
 
 
 def with_operators_applied(equation: Relation, definitions: Definitions) -> Relation:
@@ -33,7 +35,7 @@ def with_operators_applied(equation: Relation, definitions: Definitions) -> Rela
 
 def with_free_values(equation: Relation, definitions: Definitions) -> Relation:
     """The equation, without sums and with operators applied, with a free function for each P x and f(x) of
-    which nothing more is known."""
+    which nothing more is known, and a free number for each integer and C(n, k)."""
     left, right = (_freed(side, definitions) for side in (equation.left, equation.right))
     return Relation(equation.operator, left, right)
 
@@ -43,11 +45,20 @@ def _freed(term: Term, definitions: Definitions) -> Term:
         case Apply(head="mul", arguments=(operator, to)) if operator.type.kind == "operator" != to.type.kind:
             name = Name(rf"\left({to_latex(operator)} {to_latex(to)}\right)", of=(operator, to))
             return symbol(Declaration(name, to.type))
+        case Integer(value=value) if not value.is_number:
+            addends = [apply("mul", number(c), _free_number(n)) for n, c in value.coefficients]
+            return apply("add", *addends, number(value.constant))
+        case Counting(arguments=arguments) if not all(each.is_number for each in arguments):
+            return _free_number(to_latex(term), term)
         case Symbol(arguments=arguments) if arguments and definitions.lookup(term) is None:
             return symbol(Declaration(Name(rf"\left({to_latex(term)}\right)", of=(term,)), term.type))
     children = tuple(_freed(child, definitions) for child in term.children)
     unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
     return term if unchanged else rebuild(term, children)
+
+
+def _free_number(latex: str, *of: Term) -> Symbol:
+    return symbol(Declaration(Name(rf"\left({latex}\right)", of=("number", *of)), SCALAR, constant=True))
 
 
 def _applied(term: Term, definitions: Definitions) -> Term:

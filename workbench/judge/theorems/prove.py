@@ -200,9 +200,11 @@ class _Prover:
         return self.lemmas[asked]
 
     def _one_of(self, simpler: Sequence[Form], obligation: Obligation, used: Mapping) -> Verdict | None:
-        """The proof, if there is one, of a form that is left when operators and sums are taken away."""
+        """The proof, if there is one, of a form that is left when operators and sums are taken away. What is
+        before the form's first integers has been looked at one by one."""
         for form in simpler:
             left = _integers(replace(obligation, statement=form.equation))
+            left = {name: max(least, form.since.get(name, 0)) for name, least in left.items()}
             verdict = self._judged(form.equation, obligation, left)
             if _is_for_all(verdict, left):
                 return replace(verdict, scope="all") if used else verdict

@@ -64,9 +64,6 @@ def _family_faults(emitter: Emitter, name: str, text: str, of_text: OfText) -> l
     (step,) = (d for d in emitter.definitions if d.declaration == declaration and not d.index[0].is_number)
     index = Linear.variable(bound(len(emitter.integers)))
     found = re.fullmatch(r"from_(zero|one) (.+) \(fun \((\S+) : nat\) \((\S+) : ([^)]+)\) => (.+)\)", text)
-    apart = [d for d in emitter.definitions if d.declaration == declaration and d.index[0].is_number]
-    if any(not found or int(d.index[0]) != {"zero": 0, "one": 1}[found[1]] for d in apart):
-        return [f"{name}: a member is defined apart"]
     first_index = index - (0 if found else step.index[0].constant)
     wanted = of_term(instantiate(step.body, dict.fromkeys(step.index[0].variables, first_index)))
     inner = OfText(of_text.names, of_term, emitter.families, emitter.integers)

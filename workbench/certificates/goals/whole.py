@@ -85,6 +85,10 @@ class Whole:
         of_text = OfText(self.names, of_term, speaker.families)
         found = [fault for line in self.top for fault in line_faults(speaker, line, of_text, ())]
         found += binder_faults(speaker, self.names)
+        alone = [d.declaration for d in speaker.definitions if d.index and d.index[0].is_number]
+        found += [
+            f"{n}: a member is defined apart" for d, n in speaker.families.items() if alone.count(d) > 1
+        ]
         return found + faults(self.proposition, self.goal, of_term, self.names, speaker.families)
 
 

@@ -173,6 +173,9 @@ OPEN = [
         "says what c is",
     ),
     (r"$$R p = R S a + S a$$", "says what p is"),
+    (r"$$\tan x = a \cdot b$$", "says what x is"),
+    (r"$$a = 2 c$$ $$x p = x a$$", "says what p is"),
+    (r"$$\begin{bmatrix} x & 0 & 0 \\ 0 & 1 & 0 \\ 0 & 0 & 1 \end{bmatrix} \in SO(3)$$", "declared to be"),
     (r"The adjoint map: $$R^* S = S R^*$$", "of which the text does not speak"),
     (r"Here $\dot{a} = \int b$. $$a \times b = b$$", "the text says what a is"),
 ]
@@ -182,6 +185,8 @@ FALSE = [
     r"$$\frac{d}{dt} (Q c) = \dot{Q} c + 2 Q \dot{c}$$",
     r"$$a = 2 b \Rightarrow a \cdot a = 2 b \cdot b$$",
     r"$$2 Q Q \in SO(3)$$",
+    r"$$\tan x = 2 \sin x$$",
+    r"$$\begin{bmatrix} 1 & 0 & 0 \\ 0 & 1 & 0 \\ 0 & 0 & -1 \end{bmatrix} \in SO(3)$$",
 ]
 
 

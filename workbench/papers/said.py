@@ -40,8 +40,8 @@ def terms_of(statement: Statement) -> Iterator[Term]:
         for part in statement.parts:
             yield from terms_of(part)
     elif isinstance(statement, Relation):
-        yield from statement.left.walk()
-        yield from statement.right.walk()
+        yield from _written(statement.left)
+        yield from _written(statement.right)
     elif isinstance(statement, Naming):
         yield from (part for term in statement.terms for part in term.walk())
     elif isinstance(statement, Extremum):
@@ -50,6 +50,18 @@ def terms_of(statement: Statement) -> Iterator[Term]:
     else:
         yield from terms_of(statement.left)
         yield from terms_of(statement.right)
+
+
+def _written(term: Term) -> Iterator[Term]:
+    """The term and all below it, as often as they are written: the x of tan x once."""
+    yield term
+    children = term.children
+    match term:
+        case Apply(head="div", arguments=(Apply(head=one, arguments=x), Apply(head=other, arguments=y))):
+            if {one, other} == {"sin", "cos"} and x == y:
+                children = children[:1]
+    for child in children:
+        yield from _written(child)
 
 
 def stated(statement: Statement, notation: Notation | None = None) -> str | None:

@@ -201,7 +201,9 @@ class ClaimJudge:
             return f"holds with what the text says of {shown}; a definition makes it proved"
         is_clear = len(definitions) == len(rests)
         if under is not None and under.outcome is Outcome.REFUTED and is_clear:
-            return self._if_special(claim, tuple(definitions.values()))
+            says = "" if claim.beside else claim.says or ""
+            says = says if not any(says.startswith(f"says what {name} is") for name in definitions) else ""
+            return self._if_special(claim, tuple(definitions.values())) or says or None
         return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
 
     def _if_special(self, claim: Claim, said: Sequence[Definition]) -> str | None:

@@ -54,7 +54,7 @@ class TheoremJudge:
     def for_every_n(self, claim: Claim, form: Formula, seen: Verdict) -> Verdict:
         """The verdict on what holds for some n, with all n for its scope where a proof shows that: the one
         that the claim names, or the judge of formulas alone."""
-        least = _least(claim.orders)
+        least = None if claim.orders is None else _least(claim.orders)
         if least is None or not _is_equations(form.statement):
             return seen
         goal: Goal = Atom(form.statement)

@@ -31,7 +31,7 @@ from workbench.language.syntax import (
     in_a_row,
     unstyled,
 )
-from workbench.language.terms import Apply, Relation, Symbol, Term
+from workbench.language.terms import Apply, Block, Relation, Symbol, Term
 from workbench.language.types import TENSOR, VECTOR, Type
 
 NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}
@@ -216,15 +216,27 @@ def require_member(term: Term, where: Node, at: int) -> None:
         raise Fault(f"a member of {name} is a {dual}{kind}; here it is a {got}, as declared", at)
 
 
-def member_claims(term: Term, where: Node, at: int) -> list[Relation]:
-    """What says that a term is in the set: equations, none for what is declared to be in it. Raises
-    Fault."""
+def member_claims(term: Term, where: Node, at: int, table: SymbolTable) -> list[Relation]:
+    """What says that a term is in the set: equations, none for what is declared to be in it, or for a matrix
+    of free numbers, of which it only says what they are. Raises Fault."""
     kind = kind_of_members(where)
     is_shaped = term.type in _EQUATIONS.get(kind, {})
     if is_shaped and not isinstance(term, Symbol) and not _is(term, kind):
-        return [relation("=", left, right) for left, right in _EQUATIONS[kind][term.type](term)]
+        is_said = kind in ("rotation", "transform", "unit vector") and _is_of_free_numbers(term, table)
+        return [] if is_said else [relation("=", *sides) for sides in _EQUATIONS[kind][term.type](term)]
     require_member(term, where, at)
     return []
+
+
+def _is_of_free_numbers(term: Term, table: SymbolTable) -> bool:
+    """Whether scalars that nothing defines stand in a matrix by themselves."""
+    entries = [entry for row in term.entries for entry in row] if isinstance(term, Block) else []
+    return any(
+        isinstance(entry, Symbol)
+        and entry.type.kind == "scalar"
+        and not table.defines(entry.declaration.name, entry.index)
+        for entry in entries
+    )
 
 
 def names_a_set(lines: Lines) -> bool:

@@ -76,7 +76,7 @@ def _reading(lines: Lines, table: SymbolTable, integers: frozenset[str], as_cond
             for member in membership.members:
                 term = reader.term(member)
                 if is_alone:
-                    statements += member_claims(term, membership.where, member.at)
+                    statements += member_claims(term, membership.where, member.at, table)
                 else:
                     require_member(term, membership.where, member.at)
     statements += [statement for row in rows for statement in row.statements(reader)]

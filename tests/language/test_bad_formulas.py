@@ -194,7 +194,6 @@ ILL_FORMED = [
     (r"\omega \mathbf{v} = 0", 8, "juxtaposition of a vector and a vector"),
     (r"\omega \Phi_1 = 0", 8, "juxtaposition of a vector and a tensor"),
     (r"\omega \cdot \Phi_1 = 0", 8, "juxtaposition of a vector and a tensor"),
-    (r"\omega \times \Phi_1 = 0", 8, "expected a vector"),
     (r"\omega \times \alpha = 0", 8, "expected a vector"),
     (r"\Phi_1 \otimes \omega = 0", 8, "expected a vector"),
     (r"\mathbf{P}_1 \circ \omega = 0", 14, "expected an operator or tensor"),

@@ -170,7 +170,7 @@ UNREADABLE = [
     (r"\omega . \mathbf{v} = 0", 8, "full stop"),
     (r"\omega / 2 \omega = 0", 8, "how far does / reach"),
     (r"\omega / 0 = 0", 10, "division by zero"),
-    (r"\omega < 2", 8, "unexpected character '<'"),
+    (r"\omega < 2", 8, "<: inequalities are not read"),
     (r"$\omega = 0$", 1, "unexpected character '$'"),
     (r"\omega = 0 % note", 12, "unexpected character '%'"),
     (r"\omega # = 0", 8, "unexpected character '#'"),

@@ -55,3 +55,10 @@ def test_what_is_defined_by_x_is_not_taken_at_y(symbol: str) -> None:
         assert read(f"{symbol}({x}) = v", table) and read(rf"{symbol}({x}, \dot{{{y}}}) = v", table)
         with pytest.raises(ReadError, match=f"defined by {x}, and taken at another place"):
             read(f"{symbol}({y}) = v", table)
+
+
+def test_a_column_of_them_says_all_that_it_is_made_of() -> None:
+    for x, y in permutations(LETTERS, 2):
+        _, table = read_definitions({"g": rf"s {x} + {y}", "f": rf"{x} \times {y}"}, TABLE)
+        table = replace(table, arguments=table.arguments | {Name("g")})
+        assert read("f(g) = v", table)

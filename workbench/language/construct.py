@@ -149,8 +149,6 @@ def apply(head: str, *arguments: Term) -> Term:
     """The term head(arguments); OPERATORS says which heads there are and what each takes."""
     if head == "add":
         arguments = agree(_as_quaternions(arguments), "the addends")
-    if head == "cross" and [argument.type.kind for argument in arguments] == ["vector", "tensor"]:
-        head, arguments = "mul", (apply("skew", arguments[0]), arguments[1])  # of each column
     if head == "quaternion":
         arguments = _with_shapes(arguments, (SCALAR, VECTOR))
     if head == "mul" and not any(filling(a) == "zero" or a.type.kind == "scalar" for a in arguments):

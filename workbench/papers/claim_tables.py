@@ -78,7 +78,7 @@ class ClaimTable:
             note=toml.value((*self.path, "note"), str, ""),
             inherits=toml.texts((*self.path, "inherits")),
             statement=self._text("statement"),
-            theorem=self._proof("theorem"),
+            theorem=self._text("theorem"),
             every_n=self._proof("every_n"),
             file=toml.path,
             line=toml.places.of_key(self.path)[0],
@@ -111,6 +111,7 @@ class ClaimTable:
 
     def _theorem(self, claim: Claim) -> Claim:
         self._required("statement")
+        self._proof("theorem")
         reader = self._reader(claim)
         goal = self._goal(claim)
         printed = self._said(

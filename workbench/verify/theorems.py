@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import cache
 
 from workbench.judge.kernel.judge import Judge
+from workbench.judge.theorems.defined import is_defined_everywhere
 from workbench.judge.theorems.goals import AllFrom, Atom, Goal, GoalError, Implies, Scope, equations
 from workbench.judge.theorems.proofs import False_, Kernel, Proven
 from workbench.judge.theorems.prove import Lemmas, prove
@@ -63,6 +64,8 @@ class TheoremJudge:
         for supposed in reversed(claim.supposed):
             goal = Implies(Atom(supposed), goal)
         named = claim.every_n is not None and form is claim.right
+        if not named and not _is_total(form.statement, claim.notation):
+            return seen  # of what divides, each member would be judged once more
         proven = self._theorems[claim.every_n] if named else Proven(Kernel())
         shown = self._shown(claim, goal, proven)
         if shown.outcome is not Outcome.PROVED:
@@ -93,3 +96,8 @@ def _is_equations(statement: Statement) -> bool:
         return all(one.operator == "=" for one in equations(statement))
     except GoalError:
         return False
+
+
+def _is_total(statement: Statement, notation: Notation) -> bool:
+    sides = (side for one in equations(statement) for side in (one.left, one.right))
+    return all(is_defined_everywhere(side, notation.definitions) for side in sides)

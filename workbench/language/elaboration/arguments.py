@@ -54,6 +54,7 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     parts = [part for part in bracket.parts if not scope.is_time(part)]
     place = tuple(map(latex_of, parts))
     inside = set().union(*map(_names, parts))
+    inside = inside.union(*(scope.table.depends.get(name, ()) for name in inside))
     for symbol in (each for each in function.walk() if isinstance(each, Symbol)):
         name = symbol.declaration.name
         if scope.places.setdefault((name, symbol.index), place) != place:

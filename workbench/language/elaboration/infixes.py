@@ -30,6 +30,8 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
         factors = [o for o in operands if o.type.kind != "scalar"]
         if heads & {"dot", "cross", "outer"} and len(factors) > 2:
             raise Fault("several products without brackets are ambiguous", signs[-1].at)
+        if head == "cross" and (result.type.kind, operand.type.kind) == ("vector", "tensor"):
+            head, result = "mul", scope.apply(sign.at, "skew", result)  # a × T takes each column
         result = scope.apply(sign.at, head, result, operand)
     return result
 

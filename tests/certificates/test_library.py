@@ -35,3 +35,13 @@ def test_the_library_is_compiled_once(left, tmp_path, monkeypatch):
     assert len(compiled) == (left != "whole")
     assert [sorted(file.stem for file in place.iterdir()) for place in places] == [sorted(coqc.LIBRARY)]
     assert list(coqc.memory().iterdir()) == list(places)
+
+
+def test_what_is_long_is_checked_by_itself(monkeypatch):
+    short, long = "Theorem a : True.\n", "Theorem b : True.\n" + "(* *) " * 40
+    monkeypatch.setattr(coqc, "recall", lambda text: None)
+    monkeypatch.setattr(coqc, "LENGTH", 100)
+    texts = [f"Import.\n{text}(* {i} *)" for i, text in enumerate((short, long, short, short, long))]
+    batches = coqc.in_batches(texts)
+    assert [text for batch in batches for text in batch] == texts
+    assert [len(batch) for batch in batches] == [1, 1, 2, 1]

@@ -40,6 +40,9 @@ SECONDS = 60
 #: How many certificates Coq checks in one run, at most.
 TOGETHER = 24
 
+#: And so many characters.
+LENGTH = 400_000
+
 #: How a process ends that has used up its time: by a signal, or by what the shell makes of one.
 _STOPPED = frozenset(code for sign in (signal.SIGXCPU, signal.SIGKILL) for code in (-sign, 128 + sign))
 
@@ -237,12 +240,18 @@ def _joined(texts: Sequence[str]) -> str:
 
 
 def in_batches(texts: Iterable[str]) -> list[list[str]]:
-    """What can be checked together and is not yet known: what imports the same, in small numbers."""
-    alike: dict[str, list[str]] = {}
+    """What can be checked together and is not yet known: what imports the same, in small numbers, and what
+    is long by itself."""
+    batches: list[list[str]] = []
+    open_batches: dict[str, list[str]] = {}
     for text in texts:
         if recall(text) is None:
-            alike.setdefault(_header(text), []).append(text)
-    return [many[i : i + TOGETHER] for many in alike.values() for i in range(0, len(many), TOGETHER)]
+            batch = open_batches.get(_header(text), [])
+            if not batch or len(batch) == TOGETHER or sum(map(len, batch)) + len(text) > LENGTH:
+                batch = open_batches[_header(text)] = []
+                batches.append(batch)
+            batch.append(text)
+    return batches
 
 
 def _header(text: str) -> str:

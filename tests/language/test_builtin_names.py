@@ -203,3 +203,25 @@ def test_an_error_comes_through_from_another_process(text: str, key: str) -> Non
         read(text, SymbolTable.build({key: VECTOR}))
     copy = pickle.loads(pickle.dumps(caught.value))
     assert (type(copy), str(copy), vars(copy)) == (caught.type, str(caught.value), vars(caught.value))
+
+
+def test_two_bars_are_one_sign() -> None:
+    known = table(A=TENSOR, a=VECTOR, b=VECTOR)
+    for inside in ("a", "a + b", r"A a \times b"):
+        for bars in ("|| {} ||", "||{}||", r"\left|\left|{}\right|\right|", "| |{}| |"):
+            assert read_term(bars.format(inside), known) == read_term(rf"\|{inside}\|", known)
+    assert read_term("|A|", known).head == "det"
+    with pytest.raises(IllFormedAt, match="got a tensor"):
+        read_term("||A||", known)
+    inner = read_term("||a| - |b||", known).arguments[0]
+    assert inner == read_term("|a| - |b|", known)
+
+
+def test_three_numbers_in_a_bracket_are_a_column() -> None:
+    known = table(x=SCALAR, y=SCALAR, z=SCALAR, a=VECTOR, b=VECTOR, c=VECTOR)
+    assert read_term("(x, 2 y, z + 1)", known) == read_term(
+        r"\begin{bmatrix} x \\ 2 y \\ z + 1 \end{bmatrix}", known
+    )
+    assert read_term("(a, b, c)", known).head == "triple"
+    with pytest.raises(IllFormedAt):
+        read_term("(a, x, b)", known)

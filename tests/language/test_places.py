@@ -62,3 +62,8 @@ def test_a_column_of_them_says_all_that_it_is_made_of() -> None:
         _, table = read_definitions({"g": rf"s {x} + {y}", "f": rf"{x} \times {y}"}, TABLE)
         table = replace(table, arguments=table.arguments | {Name("g")})
         assert read("f(g) = v", table)
+
+
+def test_braces_around_the_bracket_change_nothing() -> None:
+    for x in LETTERS:
+        assert read(f"f{{({x})}} = v", TABLE) == read(f"f({x}) = v", TABLE)

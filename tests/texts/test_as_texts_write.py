@@ -230,3 +230,10 @@ def test_that_a_product_is_in_a_set_is_a_claim_and_a_declared_symbol_says_nothin
         and "declared to be" in declared.reason
         and "here it is a tensor" in tensor.reason
     )
+
+
+def test_what_the_notation_spells_is_no_symbol() -> None:
+    """A model with both would not load."""
+    guesser = Guesser(Prose(""), SymbolTable().with_notations({"i": {"means": "2"}, "j": {"means": "3"}}))
+    guesses = {name: Guess(name, "scalar") for name in "ijm"}
+    assert list(guesser.knowing(guesses).guesses) == ["m"]

@@ -136,7 +136,7 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
     return Ingested(
         text,
         macros,
-        best.guesser.guesses | more,
+        best.guesser.knowing(best.guesser.guesses | more).guesses,
         made,
         _each_once([*in_displays, *in_sentences, *_magnitudes(made, best.guesser)]),
         list(dict.fromkeys(questions)),

@@ -76,7 +76,8 @@ class Guesser:
         for name, guess in guesses.items():
             with suppress(SpecError):
                 self._declared(guess)
-                other.guesses[name] = guess
+                if read_key(name)[0] not in self.ground.constants:
+                    other.guesses[name] = guess
         return other
 
     def read_all(self, formulas: Sequence[str]) -> list[Outcome]:

@@ -273,7 +273,7 @@ def _with_keys(claim: Claim, table) -> Claim:
         changes["inherits"] = inherits
     if "reading" in changes and claim.printed.unread is not None:
         unread = claim.printed.unread
-        changes["printed"] = replace(claim.printed, unread=None, ill_formed=f"cannot be read: {unread}")
+        changes["printed"] = replace(claim.printed, unread=None, ill_formed=_unreadable(unread))
     return replace(claim, **changes)
 
 
@@ -334,7 +334,11 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
 def _why_unread(error: ReadError, latex: str, notation: Notation) -> str:
     with suppress(ReadError, IllFormedAt):
         return unclaimed(error, latex, notation.symbols)
-    return f"cannot be read: {error.message}"
+    return _unreadable(error.message)
+
+
+def _unreadable(why: str) -> str:
+    return why if why.startswith("cannot be read: ") else f"cannot be read: {why}"
 
 
 def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], Formula]:

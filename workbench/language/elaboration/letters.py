@@ -215,6 +215,7 @@ class _Lettering:
                 if not missing:
                     break
                 message = f"the integer variable {', '.join(missing)} in {spelling} has no range here"
+                message += f"; if {missing[0]} is no index, declare it as a symbol"
                 is_free = found[0].name not in scope.table.defined
                 return Unranged(missing[0], message, at) if is_free else Fault(message, at)
         spellings = (spell(letter, s, scope.variables) for s in (scripts, scripts.without_sup(), Scripts()))

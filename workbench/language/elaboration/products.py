@@ -169,7 +169,7 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     """A symbol; if it is a function symbol, with its arguments. x(t) is x, P(D) is P."""
     scope = row.scope
     following = row.items[place + 1] if place + 1 < len(row.items) else None
-    bracket = following.nucleus if isinstance(following, Scripted) else following
+    bracket = core(following.nucleus if isinstance(following, Scripted) else following)
     if not (isinstance(bracket, Bracket) and bracket.kind == "("):
         bracket = None
     plain = not scripts.left_sub and not scripts.left_sup

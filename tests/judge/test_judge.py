@@ -93,6 +93,7 @@ TRUE = {
     "turn back": r"e^{\alpha \tilde{u}} e^{-\alpha \tilde{u}} = \mathbf{I}",
     "turn about a scaled axis": r"e^{2 \alpha \tilde{u}} = e^{\widetilde{\alpha u}} e^{\tilde{u} \alpha}",
     "sum with numbers as bounds": r"\sum_{k=1}^3 k a = 6 a",
+    "a matrix acts on a column of vectors": r"\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \begin{bmatrix} a \\ b \end{bmatrix} = \begin{bmatrix} a + 2 b \\ 3 a + 4 b \end{bmatrix}",
     "operators beside a tensor": r"T = T + \mathbf{D} - \mathbf{D}",
     "a tensor beside operators": r"T + \mathbf{D} - \mathbf{D} = T",
     "operator acts": r"(\mathbf{D} + \tilde{a}) b = \dot{b} + a \times b",
@@ -112,6 +113,7 @@ FALSE = {
     "norm is linear": r"\|a + b\| = \|a\| + \|b\|",
     "norm loses its sign": r"\|-2 a\| = -2 \|a\|",
     "dual parts are real": r"\operatorname{Du}(\underline{a} \cdot \underline{b}) = 0",
+    "a matrix acts by its rows": r"\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \begin{bmatrix} a \\ b \end{bmatrix} = \begin{bmatrix} a + 3 b \\ 2 a + 4 b \end{bmatrix}",
     "operators commute with tensors": r"\mathbf{D} \circ T = T \mathbf{D}",
     "differs in one dual part only": r"\underline{a} \times \underline{b} = \underline{a} \times \underline{b} + \varepsilon (\operatorname{Re}\underline{a} \cdot \operatorname{Re}\underline{b}) \operatorname{Re}\underline{a}",
 }

@@ -4,12 +4,14 @@ from dataclasses import replace
 from fractions import Fraction
 from random import Random
 
+import numpy as np
 import pytest
 from judge.random_terms import random_term
 
 from workbench import check
 from workbench.judge.first.exact import ExactEngine
 from workbench.judge.kernel.judge import Judge
+from workbench.judge.second.components import Value, beside
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource, RationalRing, ResidueRing, sample
 from workbench.judge.second.sympy_ring import SympyRing
@@ -337,3 +339,10 @@ def test_the_second_engine_alone(latex, count):
     assert len(engine.components(claim.left)) == len(engine.components(claim.right)) == count
     assert not any(engine.differences(claim.left, claim.right))
     assert any(engine.differences(claim.left, apply("mul", claim.right, read("w = 2", PLACE)[0].right)))
+
+
+def test_columns_stand_beside_each_other_in_both_parts():
+    columns = [Value([np.array([i, i + 1, i + 2])], [np.array([10 * i, 0, i])]) for i in (1, 4)]
+    together = beside(columns)
+    assert together.re[0].tolist() == [[1, 4], [2, 5], [3, 6]]
+    assert together.du[0].tolist() == [[10, 40], [0, 0], [1, 4]]

@@ -175,14 +175,10 @@ def _square_free(p: Polynomial) -> Polynomial:
 
 
 def _pivot(engine: ExactEngine, p: Polynomial) -> Pivot | None:
-    squared = engine.ring.squared
-    for exponents, coefficient in p.terms():
-        places = [place for place, e in enumerate(exponents) if e]
-        if len(places) != 1 or exponents[places[0]] != 1:
-            continue
-        if engine.ring.names[places[0]] in squared or p.degrees()[places[0]] != 1:
-            continue
-        if p.derivative(places[0]).is_constant():
-            generator = p.context().gens()[places[0]]
-            return Pivot(places[0], generator, generator - p / coefficient)
+    """The first generator x of p = c x + …, c a number, that nothing squares and no other term holds."""
+    for place, name in enumerate(engine.ring.names):
+        slope = p.derivative(place)
+        if slope.is_constant() and slope != 0 and name not in engine.ring.squared:
+            x = p.context().gens()[place]
+            return Pivot(place, x, x - p / slope.leading_coefficient())
     return None

@@ -35,8 +35,8 @@ class Pivot(NamedTuple):
     value: Polynomial
 
 
-#: A power beyond this many terms is not looked for among what vanishes.
-_LONGEST = 400
+#: How often what may vanish is squared, and how many terms the square may have.
+_SQUARINGS, _LONGEST = 4, 400
 
 
 class Equations:
@@ -110,7 +110,7 @@ class Equations:
         return any(self._power_vanishes(self._without_solved(p * f)) for f in (*factors, *self._sizes(p)))
 
     def _power_vanishes(self, p: Polynomial) -> bool:
-        for _ in range(4):
+        for _ in range(_SQUARINGS):
             p = self._ring.reduce(p)
             if self._ideal.holds(p):
                 return True

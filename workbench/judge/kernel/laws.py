@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from random import Random
 
@@ -32,8 +33,10 @@ from workbench.language.terms import (
 _LINEAR = frozenset(
     {"mul", "neg", "dot", "cross", "outer", "transpose", "skew", "vector part", "scalar part"}
 )
-_POINTS = 3
+_ENTRIES = (-3, -2, -1, 1, 2, 3)
+_POINTS, _TRIES, _SEED = 3, 30, 0
 _TOLERANCE = 1e-9
+_ELSEWHERE = 2.0
 
 
 @dataclass(frozen=True)
@@ -112,19 +115,15 @@ def _has_solutions(
         for component in range(count)
         if orders == order + (part != "spin")
     ]
-    random, solved = Random(0), 0
-    for _ in range(10 * _POINTS):
-        drawn = sample(inventory, RationalRing((-3, -2, -1, 1, 2, 3)), random, lambda _: True)
+    random, found = Random(_SEED), []
+    for _ in range(_TRIES):
+        drawn = sample(inventory, RationalRing(_ENTRIES), random)
         point = {parameter: float(value) for parameter, value in drawn.items()}
-        try:
-            if not _is_solvable(relation, definitions, point, unknowns):
-                return False
-            solved += 1
-        except (NotExact, ZeroDivisionError):
-            continue
-        if solved == _POINTS:
-            return True
-    return False
+        with suppress(NotExact, ZeroDivisionError):
+            found.append(_is_solvable(relation, definitions, point, unknowns))
+        if len(found) == _POINTS or not all(found):
+            break
+    return len(found) == _POINTS and all(found)
 
 
 def _is_solvable(
@@ -138,8 +137,8 @@ def _is_solvable(
     size = len(unknowns)
     rest = residual(np.zeros(size))
     columns = np.column_stack([residual(unit) - rest for unit in np.eye(size)])
-    other = np.arange(2.0, 2.0 + size)
-    scale = 1 + np.abs(rest).max() + np.abs(columns).max()
-    is_linear = np.abs(residual(other) - rest - columns @ other).max() < _TOLERANCE * scale * size
+    other = np.arange(size) + _ELSEWHERE
+    tolerance = _TOLERANCE * size * (1 + np.abs(rest).max() + np.abs(columns).max())
     solution = np.linalg.lstsq(columns, -rest, rcond=None)[0]
-    return bool(is_linear and np.abs(columns @ solution + rest).max() < _TOLERANCE * scale)
+    errors = residual(other) - rest - columns @ other, columns @ solution + rest
+    return bool(np.abs(errors).max() < tolerance)

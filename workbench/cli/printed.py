@@ -29,8 +29,8 @@ def print_judged(
     unusable: Sequence[PaperError] = (),
     cache: bool = True,
 ) -> None:
-    """`unusable`: what is wrong in papers of which nothing could be judged.   cache: whether what was proposed
-    in earlier runs is taken."""
+    """`unusable`: what is wrong in papers of which nothing could be judged.   cache: whether earlier runs'
+    proposals are taken."""
     if form in ("github", "sarif", "rdjsonl"):
         _print_findings(judged, unusable, form)
         return

@@ -14,6 +14,8 @@ from workbench.language.spelling import (
     Named,
     Scripts,
     Spelling,
+    bracketed,
+    in_bracket,
     linear,
     prefixed,
     spell,
@@ -95,6 +97,8 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
     """The spelling of a declared name, where index letters count as integers, save those in `labels`. Raises
     SpecError."""
     left_sub = left_sup = None
+    if (letters := in_bracket(node)) is not None:
+        return Spelling(bracketed(letters), ())
     match node:
         case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
             left_sub, left_sup, node = left.sub, left.sup, core(right)

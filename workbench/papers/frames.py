@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 from typing import Any, NamedTuple
@@ -12,8 +12,9 @@ from workbench.language.construct import apply, block, identity, number, relatio
 from workbench.language.declarations import key_spelling
 from workbench.language.definitions import Definitions
 from workbench.language.errors import Fault, ReadError, SpecError
+from workbench.language.names import Name
 from workbench.language.reader import read_term
-from workbench.language.spelling import Spelling, spell_label
+from workbench.language.spelling import Spelling, bracketed, in_bracket, spell_label
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import parse
 from workbench.language.terms import Conjunction, Definition, IllFormed, Term
@@ -170,8 +171,7 @@ class _Reader:
         if resolved is not None and type_ is not VECTOR:
             raise SpecError("only a vector is resolved in a frame", key)
         letters = {match[role]: role for role in match.groupdict()}
-        spelling = _spelling(key)
-        texts = {piece for _, pieces in spelling.scripts for piece in pieces} | {spelling.letter.letter}
+        texts, named = _spelled(key)
         where = resolved["R"] if resolved else None
         names = [*letters, *([where] if where and where not in letters else [])]
         choices = []
@@ -187,7 +187,7 @@ class _Reader:
             arguments = {role: given[letter] for letter, role in letters.items()}
             if len(letters) > 1 and len(set(arguments.values())) < 2:
                 continue  # {}^A ω^A
-            name = spelling.exchanged(given).exact
+            name = named(given)
             body = make(self.frames, **arguments)
             if where is not None:
                 body = self.frames.resolved(given[where], body)
@@ -228,6 +228,15 @@ def _table(entries: Mapping[str, Any], key: str) -> Mapping[str, Any]:
 def _unit(place: int) -> Term:
     rows = " \\\\ ".join("1" if row == place else "0" for row in range(3))
     return read_term(f"\\begin{{bmatrix}} {rows} \\end{{bmatrix}}", SymbolTable())
+
+
+def _spelled(key: str) -> tuple[set[Any], Callable[[Mapping[str, str]], Name]]:
+    """What stands in a spelling, and its name with other letters: of [BN], too."""
+    spelling = _spelling(key)
+    if (letters := in_bracket(parse(key).lines[0][0])) is not None:
+        return set(letters), lambda given: bracketed([given.get(letter, letter) for letter in letters])
+    texts = {piece for _, pieces in spelling.scripts for piece in pieces} | {spelling.letter.letter}
+    return texts, lambda given: spelling.exchanged(given).exact
 
 
 def _spelling(key: str) -> Spelling:

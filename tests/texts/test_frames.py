@@ -172,6 +172,56 @@ def test_transforms_act_on_points_as_columns_of_four(tmp_path: Path) -> None:
     assert found == ["proved"] * len(OF_TRANSFORMS) + ["refuted", "refuted", "unchecked"]
 
 
+DRAKE = r"""
+source = "p.md"
+[frames]
+base = "W"
+names = ["A", "B", "C"]
+'{}^F R^G' = "rotation to F from G"
+'{}^F p^G_D' = "origin of G in F, resolved in D"
+'{}^F p^G' = "origin of G in F"
+'{}^F\omega^G_D' = "angular velocity of G in F, resolved in D"
+'{}^F v^G_D' = "velocity of the origin of G in F, resolved in D"
+'{}^F u' = "u resolved in F"
+'{}^F z' = 'u \times w resolved in F'
+[symbols]
+u = "vector"
+w = "vector"
+"""
+OF_COMPONENTS = [
+    r"{}^A p^B_C = {}^C R^A {}^A p^B",
+    r"{}^A p^B_C + {}^B p^A_C = 0",
+    r"{}^A p^C = {}^A p^B + {}^A R^B {}^B p^C",
+    r"{}^A p^C_W = {}^A p^B_W + {}^B p^C_W",
+    r"{}^A v^C_W = {}^A v^B_W + {}^B v^C_W + {}^A\omega^B_W \times {}^B p^C_W",
+    r"{}^A v^B_C = -{}^B v^A_C - {}^A\omega^B_C \times {}^B p^A_C",
+    r"{}^A u = {}^A R^B {}^B u",
+    r"{}^A u = {}^A R^W u",
+    r"{}^A u = {}^A R^C {}^C R^B {}^B u",
+    r"{}^A z = {}^A R^B {}^B z",
+    r"{}^A z = {}^A u \times {}^A R^W w",
+]
+OF_WRONG_COMPONENTS = [
+    r"{}^A p^B_C = {}^A R^C {}^A p^B",
+    r"{}^A u = {}^B R^A {}^B u",
+    r"{}^A p^B_C = {}^B p^A_C",
+    r"{}^A z = {}^B z",
+]
+
+
+def test_components_in_frames(tmp_path: Path) -> None:
+    found = verdicts(tmp_path, OF_COMPONENTS + OF_WRONG_COMPONENTS, DRAKE)
+    assert found == ["proved"] * len(OF_COMPONENTS) + ["refuted"] * len(OF_WRONG_COMPONENTS)
+
+
+@pytest.mark.parametrize("phrase", ["k resolved in F", "2 resolved in F", "u", "u resolved in"])
+def test_what_is_no_vector_is_not_resolved(tmp_path: Path, phrase: str) -> None:
+    (tmp_path / "p.toml").write_text(DRAKE.replace('"u resolved in F"', f'"{phrase}"'))
+    (tmp_path / "p.md").write_text("$$\nu = u\n$$\n")
+    with pytest.raises(PaperError, match="a vector resolved in F"):
+        load_paper(tmp_path / "p.toml")
+
+
 def test_frames_made_of_others_and_of_vectors(tmp_path: Path) -> None:
     formulas = [
         r"{}^N\omega^B = \dot\psi a_z + \dot\theta a_x",

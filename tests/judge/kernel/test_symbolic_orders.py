@@ -4,14 +4,18 @@ import pytest
 
 from workbench import check
 from workbench.judge.kernel.judge import Judge
-from workbench.judge.kernel.symbolic_orders import symbolic_orders, with_free_derivatives
+from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders, with_free_derivatives
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome
+from workbench.language.construct import apply, derivative, symbol, zero
 from workbench.language.definitions import Definitions
 from workbench.language.instances import instantiate
+from workbench.language.integers import Linear
+from workbench.language.names import Name
 from workbench.language.reader import read, read_term
 from workbench.language.symbols import SymbolTable
 from workbench.language.terms import Derivative
+from workbench.language.types import VECTOR, Declaration
 from workbench.papers import load_paper
 from workbench.papers.orders import Orders
 from workbench.verify.claims import judge_paper
@@ -46,6 +50,8 @@ ALL_N = [
     r"\frac{d^{n-1}}{dt^{n-1}} \dot{x} = x^{(n)}",
 ]
 
+COLUMNS = r"\frac{d^n}{dt^n} \begin{bmatrix} f \\ g \\ f \end{bmatrix} = \begin{bmatrix} f^{(n)} \\ g^{(n)} \\ f^{(n)} \end{bmatrix}"
+
 NOT_ALL_N = [
     r"(T x)^{(n)} = T^{(n)} x",
     r"(x \times y)^{(n)} = x^{(n)} \times y^{(n)}",
@@ -55,7 +61,7 @@ NOT_ALL_N = [
 ]
 
 
-@pytest.mark.parametrize("latex", ALL_N)
+@pytest.mark.parametrize("latex", [*ALL_N, COLUMNS])
 def test_linear_laws_hold_for_all_n(latex):
     found = check(latex, symbols=SYMBOLS, orders="n = 1..4")
     assert found.outcome == Outcome.PROVED
@@ -123,6 +129,39 @@ def test_a_constant_vanishes_from_the_first_derivative_on_only():
     with pytest.raises(NotExact, match="of a constant"):
         with_free_derivatives(_read("c^{(n)}"))
     assert with_free_derivatives(_read("c^{(n+1)}")).type == instantiate(_read("c^{(n+1)}"), {"n": 0}).type
+
+
+def test_functions_of_terms_are_the_same_where_the_terms_and_the_orders_are():
+    """Also of terms that are printed alike; c more derivatives are taken of the same function."""
+    one, other = (symbol(Declaration(Name("x"), VECTOR, uniform=uniform), ()) for uniform in (False, True))
+    n, k = Linear.variable("n"), Linear.variable("k")
+    orders = [(one, n), (other, n), (one, k), (one, n + n)]
+    free = [with_free_derivatives(derivative(term, order)) for term, order in orders]
+    assert len({f.declaration.name for f in free}) == len(orders)
+    assert [f.declaration.name.of for f in free] == orders
+    assert str(free[0].declaration.name) == r"\left(x\right)^{(n)}"
+    assert with_free_derivatives(derivative(one, n + 2)) == derivative(free[0], 2)
+
+
+@pytest.mark.parametrize("kind", ["hamilton quaternion", "matrix 2x3", "transform"])
+def test_of_other_kinds_no_free_function_is_made(kind):
+    term = read_term("X^{(n)}", SymbolTable.build({"X": {"kind": kind}}), {"n"})
+    with pytest.raises(NotExact, match="differentiated n times"):
+        with_free_derivatives(term)
+
+
+def test_what_linearity_makes_one_term_is_said_as_a_difference():
+    """Where both sides are one term as printed, they stay so: that is no claim."""
+
+    def said(latex):
+        return freed(read(latex, SymbolTable.build(SYMBOLS), {"n"})[0])
+
+    one = said("(x + y)^{(n)} = x^{(n)} + y^{(n)}")
+    left = with_free_derivatives(_read("x^{(n)} + y^{(n)}"))
+    assert (one.left, one.right) == (apply("add", left, apply("neg", left)), zero(left.type))
+    same = said(r"x^{(n)} \neq x^{(n)}")
+    assert same.left == same.right == with_free_derivatives(_read("x^{(n)}")) and same.operator == "≠"
+    assert said(r"(x + y)^{(n)} \neq x^{(n)} + y^{(n)}").operator == "≠"
 
 
 @pytest.mark.parametrize("order", ["n+k", "2n", "n-k"])

@@ -76,7 +76,7 @@ class Evaluation:
 
     def __init__(self, stage: Stage, bindings: Bindings, lookup: BoundFirst, inventory: Inventory) -> None:
         self._stage, self._bindings, self._lookup, self._inventory = stage, bindings, lookup, inventory
-        self._point = sample(inventory, stage.ring(), Random(1), lambda _: True)
+        self._point = sample(inventory, stage.ring(), Random(1))
         self._engine = self._engine_at(self._point)
 
     def truth(self, statement: Statement) -> Truth:

@@ -22,6 +22,7 @@ from workbench.language.printer import to_latex
 from workbench.language.terms import Relation, Statement, Symbol
 
 IN_FORCE = "well-formed, and the one in force"
+_SEED = 2020
 
 
 class Equation(Case):
@@ -100,7 +101,7 @@ class Equation(Case):
         if self.assumptions.equations or not self.setting.second_engine:
             return None
         ring = ResidueRing()
-        point = sample(self.inventory, ring, Random(2020), lambda _: True)
+        point = sample(self.inventory, ring, Random(_SEED))
         engine = JetEngine(PointSource(ring, point), self.definitions)
         try:
             return not any(engine.differences(self.relation.left, self.relation.right))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from random import Random
 
@@ -28,12 +29,15 @@ from workbench.language.terms import (
     Term,
     column_of_symbols,
 )
+from workbench.language.types import Declaration
 
 _LINEAR = frozenset(
     {"mul", "neg", "dot", "cross", "outer", "transpose", "skew", "vector part", "scalar part"}
 )
-_POINTS = 3
+_ENTRIES = (-3, -2, -1, 1, 2, 3)
+_POINTS, _TRIES, _SEED = 3, 30, 0
 _TOLERANCE = 1e-9
+_ELSEWHERE = 2.0
 
 
 @dataclass(frozen=True)
@@ -56,7 +60,7 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     for whole, entries in [*groups, *_columns(relation, definitions)]:
         orders = {inventory.orders.get(symbol, 0) for symbol in entries}
         highest = [o for symbol in entries for o in found[symbol] if o.order in orders]
-        free = [s for s in entries if not (s.declaration.constant or s.declaration.of or s.declaration.clock)]
+        free = [s for s in entries if _may_be_given(s.declaration)]
         if len(orders) == 1 and all(orders) and len(entries) == len(highest) == len(free):
             (order,), place = orders, highest[0]
             if sum(map(len, found.values())) == len(entries):
@@ -66,6 +70,10 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
             if (alone or foreign) and _has_solutions(relation, inventory, definitions, entries, order):
                 return derivative(whole, order)
     return None
+
+
+def _may_be_given(declared: Declaration) -> bool:
+    return not (declared.constant or declared.of or declared.clock or declared.free)
 
 
 def _columns(relation: Relation, definitions: Lookup) -> Iterator[tuple[Symbol, tuple[Symbol, ...]]]:
@@ -112,19 +120,15 @@ def _has_solutions(
         for component in range(count)
         if orders == order + (part != "spin")
     ]
-    random, solved = Random(0), 0
-    for _ in range(10 * _POINTS):
-        drawn = sample(inventory, RationalRing((-3, -2, -1, 1, 2, 3)), random, lambda _: True)
+    random, found = Random(_SEED), []
+    for _ in range(_TRIES):
+        drawn = sample(inventory, RationalRing(_ENTRIES), random)
         point = {parameter: float(value) for parameter, value in drawn.items()}
-        try:
-            if not _is_solvable(relation, definitions, point, unknowns):
-                return False
-            solved += 1
-        except (NotExact, ZeroDivisionError):
-            continue
-        if solved == _POINTS:
-            return True
-    return False
+        with suppress(NotExact, ZeroDivisionError):
+            found.append(_is_solvable(relation, definitions, point, unknowns))
+        if len(found) == _POINTS or not all(found):
+            break
+    return len(found) == _POINTS and all(found)
 
 
 def _is_solvable(
@@ -138,8 +142,8 @@ def _is_solvable(
     size = len(unknowns)
     rest = residual(np.zeros(size))
     columns = np.column_stack([residual(unit) - rest for unit in np.eye(size)])
-    other = np.arange(2.0, 2.0 + size)
-    scale = 1 + np.abs(rest).max() + np.abs(columns).max()
-    is_linear = np.abs(residual(other) - rest - columns @ other).max() < _TOLERANCE * scale * size
+    other = np.arange(size) + _ELSEWHERE
+    tolerance = _TOLERANCE * size * (1 + np.abs(rest).max() + np.abs(columns).max())
     solution = np.linalg.lstsq(columns, -rest, rcond=None)[0]
-    return bool(is_linear and np.abs(columns @ solution + rest).max() < _TOLERANCE * scale)
+    errors = residual(other) - rest - columns @ other, columns @ solution + rest
+    return bool(np.abs(errors).max() < tolerance)

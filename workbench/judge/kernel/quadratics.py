@@ -94,7 +94,7 @@ class Quadratic:
         return total([rest, apply("div", change, self.invariants[rank])])
 
     def stationary(self, rank: int) -> list[Term]:
-        """c_r y*."""
+        """c_r y*, for a rank r of 1 or more."""
         matrix, slopes, _ = self.coefficients
         powers = [slopes]
         for _ in range(rank - 1):
@@ -105,7 +105,7 @@ class Quadratic:
             for k in range(rank):
                 term = times(self.invariants[k], powers[rank - 1 - k][i])
                 terms.append(apply("neg", term) if (rank - k) % 2 else term)
-            found.append(total(terms) if terms else zero())
+            found.append(total(terms))
         return found
 
 

@@ -38,9 +38,7 @@ def with_free_derivatives(term: Term) -> Term:
     n ≥ 1 only."""
     if isinstance(term, Derivative) and not term.order.is_number:
         return _differentiated(with_free_derivatives(term.body), term.order)
-    children = tuple(with_free_derivatives(child) for child in term.children)
-    unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
-    return term if unchanged else rebuild(term, children)
+    return rebuild(term, [with_free_derivatives(child) for child in term.children])
 
 
 def freed(relation: Relation) -> Relation:

@@ -35,8 +35,8 @@ class Pivot(NamedTuple):
     value: Polynomial
 
 
-#: A power beyond this many terms is not looked for among what vanishes.
-_LONGEST = 400
+#: How often what may vanish is squared, and how many terms the square may have.
+_SQUARINGS, _LONGEST = 4, 400
 
 
 class Equations:
@@ -110,7 +110,7 @@ class Equations:
         return any(self._power_vanishes(self._without_solved(p * f)) for f in (*factors, *self._sizes(p)))
 
     def _power_vanishes(self, p: Polynomial) -> bool:
-        for _ in range(4):
+        for _ in range(_SQUARINGS):
             p = self._ring.reduce(p)
             if self._ideal.holds(p):
                 return True
@@ -175,14 +175,10 @@ def _square_free(p: Polynomial) -> Polynomial:
 
 
 def _pivot(engine: ExactEngine, p: Polynomial) -> Pivot | None:
-    squared = engine.ring.squared
-    for exponents, coefficient in p.terms():
-        places = [place for place, e in enumerate(exponents) if e]
-        if len(places) != 1 or exponents[places[0]] != 1:
-            continue
-        if engine.ring.names[places[0]] in squared or p.degrees()[places[0]] != 1:
-            continue
-        if p.derivative(places[0]).is_constant():
-            generator = p.context().gens()[places[0]]
-            return Pivot(places[0], generator, generator - p / coefficient)
+    """The first generator x of p = c x + …, c a number, that nothing squares and no other term holds."""
+    for place, name in enumerate(engine.ring.names):
+        slope = p.derivative(place)
+        if slope.is_constant() and slope != 0 and name not in engine.ring.squared:
+            x = p.context().gens()[place]
+            return Pivot(place, x, x - p / slope.leading_coefficient())
     return None

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.judge.subject import Lookup, NotExact
-from workbench.language.construct import apply, block, dual_unit, number, rebuild, zero
+from workbench.language.construct import apply, block, dual_unit, number, rebuild
 from workbench.language.definitions import expand, replaced
 from workbench.language.operators import GRADIENTS, PARTIALS
 from workbench.language.terms import (
@@ -24,7 +24,6 @@ from workbench.language.terms import (
     Term,
     Zero,
 )
-from workbench.language.types import VECTOR
 
 
 @dataclass(frozen=True)
@@ -57,7 +56,7 @@ class Varied:
     def unknowns(self) -> list[Term]:
         """The components of the letters."""
         return [
-            letter if letter.type.rows == 1 else apply("dot", _column({i: 1}), letter)
+            letter if letter.type.rows == 1 else apply("dot", _column(int(j == i) for j in range(3)), letter)
             for letter in self.letters
             for i in range(letter.type.rows)
         ]
@@ -74,19 +73,17 @@ class Varied:
         first = 0
         for letter in self.letters:
             own = {i: values.get(first + i, 0) for i in range(letter.type.rows)}
-            given[letter] = _column(own) if letter.type.rows > 1 else _weightless(own[0])
+            given[letter] = _column(own.values()) if letter.type.rows > 1 else _weightless(own[0])
             first += letter.type.rows
         return replaced(term, given.get)
 
 
 def _weightless(value: int) -> Term:
-    return replace(number(value), weight=None) if value else zero()
+    return replace(number(value), weight=None)
 
 
-def _column(values: Mapping[int, int]) -> Term:
-    if not any(values.values()):
-        return zero(VECTOR)
-    return replace(block([[_weightless(values.get(i, 0))] for i in range(3)]), weight=None)
+def _column(values: Iterable[int]) -> Term:
+    return block([[_weightless(value)] for value in values])
 
 
 def _require_visible(letter: Symbol, body: Term) -> None:

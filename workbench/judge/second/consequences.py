@@ -18,8 +18,8 @@ from workbench.language.terms import Relation
 #: A polynomial, and the places of the indeterminates in it: most are put into polynomials without them.
 Spread: TypeAlias = "tuple[PolyElement, set[int]]"
 
-#: What is squared to see whether a power of it vanishes has at most so many terms.
-_LONGEST = 40
+#: How often something is squared to see whether a power of it vanishes, and how many terms it may have.
+_SQUARINGS, _LONGEST = 4, 40
 
 
 def recheck(relation: Relation, inventory: Inventory, definitions: Lookup, assumptions: Assumptions) -> bool:
@@ -85,7 +85,7 @@ class _Supposed:
         )
 
     def _power_vanishes(self, p: PolyElement, by: Sequence[PolyElement]) -> bool:
-        for _ in range(4):
+        for _ in range(_SQUARINGS):
             p = self._remainder(self._ring.normal(p), by)
             if not p:
                 return True

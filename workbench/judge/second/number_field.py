@@ -15,6 +15,7 @@ from typing import Any
 from workbench.judge.second.rings import RationalRing
 from workbench.judge.subject.inventory import NotExact
 
+_HALVINGS = 60
 Coefficients = tuple[Fraction, ...]  # by rising power, the last one not 0
 
 
@@ -38,7 +39,7 @@ class NumberField:
         """θ, rounded."""
         low, high = self._between
         rising = _at(self.minimal, high) > 0
-        for _ in range(60):
+        for _ in range(_HALVINGS):
             middle = (low + high) / 2
             low, high = (low, middle) if (_at(self.minimal, middle) > 0) == rising else (middle, high)
         return float(low)

@@ -265,7 +265,9 @@ def _folded(a: list[np.ndarray], b: list[np.ndarray]) -> list[np.ndarray]:
     return [sum((a[j] @ b[k - j]) * comb(k, j) for j in range(k + 1)) for k in range(len(b))]
 
 
-def sample(inventory: Inventory, ring: Any, random: Random, keep: Callable[[Parameter], bool]) -> dict:
+def sample(
+    inventory: Inventory, ring: Any, random: Random, keep: Callable[[Parameter], bool] = lambda _: True
+) -> dict:
     """A random point: every parameter that `keep` keeps gets a random value, the others 0; parts on a sphere
     get a point of the sphere with coordinates in the ring, by stereographic projection."""
     point: dict[Parameter, Any] = {}

@@ -73,7 +73,7 @@ def text_paper(
         doi,
         paths,
         notations[0][1],
-        tuple(with_unsettled(with_said(claims), text.sources)),
+        tuple(with_unsettled(with_said(claims), text)),
         citation=citation or {},
         text=text,
         faults=tuple(faults),

@@ -22,12 +22,11 @@ from workbench.language.terms import (
 )
 from workbench.language.types import Declaration
 from workbench.papers.model import Claim
-from workbench.papers.said import terms_of
+from workbench.papers.said import SAYS, terms_of
 from workbench.papers.texts import Display, Text
 
 _UNREAD = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
-_SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
 _ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _NO_ADJUGATE = "^* is read as the adjugate, of which the text does not speak; [notation] can say what it is"
 _COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
@@ -143,7 +142,7 @@ def _solved_for(statement: Statement, free: Sequence[Declaration], within: set[N
     )
     unknown = [each for each in said if names[each.name] == 1 or (is_condition and each.name in names)]
     first = min(unknown, key=lambda each: each.type not in types, default=None)
-    return first and _SAYS.format(first.name)
+    return first and SAYS.format(first.name)
 
 
 def _of_a_star(statement: Statement, text: Text) -> str | None:

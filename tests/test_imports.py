@@ -28,6 +28,16 @@ LAYERS = (
 #: The same inside of a part. The two engines stand beside each other: neither imports the other.
 ROOMS = {
     "judge": (("verdict", "subject"), ("first", "second"), ("evidence",), ("kernel",), ("theorems",)),
+    "certificates": (
+        ("coqc", "emission"),
+        ("by_hand", "reading", "values"),
+        ("theorem",),
+        ("generalized", "inequations"),
+        ("forms",),
+        ("goals", "refutation"),
+        ("steps",),
+        ("certify",),
+    ),
 }
 
 

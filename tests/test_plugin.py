@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from workbench.verify.claims import load_engines
+
 pytest_plugins = ["pytester"]
 
 HEAD = """title = "x"
@@ -33,6 +35,7 @@ ALONE = ("-p", "no:cacheprovider", "-p", "no:hypothesispytest", "-p", "no:xdist"
 
 @pytest.fixture(scope="module")
 def papers(tmp_path_factory) -> Path:
+    load_engines()  # pytester forgets what is imported meanwhile, and Drake is imported once
     directory = tmp_path_factory.mktemp("papers")
     for name, text in FILES.items():
         (directory / f"{name}.toml").write_text(text, encoding="utf-8")

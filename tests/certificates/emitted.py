@@ -3,9 +3,9 @@
 from contextlib import suppress
 from functools import cache
 
+from workbench.certificates.emission.nodes import NotCertified
 from workbench.certificates.forms import certificate, forms_of
 from workbench.certificates.goals.whole import whole
-from workbench.certificates.nodes import NotCertified
 from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.proofs import Proven
 from workbench.judge.verdict import Outcome

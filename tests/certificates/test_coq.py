@@ -10,9 +10,9 @@ from tests.certificates.emitted import JOINED, joined, one
 from tests.proofs.tampering import made_false, with_a_changed_conclusion
 from workbench import check
 from workbench.certificates import coqc
+from workbench.certificates.emission.nodes import NotCertified
 from workbench.certificates.forms import Certificate
 from workbench.certificates.goals.whole import whole
-from workbench.certificates.nodes import NotCertified
 from workbench.certificates.refutation import not_empty
 from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import theorem

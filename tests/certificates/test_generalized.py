@@ -4,12 +4,12 @@ from contextlib import suppress
 
 import pytest
 
-from workbench.certificates.families import general
+from workbench.certificates.emission.families import general
+from workbench.certificates.emission.nodes import NotCertified
 from workbench.certificates.generalized import Generalizer
-from workbench.certificates.nodes import NotCertified
 from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import theorem
-from workbench.certificates.trial import holds_whatever_they_are
+from workbench.certificates.values.trial import holds_whatever_they_are
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.construct import apply, big_sum, derivative, integer, number, relation, symbol
 from workbench.language.definitions import Definitions

@@ -11,9 +11,9 @@ from workbench import check
 from workbench.certificates.forms import forms_of
 from workbench.certificates.goals.rates import spread
 from workbench.certificates.goals.whole import of_one_instant
-from workbench.certificates.read_back import Unread
+from workbench.certificates.reading.read_back import Unread
 from workbench.certificates.theorem import theorem
-from workbench.certificates.trial import holds_whatever_they_are
+from workbench.certificates.values.trial import holds_whatever_they_are
 from workbench.cli.commands import main
 from workbench.judge.theorems.goals import atoms
 from workbench.language.construct import apply, relation

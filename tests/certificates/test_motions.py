@@ -7,12 +7,12 @@ from fractions import Fraction
 import pytest
 
 from tests.certificates.emitted import all_certificates, one
-from workbench.certificates import trigonometric
-from workbench.certificates.instances import _CHOICES, instances
-from workbench.certificates.instances import BASE as BASE_SLOTS
 from workbench.certificates.refutation import not_empty
 from workbench.certificates.theorem import theorem
-from workbench.certificates.trigonometric import COSINE, SINE, TIME, Pair, Wave, flat, value, wave
+from workbench.certificates.values import trigonometric
+from workbench.certificates.values.instances import _CHOICES, instances
+from workbench.certificates.values.instances import BASE as BASE_SLOTS
+from workbench.certificates.values.trigonometric import COSINE, SINE, TIME, Pair, Wave, flat, value, wave
 
 BASE = {("false", "Scalar", str(i)): w for i, w in enumerate((COSINE, SINE, TIME))}
 SOME = (COSINE, SINE, TIME, wave(Fraction(2, 3)), COSINE * SINE + TIME * TIME, COSINE * COSINE * TIME)

@@ -5,9 +5,9 @@ from click.testing import CliRunner
 
 from tests.certificates.emitted import all_certificates, one
 from workbench import check
-from workbench.certificates import read_back
+from workbench.certificates.emission.nodes import NotCertified
 from workbench.certificates.forms import certificate, forms_of
-from workbench.certificates.nodes import NotCertified
+from workbench.certificates.reading import read_back
 from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import Theorem, theorem
 from workbench.cli.commands import main

@@ -5,11 +5,11 @@ from random import Random
 
 import pytest
 
-from workbench.certificates.families import general
-from workbench.certificates.nodes import NotCertified
-from workbench.certificates.sums import Summed, cores_of, count
+from workbench.certificates.emission.families import general
+from workbench.certificates.emission.nodes import NotCertified
+from workbench.certificates.emission.sums import Summed, cores_of, count
 from workbench.certificates.theorem import theorem
-from workbench.certificates.trial import holds_whatever_they_are
+from workbench.certificates.values.trial import holds_whatever_they_are
 from workbench.language.construct import apply, big_sum, counting, derivative, relation, symbol
 from workbench.language.definitions import Definitions
 from workbench.language.integers import Linear

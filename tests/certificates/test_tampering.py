@@ -8,12 +8,12 @@ import pytest
 
 from tests.certificates.emitted import all_certificates, one
 from workbench.certificates import coqc
-from workbench.certificates.families import general
+from workbench.certificates.emission.families import general
+from workbench.certificates.emission.nodes import NotCertified
 from workbench.certificates.forms import Certificate
 from workbench.certificates.goals.whole import OF_MOMENTS, joined
-from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import HEADER, theorem
-from workbench.certificates.trial import holds_whatever_they_are
+from workbench.certificates.values.trial import holds_whatever_they_are
 from workbench.judge.theorems.goals import Atom, Implies, Scope
 from workbench.judge.theorems.proofs import Kernel
 from workbench.judge.theorems.rules import obligations

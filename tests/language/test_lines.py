@@ -8,7 +8,7 @@ from workbench.language.errors import ReadError
 from workbench.language.lines import split_lines
 from workbench.language.reader import read
 from workbench.language.symbols import SymbolTable
-from workbench.papers.alignment import lines_of
+from workbench.papers.text_claims.alignment import lines_of
 from workbench.papers.texts import read_text
 
 TABLE = SymbolTable.build({name: {"kind": "scalar", "weight": 0} for name in "abcdx"})

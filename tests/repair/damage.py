@@ -20,9 +20,8 @@ from workbench.repair.propose.repair import repair
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.edits import edits
-from workbench.repair.trees.marks import Mark, marked
+from workbench.repair.trees.marks import Mark, all_marks, marked
 from workbench.repair.trees.nodes import below
-from workbench.repair.trees.readings import all_marks
 
 
 @dataclass(frozen=True)

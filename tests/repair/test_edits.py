@@ -10,10 +10,10 @@ from workbench.judge.second.rings import PRIME
 from workbench.language.latex import latex_of
 from workbench.language.syntax import parse
 from workbench.papers import find_paper
+from workbench.repair.terms.arithmetic import coefficient, times
 from workbench.repair.terms.coefficients import LARGEST, fewest_changes, rational
 from workbench.repair.terms.edits import KINDS, edits
 from workbench.repair.terms.places import places, replaced, subterm
-from workbench.repair.terms.variants import coefficient, times
 
 
 @pytest.fixture(scope="module")

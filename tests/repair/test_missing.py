@@ -12,9 +12,9 @@ from workbench.repair.propose.repair import symbols_like
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous
 from workbench.repair.terms.addends import Supply
+from workbench.repair.terms.arithmetic import sum_of
 from workbench.repair.terms.missing import MissingAddends, is_linear
 from workbench.repair.terms.places import places, replaced
-from workbench.repair.terms.variants import sum_of
 
 
 @pytest.fixture(scope="module")

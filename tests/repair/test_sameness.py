@@ -9,7 +9,7 @@ from repair.damage import damages, read_or_fault, right_claims, same
 from workbench.language.construct import relation
 from workbench.language.terms import Conjunction, IllFormed, Relation, Zero
 from workbench.papers import find_paper
-from workbench.repair.terms.variants import times
+from workbench.repair.terms.arithmetic import times
 
 
 @pytest.fixture(scope="module")

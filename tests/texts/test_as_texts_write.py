@@ -18,7 +18,7 @@ from workbench.language.errors import ReadError
 from workbench.language.reader import read
 from workbench.language.symbols import SymbolTable
 from workbench.papers import load_paper
-from workbench.papers.steps import steps_of
+from workbench.papers.text_claims.steps import steps_of
 from workbench.papers.texts import read_text
 from workbench.verify.claims import judge_paper
 

@@ -10,7 +10,7 @@ import pytest
 from workbench.judge.verdict import Outcome
 from workbench.papers.load import load_paper
 from workbench.papers.model import PaperError
-from workbench.papers.steps import steps_of
+from workbench.papers.text_claims.steps import steps_of
 from workbench.papers.texts import read_text
 from workbench.verify.claims import judge_paper
 

@@ -12,7 +12,7 @@ from workbench.cli.commands import main
 from workbench.judge.verdict import Outcome
 from workbench.papers import load_paper
 from workbench.papers.model import PaperError
-from workbench.papers.steps import steps_of
+from workbench.papers.text_claims.steps import steps_of
 from workbench.papers.texts import read_text
 from workbench.verify.claims import judge_paper
 

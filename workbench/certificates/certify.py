@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 from workbench.certificates import coqc
 from workbench.certificates.by_hand import by_hand
+from workbench.certificates.emission.nodes import NotCertified, OneInstant
 from workbench.certificates.forms import Certificate, Form, certificate, forms_of
 from workbench.certificates.goals.whole import of_one_instant
-from workbench.certificates.nodes import NotCertified, OneInstant
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import all_steps
 from workbench.judge.verdict import Outcome, Verdict

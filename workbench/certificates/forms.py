@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from workbench.certificates.families import general
+from workbench.certificates.emission.families import general
+from workbench.certificates.emission.nodes import NotCertified
 from workbench.certificates.inequations import HEADER as OF_INEQUATIONS
 from workbench.certificates.inequations import denies, unequal
-from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import HEADER, Theorem, theorem
-from workbench.certificates.trial import can_be_certified
+from workbench.certificates.values.trial import can_be_certified
 from workbench.language.instances import instantiate
 from workbench.language.terms import IllFormed, Relation
 from workbench.papers.model import Claim, Formula

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 
-from workbench.certificates.emitter import Emitter
-from workbench.certificates.nodes import KINDS, NotCertified
+from workbench.certificates.emission.emitter import Emitter
+from workbench.certificates.emission.nodes import KINDS, NotCertified
 from workbench.language.construct import apply, big_sum, derivative, power, rebuild, relation, symbol
 from workbench.language.definitions import Definitions
 from workbench.language.instances import free_integers, instantiate

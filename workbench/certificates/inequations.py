@@ -8,13 +8,13 @@ from fractions import Fraction
 from itertools import chain
 from random import Random
 
-from workbench.certificates import nodes
-from workbench.certificates.emitter import Emitter
-from workbench.certificates.instances import BASE, Instance, instances, on_polynomials
-from workbench.certificates.nodes import NotCertified
-from workbench.certificates.read_back import expression
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.emitter import Emitter
+from workbench.certificates.emission.nodes import NotCertified
+from workbench.certificates.reading.read_back import expression
 from workbench.certificates.theorem import Theorem, equation
-from workbench.certificates.trigonometric import flat, value
+from workbench.certificates.values.instances import BASE, Instance, instances, on_polynomials
+from workbench.certificates.values.trigonometric import flat, value
 from workbench.language.definitions import Definitions
 from workbench.language.terms import Equivalence, Implication, Relation, Statement
 

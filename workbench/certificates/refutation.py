@@ -9,10 +9,12 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from workbench.certificates.collector import Origin
-from workbench.certificates.emitter import Emitter
+from workbench.certificates.emission.collector import Origin
+from workbench.certificates.emission.emitter import Emitter
+from workbench.certificates.emission.nodes import ATOM, Node, NotCertified, flag, single
 from workbench.certificates.forms import Certificate, Form
-from workbench.certificates.instances import (
+from workbench.certificates.theorem import Theorem, theorem
+from workbench.certificates.values.instances import (
     BASE,
     Instance,
     Quotient,
@@ -21,9 +23,7 @@ from workbench.certificates.instances import (
     on_polynomials,
     place,
 )
-from workbench.certificates.nodes import ATOM, Node, NotCertified, flag, single
-from workbench.certificates.theorem import Theorem, theorem
-from workbench.certificates.trigonometric import order, parsed
+from workbench.certificates.values.trigonometric import order, parsed
 from workbench.judge.verdict import Verdict
 from workbench.language.construct import derivative
 from workbench.language.instances import instantiate

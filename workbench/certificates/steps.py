@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from workbench.certificates import coqc
+from workbench.certificates.emission.nodes import NotCertified
 from workbench.certificates.forms import Certificate
 from workbench.certificates.generalized import Generalizer
 from workbench.certificates.goals.whole import whole
-from workbench.certificates.nodes import NotCertified
 from workbench.certificates.theorem import theorem_for_all
-from workbench.certificates.trial import can_be_certified, holds_whatever_they_are
+from workbench.certificates.values.trial import can_be_certified, holds_whatever_they_are
 from workbench.judge.theorems.goals import Atom, Scope
 from workbench.judge.theorems.proofs import Proof, Proven
 from workbench.judge.theorems.rules import obligations

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.certificates import blocks, functions, nodes, operators, sums
-from workbench.certificates.emitter import Emitter
-from workbench.certificates.families import general
-from workbench.certificates.goals.propositions import relations
-from workbench.certificates.nodes import ATOM, KINDS, Node, NotCertified, OneInstant, flag, single
-from workbench.certificates.said_again import faults_of
-from workbench.certificates.trial import can_be_certified
+from workbench.certificates.emission import blocks, functions, nodes, operators, sums
+from workbench.certificates.emission.emitter import Emitter
+from workbench.certificates.emission.families import general
+from workbench.certificates.emission.nodes import ATOM, KINDS, Node, NotCertified, OneInstant, flag, single
+from workbench.certificates.reading.said_again import faults_of
+from workbench.certificates.values.trial import can_be_certified
 from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.sequents import relations_of
 from workbench.language.construct import relation as make_relation
@@ -21,7 +20,9 @@ from workbench.language.terms import (
     Apply,
     Conjunction,
     Derivative,
+    Extremum,
     Implication,
+    Naming,
     Relation,
     Statement,
     Symbol,
@@ -213,6 +214,18 @@ def _written(
             raise NotCertified(f"{kind} to be proved")
         _conclude(made, relation)
     return made
+
+
+def relations(statement: Statement) -> Iterator[Relation]:
+    match statement:
+        case Relation(operator="=" | "≠"):
+            yield statement
+        case Conjunction(parts=parts):
+            for part in parts:
+                yield from relations(part)
+        case _:
+            own = {Relation: "an approximation", Extremum: "a minimum or maximum", Naming: "a set or a map"}
+            raise NotCertified(own.get(type(statement), f"an {type(statement).__name__.lower()}"))
 
 
 def norms_first(emitter: Emitter, terms: Sequence[Term]) -> None:

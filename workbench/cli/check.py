@@ -86,7 +86,7 @@ def check(
 
 def _status(paper: Paper, results: Sequence[ClaimResult]) -> int:
     from workbench.judge.verdict import Outcome
-    from workbench.papers.text_paper import TextPaper
+    from workbench.papers.text_claims.text_paper import TextPaper
 
     is_text = isinstance(paper, TextPaper)
     if is_text and all(result.verdict.outcome is Outcome.UNCHECKED for result in results):

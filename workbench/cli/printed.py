@@ -70,7 +70,7 @@ def _print_findings(
 def _print_text(paper: Paper, results: Sequence[ClaimResult]) -> None:
     from workbench.cli.proposals import proposed_lines
     from workbench.cli.terminal import console, summary_line
-    from workbench.papers.text_paper import TextPaper
+    from workbench.papers.text_claims.text_paper import TextPaper
 
     terminal = console(sys.stdout)
     if isinstance(paper, TextPaper):
@@ -113,7 +113,7 @@ def _print_places(paper: Paper, results: Sequence[ClaimResult]) -> None:
 
 
 def _faults_json(paper: Paper) -> dict[str, Any]:
-    from workbench.papers.text_paper import TextPaper
+    from workbench.papers.text_claims.text_paper import TextPaper
 
     kinds = [("faults", paper.faults)]
     if isinstance(paper, TextPaper):

@@ -98,7 +98,7 @@ def _judged(
 
 def paths_of(paper: Paper) -> list[Path]:
     """The files that a paper is read from, and the model that may come to lie beside it."""
-    from workbench.papers.text_paper import TextPaper
+    from workbench.papers.text_claims.text_paper import TextPaper
 
     sources = [source.path for source in paper.text.sources] if isinstance(paper, TextPaper) else []
     return [*paper.paths, *sources, *(path.with_suffix(".toml") for path in paper.paths)]

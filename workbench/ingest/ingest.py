@@ -23,7 +23,7 @@ from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol
 from workbench.papers.model import PaperError
 from workbench.papers.said import stated, terms_of
-from workbench.papers.steps import Step, steps_of
+from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.texts import Display, Text, read_text
 
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)

@@ -9,8 +9,8 @@ from pathlib import Path
 from workbench.ingest.ingest import Ingested, Proposed
 from workbench.ingest.proposals import tables_of
 from workbench.papers.faults import Faults
-from workbench.papers.text_load import model_of
-from workbench.papers.toml_file import TomlFile
+from workbench.papers.text_claims.text_load import model_of
+from workbench.papers.toml.toml_file import TomlFile
 
 _WIDTH = 100
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from workbench.language.symbols import SymbolTable
 from workbench.papers.notation import FUNCTIONS, HAMILTON, notation_of
-from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml.toml_file import TomlFile
 
 _STYLE = r"(?:\\(?:bar|vec|mathbf|boldsymbol|mathsf|underline|mathrm|hat)\s*)"
 _SCRIPT = (

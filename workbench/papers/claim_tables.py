@@ -17,8 +17,8 @@ from workbench.papers.formulas import WORDS, FormulaReader
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Stated, Theorem
 from workbench.papers.orders import Orders
-from workbench.papers.toml_file import TomlFile
-from workbench.papers.toml_places import KeyPath
+from workbench.papers.toml.toml_file import TomlFile
+from workbench.papers.toml.toml_places import KeyPath
 
 _FORMULA_KEYS = ("printed", "formula", "goal", "reading", "corrected", "hypothesis", "assume", "orders")
 _CLAIM_KEYS = (

@@ -13,8 +13,8 @@ from workbench.language.reader import Range, read_formula
 from workbench.language.terms import Conjunction, Statement
 from workbench.papers.model import Formula, Notation
 from workbench.papers.orders import Orders, orders_within
-from workbench.papers.toml_file import TomlFile
-from workbench.papers.toml_places import KeyPath
+from workbench.papers.toml.toml_file import TomlFile
+from workbench.papers.toml.toml_places import KeyPath
 
 #: A hypothesis in words: of an argument, or which branch an inverse function is meant on.
 WORDS = re.compile(r"\\text\{[^{}\\]+\}")

@@ -21,7 +21,7 @@ from workbench.language.syntax import parse
 from workbench.language.terms import Conjunction, Definition, IllFormed, Term
 from workbench.language.types import TENSOR, VECTOR
 from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minus, turned
-from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml.toml_file import TomlFile
 
 _FRAME_KEYS = ("base", "names", "axes", "dot", "orientation")
 _POINT_KEYS = ("names", "fixed")

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 from workbench.memory.ground import digest, ground
 from workbench.memory.objects import packed, unpacked
 from workbench.memory.store import Store
-from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml.toml_file import TomlFile
 
 T = TypeVar("T")
 

@@ -19,7 +19,7 @@ from workbench.papers.kept import Kept
 from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError, Theorem
 from workbench.papers.notation_files import NOTATION_KEYS, notation_chain
 from workbench.papers.sisters import claim_ids, sisters_of
-from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml.toml_file import TomlFile
 
 _PAPER_KEYS = (*NOTATION_KEYS, "citation", "section", "claim")
 _NO_FILES = "the installed paper has no claim files"
@@ -31,7 +31,7 @@ def load_paper(path: Path | str, faults: list[PaperError] | None = None, store: 
     """The paper of one file: a paper file, a text, or the model beside one. Raises PaperError, with all that
     is wrong and where, if the file cannot be used. faults: where those of single claims are put, if not
     raised.   store: where what was read before is found again."""
-    from workbench.papers.text_load import load_model, load_text
+    from workbench.papers.text_claims.text_load import load_model, load_text
     from workbench.papers.texts import is_text
 
     path = Path(path)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from workbench.papers.model import FAULTS, Edit, Mend
-from workbench.papers.toml_file import TomlFile
-from workbench.papers.toml_places import KeyPath
+from workbench.papers.toml.toml_file import TomlFile
+from workbench.papers.toml.toml_places import KeyPath
 
 MEND_KEYS = ("fault", "mend", "mended_by", "beside", "place", "cause", "add", "example")
 

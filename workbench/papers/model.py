@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from workbench.language.names import Name
     from workbench.language.symbols import SymbolTable
     from workbench.language.terms import Definition, Relation, Statement, Symbol
-    from workbench.papers.toml_places import KeyPath
+    from workbench.papers.toml.toml_places import KeyPath
 
 
 #: A proof for the goal of the claim that names it; or an argument, which is its own statement.

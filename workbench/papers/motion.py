@@ -15,8 +15,8 @@ from workbench.language.types import Type
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Formula, Notation, OnMotions, Robot
 from workbench.papers.orders import Orders
-from workbench.papers.toml_file import TomlFile
-from workbench.papers.toml_places import KeyPath
+from workbench.papers.toml.toml_file import TomlFile
+from workbench.papers.toml.toml_places import KeyPath
 
 ROBOT, CLAIMS = "robot", "claims"
 _ON_MOTIONS = ("holds", "printed", "orders", "on", "none")

@@ -17,7 +17,7 @@ from workbench.papers.frames import framed, require_rotations
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot
 from workbench.papers.ties import ties
-from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml.toml_file import TomlFile
 
 HAMILTON = "hamilton, scalar first"
 HOMOGENEOUS = "homogeneous"

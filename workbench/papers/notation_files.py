@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml.toml_file import TomlFile
 
 NOTATION_KEYS = (
     "title", "doi", "notation", "conventions", "symbols", "definitions", "motion", "frames",

@@ -34,6 +34,9 @@ _EQUALS = (name for name, token in COMMANDS.items() if token == ("RELATION", "="
 _DEFINES = re.compile(rf":=|\\(?:{'|'.join(_EQUALS)}|stackrel|overset)(?![A-Za-z])")
 _ROUND = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 
+#: Why an equation with a symbol that nothing defines is not refuted.
+SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
+
 
 def terms_of(statement: Statement) -> Iterator[Term]:
     if isinstance(statement, Conjunction):

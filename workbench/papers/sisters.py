@@ -8,7 +8,7 @@ from pathlib import Path
 from workbench.language.lines import split_lines
 from workbench.papers.installed import paper_of
 from workbench.papers.model import PaperError
-from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml.toml_file import TomlFile
 
 
 def sisters_of(file: Path) -> tuple[Path, ...]:

@@ -12,7 +12,7 @@ from typing import Any
 from workbench.judge.verdict import Outcome
 from workbench.papers import Paper, PaperError
 from workbench.papers.model import Span
-from workbench.papers.text_paper import TextPaper
+from workbench.papers.text_claims.text_paper import TextPaper
 from workbench.report.prose import as_tuple
 from workbench.verify.results import HOLDS, ClaimResult
 

@@ -5,31 +5,24 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import suppress
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
 from workbench.judge.subject.assumptions import Unsatisfiable
-from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
+from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.authors import in_the_hand_of
-from workbench.language.definitions import Definitions
-from workbench.language.terms import Definition, Relation
-from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Said, Theorem
-from workbench.papers.said import introduces
+from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Theorem
 from workbench.papers.selection import select_claims
 from workbench.verify.keys import Keys, Memory
+from workbench.verify.meant import Meant, undisturbed
 from workbench.verify.results import FORMS, ClaimResult
 from workbench.verify.witnesses import Witnesses
 
 if TYPE_CHECKING:
     from workbench.judge.kernel.judge import Judge
     from workbench.verify.theorems import TheoremJudge
-
-#: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
-_RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
 #: From this many claims on it pays to start a process for each core.
 MANY = 40
@@ -63,7 +56,7 @@ class ClaimJudge:
         self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[int, Judge] = {}
-        self._known: dict[tuple[int, str, str], bool] = {}  # of what a text says: whether it holds anyway
+        self._meant = Meant(self._judge, self.options)
         self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
         self._memory = memory
@@ -155,95 +148,11 @@ class ClaimJudge:
 
     def _printed(self, claim: Claim) -> Verdict:
         if claim.goal is not None or claim.theorem is not None:
-            verdict = _undisturbed(lambda: self._of_theorems.verdict(claim))
+            verdict = undisturbed(lambda: self._of_theorems.verdict(claim))
             return self._seen(verdict, claim, claim.printed, claim.hypothesis)
         if claim.skip is not None:
             return Verdict(Outcome.UNCHECKED, reason=f"left out: {claim.skip}")
-        verdict = self._verdict(claim, claim.printed, claim.hypothesis)
-        if verdict.outcome is Outcome.REFUTED and claim.states is not None:
-            return Verdict(Outcome.UNCHECKED, reason=_states(claim.states), read_back=verdict.read_back)
-        if verdict.outcome is Outcome.REFUTED and introduces(claim.printed, claim.notation):
-            reason = "says what stands left of its sign of definition, where something is free"
-            return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
-        is_open = verdict.outcome is Outcome.REFUTED and claim.corrected is None
-        if is_open and (why := claim.unsettled or self._left_open(claim)) is not None:
-            return Verdict(Outcome.UNCHECKED, reason=why, read_back=verdict.read_back)
-        if is_open and claim.beside:
-            verdict = self._under_asides(claim, verdict)
-        if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
-            return Verdict(
-                Outcome.UNCHECKED, reason=_as_guessed(verdict, claim.guessed), read_back=verdict.read_back
-            )
-        return verdict
-
-    def _left_open(self, claim: Claim) -> str | None:
-        """Why a refuted formula of a text may be true all the same: of what the text says of its symbols
-        elsewhere, the model defines nothing. One that is false with that, too, and clearly so, is false."""
-        statement = claim.printed.statement
-        if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
-            return "the sides are equal in places: are they said to differ always, or in general?"
-        if (why := self._if_special(claim, ())) is not None:
-            return why
-        rests = [said for said in claim.rests if not self._is_known(said, claim.notation)]
-        if not rests:
-            return None if claim.beside else claim.says
-        definitions = {said.name: said.definition for said in rests if said.definition is not None}
-        under = None
-        if definitions.keys() == {said.name for said in rests}:
-            from workbench.judge.kernel.judge import Judge
-
-            known = Definitions([*claim.notation.definitions, *definitions.values()])
-            with suppress(Unsatisfiable, RecursionError):
-                judge = Judge(known, **self.options)
-                under = _undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
-        shown = ", ".join(f"{said.name} ({said.place})" for said in rests)
-        if under is not None and under.outcome is Outcome.PROVED:
-            return f"holds with what the text says of {shown}; a definition makes it proved"
-        is_clear = len(definitions) == len(rests)
-        if under is not None and under.outcome is Outcome.REFUTED and is_clear:
-            says = "" if claim.beside else claim.says or ""
-            says = says if not any(says.startswith(f"says what {name} is") for name in definitions) else ""
-            return self._if_special(claim, tuple(definitions.values())) or says or None
-        return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
-
-    def _if_special(self, claim: Claim, said: Sequence[Definition]) -> str | None:
-        from workbench.verify.special import special_case
-
-        found = _undisturbed(lambda: special_case(claim, said, self.options))
-        return found and f"holds for {found}; if the text means one, declare it so"
-
-    def _is_known(self, said: Said, notation: Notation) -> bool:
-        """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
-        key = id(notation), said.place, said.name
-        if key not in self._known:
-            verdict = Verdict(Outcome.UNCHECKED)
-            with suppress(Unsatisfiable, RecursionError):
-                judge = self._judge(notation)
-                verdict = _undisturbed(
-                    lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders)
-                )
-            is_for_all = (verdict.scope or "all").startswith("all")
-            self._known[key] = verdict.outcome is Outcome.PROVED and is_for_all
-        return self._known[key]
-
-    def _under_asides(self, claim: Claim, refuted: Verdict) -> Verdict:
-        """What is false as it stands may be meant under what the sentences around it suppose."""
-        premises = [aside.premise for aside in claim.beside if aside.premise is not None]
-        verdict = Verdict(Outcome.UNCHECKED)
-        with suppress(Unsatisfiable):
-            judge = self._judge(claim.notation)
-            supposed = (*claim.supposed, *premises)
-            verdict = _undisturbed(
-                lambda: judge.judge(claim.printed.statement, supposed, orders=claim.orders)
-            )
-        against = verdict.counterexample
-        is_allowed = against is not None and all(aside.allows(against.values) for aside in claim.beside)
-        if verdict.outcome is Outcome.REFUTED and is_allowed:
-            return verdict
-        shown = ", ".join(f"{aside.latex} (line {aside.line})" for aside in claim.beside[:5])
-        what = "holds with" if verdict.outcome is Outcome.PROVED else "false without"
-        reason = f"{what} what the text says beside it, {shown}; an `assume` of it makes it a claim"
-        return Verdict(Outcome.UNCHECKED, reason=reason, read_back=refuted.read_back)
+        return self._meant.verdict(claim, self._verdict(claim, claim.printed, claim.hypothesis))
 
     @cached_property
     def _of_theorems(self) -> TheoremJudge:
@@ -257,7 +166,7 @@ class ClaimJudge:
         if formula.unread is not None:
             return Verdict(Outcome.UNCHECKED, reason=formula.unread)
         try:
-            verdict = _undisturbed(
+            verdict = undisturbed(
                 lambda: self._judge(claim.notation).judge(
                     formula.statement,
                     assume=claim.supposed,
@@ -270,7 +179,7 @@ class ClaimJudge:
                 return Verdict(Outcome.UNCHECKED, reason=str(error))
             raise PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error}") from None
         if verdict.outcome is Outcome.PROVED and not (verdict.scope or "all").startswith("all"):
-            verdict = _undisturbed(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
+            verdict = undisturbed(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
         return self._seen(verdict, claim, formula, hypothesis)
 
     def _seen(self, verdict: Verdict, claim: Claim, form: Formula, hypothesis: Formula | None) -> Verdict:
@@ -286,27 +195,6 @@ class ClaimJudge:
                 **self.options,
             )
         return self._judges[id(notation)]
-
-
-def _undisturbed(judge: Callable[[], Verdict]) -> Verdict:
-    """The verdict; where the engines disagree, a defect of the workbench that must not stop the other claims,
-    it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
-    try:
-        return judge()
-    except NotExact as outside:
-        return Verdict(Outcome.UNCHECKED, reason=str(outside))
-    except EngineDisagreement as error:
-        return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench, its engines disagree: {error}")
-
-
-def _as_guessed(verdict: Verdict, names: Sequence[str]) -> str:
-    shown = ", ".join(names[:5]) + (", …" if len(names) > 5 else "")
-    why = f" ({verdict.reason})" if verdict.reason else ""
-    return f"{verdict.outcome} if {shown} are as guessed{why}; confirm them, and it is judged"
-
-
-def _states(symbol: str) -> str:
-    return f"says what {symbol} is, which nothing defines; a definition of {symbol} makes it a claim"
 
 
 class PaperJudge(ClaimJudge):

@@ -7,14 +7,14 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 
+from workbench.certificates.emission.nodes import ATOM, KINDS, NotCertified
 from workbench.certificates.goals.lemmas import only_now, restored, without_derivatives
 from workbench.certificates.goals.places import Alias, Place, as_given, belongs, flattened, has
 from workbench.certificates.goals.propositions import said
 from workbench.certificates.goals.rates import spread
 from workbench.certificates.goals.script import Script
-from workbench.certificates.nodes import ATOM, KINDS, NotCertified
 from workbench.certificates.theorem import Theorem, theorem_for_all
-from workbench.certificates.trial import can_be_certified
+from workbench.certificates.values.trial import can_be_certified
 from workbench.judge.theorems.goals import Atom, Variable
 from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.proofs import Kernel, Proof

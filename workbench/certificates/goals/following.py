@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from workbench.certificates.emission.nodes import NotCertified
+from workbench.certificates.emission.suppositions import conditions
 from workbench.certificates.goals.equations import Equations
 from workbench.certificates.goals.lemmas import of_letters
 from workbench.certificates.goals.places import Known, Place, belongs, conj, flattened, same
-from workbench.certificates.goals.propositions import conditions, said
-from workbench.certificates.nodes import NotCertified
+from workbench.certificates.goals.propositions import said
 from workbench.judge.theorems.goals import All, AllFrom, Atom, Both, Implies, Variable
 from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.proofs import Follows, Kernel, Proof, Use
@@ -119,7 +120,7 @@ class Following(Equations):
                         said_.append(name)
                     lasts = lasts and len(at.aliases) == aliases
                     for variable, name in zip(variables, list(said_), strict=True):
-                        for one in conditions(variable, name):
+                        for one in conditions(variable.declaration, name):
                             if (is_one := self.known_to_be(one)) is None:
                                 raise NotCertified("an instance that is not known to be in its set")
                             said_.append(is_one)
@@ -155,9 +156,9 @@ class Following(Equations):
         own = variable.declaration
         meant = at.scope.definitions.lookup(term) if isinstance(term, Symbol) else None
         if isinstance(meant, Symbol):  # what is known of that is known of the term
-            each = (conditions(variable, self._node(one, own.type.dual)) for one in (term, meant))
+            each = (conditions(own, self._node(one, own.type.dual)) for one in (term, meant))
             self.speaker.known |= {a: k for a, b in zip(*each, strict=True) if (k := self.known_to_be(b))}
-        if all(self.known_to_be(one) for one in conditions(variable, self._node(term, own.type.dual))):
+        if all(map(self.known_to_be, conditions(own, self._node(term, own.type.dual)))):
             return at, term
         if not own.constant:
             self._of_its_set(at.at_all_times(), variable, term, by)
@@ -172,7 +173,7 @@ class Following(Equations):
         own = parts[0] if len(parts) == 1 else Both(parts)
         with self.shown(self.fresh("member"), said(self.speaker, own), True) as shown:
             self.show(at.of(own), by)
-        (one,) = conditions(variable, self._node(term, variable.declaration.type.dual))
+        (one,) = conditions(variable.declaration, self._node(term, variable.declaration.type.dual))
         self.speaker.known[one] = conj([f"(throughout (fun now => {p}))" for _, p in flattened(own, shown)])
 
 

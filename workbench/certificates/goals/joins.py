@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from workbench.certificates.emission.nodes import ATOM, NotCertified
 from workbench.certificates.goals.following import Following
 from workbench.certificates.goals.places import Known, Place, conj, flattened, one_of
 from workbench.certificates.goals.propositions import ALWAYS, every, said, sides, speak_of_what_is_free
 from workbench.certificates.goals.script import after
-from workbench.certificates.nodes import ATOM, NotCertified
 from workbench.certificates.theorem import theorem_for_all
-from workbench.certificates.trial import holds_whatever_they_are
+from workbench.certificates.values.trial import holds_whatever_they_are
 from workbench.judge.theorems.goals import (
     All,
     AllFrom,

@@ -6,8 +6,8 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from workbench.certificates.nodes import KINDS, NotCertified
-from workbench.certificates.read_back import expression
+from workbench.certificates.emission.nodes import KINDS, NotCertified
+from workbench.certificates.reading.read_back import expression
 from workbench.certificates.theorem import Theorem
 from workbench.language.construct import rebuild, relation, symbol
 from workbench.language.definitions import Definitions

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from workbench.certificates.goals.propositions import relations
-from workbench.certificates.nodes import KINDS, NotCertified, flag
+from workbench.certificates.emission.nodes import KINDS, NotCertified, flag
+from workbench.certificates.theorem import relations
 from workbench.judge.theorems.goals import Atom, Both, Goal, Scope, Variable
 from workbench.judge.theorems.sequents import kind_of
 from workbench.language.construct import apply, identity, number, relation, symbol

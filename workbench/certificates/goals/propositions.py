@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from workbench.certificates import nodes
-from workbench.certificates.collector import identifier
-from workbench.certificates.emitter import Emitter
-from workbench.certificates.families import prepare
-from workbench.certificates.meaning import is_written_out
-from workbench.certificates.nodes import APPLICATION, ATOM, KINDS, Node, NotCertified, flag
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.collector import identifier
+from workbench.certificates.emission.emitter import Emitter
+from workbench.certificates.emission.families import prepare
+from workbench.certificates.emission.nodes import APPLICATION, ATOM, KINDS, Node, NotCertified
+from workbench.certificates.emission.suppositions import conditions
+from workbench.certificates.reading.meaning import is_written_out
+from workbench.certificates.theorem import relations
 from workbench.judge.theorems.goals import (
     All,
     AllFrom,
@@ -38,12 +40,8 @@ from workbench.language.integers import Linear
 from workbench.language.names import Name
 from workbench.language.terms import (
     Apply,
-    Conjunction,
-    Extremum,
-    Naming,
     Number,
     Relation,
-    Statement,
     Symbol,
     Term,
 )
@@ -155,20 +153,6 @@ def _is_letter(term: Term) -> bool:
 # letters and what they are
 
 
-def conditions(variable: Variable, name: str) -> list[str]:
-    """What a member of its set is, in the words of the library, in a fixed order."""
-    own = variable.declaration
-    dual, kind = own.type.dual, KINDS[own.type.kind]
-    said = []
-    if own.rotation:
-        said.append(f"{'dual_' if dual else ''}rotation {name}")
-    if own.unit:
-        said.append(f"unit_vector (K := K) (d := {flag(dual)}) {name}")
-    if own.constant:
-        said.append(f"constant (K := K) (d := {flag(dual)}) (k := {kind}) {name}")
-    return said
-
-
 def binder(variable: Variable, name: str) -> str:
     if variable.argument is not None:
         raise NotCertified("a map")
@@ -226,14 +210,13 @@ def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_familie
     """Symbols of the paper, and what is defined of them, before the goal. by_families: single members, too,
     as members of their families."""
     bound = set(bound_names(goal))
-    terms = [s for one in atoms(goal) for r in relations_of(one) for s in (r.left, r.right)]
-    families = [part for term in terms for part in term.walk() if isinstance(part, Symbol) and part.index]
-    for part in families:
+    for part in families_in(goal):
         if by_families:
             places = (Linear.variable(f"i{place}") for place, _ in enumerate(part.index))
             part = symbol(part.declaration, tuple(places))
         if not names_of(part, scope) & bound:
             prepare(speaker, part)
+    terms = _terms(goal)
     while terms:
         for part in terms.pop(0).walk():
             if names_of(part, scope) & bound:
@@ -247,6 +230,15 @@ def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_familie
                 part.head in ("cos", "sin") or part.arguments[0].type.kind == "operator"
             ):
                 speaker.term(part)
+
+
+def families_in(goal: Goal) -> list[Symbol]:
+    """The members of families that it speaks of."""
+    return [part for term in _terms(goal) for part in term.walk() if isinstance(part, Symbol) and part.index]
+
+
+def _terms(goal: Goal) -> list[Term]:
+    return [side for one in atoms(goal) for r in relations_of(one) for side in (r.left, r.right)]
 
 
 def every(name: str, least: int) -> str:
@@ -274,7 +266,8 @@ def _bound(
     with _closed(speaker):
         names = [speaker.letter(v, suffix) for v in variables]
         binders = " ".join(binder(v, n) for v, n in zip(variables, names, strict=True))
-        yield binders, [c for v, n in zip(variables, names, strict=True) for c in conditions(v, n)]
+        pairs = zip(variables, names, strict=True)
+        yield binders, [said for v, n in pairs for said in conditions(v.declaration, n)]
 
 
 @contextmanager
@@ -285,18 +278,6 @@ def _closed(speaker: Speaker) -> Iterator[None]:
         yield
     if len(speaker.statement) != lines:
         raise NotCertified("a definition within a goal")
-
-
-def relations(statement: Statement) -> Iterator[Relation]:
-    match statement:
-        case Relation(operator="=" | "≠"):
-            yield statement
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from relations(part)
-        case _:
-            own = {Relation: "an approximation", Extremum: "a minimum or maximum", Naming: "a set or a map"}
-            raise NotCertified(own.get(type(statement), f"an {type(statement).__name__.lower()}"))
 
 
 def _relation(speaker: Speaker, one: Relation) -> str:

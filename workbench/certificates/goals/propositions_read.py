@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.certificates.goals.propositions import ALWAYS, binder, conditions, every, relations
-from workbench.certificates.meaning import OfTerm, OfText
-from workbench.certificates.read_back import Expression, Parser, Unread
+from workbench.certificates.emission.suppositions import conditions
+from workbench.certificates.goals.propositions import ALWAYS, binder, every
+from workbench.certificates.reading.meaning import OfTerm, OfText
+from workbench.certificates.reading.read_back import Expression, Parser, Unread
+from workbench.certificates.theorem import relations
 from workbench.judge.theorems.goals import (
     All,
     AllFrom,
@@ -210,7 +212,7 @@ class Comparison:
         """Inside of the quantifier; the names; what the letters are to be."""
         names = [text.split()[0].removeprefix("(") for text in said.binders]
         letters = {n: symbol(v.declaration) for n, v in zip(names, variables, strict=False)}
-        wanted = [c for n, v in zip(names, variables, strict=False) for c in conditions(v, n)]
+        wanted = [c for n, v in zip(names, variables, strict=False) for c in conditions(v.declaration, n)]
         of_term = self.of_term.with_letters([v.name for v in variables], len(self.integers))
         return replace(self, names={**self.names, **letters}, of_term=of_term), names, wanted
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from workbench.certificates.nodes import NotCertified
+from workbench.certificates.emission.nodes import NotCertified
 from workbench.language.construct import apply, derivative, rebuild, zero
 from workbench.language.definitions import Definitions
 from workbench.language.operators import COMPONENTWISE, PRODUCTS

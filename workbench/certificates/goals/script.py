@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import pairwise
 
-from workbench.certificates import nodes
-from workbench.certificates.goals.propositions import ALWAYS, Speaker, binder, conditions
-from workbench.certificates.nodes import ATOM, NotCertified
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.nodes import ATOM, NotCertified
+from workbench.certificates.emission.suppositions import conditions
+from workbench.certificates.goals.propositions import ALWAYS, Speaker, binder
 from workbench.certificates.theorem import Theorem
 from workbench.judge.theorems.goals import Variable
 from workbench.language.construct import relation
@@ -91,10 +92,8 @@ class Script:
 
     def _letter(self, variable: Variable, suffix: str = "") -> str:
         name = self.speaker.letter(variable, suffix)
-        for one, hypothesis in zip(
-            conditions(variable, name), self._supposed([variable], [name]), strict=True
-        ):
-            self.speaker.known[one] = hypothesis
+        said = conditions(variable.declaration, name)
+        self.speaker.known |= zip(said, self._supposed([variable], [name]), strict=True)
         binder(variable, name)
         return name
 
@@ -103,7 +102,7 @@ class Script:
         return [
             f"{name}_{one.split()[0]}"
             for v, name in zip(variables, names, strict=True)
-            for one in conditions(v, name)
+            for one in conditions(v.declaration, name)
         ]
 
     def _node(self, term: Term, dual: bool, plain: bool = True) -> str:

@@ -7,16 +7,16 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
+from workbench.certificates.emission.nodes import ATOM, NotCertified
 from workbench.certificates.forms import Certificate, Form
 from workbench.certificates.goals.joins import Joiner
 from workbench.certificates.goals.lemmas import at_an_instant
 from workbench.certificates.goals.places import Place
-from workbench.certificates.goals.propositions import Speaker, relations, said, speak_of_what_is_free
+from workbench.certificates.goals.propositions import Speaker, families_in, said, speak_of_what_is_free
 from workbench.certificates.goals.propositions_read import faults
-from workbench.certificates.meaning import OfTerm, OfText
-from workbench.certificates.nodes import ATOM, NotCertified
-from workbench.certificates.said_again import binder_faults, line_faults
-from workbench.certificates.theorem import HEADER, Theorem
+from workbench.certificates.reading.meaning import OfTerm, OfText
+from workbench.certificates.reading.said_again import binder_faults, line_faults
+from workbench.certificates.theorem import HEADER, Theorem, relations
 from workbench.judge.theorems.goals import (
     Atom,
     Exists,
@@ -134,10 +134,11 @@ def _chosen(one: Relation, scope: Scope) -> Whole:
 def joined(name: str, goal: Goal, scope: Scope, proof: Proof) -> Whole:
     try:
         return _joined(name, goal, scope, proof, False)
-    except NotCertified as obstacle:
-        with suppress(NotCertified):  # the proof can be about every member of a family
-            return _joined(name, goal, scope, proof, True)
-        raise obstacle
+    except NotCertified:
+        if families_in(goal):
+            with suppress(NotCertified):  # the proof can be about every member of a family
+                return _joined(name, goal, scope, proof, True)
+        raise
 
 
 def _joined(name: str, goal: Goal, scope: Scope, proof: Proof, by_families: bool) -> Whole:

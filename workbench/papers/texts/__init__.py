@@ -2,7 +2,8 @@
 
 from workbench.papers.texts.read import SUFFIXES, is_text, read_text
 from workbench.papers.texts.tex.displays import Display, Row
-from workbench.papers.texts.tex.document import Directive, Text
+from workbench.papers.texts.tex.document import Text
+from workbench.papers.texts.tex.files import Directive
 from workbench.papers.texts.tex.tokens import Token, joined, spelled
 from workbench.papers.texts.view import Source, View
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from workbench.papers.file_bytes import file_bytes
 from workbench.papers.model import PaperError
+from workbench.papers.toml.file_bytes import file_bytes
 
 MOST_BYTES = 20_000_000
 _BOMS = ((b"\xef\xbb\xbf", "utf-8-sig"), (b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"))

@@ -33,11 +33,11 @@ from workbench.repair.propose.judging import judging
 from workbench.repair.propose.limits import Limits
 from workbench.repair.propose.repair import repair
 from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.arithmetic import sum_of, times
 from workbench.repair.terms.coefficients import Vector, fewest_changes
 from workbench.repair.terms.edits import edits
 from workbench.repair.terms.places import places
 from workbench.repair.terms.search import cost
-from workbench.repair.terms.variants import sum_of, times
 
 _POINTS = 6
 

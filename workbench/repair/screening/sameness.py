@@ -28,9 +28,9 @@ from workbench.language.terms import (
 )
 from workbench.papers.model import Claim
 from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.arithmetic import number_and_rest
 from workbench.repair.terms.coefficients import Vector, factor_between
 from workbench.repair.terms.places import places
-from workbench.repair.terms.variants import number_and_rest
 
 
 class Sameness:

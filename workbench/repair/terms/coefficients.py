@@ -16,10 +16,10 @@ from flint import nmod_mat
 from workbench.judge.second.rings import PRIME
 from workbench.language.terms import IllFormed, Relation, Term, Zero
 from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.arithmetic import times
 from workbench.repair.terms.edits import without
 from workbench.repair.terms.linear import addend_places, alone
 from workbench.repair.terms.places import Place, replaced, subterm
-from workbench.repair.terms.variants import times
 
 #: Numerators and denominators beyond this are no misprint.
 LARGEST = 720

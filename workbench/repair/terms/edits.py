@@ -21,8 +21,9 @@ from workbench.language.terms import (
     Statement,
     Term,
 )
+from workbench.repair.terms.arithmetic import sum_of
 from workbench.repair.terms.places import Place, places, replaced, subterm
-from workbench.repair.terms.variants import Said, atoms_of, sum_of, variants
+from workbench.repair.terms.variants import Said, atoms_of, variants
 
 #: The kinds of edit, likeliest misprint first.
 KINDS = (

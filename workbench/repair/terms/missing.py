@@ -36,10 +36,10 @@ from workbench.language.terms import (
 from workbench.language.types import KINDS, Declaration, Type, Weight
 from workbench.repair.screening.screen import Screen, ScreenPoint
 from workbench.repair.terms.addends import Supply
+from workbench.repair.terms.arithmetic import number_and_rest, times, with_addend
 from workbench.repair.terms.coefficients import Vector, combination, factor_between, rational
 from workbench.repair.terms.edits import Edit
 from workbench.repair.terms.places import Place, places, replaced, sides, subterm
-from workbench.repair.terms.variants import number_and_rest, times, with_addend
 
 #: Solutions given for one place.
 _MOST = 3

@@ -17,11 +17,11 @@ from workbench.language.printer import to_latex
 from workbench.language.terms import Apply, Conjunction, IllFormed, Relation, Statement, Term
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.addends import Supply
+from workbench.repair.terms.arithmetic import times, with_addend
 from workbench.repair.terms.coefficients import Scaling, Vector, rational, scaled, scalings
 from workbench.repair.terms.edits import KINDS, Edit, edits, without
 from workbench.repair.terms.missing import MissingAddends
 from workbench.repair.terms.places import Place, places, replaced, subterm
-from workbench.repair.terms.variants import times, with_addend
 
 #: So many possible addends of a side are tried together with another edit.
 MOST_PAIRED = 300

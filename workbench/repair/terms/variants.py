@@ -25,6 +25,7 @@ from workbench.language.terms import (
     Zero,
 )
 from workbench.language.types import Weight
+from workbench.repair.terms.arithmetic import coefficient, factors_of, product_of, sum_of, times, with_addend
 from workbench.repair.terms.places import places
 
 #: A sentence with {} for terms, integers and words, and what goes there.
@@ -94,50 +95,6 @@ def _sign_and_factor(term: Term) -> Iterator[Variant]:
             yield "coefficient", ("{} gets the factor {}", term, factor), partial(times, factor, term)
 
 
-def coefficient(term: Term) -> Fraction:
-    """The number in front of a product."""
-    while isinstance(term, Apply) and term.head in (*PRODUCTS, "neg", "div"):
-        term = term.arguments[0]
-    return term.value if isinstance(term, Number) else Fraction(1)
-
-
-def number_and_rest(addend: Term) -> tuple[Fraction, tuple[Term, ...]]:
-    """The sign and number of an addend, and its other factors."""
-    sign = Fraction(1)
-    while isinstance(addend, Apply) and addend.head == "neg":
-        addend, sign = addend.arguments[0], -sign
-    number_ = coefficient(addend)
-    if isinstance(addend, Number) or number_ in (0, 1):
-        return sign * number_, () if isinstance(addend, Number) else tuple(factors_of(addend))
-    sign_after = Fraction(1)
-    rest = times(1 / number_, addend)
-    while isinstance(rest, Apply) and rest.head == "neg":
-        rest, sign_after = rest.arguments[0], -sign_after
-    return sign * number_ * sign_after, tuple(factors_of(rest))
-
-
-def times(factor: Fraction | int, term: Term) -> Term:
-    """factor·term as one would print it: the sign before the addend, the number in front of the product."""
-    factor = Fraction(factor)
-    if isinstance(term, Number):
-        return number(factor * term.value)
-    if isinstance(term, Apply) and term.head == "neg":
-        return times(-factor, term.arguments[0])
-    if factor < 0:
-        return apply("neg", times(-factor, term))
-    if factor == 1:
-        return term
-    if isinstance(term, Apply) and term.head in PRODUCTS and coefficient(term) != 1:
-        left, right = term.arguments
-        if isinstance(left, Number) and term.head == "mul":
-            scaled = factor * left.value
-            return right if scaled == 1 else apply("mul", number(scaled), right)
-        return apply(term.head, times(factor, left), right)
-    if isinstance(term, Apply) and term.head == "div" and coefficient(term) != 1:
-        return apply("div", times(factor, term.arguments[0]), term.arguments[1])
-    return apply("mul", number(factor), term)
-
-
 def _numbers(term: Number) -> Iterator[Variant]:
     value = term.value
     for new in dict.fromkeys([*(value * factor for factor in _FACTORS), value + 1, value - 1, -value]):
@@ -159,16 +116,6 @@ def _sums(term: Apply) -> Iterator[Variant]:
     for place, addend in enumerate(term.arguments):
         rest = term.arguments[:place] + term.arguments[place + 1 :]
         yield "addend dropped", ("the addend {} is dropped", addend), partial(sum_of, rest)
-
-
-def sum_of(addends: Sequence[Term]) -> Term:
-    return addends[0] if len(addends) == 1 else apply("add", *addends)
-
-
-def with_addend(term: Term, addend: Term) -> Term:
-    """term + addend as one sum."""
-    present = term.arguments if isinstance(term, Apply) and term.head == "add" else (term,)
-    return apply("add", *(t for t in present if not isinstance(t, Zero)), addend)
 
 
 def _missing(term: Term, addends: Sequence[Term]) -> Iterator[Variant]:
@@ -279,20 +226,6 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
             if other != head and head in _PRODUCT_SIGNS:
                 said = ("{} becomes {} in {}", _PRODUCT_SIGNS[head], sign, term)
                 yield "product", said, partial(apply, other, *arguments)
-
-
-def factors_of(term: Term) -> list[Term]:
-    """The factors of a product written in a row."""
-    if isinstance(term, Apply) and term.head == "mul":
-        return [*factors_of(term.arguments[0]), term.arguments[1]]
-    return [term]
-
-
-def product_of(factors: Sequence[Term]) -> Term:
-    result = factors[0]
-    for factor in factors[1:]:
-        result = apply("mul", result, factor)
-    return result
 
 
 def _factors(term: Apply) -> Iterator[Variant]:

@@ -244,3 +244,7 @@ def _without_tilde(node: Node) -> Node | None:
         case Scripted(nucleus=Accented(accent="~", body=body)):
             return Scripted(node.at, body, node.sub, node.sup, node.primes, node.factorial)
     return None
+
+
+def all_marks(node: Node, table: SymbolTable) -> list[Mark]:
+    return [mark for marks in letter_marks(node, table) for mark in marks] + list(product_marks(node))

@@ -27,7 +27,7 @@ from workbench.repair.trees.addend_nodes import addends_of, alone
 from workbench.repair.trees.factors import factor_marks, index_marks, letters_of
 from workbench.repair.trees.integers import bound_variables, integer_marks
 from workbench.repair.trees.letters import is_rate
-from workbench.repair.trees.marks import Mark, letter_marks, marked, product_marks
+from workbench.repair.trees.marks import Mark, all_marks, letter_marks, marked, product_marks
 from workbench.repair.trees.nodes import below, hole
 from workbench.repair.trees.remembering import RememberingElaborator
 from workbench.repair.trees.spellings import Spelling, spellings
@@ -178,10 +178,6 @@ class _Reader:
             if count == _MOST_PAIRS:
                 return
             yield pair
-
-
-def all_marks(node: Node, table) -> list[Mark]:
-    return [mark for marks in letter_marks(node, table) for mark in marks] + list(product_marks(node))
 
 
 def _is_bound(chain: Chain) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from workbench.papers.texts.prose import sentence_before
@@ -175,7 +175,7 @@ class _Body:
                     return
             elif self._is_end_of_file(token):
                 break
-            elif not self._command(token) and (token.word in self._own or not reader.step(token)):
+            elif not self._command(token) and (token.word == "let" or not reader.step(token)):
                 self._keep(token)
             if self.count > MOST_TOKENS:
                 reader.warn(opening, f"a display of more than {MOST_TOKENS} tokens; its rest is skipped")
@@ -186,8 +186,6 @@ class _Body:
     def _closed(self, token: Token) -> None:
         if self.depth != 0:
             self.reader.warn(token, "braces or environments of a display that do not close one another")
-
-    _own = frozenset({"let"})
 
     def _is_end_of_file(self, token: Token) -> bool:
         """Sections and paragraphs with $$ in them cannot stand in a display: it was never closed."""
@@ -236,7 +234,7 @@ class _Body:
 
     def _closing_brace(self, token: Token) -> Token:
         end = token.source.text.find("}", token.end)
-        return replace_end(token, end + 1) if token.call is None and end > 0 else token
+        return replace(token, end=end + 1) if token.call is None and end > 0 else token
 
     def _command(self, token: Token) -> bool:
         """Whether it is a label, a tag or a mark of numbering."""
@@ -290,10 +288,6 @@ class _Body:
             self.rows.append(_Row())
         else:
             self.rows[-1].tokens.append(token)
-
-
-def replace_end(token: Token, end: int) -> Token:
-    return Token(token.text, token.source, token.start, end, token.call)
 
 
 def _eqno(reader: DisplayReader, closing: str) -> str:

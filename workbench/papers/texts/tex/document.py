@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from workbench.papers.model import PaperError
 from workbench.papers.texts.prose import plain
-from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, DisplayReader, read_display
+from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, read_display
+from workbench.papers.texts.tex.files import Directive, FileReader
 from workbench.papers.texts.tex.numbering import SECTIONS
 from workbench.papers.texts.tex.state import Macro, Names
 from workbench.papers.texts.tex.tokens import PARAGRAPH, Lexer, Token, joined
@@ -18,18 +18,6 @@ _VERBATIM = frozenset((
     "verbatim", "verbatim*", "Verbatim", "lstlisting", "minted", "comment", "alltt", "filecontents",
     "filecontents*", "listing", "tcblisting", "pyconsole", "sagesilent", "luacode", "tikzpicture",
 ))  # fmt: skip
-_CLASS = ("documentclass", "LoadClass", "LoadClassWithOptions")
-_STYLES = (".sty", ".cls", ".def", ".clo")
-_MOST_FILES = 500
-
-
-@dataclass(frozen=True)
-class Directive:
-    """A comment for the workbench: %! workbench: …"""
-
-    text: str
-    source: Source
-    start: int
 
 
 @dataclass
@@ -49,41 +37,18 @@ class Text:
     inline: list[Display] = field(default_factory=list)
 
 
-class TexReader(DisplayReader):
-    """Reads what is opened, to its end. `root`: the folder of the main file."""
+class TexReader(FileReader):
+    """Reads what is opened, to its end."""
 
     def __init__(self, root: Path, overrides: Names | None = None) -> None:
-        super().__init__(overrides)
-        self.root = root
+        super().__init__(root, overrides)
         self.displays: list[Display] = []
         self.inline: list[Display] = []
-        self.directives: list[Directive] = []
-        self.sources: list[Source] = []
-        self.open_paths: list[Path] = []
         self.theorems: dict[str, str | None] = {}
-        self.missing: list[str] = []
-        self.options: dict[str, Sequence[Token]] = {}  # of the style or class that is being read
-        self.given: list[str] = []
-        self.global_options: list[str] = []
-
-    def read_file(self, path: Path) -> None:
-        """Raises PaperError for the file itself; what it includes and cannot be read is a warning."""
-        self.open_file(Source.open(path))
-        self.run()
 
     def read_display(self, view: View, opening: Token, environment: str) -> Display:
         self.open(Lexer(view))
         return read_display(self, opening, environment)
-
-    def open_file(self, source: Source) -> None:
-        self.sources.append(source)
-        self.open_paths.append(source.path)
-        is_style = source.path.suffix in _STYLES
-        self.open(Lexer(source.view(), self._directive, at_letter=is_style))
-
-    def close(self, lexer: Lexer) -> None:
-        if self.open_paths and lexer.view.source.path == self.open_paths[-1]:
-            self.open_paths.pop()
 
     def run(self) -> None:
         while True:
@@ -210,48 +175,6 @@ class TexReader(DisplayReader):
         if mark and end >= 0 and (end < end_of_line or end_of_line < 0):
             lexer.position = end + 1
 
-    def include(self, token: Token) -> None:
-        folder = self.word() if token.word in ("import", "subimport") else ""
-        name = (folder + self._file_name()).strip().strip('"')
-        path = self._find(name, ("", ".tex"))
-        if path is None:
-            self.missing.append(name)
-            self.warn(token, f"no file {name!r} beside this one")
-        else:
-            self._open(token, path)
-
-    def use(self, token: Token) -> None:
-        """\\usepackage and \\documentclass: a style or class file that lies beside the text is read."""
-        given = [part.strip() for part in joined(self.optional() or ()).split(",")]
-        if token.word == "documentclass":
-            self.global_options += given
-        for name in (part.strip() for part in self.word().split(",")):
-            if token.word in _CLASS:
-                self.counters.use_class(name)
-            if (path := self._find(name, (".sty", ".cls"))) is not None:
-                outer, self.waiting = self.waiting, []  # what it leaves open ends with it
-                known, self.options, self.given = (self.options, self.given), {}, given
-                self._open(token, path)
-                self.run()
-                self.waiting, (self.options, self.given) = outer, known
-
-    def option(self, token: Token) -> None:
-        """\\DeclareOption: its code is obeyed where the option is given."""
-        other = self.star()
-        name = "*" if other else self.word()
-        self.options[name] = self.argument()
-
-    def process_options(self, token: Token) -> None:
-        self.star()
-        asked = {*self.given, *self.global_options}
-        for name, code in reversed(self.options.items()):
-            if name in asked:
-                self.push(code)
-
-    def execute_options(self, token: Token) -> None:
-        for name in reversed(self.word().split(",")):
-            self.push(self.options.get(name.strip(), ()))
-
     def number_within(self, token: Token) -> None:
         star = self.star()
         name, outer = self.word(), self.word()
@@ -283,65 +206,10 @@ class TexReader(DisplayReader):
     def label(self, token: Token) -> None:
         self.labels.setdefault(self.word(), self.counters.current)
 
-    def letters(self, token: Token) -> None:
-        """\\makeatletter, \\makeatother."""
-        for waiting in reversed(self.waiting):
-            if isinstance(waiting, Lexer):
-                waiting.at_letter = token.word == "makeatletter"
-                return
-
-    def expl3(self, token: Token) -> None:
-        if (lexer := self.lexer()) is not None:
-            lexer.skip_past("\\ExplSyntaxOff")
-            self.warn(token, "\\ExplSyntaxOn: what is programmed in expl3 is skipped")
-
-    def end_file(self, token: Token) -> None:
-        if (lexer := self.lexer()) is not None:
-            lexer.position = len(lexer.text)
-
     def declare(self, name: str, macro: Macro) -> None:
         super().declare(name, macro)
         if name.startswith("the") and name[3:] in self.counters.values and not macro.parameters:
             self.counters.printed[name[3:]] = joined(macro.body)
-
-    def _file_name(self) -> str:
-        self.skip_spaces()
-        lexer = self.lexer()
-        near = self.peek()
-        if near is None or near.text == "{" or lexer is None:
-            return joined(self.argument())
-        taken = []
-        while (near := self.peek()) is not None and near.text not in (" ", "\\par", "}") and not near.word:
-            taken.append(self.pop())
-        return joined(taken)
-
-    def _find(self, name: str, endings: Iterable[str]) -> Path | None:
-        if not name or "\0" in name or len(name) > 300:
-            return None
-        folders = [self.root, *(path.parent for path in self.open_paths[-1:])]
-        for path in (folder / (name + ending) for folder in folders for ending in endings):
-            try:
-                if path.is_file():
-                    return path
-            except OSError:
-                continue
-        return None
-
-    def _open(self, token: Token, path: Path) -> None:
-        if path in self.open_paths:
-            self.warn(token, f"{path.name} includes itself; it is not read again")
-        elif len(self.sources) >= _MOST_FILES:
-            self.warn(token, f"more than {_MOST_FILES} files are included; {path.name} is not read")
-        else:
-            try:
-                self.open_file(Source.open(path))
-            except PaperError as error:
-                self.warn(token, str(error))
-
-    def _directive(self, text: str, source: Source, start: int) -> None:
-        name, colon, rest = text.strip().partition(":")
-        if colon and name.strip() == "workbench":
-            self.directives.append(Directive(rest.strip(), source, start))
 
 
 _COMMANDS = {

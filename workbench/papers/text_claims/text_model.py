@@ -14,8 +14,8 @@ from workbench.papers.mends import MEND_KEYS
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.notation import notation_of
 from workbench.papers.texts import Directive, Display
-from workbench.papers.toml_file import TomlFile
-from workbench.papers.toml_places import KeyPath
+from workbench.papers.toml.toml_file import TomlFile
+from workbench.papers.toml.toml_places import KeyPath
 
 MODEL_KEYS = (
     "title", "doi", "notation", "conventions", "symbols", "definitions", "motion", "frames",

@@ -9,10 +9,16 @@ from pathlib import Path
 from workbench.papers.faults import Faults
 from workbench.papers.model import CITATION_KEYS
 from workbench.papers.notation_files import notation_chain
-from workbench.papers.text_model import MODEL_KEYS, TextModel, read_directives, read_entries, read_scopes
-from workbench.papers.text_paper import TextPaper, text_paper
+from workbench.papers.text_claims.text_model import (
+    MODEL_KEYS,
+    TextModel,
+    read_directives,
+    read_entries,
+    read_scopes,
+)
+from workbench.papers.text_claims.text_paper import TextPaper, text_paper
 from workbench.papers.texts import Text, read_text
-from workbench.papers.toml_file import TomlFile
+from workbench.papers.toml.toml_file import TomlFile
 
 
 def load_text(path: Path) -> TextPaper:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from workbench.certificates import families, functions, nodes, operators, sums, suppositions
-from workbench.certificates.blocks import is_column
-from workbench.certificates.collector import Collector, Origin
-from workbench.certificates.fields import curl, divergence
-from workbench.certificates.nodes import KINDS, Node, NotCertified, flag, single
+from workbench.certificates.emission import families, functions, nodes, operators, sums, suppositions
+from workbench.certificates.emission.blocks import is_column
+from workbench.certificates.emission.collector import Collector, Origin
+from workbench.certificates.emission.fields import curl, divergence
+from workbench.certificates.emission.nodes import KINDS, Node, NotCertified, flag, single
 from workbench.language.definitions import Definitions, expand
 from workbench.language.instances import count
 from workbench.language.terms import (

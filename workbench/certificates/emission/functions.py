@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from workbench.certificates import nodes
-from workbench.certificates.blocks import is_column
-from workbench.certificates.collector import Collector
-from workbench.certificates.nodes import APPLICATION, ATOM, Node, NotCertified, flag, single
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.blocks import is_column
+from workbench.certificates.emission.collector import Collector
+from workbench.certificates.emission.nodes import APPLICATION, ATOM, Node, NotCertified, flag, single
 from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
 from workbench.language.terms import Apply, DualUnit, Number, Symbol, Term

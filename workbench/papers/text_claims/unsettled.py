@@ -22,23 +22,19 @@ from workbench.language.terms import (
 )
 from workbench.language.types import Declaration
 from workbench.papers.model import Claim
-from workbench.papers.said import terms_of
-from workbench.papers.texts import Source
+from workbench.papers.said import SAYS, terms_of
+from workbench.papers.texts import Display, Text
 
-_INLINE = re.compile(r"(?:(?<![$\\])\$(?!\$)|\\\(|:math:`)\s*([^$`=]{1,60}?)\s*:?=")
-_CLOSING = re.compile(r"\$|\\\)|`|\n\s*\n")
 _UNREAD = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
-_LONE = re.compile(r"(?:\\[a-z]+)*(?:\\?[A-Za-z]+)'*(?:[_^](?:\\?[A-Za-z0-9]+|[A-Za-z0-9,]+))*")
-_SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
 _ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _NO_ADJUGATE = "^* is read as the adjugate, of which the text does not speak; [notation] can say what it is"
 _COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 
 
-def with_unsettled(claims: Sequence[Claim], sources: Sequence[Source]) -> list[Claim]:
+def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
     """Each claim with what of the text leaves its falsehood open."""
-    unread = _said_unread(claims, sources)
+    unread = _said_unread(claims, text.inline)
     made = []
     for claim in claims:
         statement = claim.printed.statement
@@ -47,25 +43,22 @@ def with_unsettled(claims: Sequence[Claim], sources: Sequence[Source]) -> list[C
             symbols = [term.declaration for term in terms_of(statement) if isinstance(term, Symbol)]
             open_columns = {each.name for each in symbols if _is_open(claim, each, symbols)}
             free = [each for each in symbols if each.name not in known - open_columns and not each.free]
-            why = _of_unread(free, unread) or _of_components(free, claim) or _of_a_star(statement, sources)
+            why = _of_unread(free, unread) or _of_components(free, claim) or _of_a_star(statement, text)
             claim = replace(claim, unsettled=why, says=_solved_for(statement, free, _within(claim, symbols)))
         made.append(claim)
     return made
 
 
-def _said_unread(claims: Sequence[Claim], sources: Sequence[Source]) -> Mapping[str, str]:
-    """What stands alone before an = in a formula that is not read, or in a sentence; its line and formula."""
+def _said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, str]:
+    """What stands before an = in a formula that is not read, or in a sentence; its line and formula."""
+    unread = [each for each in claims if each.printed.statement is None and not each.chain]
+    said = [(each.printed.latex, each.line) for each in unread]
+    said += [(each.latex, each.line) for each in inline]
     found: dict[str, str] = {}
-    for claim in claims:
-        is_unread = claim.printed.statement is None and not claim.chain
-        if is_unread and (match := re.match(r"([^=]{1,80}?):?=", claim.printed.latex)):
-            for name in _lone(match[1]):
-                found.setdefault(name, _place(claim.line, claim.printed.latex))
-    for source in sources:
-        for match in _INLINE.finditer(source.text):
-            for name in _lone(match[1]):
-                said = _CLOSING.split(source.text[match.start(1) :][:400], maxsplit=1)[0]
-                found.setdefault(name, _place(source.place(match.start(1))[0], said))
+    for latex, line in said:
+        left, equals, _ = latex.partition("=")
+        if equals:
+            found.setdefault(_ARGUMENTS.sub("", _flat(left.rstrip(" :"))), _place(line, latex))
     return found
 
 
@@ -74,15 +67,9 @@ def _place(line: int, latex: str) -> str:
     return f"line {line}: {text if len(text) <= 60 else f'{text[:59]}…'}"
 
 
-def _lone(left: str) -> Iterator[str]:
-    name = _ARGUMENTS.sub("", _flat(left.replace("&", "")))
-    if _LONE.fullmatch(name):
-        yield name
-
-
 def _flat(name: str) -> str:
     """The name, without the dots of its derivatives: what says what \\dot{x} is says something of x."""
-    return re.sub(r"[\s{}]|\\(?:left|right|,|;|!)|\\d+ot(?![A-Za-z])", "", name)
+    return re.sub(r"[\s{}&]|\\(?:left|right|,|;|!)|\\d+ot(?![A-Za-z])", "", name)
 
 
 def _of_unread(free: Sequence[Declaration], unread: Mapping[str, str]) -> str | None:
@@ -155,13 +142,13 @@ def _solved_for(statement: Statement, free: Sequence[Declaration], within: set[N
     )
     unknown = [each for each in said if names[each.name] == 1 or (is_condition and each.name in names)]
     first = min(unknown, key=lambda each: each.type not in types, default=None)
-    return first and _SAYS.format(first.name)
+    return first and SAYS.format(first.name)
 
 
-def _of_a_star(statement: Statement, sources: Sequence[Source]) -> str | None:
+def _of_a_star(statement: Statement, text: Text) -> str | None:
     """T^*, where the text does not say that it is the adjugate."""
     stars = (term for term in terms_of(statement) if isinstance(term, Apply) and term.head == "adjugate")
-    is_said = any(_ADJUGATE.search(source.text) for source in sources)
+    is_said = any(_ADJUGATE.search(source.text) for source in text.sources)
     return None if is_said or next(stars, None) is None else _NO_ADJUGATE
 
 

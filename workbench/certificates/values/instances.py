@@ -12,10 +12,11 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
-from workbench.certificates import nodes, trigonometric
-from workbench.certificates.collector import Collector, Origin
-from workbench.certificates.nodes import ATOM, Node, NotCertified, flag, rational
-from workbench.certificates.trigonometric import flat, value
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.collector import Collector, Origin
+from workbench.certificates.emission.nodes import ATOM, Node, NotCertified, flag, rational
+from workbench.certificates.values import trigonometric
+from workbench.certificates.values.trigonometric import flat, value
 
 #: The symbols that stand before those of a statement.
 BASE = ((False, "Scalar", "cosine"), (False, "Scalar", "sine"), (False, "Scalar", "time"))

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from workbench.certificates import nodes, suppositions
-from workbench.certificates.collector import Collector, Origin, spelled
-from workbench.certificates.nodes import APPLICATION, Node, NotCertified
+from workbench.certificates.emission import nodes, suppositions
+from workbench.certificates.emission.collector import Collector, Origin, spelled
+from workbench.certificates.emission.nodes import APPLICATION, Node, NotCertified
 from workbench.judge.theorems.sequents import relations_of
 from workbench.language.construct import symbol as make_symbol
 from workbench.language.instances import instantiate

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from workbench.certificates import nodes
-from workbench.certificates.collector import Collector
-from workbench.certificates.nodes import ATOM, Node, flag, single
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.collector import Collector
+from workbench.certificates.emission.nodes import ATOM, KINDS, Node, flag, single
 from workbench.language.terms import Symbol
+from workbench.language.types import Declaration
 
 
 def variable(emitter: Collector, symbol: Symbol, kind: str, name: str) -> Node:
@@ -87,3 +88,16 @@ def _still(emitter: Collector, node: Node) -> str:
 def _rate(node: Node, known: str) -> str:
     place = f"{flag(node.dual)} {node.kind} {index(node)}"
     return single(f"@Rate {place} {nodes.zero(node.dual, node.kind).deep}", known)
+
+
+def conditions(own: Declaration, name: str) -> list[str]:
+    """What a member of its set is, in the words of the library, in a fixed order."""
+    dual, kind = own.type.dual, KINDS[own.type.kind]
+    said = []
+    if own.rotation:
+        said.append(f"{'dual_' if dual else ''}rotation {name}")
+    if own.unit:
+        said.append(f"unit_vector (K := K) (d := {flag(dual)}) {name}")
+    if own.constant:
+        said.append(f"constant (K := K) (d := {flag(dual)}) (k := {kind}) {name}")
+    return said

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from itertools import product as pairs_of
 
-from workbench.certificates import nodes
-from workbench.certificates.collector import Collector
-from workbench.certificates.nodes import APPLICATION, ATOM, NotCertified
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.collector import Collector
+from workbench.certificates.emission.nodes import APPLICATION, ATOM, NotCertified
 from workbench.judge.subject.inventory import Lookup
 from workbench.language.construct import apply, block, identity, number, zero
 from workbench.language.terms import Apply, Block, Derivative, Number, Symbol, Term, Zero

@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from workbench.certificates import nodes
-from workbench.certificates.nodes import ATOM, Node, flag, single
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.nodes import ATOM, Node, flag, single
 from workbench.language.definitions import Definitions
 from workbench.language.integers import Linear
 from workbench.language.terms import Symbol, Term

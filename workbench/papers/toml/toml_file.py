@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
-from workbench.papers.file_bytes import file_bytes
 from workbench.papers.model import PaperError
-from workbench.papers.toml_places import KeyPath, Places
+from workbench.papers.toml.file_bytes import file_bytes
+from workbench.papers.toml.toml_places import KeyPath, Places
 
 MOST_BYTES = 4_000_000
 _TOMLLIB_PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)

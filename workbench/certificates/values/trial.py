@@ -8,10 +8,10 @@ from fractions import Fraction
 from random import Random
 from typing import Protocol
 
-from workbench.certificates.collector import Collector
-from workbench.certificates.instances import place
-from workbench.certificates.nodes import flag
-from workbench.certificates.trigonometric import (
+from workbench.certificates.emission.collector import Collector
+from workbench.certificates.emission.nodes import flag
+from workbench.certificates.values.instances import place
+from workbench.certificates.values.trigonometric import (
     Pair,
     Values,
     Wave,

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from workbench.certificates import nodes
-from workbench.certificates.collector import Collector
-from workbench.certificates.nodes import APPLICATION, ATOM, Node, NotCertified
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.collector import Collector
+from workbench.certificates.emission.nodes import APPLICATION, ATOM, Node, NotCertified
 from workbench.language.definitions import expand
 from workbench.language.terms import Symbol, Term
 

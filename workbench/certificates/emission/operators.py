@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from workbench.certificates import nodes
-from workbench.certificates.collector import Collector
-from workbench.certificates.nodes import APPLICATION, ATOM, PRODUCT, SUM, Node, NotCertified
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.collector import Collector
+from workbench.certificates.emission.nodes import APPLICATION, ATOM, PRODUCT, SUM, Node, NotCertified
 from workbench.language.terms import Apply, Identity, Power, Symbol, Term, TimeOperator, Zero
 
 

@@ -16,7 +16,7 @@ from workbench.language.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Notation
 from workbench.papers.said import terms_of
-from workbench.papers.steps import steps_of
+from workbench.papers.text_claims.steps import steps_of
 from workbench.papers.texts import Display, spelled
 from workbench.papers.texts.prose import sentence_around
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
-from workbench.papers.alignment import (
+from workbench.papers.respell import argument
+from workbench.papers.respell.places import FACES, GAPS, MARKS, is_one_symbol
+from workbench.papers.text_claims.alignment import (
     EXPLICIT,
     IMPLICATIONS,
     RELATIONS,
@@ -17,8 +19,6 @@ from workbench.papers.alignment import (
     trimmed,
     with_depth,
 )
-from workbench.papers.respell import argument
-from workbench.papers.respell.places import FACES, GAPS, MARKS, is_one_symbol
 from workbench.papers.texts import Display, Token, joined, spelled
 
 _CONDITIONS = frozenset(["<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\lt", "\\gt", "\\in", "\\neq", "\\ne"])

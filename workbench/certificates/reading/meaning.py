@@ -12,7 +12,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from workbench.certificates.read_back import Expression, Unread, number
+from workbench.certificates.reading.read_back import Expression, Unread, number
 from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
 from workbench.judge.theorems.goals import Scope

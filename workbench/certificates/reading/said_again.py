@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from workbench.certificates import nodes, read_back
-from workbench.certificates.emitter import Emitter
-from workbench.certificates.goals.propositions import conditions
-from workbench.certificates.meaning import OfTerm, OfText, applied, bound
-from workbench.certificates.nodes import KINDS
-from workbench.judge.theorems.goals import Variable
+from workbench.certificates.emission import nodes
+from workbench.certificates.emission.emitter import Emitter
+from workbench.certificates.emission.nodes import KINDS
+from workbench.certificates.emission.suppositions import conditions
+from workbench.certificates.reading import read_back
+from workbench.certificates.reading.meaning import OfTerm, OfText, applied, bound
 from workbench.language.construct import symbol as make_symbol
 from workbench.language.instances import instantiate
 from workbench.language.integers import Linear
@@ -94,7 +94,7 @@ def binder_faults(emitter: Emitter, names: Mapping[str, Term]) -> list[str]:
             continue  # what an operator acts on
         if name in emitter.holes:
             declared = own.declaration if isinstance(own, Symbol) else None
-            wanted = conditions(Variable(declared), type_.split()[-1]) if declared else []
+            wanted = conditions(declared, type_.split()[-1]) if declared else []
         elif own is None:
             wanted = []
         elif isinstance(own, Apply) and own.head in ("cos", "sin", "norm"):
@@ -111,7 +111,7 @@ def _members(declaration: Declaration, name: str) -> dict[str, str]:
     """What a family is, and what is supposed of its members."""
     kind = nodes.type_name(declaration.type.dual, KINDS[declaration.type.kind])
     places = " ".join(f"i{place}" for place in range(declaration.indices))
-    said = conditions(Variable(declaration), f"({name} {places})")
+    said = conditions(declaration, f"({name} {places})")
     words = [one.split()[0].removeprefix("dual_") for one in said]
     supposed = [f"forall {places} : nat, {one}" for one in said]
     found = {f"{name}_{word}": one for word, one in zip(words, supposed, strict=True)}

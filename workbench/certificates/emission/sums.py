@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from workbench.certificates import families, nodes
-from workbench.certificates.collector import Collector
-from workbench.certificates.nodes import APPLICATION, ATOM, KINDS, Node, NotCertified, flag, single
+from workbench.certificates.emission import families, nodes
+from workbench.certificates.emission.collector import Collector
+from workbench.certificates.emission.nodes import APPLICATION, ATOM, KINDS, Node, NotCertified, flag, single
 from workbench.judge.theorems.sequents import relations_of
 from workbench.language.construct import apply, big_sum, counting, derivative, zero
 from workbench.language.instances import instantiate

@@ -1,0 +1,1 @@
+"""Typed terms as expressions of Coq, and what their symbols are."""

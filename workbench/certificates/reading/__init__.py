@@ -1,0 +1,1 @@
+"""The text of a theorem, read back and compared with its terms."""

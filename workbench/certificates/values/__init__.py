@@ -1,0 +1,1 @@
+"""Values of symbols that are polynomials, sines and cosines of time."""

@@ -1,0 +1,155 @@
+"""The files that a document opens: what it includes, and styles and classes that lie beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from workbench.papers.model import PaperError
+from workbench.papers.texts.tex.displays import DisplayReader
+from workbench.papers.texts.tex.state import Names
+from workbench.papers.texts.tex.tokens import Lexer, Token, joined
+from workbench.papers.texts.view import Source
+
+_CLASS = ("documentclass", "LoadClass", "LoadClassWithOptions")
+_STYLES = (".sty", ".cls", ".def", ".clo")
+_MOST_FILES = 500
+
+
+@dataclass(frozen=True)
+class Directive:
+    """A comment for the workbench: %! workbench: …"""
+
+    text: str
+    source: Source
+    start: int
+
+
+class FileReader(DisplayReader):
+    """`root`: the folder of the main file."""
+
+    def __init__(self, root: Path, overrides: Names | None = None) -> None:
+        super().__init__(overrides)
+        self.root = root
+        self.directives: list[Directive] = []
+        self.sources: list[Source] = []
+        self.open_paths: list[Path] = []
+        self.options: dict[str, Sequence[Token]] = {}  # of the style or class that is being read
+        self.given: list[str] = []
+        self.global_options: list[str] = []
+
+    def run(self) -> None:
+        """Reads what is opened, to its end."""
+        raise NotImplementedError
+
+    def read_file(self, path: Path) -> None:
+        """Raises PaperError for the file itself; what it includes and cannot be read is a warning."""
+        self.open_file(Source.open(path))
+        self.run()
+
+    def open_file(self, source: Source) -> None:
+        self.sources.append(source)
+        self.open_paths.append(source.path)
+        is_style = source.path.suffix in _STYLES
+        self.open(Lexer(source.view(), self._directive, at_letter=is_style))
+
+    def close(self, lexer: Lexer) -> None:
+        if self.open_paths and lexer.view.source.path == self.open_paths[-1]:
+            self.open_paths.pop()
+
+    def include(self, token: Token) -> None:
+        folder = self.word() if token.word in ("import", "subimport") else ""
+        name = (folder + self._file_name()).strip().strip('"')
+        path = self._find(name, ("", ".tex"))
+        if path is None:
+            self.warn(token, f"no file {name!r} beside this one")
+        else:
+            self._open(token, path)
+
+    def use(self, token: Token) -> None:
+        """\\usepackage and \\documentclass: a style or class file that lies beside the text is read."""
+        given = [part.strip() for part in joined(self.optional() or ()).split(",")]
+        if token.word == "documentclass":
+            self.global_options += given
+        for name in (part.strip() for part in self.word().split(",")):
+            if token.word in _CLASS:
+                self.counters.use_class(name)
+            if (path := self._find(name, (".sty", ".cls"))) is not None:
+                outer, self.waiting = self.waiting, []  # what it leaves open ends with it
+                known, self.options, self.given = (self.options, self.given), {}, given
+                self._open(token, path)
+                self.run()
+                self.waiting, (self.options, self.given) = outer, known
+
+    def option(self, token: Token) -> None:
+        """\\DeclareOption: its code is obeyed where the option is given."""
+        other = self.star()
+        name = "*" if other else self.word()
+        self.options[name] = self.argument()
+
+    def process_options(self, token: Token) -> None:
+        self.star()
+        asked = {*self.given, *self.global_options}
+        for name, code in reversed(self.options.items()):
+            if name in asked:
+                self.push(code)
+
+    def execute_options(self, token: Token) -> None:
+        for name in reversed(self.word().split(",")):
+            self.push(self.options.get(name.strip(), ()))
+
+    def letters(self, token: Token) -> None:
+        """\\makeatletter, \\makeatother."""
+        for waiting in reversed(self.waiting):
+            if isinstance(waiting, Lexer):
+                waiting.at_letter = token.word == "makeatletter"
+                return
+
+    def expl3(self, token: Token) -> None:
+        if (lexer := self.lexer()) is not None:
+            lexer.skip_past("\\ExplSyntaxOff")
+            self.warn(token, "\\ExplSyntaxOn: what is programmed in expl3 is skipped")
+
+    def end_file(self, token: Token) -> None:
+        if (lexer := self.lexer()) is not None:
+            lexer.position = len(lexer.text)
+
+    def _file_name(self) -> str:
+        self.skip_spaces()
+        lexer = self.lexer()
+        near = self.peek()
+        if near is None or near.text == "{" or lexer is None:
+            return joined(self.argument())
+        taken = []
+        while (near := self.peek()) is not None and near.text not in (" ", "\\par", "}") and not near.word:
+            taken.append(self.pop())
+        return joined(taken)
+
+    def _find(self, name: str, endings: Iterable[str]) -> Path | None:
+        if not name or "\0" in name or len(name) > 300:
+            return None
+        folders = [self.root, *(path.parent for path in self.open_paths[-1:])]
+        for path in (folder / (name + ending) for folder in folders for ending in endings):
+            try:
+                if path.is_file():
+                    return path
+            except OSError:
+                continue
+        return None
+
+    def _open(self, token: Token, path: Path) -> None:
+        if path in self.open_paths:
+            self.warn(token, f"{path.name} includes itself; it is not read again")
+        elif len(self.sources) >= _MOST_FILES:
+            self.warn(token, f"more than {_MOST_FILES} files are included; {path.name} is not read")
+        else:
+            try:
+                self.open_file(Source.open(path))
+            except PaperError as error:
+                self.warn(token, str(error))
+
+    def _directive(self, text: str, source: Source, start: int) -> None:
+        name, colon, rest = text.strip().partition(":")
+        if colon and name.strip() == "workbench":
+            self.directives.append(Directive(rest.strip(), source, start))

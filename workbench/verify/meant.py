@@ -1,0 +1,135 @@
+"""What is refuted as it stands and may be meant otherwise: by what its text says elsewhere, or leaves out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+from workbench.judge.subject.assumptions import Unsatisfiable
+from workbench.judge.subject.inventory import NotExact
+from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
+from workbench.language.definitions import Definitions
+from workbench.language.terms import Definition, Relation
+from workbench.papers.model import Claim, Notation, Said
+from workbench.papers.said import SAYS, introduces
+
+if TYPE_CHECKING:
+    from workbench.judge.kernel.judge import Judge
+
+#: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
+_RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
+
+
+class Meant:
+    """judge_of: the judge of a notation.   options: those of a judge."""
+
+    def __init__(self, judge_of: Callable[[Notation], Judge], options: Mapping[str, bool]) -> None:
+        self._judge_of, self._options = judge_of, options
+        self._known: dict[tuple[int, str, str], bool] = {}  # of what a text says: whether it holds anyway
+
+    def verdict(self, claim: Claim, verdict: Verdict) -> Verdict:
+        """The verdict on what is printed, given that on its formula."""
+        is_refuted = verdict.outcome is Outcome.REFUTED
+        if is_refuted and (why := self._why_open(claim)) is not None:
+            return _open(why, verdict)
+        if is_refuted and claim.corrected is None and claim.beside:
+            verdict = self._under_asides(claim, verdict)
+        if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
+            return _open(_as_guessed(verdict, claim.guessed), verdict)
+        return verdict
+
+    def _why_open(self, claim: Claim) -> str | None:
+        if claim.states is not None:
+            return SAYS.format(claim.states)
+        if introduces(claim.printed, claim.notation):
+            return "says what stands left of its sign of definition, where something is free"
+        return None if claim.corrected is not None else claim.unsettled or self._left_open(claim)
+
+    def _left_open(self, claim: Claim) -> str | None:
+        """Why a refuted formula of a text may be true all the same: of what the text says of its symbols
+        elsewhere, the model defines nothing. One that is false with that, too, and clearly so, is false."""
+        statement = claim.printed.statement
+        if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
+            return "the sides are equal in places: are they said to differ always, or in general?"
+        if (why := self._if_special(claim, ())) is not None:
+            return why
+        rests = [said for said in claim.rests if not self._is_known(said, claim.notation)]
+        if not rests:
+            return None if claim.beside else claim.says
+        definitions = {said.name: said.definition for said in rests if said.definition is not None}
+        under = None
+        if definitions.keys() == {said.name for said in rests}:
+            from workbench.judge.kernel.judge import Judge
+
+            known = Definitions([*claim.notation.definitions, *definitions.values()])
+            with suppress(Unsatisfiable, RecursionError):
+                judge = Judge(known, **self._options)
+                under = undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
+        shown = ", ".join(f"{said.name} ({said.place})" for said in rests)
+        if under is not None and under.outcome is Outcome.PROVED:
+            return f"holds with what the text says of {shown}; a definition makes it proved"
+        is_clear = len(definitions) == len(rests)
+        if under is not None and under.outcome is Outcome.REFUTED and is_clear:
+            says = "" if claim.beside else claim.says or ""
+            says = says if not any(says.startswith(f"says what {name} is") for name in definitions) else ""
+            return self._if_special(claim, tuple(definitions.values())) or says or None
+        return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
+
+    def _if_special(self, claim: Claim, said: Sequence[Definition]) -> str | None:
+        from workbench.verify.special import special_case
+
+        found = undisturbed(lambda: special_case(claim, said, self._options))
+        return found and f"holds for {found}; if the text means one, declare it so"
+
+    def _is_known(self, said: Said, notation: Notation) -> bool:
+        """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
+        key = id(notation), said.place, said.name
+        if key not in self._known:
+            verdict = Verdict(Outcome.UNCHECKED)
+            with suppress(Unsatisfiable, RecursionError):
+                judge = self._judge_of(notation)
+                verdict = undisturbed(
+                    lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders)
+                )
+            is_for_all = (verdict.scope or "all").startswith("all")
+            self._known[key] = verdict.outcome is Outcome.PROVED and is_for_all
+        return self._known[key]
+
+    def _under_asides(self, claim: Claim, refuted: Verdict) -> Verdict:
+        """What is false as it stands may be meant under what the sentences around it suppose."""
+        premises = [aside.premise for aside in claim.beside if aside.premise is not None]
+        verdict = Verdict(Outcome.UNCHECKED)
+        with suppress(Unsatisfiable):
+            judge = self._judge_of(claim.notation)
+            supposed = (*claim.supposed, *premises)
+            verdict = undisturbed(lambda: judge.judge(claim.printed.statement, supposed, orders=claim.orders))
+        against = verdict.counterexample
+        is_allowed = against is not None and all(aside.allows(against.values) for aside in claim.beside)
+        if verdict.outcome is Outcome.REFUTED and is_allowed:
+            return verdict
+        shown = ", ".join(f"{aside.latex} (line {aside.line})" for aside in claim.beside[:5])
+        what = "holds with" if verdict.outcome is Outcome.PROVED else "false without"
+        reason = f"{what} what the text says beside it, {shown}; an `assume` of it makes it a claim"
+        return _open(reason, refuted)
+
+
+def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
+    """The verdict; where the engines disagree, a defect of the workbench that must not stop the other claims,
+    it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
+    try:
+        return judge()
+    except NotExact as outside:
+        return Verdict(Outcome.UNCHECKED, reason=str(outside))
+    except EngineDisagreement as error:
+        return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench, its engines disagree: {error}")
+
+
+def _as_guessed(verdict: Verdict, names: Sequence[str]) -> str:
+    shown = ", ".join(names[:5]) + (", …" if len(names) > 5 else "")
+    why = f" ({verdict.reason})" if verdict.reason else ""
+    return f"{verdict.outcome} if {shown} are as guessed{why}; confirm them, and it is judged"
+
+
+def _open(why: str, verdict: Verdict) -> Verdict:
+    return Verdict(Outcome.UNCHECKED, reason=why, read_back=verdict.read_back)

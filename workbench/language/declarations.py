@@ -54,6 +54,7 @@ BUILTIN = {
     Name("I", ("\\underline", "\\mathbf")): "the unit tensor",
     Name("D", ("\\mathbf",)): "the operator d/dt",
     Name("\\partial"): "the sign of a partial derivative",
+    Name("\\nabla"): "the sign of a gradient",
 }
 
 

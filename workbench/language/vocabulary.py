@@ -22,6 +22,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     **{name: ("STYLE", f"\\{name}") for name in _STYLES.split()},
     **{name: ("FUNCTION", f"\\{name}") for name in (*TEX_FUNCTIONS, "sqrt", "Re")},
     "partial": ("LETTER", "\\partial"),
+    "nabla": ("LETTER", "\\nabla"),
     "bm": ("STYLE", "\\boldsymbol"),
     "widehat": ("STYLE", "\\hat"),
     "dot": ("ACCENT", "1"),
@@ -189,7 +190,6 @@ EXPECTED = {
     **dict.fromkeys(("lim", "limsup", "liminf"), "limits are not read"),
     **dict.fromkeys(("prod", "bigcup", "bigoplus"), "products over an index are not read"),
     **dict.fromkeys(("leqslant", "ll", "gg", "geqslant", "<"), "inequalities are not read"),
-    "nabla": "a gradient is written \\frac{\\partial f}{\\partial x}; [conventions] says how it stands",
     **dict.fromkeys(("arg", "argmin", "argmax"), "where a bound is reached is not read; \\min and \\max are"),
 }
 

@@ -5,6 +5,7 @@ from itertools import product
 import pytest
 from judge.test_judge import judged
 
+from workbench import check
 from workbench.judge.verdict import Outcome
 
 NUMBERS = {"2": "2", "-3": "3", r"\frac{1}{2}": r"\frac{1}{2}", r"-\frac{2}{3}": r"\frac{2}{3}", "6": "6"}
@@ -50,3 +51,48 @@ def test_a_product_of_squares_is_a_product_of_roots(whole, parts):
     assert judged(f"{whole} = {parts}").outcome == Outcome.PROVED
     assert judged(f"{whole} = 2 ({parts})").outcome == Outcome.REFUTED
     assert judged(f"{whole} = -({parts})").outcome == Outcome.REFUTED
+
+
+DUALS = {"a": "dual scalar", "b": "dual scalar", "v": "dual vector", "f": "scalar", "g": "scalar"}
+#: sums of squares whose real parts are positive
+POSITIVE = [
+    "1 + a^2",
+    "(1 + a^2)(2 + b^2)",
+    "(3 + 3 a^2)^2",
+    "1 + f^2 + \\varepsilon g",
+    r"4 + \varepsilon g",
+]
+
+
+@pytest.mark.parametrize("square", POSITIVE)
+def test_the_root_of_a_dual_number(square):
+    """Its square, its dual part and its rate: what makes it the root."""
+    root, real = rf"\sqrt{{{square}}}", rf"\sqrt{{\operatorname{{Re}}({square})}}"
+    laws = [
+        (rf"({root})^2", square),
+        (rf"\operatorname{{Re}}({root})", real),
+        (rf"2 {real} \operatorname{{Du}}({root})", rf"\operatorname{{Du}}({square})"),
+        (rf"2 {root} \frac{{d}}{{dt}} ({root})", rf"\frac{{d}}{{dt}} ({square})"),
+    ]
+    for left, right in laws:
+        assert check(f"{left} = {right}", DUALS).outcome is Outcome.PROVED, left
+        assert check(f"{left} = {right} + \\varepsilon", DUALS).outcome in (
+            Outcome.REFUTED,
+            Outcome.ILL_FORMED,
+        ), left
+
+
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        (r"\sqrt{(1 + a^2)(1 + b^2)} = \sqrt{1 + a^2} \sqrt{1 + b^2}", Outcome.PROVED),
+        (r"\sqrt{v \cdot v} = \|v\|", Outcome.CONDITIONAL),  # where Re v ≠ 0
+        (r"\sqrt{f^2 + \varepsilon g} = \sqrt{f^2} + \varepsilon \frac{g}{2 \sqrt{f^2}}", Outcome.CONDITIONAL),
+        (r"\sqrt{1 + f^2 + \varepsilon g} = \sqrt{1 + f^2} + \varepsilon \frac{g}{\sqrt{1 + f^2}}", Outcome.REFUTED),
+        (r"\sqrt{a^2} = a", Outcome.REFUTED),
+        (r"\sqrt{a} \sqrt{a} = a", Outcome.UNCHECKED),
+        (r"\sqrt{\varepsilon g} = 0", Outcome.UNCHECKED),
+    ],
+)  # fmt: skip
+def test_what_is_said_of_roots_of_dual_numbers(latex, outcome):
+    assert check(latex, DUALS).outcome is outcome

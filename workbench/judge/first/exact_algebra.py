@@ -142,14 +142,15 @@ class ExactAlgebra:
         return Dual(norm, mixed * self.reciprocal(norm))
 
     def root(self, matrix: Matrix) -> Matrix:
-        """√p where p is a sum of squares, so that it has a root everywhere."""
+        """√p where p is a sum of squares, so that it has a root everywhere; √p + ε q/(2 √p) for p + ε q."""
         ((entry,),) = matrix
-        if isinstance(entry, Dual):
-            raise NotExact("the root of a dual number")
-        square = self.ring.reduce(entry)
+        square = self.ring.reduce(real_part(entry))
         if not self._is_sum_of_squares(square):
             raise NotExact("the root of what is not seen to be a sum of squares")
-        return ((self._root(square),),)
+        root = self._root(square)
+        if not isinstance(entry, Dual):
+            return ((root,),)
+        return ((Dual(root, entry.du * self.reciprocal(root + root)),),)
 
     def _is_sum_of_squares(self, p: Polynomial) -> bool:
         places = [i for i, name in enumerate(self.ring.names) if name not in self.norms]

@@ -23,7 +23,6 @@ from workbench.judge.second.components import (
     vanishes,
 )
 from workbench.judge.second.quaternions import conjugated
-from workbench.judge.subject.inventory import NotExact
 
 
 class Ring(Protocol):
@@ -169,10 +168,11 @@ class JetAlgebra:
         return Value(norm, self._divide_jets(leibniz(squared, x.re, x.du), norm))
 
     def root(self, square: Value) -> Value:
-        """N with N² = square, order by order."""
-        if square.du is not None:
-            raise NotExact("the root of a dual number")
-        return Value(self._root_jets(square.re))
+        """N with N² = square, order by order; of a dual number the dual part is half of it over N."""
+        root = self._root_jets(square.re)
+        if square.du is None:
+            return Value(root)
+        return Value(root, self._divide_jets(square.du, [2 * x for x in root]))
 
     def _root_jets(self, square: Jet) -> Jet:
         norm: Jet = [np.asarray(self.ring.root(square[0][()]), dtype=object)]

@@ -87,7 +87,8 @@ class _Survey:
             body, by = term.arguments
             if term.head == "total" and self._holds_rates(body):
                 raise NotExact("a time derivative under d/dx; it may change with x")
-            require_known_dependence(term.head, seeds(by, self.definitions), self.orders(body))
+            by_what = seeds(by, self.definitions)
+            require_known_dependence(term.head, by_what, self.orders(body), self._moving(body))
             for symbol in merged:
                 merged[symbol] += bool(symbol.declaration.of)
         return merged
@@ -108,6 +109,16 @@ class _Survey:
         bodies = (self.definitions.lookup(part) for part in term.walk() if isinstance(part, Symbol))
         here = any(isinstance(part, Derivative | TimeOperator) for part in term.walk())
         return here or any(body is not None and self._holds_rates(body) for body in bodies)
+
+    def _moving(self, term: Term) -> set[Symbol]:
+        """What stands under a derivative by the time."""
+        found: set[Symbol] = set()
+        for part in term.walk():
+            body = self.definitions.lookup(part) if isinstance(part, Symbol) else None
+            found |= set() if body is None else self._moving(body)
+            if isinstance(part, Derivative | TimeOperator):
+                found |= self.orders(part.body if isinstance(part, Derivative) else term).keys()
+        return found
 
     def _raised(self, term: Term, place: int) -> int:
         """How often the child at this place is differentiated by operators that act on it from the left."""

@@ -11,7 +11,7 @@ said so: each free symbol is constant, a coordinate that functions are `of`, or 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from fractions import Fraction
 from itertools import combinations_with_replacement
 from typing import NamedTuple
@@ -48,14 +48,20 @@ def seeds(by: Term, definitions: Lookup) -> list[Seed]:
     raise NotExact("a partial derivative by what is no free coordinate")
 
 
-def require_known_dependence(head: str, by: Iterable[Seed], symbols: Iterable[Symbol]) -> None:
+def require_known_dependence(
+    head: str, by: Iterable[Seed], symbols: Iterable[Symbol], moving: Collection[Symbol]
+) -> None:
     """Nothing is independent of a coordinate unless it is said so. By a function of something else only what
-    is a function of it alone is differentiated. Raises NotExact."""
+    is a function of it alone is differentiated; by the place of a field no rate of what is there. moving:
+    what stands under a derivative by the time. Raises NotExact."""
     varied = {seed.symbol for seed in by}
     by_function = any(symbol.declaration.of for symbol in varied)
+    by_place = all(symbol.declaration.coordinate for symbol in varied)
     for symbol in symbols:
         declaration = symbol.declaration
-        if symbol in varied or declaration.constant:
+        if by_place and symbol in moving and (symbol in varied or _moved_by(symbol, varied) & varied):
+            raise NotExact(f"the rate of {declaration.name} depends on the place as the motion says")
+        if symbol in varied or declaration.constant or (by_place and declaration.uniform):
             continue
         name = declaration.name
         if not (declaration.independent or declaration.of):

@@ -23,6 +23,8 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
             is_argument(scope, part) or scope.term(part) in function.declaration.of for part in bracket.parts
         ):
             return True
+        if _is_no_place(scope, bracket, function):
+            return False  # u (∇·v)
         raise Fault("a function at another place than its argument; a product needs no bracket", bracket.at)
     if len(bracket.parts) > 1:
         only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
@@ -47,6 +49,12 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
             "a function of what is in the bracket, or a product? a product needs no bracket", bracket.at
         )
     return False
+
+
+def _is_no_place(scope: Scope, bracket: Bracket, function: Symbol) -> bool:
+    """Whether it holds a ∇, and is of another type than what the function is of."""
+    (part, *more), places = bracket.parts, {each.type for each in function.declaration.of}
+    return not more and "\\nabla" in latex_of(part) and scope.term(part).type not in places
 
 
 def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:

@@ -7,6 +7,7 @@ from fractions import Fraction as Rational
 
 from workbench.language import construct
 from workbench.language.elaboration.letters import named
+from workbench.language.elaboration.nablas import as_del
 from workbench.language.elaboration.products import product
 from workbench.language.elaboration.spelled import letters_in_one_font
 from workbench.language.errors import Fault, Misfit
@@ -63,6 +64,8 @@ class Elaborator(Scope):
                 return product(self, (node,))
             case Styled() | Scripted() if len(letters := list(letters_in_one_font(node))) > 1:
                 return product(self, letters)
+            case Leaf() | Styled() | Scripted() if as_del(node) is not None:
+                return product(self, (node,))
             case Leaf() | Styled() | Accented() | Scripted():
                 return named(self, node)
             case Group(parts=(part,)):

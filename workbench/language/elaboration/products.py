@@ -10,6 +10,7 @@ from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import infix
 from workbench.language.elaboration.letters import letter, raised
+from workbench.language.elaboration.nablas import along, as_del, of_field, with_sign
 from workbench.language.elaboration.quotients import divided, quotient, rate
 from workbench.language.elaboration.spelled import spelled_out
 from workbench.language.elaboration.summations import summation
@@ -39,7 +40,7 @@ from workbench.language.terms import (
     Term,
 )
 
-_DIFFERENTIATE = GRADIENTS | {"d/dt", "the operator"}
+_DIFFERENTIATE = GRADIENTS | {"d/dt", "∇", "the operator"}
 
 
 def product(scope: Scope, items: Sequence[Node]) -> Term:
@@ -48,6 +49,9 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
     signs: list[Infix] = []
     for place, item in enumerate(items := spelled_out(scope, items)):
         if isinstance(item, Infix):
+            if (sign := with_sign(rows, signs, item)) is not None:
+                rows[-1][-1] = sign
+                continue
             if not rows[-1]:
                 raise Fault(f"nothing before {item.operator}", item.at)
             signs.append(item)
@@ -106,7 +110,8 @@ def _refuse_reach(row: Row, sign: Infix, operand: Term) -> None:
     head = row.open_head
     takes_tensors = head in OF_TENSORS - {"vect"} and sign.operator == "·" and operand.type.kind == "tensor"
     takes_parts = head in ("re", "du") and operand.type.dual
-    if takes_tensors or takes_parts or head in _DIFFERENTIATE:
+    takes_factor = head == "gradient" and operand.type.kind == "scalar"  # ∇f · v is no ∇(f v)
+    if takes_tensors or takes_parts or takes_factor or head in _DIFFERENTIATE:
         raise Fault(f"how far does {word_of(head)} reach? bracket its argument", row.items[0].at)
 
 
@@ -125,6 +130,10 @@ def _factor(row: Row, place: int) -> Factor:
     item = row.items[place]
     if (term := row.scope.written(item)) is not None:
         return Factor(term, item.at, place + 1, item)
+    if (sign := as_del(item)) is not None:
+        return of_field(row, place, sign)
+    if (directed := along(item)) is not None:
+        return of_field(row, place, directed[1], directed[0])
     match item:
         case Product(items=(Summation() as head, *rest)):
             term = summation(row.scope, head, lambda: _body(row.scope, head, rest))

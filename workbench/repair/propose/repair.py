@@ -29,6 +29,7 @@ from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous
 from workbench.repair.terms.edits import edits
+from workbench.repair.terms.members import membership, other_members
 from workbench.repair.terms.places import places
 from workbench.repair.terms.search import Candidate, Change, Neighbourhood, candidate_of, cost
 from workbench.repair.trees.as_printed import as_printed
@@ -85,7 +86,7 @@ class Repair:
         """The printed form in the spelling of the proposals: the canonical one, if it can be read, in the
         printed letters."""
         formula = self.claim.printed
-        if formula.statement is None:
+        if formula.statement is None or membership(formula.latex) is not None:
             return formula.latex
         integers = self.claim.orders.variables if self.claim.orders else ()
         table = self.claim.notation.symbols
@@ -166,7 +167,10 @@ class _Bench:
         printed = self.claim.printed.statement
         if printed is not None and not any(isinstance(term, Symbol) for _, term in places(printed)):
             return  # a false sum of numbers has no right form
-        if printed is not None:
+        if printed is not None and (parts := membership(self.claim.printed.latex)) is not None:
+            notation, orders = self.claim.notation, self.claim.orders
+            self._offer(other_members(parts, notation, orders, self.screen, self._tick))
+        elif printed is not None:
             self._repair_false([Candidate(printed, ())])
         else:
             self._repair_ill_formed()

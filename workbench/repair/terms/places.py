@@ -7,7 +7,18 @@ from typing import TypeVar
 
 from workbench.language.authors import is_spelt_as_one
 from workbench.language.construct import rebuild, relation, zero
-from workbench.language.terms import Conjunction, Equivalence, Implication, Relation, Statement, Term, Zero
+from workbench.language.operators import PARTIALS
+from workbench.language.terms import (
+    Apply,
+    Conjunction,
+    Equivalence,
+    Implication,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    Zero,
+)
 
 #: The way from a statement to a subterm: which part or side, then which child, and so on.
 Place = tuple[int, ...]
@@ -42,7 +53,14 @@ def _below(place: Place, term: Term) -> Iterator[tuple[Place, Term]]:
     if is_spelt_as_one(term):
         return
     for number, child in enumerate(term.children):
-        yield from _below((*place, number), child)
+        if not (number and _is_by_place(term)):
+            yield from _below((*place, number), child)
+
+
+def _is_by_place(term: Term) -> bool:
+    """Whether it is ∂/∂x of a field, by the one place x that there is, as ∇ is."""
+    is_partial = isinstance(term, Apply) and term.head in PARTIALS and isinstance(term.arguments[1], Symbol)
+    return is_partial and term.arguments[1].declaration.coordinate
 
 
 def subterm(statement: Statement, place: Place) -> Term:

@@ -1,0 +1,143 @@
+"""∇ of fields, by the derivative ∂/∂x with respect to the place, whose row i is that of the component i:
+
+∇f = (∂f/∂x)ᵀ     ∇·v = tr ∂v/∂x     ∇×v = 2 vect ∂v/∂x     (a·∇)v = (∂v/∂x) a     ∇²f = ∇·∇f
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from workbench.language import construct
+from workbench.language.elaboration.factors import Factor, Row
+from workbench.language.errors import Fault, Misfit
+from workbench.language.scope import Scope
+from workbench.language.syntax import (
+    Bracket,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    core,
+    in_a_row,
+    unstyled,
+)
+from workbench.language.terms import IllFormed, Symbol, Term
+from workbench.language.types import VECTOR
+
+NABLA = "\\nabla"
+
+
+@dataclass(frozen=True, slots=True)
+class Del(Node):
+    """∇, and what is written on it: by what it differentiates, its power, the sign behind it."""
+
+    by: Node | None = None
+    power: Node | None = None
+    sign: str = ""
+
+
+def as_del(node: Node) -> Del | None:
+    """∇, ∇_q or ∇²; None for anything else."""
+    if isinstance(node, Del):
+        return node
+    scripts = node if isinstance(node, Scripted) else Scripted(node.at, node)
+    _, letter = unstyled(scripts.nucleus)
+    if not (isinstance(letter, Leaf) and letter.text == NABLA):
+        return None
+    if scripts.primes or scripts.factorial:
+        raise Fault("a prime on ∇", node.at)
+    return Del(node.at, scripts.sub, scripts.sup)
+
+
+def with_sign(rows: Sequence[Sequence[Node]], signs: Sequence[Infix], sign: Infix) -> Del | None:
+    """∇· or ∇×, where the sign stands behind a ∇ that ends the last row."""
+    found = as_del(rows[-1][-1]) if rows[-1] else None
+    if found is None or found.sign or sign.operator not in ("·", "×"):
+        return None
+    if signs and len(rows[-1]) == 1:
+        raise Fault("what does ∇ act on? bracket it", found.at)
+    return replace(found, sign=sign.operator)
+
+
+def along(node: Node) -> tuple[Node, Del] | None:
+    """The a of (a · ∇), and the ∇."""
+    match node:
+        case Bracket(kind="(" | "[", parts=(part,)):
+            match core(part):
+                case Product(items=(*left, Infix(operator="·"), last)) if left and (found := as_del(last)):
+                    return in_a_row(node.at, left), found
+    return None
+
+
+def of_field(row: Row, place: int, sign: Del, direction: Node | None = None) -> Factor:
+    """The ∇ at that place of the row with what it acts on: one factor."""
+    scope = row.scope
+    if place + 1 == len(row.items):
+        raise Fault("∇ of what?", sign.at)
+    following = row.items[place + 1]
+    nucleus = following.nucleus if isinstance(following, Scripted) else None
+    if isinstance(nucleus, Bracket) and nucleus.kind in ("(", "[", "{"):
+        raise Fault("a power of the derivative or of its argument? bracket it", following.at)
+    factor = row.factor(place + 1)
+    if not isinstance(following, Bracket):
+        is_gradient = not (sign.sign or sign.power or direction)
+        row.open_head = "gradient" if is_gradient else "∇"
+        if factor.end < len(row.items):
+            raise Fault("how far does ∇ reach? bracket its argument", sign.at)
+    by = _place(scope, sign)
+    if direction is not None:
+        term = _along(scope, sign, factor.term, by, scope.term(direction))
+    else:
+        term = _derived(scope, sign, factor.term, by)
+    return Factor(term, sign.at, factor.end, row.items[place])
+
+
+def _place(scope: Scope, sign: Del) -> Term:
+    if sign.by is not None:
+        by = scope.term(sign.by)
+        if not (isinstance(by, Symbol) and by.type.is_column):
+            raise Fault("∇ by anything but a column that is a symbol", sign.by.at)
+        return by
+    places = {each for each in scope.table.symbols.values() if each.coordinate}
+    if len(places) != 1:
+        raise Fault(
+            f"∇ by which place? one symbol is to be declared `coordinate`, got {len(places)}", sign.at
+        )
+    return construct.symbol(places.pop())
+
+
+def _derived(scope: Scope, sign: Del, body: Term, by: Term) -> Term:
+    at, kind = sign.at, body.type.kind
+    power = core(sign.power)
+    if power is not None:
+        if not (isinstance(power, Leaf) and power.text == "2") or sign.sign or kind != "scalar":
+            raise Fault("a power of ∇; ∇² of a scalar is read", at)
+        return scope.apply(at, "trace", _slopes(scope, at, _gradient(scope, at, body, by), by))
+    if sign.sign:
+        if body.type != by.type or (sign.sign == "×" and by.type != VECTOR):
+            raise Misfit(IllFormed(f"∇{sign.sign} of a {body.type}, where the place is a {by.type}"), at)
+        slopes = _slopes(scope, at, body, by)
+        if sign.sign == "·":
+            return scope.apply(at, "trace", slopes)
+        return scope.apply(at, "mul", construct.number(2), scope.apply(at, "vect", slopes))
+    if kind != "scalar":
+        raise Fault(
+            f"∇ of a {body.type}: which index is that of ∇? write \\frac{{\\partial v}}{{\\partial x}}", at
+        )
+    return _gradient(scope, at, body, by)
+
+
+def _along(scope: Scope, sign: Del, body: Term, by: Term, direction: Term) -> Term:
+    if sign.power is not None or sign.sign or direction.type != by.type:
+        raise Fault("expected a direction, (a \\cdot \\nabla)", sign.at)
+    return scope.apply(sign.at, "mul", _slopes(scope, sign.at, body, by), direction)
+
+
+def _gradient(scope: Scope, at: int, body: Term, by: Term) -> Term:
+    return scope.apply(at, "transpose", _slopes(scope, at, body, by))
+
+
+def _slopes(scope: Scope, at: int, body: Term, by: Term) -> Term:
+    return scope.apply(at, "partial", body, by)

@@ -1,0 +1,62 @@
+"""What a false x ∈ SO(3) may have been: one change in x, which stands in several equations then."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import replace
+
+from workbench.language.construct import identity, number, relation, zero
+from workbench.language.errors import Fault, IllFormedAt, ReadError
+from workbench.language.printer import to_latex
+from workbench.language.reader import read_term
+from workbench.language.syntax import Chain, parse
+from workbench.language.terms import Term
+from workbench.papers.formulas import read_statement
+from workbench.papers.model import Notation
+from workbench.papers.orders import Orders
+from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.edits import edits
+from workbench.repair.terms.search import Candidate, candidate_of, cost
+
+_IN = re.compile(r"\\in(?![A-Za-z])")
+
+
+def membership(latex: str) -> tuple[str, str] | None:
+    """The member and the set of a formula that says nothing else."""
+    with suppress(Fault):
+        match parse(latex).lines:
+            case ((Chain(relations=(("∈", _),)),),):
+                parts = _IN.split(latex)
+                return (parts[0], parts[1]) if len(parts) == 2 else None
+    return None
+
+
+def other_members(
+    parts: tuple[str, str],
+    notation: Notation,
+    orders: Orders | None,
+    screen: Screen | None,
+    tick: Callable[[], None],
+) -> Iterator[Candidate]:
+    """Other members of the set, likely ones first; none that is declared to be one, or is 0 or I: that says
+    nothing. No other letters: any member would do. tick: called for each that is looked at."""
+    member, where = parts
+    term = read_term(member, notation.symbols, frozenset(orders.variables if orders else ()))
+    found = edits(relation("=", term, zero()), within=(0,))
+    for edit in sorted(found, key=cost):
+        tick()
+        if edit.statement is None or edit.kind == "symbol" or edit.new == number(1):
+            continue
+        new = edit.statement.left
+        latex = f"{to_latex(new)} \\in {where.strip()}"
+        with suppress(ReadError, IllFormedAt, ValueError):
+            statement = read_statement(latex, notation, orders)[0]
+            if screen is None or (screen.vanishes(statement) and not _is_fixed(new, screen)):
+                yield replace(candidate_of(edit), statement=statement, latex=latex)
+
+
+def _is_fixed(member: Term, screen: Screen) -> bool:
+    known = [zero(member.type), *([identity(member.type)] if member.type.is_square else [])]
+    return any(screen.vanishes(relation("=", member, each)) for each in known)

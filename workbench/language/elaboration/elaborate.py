@@ -8,7 +8,7 @@ from fractions import Fraction as Rational
 from workbench.language import construct
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.products import product
-from workbench.language.elaboration.spelled import letters_in_one_font
+from workbench.language.elaboration.spelled import letters_in_one_font, refuse_row_of_vectors
 from workbench.language.errors import Fault, Misfit
 from workbench.language.notations import Known
 from workbench.language.scope import Scope
@@ -124,6 +124,8 @@ class Elaborator(Scope):
         kind, inner = node.kind, core(node.parts[0]) if len(node.parts) == 1 else None
         if kind == "|" and isinstance(inner, Bracket) and inner.kind == "|":
             kind, node = "\\|", inner  # ||x||
+        if kind == "[" and isinstance(inner, Product):
+            refuse_row_of_vectors(self, inner)
         terms = [self.term(part) for part in node.parts]
         if kind in ("|", "\\|") and len(terms) == 1:
             is_determinant = kind == "|" and terms[0].type.is_square and terms[0].type.rows > 1

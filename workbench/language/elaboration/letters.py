@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from workbench.language import construct, instances
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
-from workbench.language.elaboration.spelled import is_euclidean
+from workbench.language.elaboration.spelled import subscripted_norm
 from workbench.language.errors import Fault, Misfit, Unranged
 from workbench.language.integers import Linear
 from workbench.language.names import Name
@@ -86,8 +86,9 @@ class _Lettering:
                 return self.read(part, scripts, styles)
         if styles:
             raise Fault(f"{styles[-1]} of more than one symbol", node.at)
-        if scripts.sub is not None and is_euclidean(self.scope, node, scripts.sub):
-            scripts = replace(scripts, sub=None)
+        only = scripts.sub if scripts == Scripts(sub=scripts.sub, sup=scripts.sup) else None
+        if only is not None and (norm := subscripted_norm(self.scope, node, only)) is not None:
+            return norm, scripts.sup
         if scripts.sub is not None or scripts.left_sub is not None or scripts.left_sup is not None:
             raise Fault("a subscript on an expression; indices belong to symbols", node.at)
         entries = self.scope.table.notations.primes()

@@ -90,8 +90,11 @@ class Scope(ABC):
 
     def written(self, node: Node) -> Term | None:
         """The term of a bracket or matrix that the paper spells in a way of its own; None for any other."""
-        found = self.table.notations.shapes(node) if is_shape(node) else []
-        for entry, places in found:
+        return self.spelt(node) if is_shape(node) else None
+
+    def spelt(self, node: Node) -> Term | None:
+        """The same of any node, such as a letter before its argument."""
+        for entry, places in self.table.notations.shapes(node):
             terms = {letter: self.term(part) for letter, part in places.items()}
             if entry.fits(terms):
                 return self.term(entry.filled(terms))

@@ -138,10 +138,15 @@ class Elaborator(Scope):
             return self.apply(node.at, "triple", *terms)
         if self.table.has_quaternions and (parts := _scalar_and_vector(terms)) is not None:
             return self.apply(node.at, "quaternion", *parts)
-        if len(terms) == 2 and node.kind == "(" and terms[0].type.kind != terms[1].type.kind:
+        if len(terms) == 2 and node.kind in ("(", "[") and _are_beside(*terms):
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): beside each other
         message = "a triple product has three, in round brackets; a pair (a, T) two of different kinds"
         raise Fault(f"{len(terms)} expressions between brackets; {message}", node.at)
+
+
+def _are_beside(one: Term, other: Term) -> bool:
+    """Whether they are of two kinds, and of one height."""
+    return one.type.kind != other.type.kind and one.type.rows == other.type.rows
 
 
 def _scalar_and_vector(terms: Sequence[Term]) -> tuple[Term, Term] | None:

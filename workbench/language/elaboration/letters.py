@@ -82,8 +82,12 @@ class _Lettering:
                 return self.factorial(node), scripts.sup
             case Scripted():
                 return self.scripted(node, scripts, styles)
-            case Group(parts=(part,)) if styles or isinstance(part, Leaf | Styled | Accented | Scripted):
+            case Group(parts=(part,)) if styles or isinstance(
+                part, Leaf | Styled | Accented | Scripted | Group
+            ):
                 return self.read(part, scripts, styles)
+            case Group(parts=(Product(items=(Scripted(nucleus=Group(parts=())) as left, body)),)):
+                return self.read(body, replace(scripts, left_sub=left.sub, left_sup=left.sup), styles)
         if styles:
             raise Fault(f"{styles[-1]} of more than one symbol", node.at)
         only = scripts.sub if scripts == Scripts(sub=scripts.sub, sup=scripts.sup) else None

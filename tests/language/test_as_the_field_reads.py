@@ -348,3 +348,21 @@ def test_the_time_may_stand_for_a_number(formula: str) -> None:
 def test_a_star_on_a_column_is_not_the_adjugate() -> None:
     with pytest.raises(ReadError, match="declare the symbol with it"):
         read(r"a^* = b", TABLE)
+
+
+@pytest.mark.parametrize("row", [r"a \: b \: c", "a b c", r"a ~ b"])
+def test_vectors_side_by_side_in_a_bracket_are_asked_about(row: str) -> None:
+    with pytest.raises(ReadError, match="columns or a triple product"):
+        read(f"T = [{row}]", TABLE)
+
+
+@pytest.mark.parametrize("name", ["atan2", "arctan2"])
+def test_arcs_of_two(name: str) -> None:
+    assert read_term(rf"\mathrm{{{name}}}(s, \alpha)", TABLE).head == "atan2"
+
+
+def test_the_frobenius_norm() -> None:
+    assert read_term(r"\|S T\|_F", TABLE) == read_term(r"\sqrt{\operatorname{tr}((S T)^T (S T))}", TABLE)
+    for other in (r"\|T\|_2", r"\|a\|_1", r"\|T\|_G"):
+        with pytest.raises(ReadError, match="a subscript on an expression"):
+            read_term(other, TABLE)

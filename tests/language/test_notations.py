@@ -11,6 +11,8 @@ TABLE = SymbolTable.build(
         "a": {"kind": "vector"},
         "v": {"kind": "vector"},
         "T": {"kind": "tensor"},
+        r"\beta": {"kind": "scalar"},
+        r"\beta_1": {"kind": "scalar"},
         r"\hat{n}": {"kind": "vector"},
         r"\bar{r}^{P/O}": {"kind": "vector"},
         r"{}_B\omega_{IB}": {"kind": "vector"},
@@ -27,11 +29,16 @@ TABLE = SymbolTable.build(
         r"\mathds{1}_{3\times 3}": {"means": r"\mathbf{I}"},
         "[x]": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
         "[NB]": {"means": "T"},
+        r"\mathrm{c} x": {"where": {"x": "scalar"}, "means": r"\cos x"},
         "S(x)": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
         r"x \times": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
     }
 )
 SAME = [
+    (r"\mathrm{c}\beta_1 \mathrm{c}(2 \beta) v", r"\cos\beta_1 \cos(2 \beta) v"),
+    (r"\mathrm{c}(\beta)^2", r"(\cos\beta)^2"),
+    (r"{{\bar{r}}}^{P/O}", r"\bar{r}^{P/O}"),
+    (r"{{}_B\omega \,}_{IB}", r"{}_B\omega_{IB}"),
     (r"S(a + v) a", r"\operatorname{skew}(a + v) a"),
     (r"S(a)^T", r"\tilde{a}^T"),
     (r"S(2 a)^2 v", r"(\operatorname{skew}(2 a))^2 v"),

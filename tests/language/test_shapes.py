@@ -187,3 +187,22 @@ PRODUCT = r"\begin{bmatrix} p \\ q \\ r \end{bmatrix} \times \begin{bmatrix} s \
 )  # fmt: skip
 def test_a_determinant_of_vectors_is_their_combination_by_cofactors(formula: str, holds: bool) -> None:
     assert check(formula, KINDS | SCALARS).holds == holds
+
+
+@pytest.mark.parametrize(
+    ("spelt", "meant"),
+    [
+        (r"\begin{bmatrix} 1 & 0 \\ A & 1 \end{bmatrix}", r"\begin{bmatrix} \mathbf{I} & 0 \\ A & \mathbf{I} \end{bmatrix}"),
+        (r"\begin{bmatrix} A & x \\ 0 & 1 \end{bmatrix}", None),
+        (r"\begin{bmatrix} A & 0 \\ 0 & 1 \end{bmatrix}", None),
+    ],
+)  # fmt: skip
+def test_a_one_beside_a_square_block_is_a_unit_matrix(spelt: str, meant: str | None) -> None:
+    term = read_term(spelt, TABLE)
+    assert term.type.rows == (4 if meant is None else 6)
+    assert meant is None or term == read_term(meant, TABLE)
+
+
+def test_another_number_beside_a_square_block_does_not_fit() -> None:
+    with pytest.raises(IllFormedAt, match="blocks of size"):
+        read_term(r"\begin{bmatrix} A & 2 \end{bmatrix}", TABLE)

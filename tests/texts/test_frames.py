@@ -174,10 +174,13 @@ def test_transforms_act_on_points_as_columns_of_four(tmp_path: Path) -> None:
 
 DRAKE = r"""
 source = "p.md"
+[conventions]
+points = "vectors"
 [frames]
 base = "W"
 names = ["A", "B", "C"]
 '{}^F R^G' = "rotation to F from G"
+'{}^F X^G' = "transform to F from G"
 '{}^F p^G_D' = "origin of G in F, resolved in D"
 '{}^F p^G' = "origin of G in F"
 '{}^F\omega^G_D' = "angular velocity of G in F, resolved in D"
@@ -192,6 +195,10 @@ OF_COMPONENTS = [
     r"{}^A p^B_C = {}^C R^A {}^A p^B",
     r"{}^A p^B_C + {}^B p^A_C = 0",
     r"{}^A p^C = {}^A p^B + {}^A R^B {}^B p^C",
+    r"{}^A p^C = {}^A X^B {}^B p^C",
+    r"{}^W p^C = {}^W X^A ({}^A X^B {}^B p^C)",
+    r"{}^W X^A {}^A X^B {}^B p^C = {}^W p^B + {}^W R^B {}^B p^C",
+    r"({}^A X^B)^{-1} {}^A p^C = {}^B p^C",
     r"{}^A p^C_W = {}^A p^B_W + {}^B p^C_W",
     r"{}^A v^C_W = {}^A v^B_W + {}^B v^C_W + {}^A\omega^B_W \times {}^B p^C_W",
     r"{}^A v^B_C = -{}^B v^A_C - {}^A\omega^B_C \times {}^B p^A_C",
@@ -202,6 +209,7 @@ OF_COMPONENTS = [
     r"{}^A z = {}^A u \times {}^A R^W w",
 ]
 OF_WRONG_COMPONENTS = [
+    r"{}^A p^C = {}^B X^A {}^B p^C",
     r"{}^A p^B_C = {}^A R^C {}^A p^B",
     r"{}^A u = {}^B R^A {}^B u",
     r"{}^A p^B_C = {}^B p^A_C",

@@ -8,7 +8,7 @@ from typing import Literal
 
 from workbench.language.integers import Linear, as_linear
 from workbench.language.operators import OPERATORS
-from workbench.language.shapes import filling, fitted, layout, multiple, scalar_and_vector, shaped
+from workbench.language.shapes import filling, fitted, layout, multiple, scalar_and_vector, shaped, with_units
 from workbench.language.signatures import agree
 from workbench.language.terms import (
     Apply,
@@ -124,7 +124,7 @@ def block(entries: Sequence[Sequence[Term]]) -> Block:
     """A block matrix; zeros and unit tensors take the shape that their row and column need."""
     if len({len(row) for row in entries}) != 1:
         raise IllFormed("the rows of a matrix have unequal lengths")
-    rows, columns = layout(entries)
+    rows, columns = layout(entries := with_units(entries))
     typed = tuple(
         tuple(fitted(entry, rows[i], columns[j]) for j, entry in enumerate(row))
         for i, row in enumerate(entries)

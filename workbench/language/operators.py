@@ -78,7 +78,7 @@ OPERATORS: dict[str, Operator] = {
     "arccos": Operator(_SCALARS, ("arccos", "acos"), takes="angle"),
     "arcsin": Operator(_SCALARS, ("arcsin", "asin"), takes="angle"),
     "arctan": Operator(_SCALARS, ("arctan", "atan"), takes="angle"),
-    "atan2": Operator(signatures.arc_of_two, ("atan2",)),
+    "atan2": Operator(signatures.arc_of_two, ("atan2", "arctan2")),
     "divergence": Operator(
         function(("vector",), SCALAR, times(1)), ("div",), linear="each", partner="curl", by_place=True
     ),

@@ -15,13 +15,15 @@ from workbench.language.notations import is_shape
 from workbench.language.spelling import Named, bracketed, in_bracket, linear, linear_or_none, spell_label
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Accented, Bracket, Group, Leaf, Node, Product, Scripted, Sum
-from workbench.language.terms import IllFormed, Symbol, Term, Zero, is_rate
-from workbench.language.types import type_of_kind
+from workbench.language.terms import Apply, IllFormed, Symbol, Term, Zero, is_rate
+from workbench.language.types import VECTOR, type_of_kind
 
 Result = TypeVar("Result")
 
 #: How deep terms may nest; a longer product than this counts as nesting too.
 DEEPEST_TERM = 120
+#: [I 0]: the first three of four.
+_FIRST_THREE = construct.block([[construct.identity(), construct.zero(VECTOR)]])
 
 
 class Scope(ABC):
@@ -89,7 +91,11 @@ class Scope(ABC):
 
     def written(self, node: Node) -> Term | None:
         """The term of a bracket or matrix that the paper spells in a way of its own; None for any other."""
-        found = self.table.notations.shapes(node) if is_shape(node) else []
+        return self.spelt(node) if is_shape(node) else self.in_bracket(node)
+
+    def spelt(self, node: Node) -> Term | None:
+        """The same of any node, such as a letter before its argument."""
+        found = self.table.notations.shapes(node)
         is_own = any(not entry.formals for entry, _ in found)
         if not is_own and (named := self.in_bracket(node)) is not None:
             return named
@@ -126,7 +132,10 @@ class Scope(ABC):
 
     def apply(self, at: int, head: str, *arguments: Term) -> Term:
         if head == "mul" and arguments[0].type == type_of_kind("transform"):
-            arguments = (arguments[0], self.as_point(arguments[1], at))
+            column = self.as_point(arguments[1], at)
+            if self.table.keeps_points and column is not arguments[1]:
+                return construct.apply("mul", _FIRST_THREE, construct.apply("mul", arguments[0], column))
+            arguments = (arguments[0], column)
         if head == "exp" and arguments[0].type.is_square and arguments[0].type.rows > 3:
             raise Fault(f"the exponential of a {arguments[0].type} is not read", at)
         return self.build(at, construct.apply, head, *arguments)
@@ -136,7 +145,8 @@ class Scope(ABC):
         if self.table.directions is None or term.type.kind != "vector":
             return term
         own = term.declaration if isinstance(term, Symbol) else None
-        if own is None or own.unit or own.name in self.table.directions:
+        is_moved = isinstance(term, Apply) and term.children[0] == _FIRST_THREE
+        if not is_moved and (own is None or own.unit or own.name in self.table.directions):
             raise Fault("a point or a direction? write the column of four", at)
         return construct.block([[term], [construct.number(1)]])
 

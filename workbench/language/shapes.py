@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from workbench.language.terms import Apply, Block, Identity, IllFormed, Term, Zero
-from workbench.language.types import SCALAR, VECTOR, Type
+from workbench.language.terms import Apply, Block, Identity, IllFormed, Number, Term, Zero
+from workbench.language.types import SCALAR, TENSOR, VECTOR, Type
 
 
 def multiple(term: Term) -> Literal["zero", "identity"] | None:
@@ -58,6 +58,21 @@ def shaped(term: Term, type_: Type) -> Term:
         case Apply():
             arguments = (shaped(term.arguments[0], type_), *term.arguments[1:])
     return replace(term, type=type_.with_dual(term.type.dual), arguments=arguments)
+
+
+def with_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
+    """A 1 beside, above or below a square block is the unit tensor: [1 0; T 1]."""
+    blocks = [[each.type.rows > 1 and each.type.is_square for each in row] for row in entries]
+    high = [any(row) for row in blocks]
+    wide = [any(column) for column in zip(*blocks, strict=True)]
+    return [
+        [_unit(each) if high[i] or wide[j] else each for j, each in enumerate(row)]
+        for i, row in enumerate(entries)
+    ]
+
+
+def _unit(entry: Term) -> Term:
+    return Identity(TENSOR, entry.weight) if isinstance(entry, Number) and entry.value == 1 else entry
 
 
 def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[int, ...]]:

@@ -65,6 +65,8 @@ class SymbolTable:
     dot: str | None = None
     #: where a transform acts on points as columns of four: the vectors that are no points
     directions: frozenset[Name] | None = None
+    #: whether T p of a point p is the moved point itself, R p + t
+    keeps_points: bool = False
     #: whether what it says of an unknown symbol names those that are close
     names_close: bool = True
 

@@ -44,13 +44,13 @@ _TOKEN = re.compile(
     | (?P<ring>\\overset\s*\{\s*\\circ\s*\})
     | \\(?:text|textrm|mbox)\s*\{(?P<prose>[A-Za-z,'’\s]+:\s*)\}
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
-      \{(?P<words>atan2|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
+      \{(?P<words>(?:arc|a)tan2|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
     | \\(?:text|textrm|mbox)\s*\{(?P<said>[^{}$]*)\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[A-Za-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
     | \\(?P<command>[A-Za-z]+|[^A-Za-z])
     | (?P<number>[0-9]+(?:\.[0-9]+)?)
-    | (?P<letters>atan2(?![A-Za-z0-9])|[A-Za-z]+)
+    | (?P<letters>(?:arc|a)tan2(?![A-Za-z0-9])|[A-Za-z]+)
     | (?P<assign>:=)
     | (?P<character>.)""",
     re.VERBOSE | re.DOTALL,

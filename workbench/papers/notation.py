@@ -20,7 +20,8 @@ from workbench.papers.ties import ties
 from workbench.papers.toml.toml_file import TomlFile
 
 HAMILTON = "hamilton, scalar first"
-HOMOGENEOUS = "homogeneous"
+#: What a transform makes of a point: the column of four, or the vector of its first three.
+POINTS = ("homogeneous", "vectors")
 GRADIENTS = ("row", "column")
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
@@ -34,6 +35,7 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
         arguments=_arguments(files),
         gradient=_gradient(files),
         directions=frozenset() if any(f.text(("conventions", "points")) for f in files) else None,
+        keeps_points=any(f.text(("conventions", "points")) == POINTS[1] for f in files),
         bare_functions=frozenset(n for file in files for n in file.texts(("conventions", "functions"))),
     )
     table = _spellings(files, table)
@@ -129,12 +131,12 @@ def _says_hamilton(file: TomlFile) -> bool:
             continue
         if key == "gradient" and file.text(("conventions", key)) in GRADIENTS:
             continue
-        if key == "points" and file.text(("conventions", key)) == HOMOGENEOUS:
+        if key == "points" and file.text(("conventions", key)) in POINTS:
             continue
         if key != "quaternion" or file.text(("conventions", key)) != HAMILTON:
             message = (
                 f'conventions: expected quaternion = "{HAMILTON}", gradient = "row" or "column", '
-                f'points = "{HOMOGENEOUS}", '
+                f'points = "{POINTS[0]}" or "{POINTS[1]}", '
                 "arguments = […] or functions = […]"
             )
             raise file.error_at_key(("conventions", key), message)

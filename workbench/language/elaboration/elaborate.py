@@ -9,7 +9,7 @@ from workbench.language import construct
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.nablas import as_del
 from workbench.language.elaboration.products import product
-from workbench.language.elaboration.spelled import letters_in_one_font
+from workbench.language.elaboration.spelled import letters_in_one_font, refuse_row_of_vectors
 from workbench.language.errors import Fault, Misfit
 from workbench.language.notations import Known
 from workbench.language.scope import Scope
@@ -32,6 +32,7 @@ from workbench.language.syntax import (
     Styled,
     Sum,
     Summation,
+    core,
 )
 from workbench.language.terms import IllFormed, Integer, Number, Term, Zero
 
@@ -123,6 +124,8 @@ class Elaborator(Scope):
             raise Misfit(fault, places[_first_that_differs(addends)]) from None
 
     def bracket(self, node: Bracket) -> Term:
+        if node.kind == "[" and len(node.parts) == 1 and isinstance(row := core(node.parts[0]), Product):
+            refuse_row_of_vectors(self, row)
         terms = [self.term(part) for part in node.parts]
         if node.kind in ("|", "\\|") and len(terms) == 1:
             is_determinant = node.kind == "|" and terms[0].type.is_square and terms[0].type.rows > 1
@@ -135,10 +138,15 @@ class Elaborator(Scope):
             return self.apply(node.at, "triple", *terms)
         if self.table.has_quaternions and (parts := _scalar_and_vector(terms)) is not None:
             return self.apply(node.at, "quaternion", *parts)
-        if len(terms) == 2 and node.kind == "(" and terms[0].type.kind != terms[1].type.kind:
+        if len(terms) == 2 and node.kind in ("(", "[") and _are_beside(*terms):
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): beside each other
         message = "a triple product has three, in round brackets; a pair (a, T) two of different kinds"
         raise Fault(f"{len(terms)} expressions between brackets; {message}", node.at)
+
+
+def _are_beside(one: Term, other: Term) -> bool:
+    """Whether they are of two kinds, and of one height."""
+    return one.type.kind != other.type.kind and one.type.rows == other.type.rows
 
 
 def _scalar_and_vector(terms: Sequence[Term]) -> tuple[Term, Term] | None:

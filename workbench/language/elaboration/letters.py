@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from workbench.language import construct, instances
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
-from workbench.language.elaboration.spelled import is_euclidean
+from workbench.language.elaboration.spelled import subscripted_norm
 from workbench.language.errors import Fault, Misfit, Unranged
 from workbench.language.integers import Linear
 from workbench.language.names import Name
@@ -82,12 +82,17 @@ class _Lettering:
                 return self.factorial(node), scripts.sup
             case Scripted():
                 return self.scripted(node, scripts, styles)
-            case Group(parts=(part,)) if styles or isinstance(part, Leaf | Styled | Accented | Scripted):
+            case Group(parts=(part,)) if styles or isinstance(
+                part, Leaf | Styled | Accented | Scripted | Group
+            ):
                 return self.read(part, scripts, styles)
+            case Group(parts=(Product(items=(Scripted(nucleus=Group(parts=())) as left, body)),)):
+                return self.read(body, replace(scripts, left_sub=left.sub, left_sup=left.sup), styles)
         if styles:
             raise Fault(f"{styles[-1]} of more than one symbol", node.at)
-        if scripts.sub is not None and is_euclidean(self.scope, node, scripts.sub):
-            scripts = replace(scripts, sub=None)
+        only = scripts.sub if scripts == Scripts(sub=scripts.sub, sup=scripts.sup) else None
+        if only is not None and (norm := subscripted_norm(self.scope, node, only)) is not None:
+            return norm, scripts.sup
         if scripts.sub is not None or scripts.left_sub is not None or scripts.left_sup is not None:
             raise Fault("a subscript on an expression; indices belong to symbols", node.at)
         entries = self.scope.table.notations.primes()

@@ -71,7 +71,7 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
 def _with_sign_behind(scope: Scope, item: Node, sign: Infix) -> Node:
     """x \\times, with nothing behind it, as the paper spells it."""
     node = Product(item.at, (item, sign))
-    if scope.written(node) is None:
+    if scope.spelt(node) is None:
         raise Fault(f"nothing after {sign.operator}", sign.at)
     return node
 
@@ -135,6 +135,8 @@ def _factor(row: Row, place: int) -> Factor:
     if (directed := along(item)) is not None:
         return of_field(row, place, directed[1], directed[0])
     match item:
+        case Product(items=(_, Infix())):
+            return Factor(row.scope.spelt(item), item.at, place + 1, item)
         case Product(items=(Summation() as head, *rest)):
             term = summation(row.scope, head, lambda: _body(row.scope, head, rest))
             return Factor(term, item.at, place + 1, item)
@@ -190,12 +192,8 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     if not (isinstance(bracket, Bracket) and bracket.kind == "("):
         bracket = None
     plain = not scripts.left_sub and not scripts.left_sup
-    if (
-        plain
-        and bracket is not None
-        and (own := scope.written(Product(item.at, (item, bracket)))) is not None
-    ):
-        return Factor(_behind(scope, own, following), item.at, place + 2, item)
+    if plain and following is not None and (called := _called(scope, item, following)) is not None:
+        return Factor(called, item.at, place + 2, item)
     if plain and (value := scope.integer_expression(item)) is not None:
         return Factor(value, item.at, place + 1, item)
     term, sup, takes_bracket = letter(scope, item, scripts, bracket)
@@ -208,6 +206,18 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     if sup is not None:
         term = raised(scope, term, sup)
     return Factor(term, item.at, end, item)
+
+
+def _called(scope: Scope, item: Node, argument: Node) -> Term | None:
+    """S(x) and c \\theta, as the paper spells them."""
+    inner = argument.nucleus if isinstance(argument, Scripted) else argument
+    bare = inner if isinstance(core(inner), Bracket) else argument
+    if isinstance(core(bare), Leaf) and core(bare).kind != "LETTER":
+        return None
+    value = scope.spelt(Product(item.at, (item, core(bare))))
+    if value is not None and isinstance(bare, Scripted) and bare.sup is not None:
+        raise Fault("a power of the function or of its argument? bracket it", bare.at)
+    return value if value is None or bare is argument else _behind(scope, value, argument)
 
 
 def _behind(scope: Scope, value: Term, argument: Node) -> Term:

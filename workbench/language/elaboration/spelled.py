@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from workbench.language.errors import Fault, Misfit
 from workbench.language.names import PREFIXES
 from workbench.language.scope import Scope
 from workbench.language.spelling import prefixed
@@ -18,7 +19,9 @@ from workbench.language.syntax import (
     Scripted,
     Styled,
     core,
+    is_function,
 )
+from workbench.language.terms import Term
 from workbench.language.vocabulary import FONTS
 
 
@@ -71,11 +74,31 @@ def _styled_letter(node: Node) -> tuple[tuple[str, ...], str]:
     return styles, node.text
 
 
-def is_euclidean(scope: Scope, node: Node, sub: Node) -> bool:
-    """Whether it is \\|x\\|_2 of a column, which is \\|x\\|; that of a matrix is another norm."""
+def subscripted_norm(scope: Scope, node: Node, sub: Node) -> Term | None:
+    """\\|x\\|_2 of a column and \\|A\\|_F, which is \\sqrt{\\operatorname{tr} A^T A}."""
+    letter = core(sub)
     is_norm = isinstance(node, Bracket) and node.kind in ("|", "\\|") and len(node.parts) == 1
-    two = core(sub)
-    if not is_norm or not isinstance(two, Leaf) or two.text != "2":
+    if not is_norm or not isinstance(letter, Leaf) or letter.text not in ("2", "F"):
+        return None
+    body = scope.term(node.parts[0])
+    is_column = body.type.columns == 1
+    if body.type.rows == 1 or is_column != (letter.text == "2"):
+        return None
+    if is_column:
+        return scope.apply(node.at, "norm", body)
+    square = scope.apply(node.at, "mul", scope.apply(node.at, "transpose", body), body)
+    return scope.apply(node.at, "root", scope.apply(node.at, "trace", square))
+
+
+def refuse_row_of_vectors(scope: Scope, row: Product) -> None:
+    """[a \\, b \\, c] has no product in it."""
+    if len(row.items) > 1 and all(_is_vector(scope, item) for item in row.items):
+        message = "columns or a triple product? write \\begin{bmatrix} a & b & c \\end{bmatrix} or (a, b, c)"
+        raise Fault(message, row.at)
+
+
+def _is_vector(scope: Scope, node: Node) -> bool:
+    try:
+        return not is_function(node) and scope.term(node).type.kind == "vector"
+    except (Fault, Misfit):
         return False
-    type_ = scope.term(node.parts[0]).type
-    return type_.columns == 1 and type_.rows > 1

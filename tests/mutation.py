@@ -51,6 +51,7 @@ def functions(path):
     """The original and the mutants of each function of a file that mutmut wrote, by name."""
     for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.FunctionDef) and "__mutmut_" in node.name:
+            node.decorator_list = []
             yield node.name, node
 
 
@@ -190,6 +191,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--sample", type=int, default=400, help="mutants, spread over all files")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", default="", help="of what begins so, such as kernel.varied")
     parser.add_argument(
         "--again", action="store_true", help="only those of the sample that survived last time"
     )
@@ -211,7 +213,8 @@ def main():
         raise SystemExit("mutmut did not find which test calls which function: see what it printed above")
     files = sorted(path.with_suffix("") for path in ROOT.glob("workbench/judge/*/*.py.meta"))
     pool = sorted(name for path in files for name in mutants_of(path))
-    sample = random.Random(options.seed).sample(pool, min(options.sample, len(pool)))
+    chosen = [name for name in pool if place_of(name).startswith(options.only)]
+    sample = random.Random(options.seed).sample(chosen, min(options.sample, len(chosen)))
     goes_on = options.again or options.more
     results = json.loads(RESULTS.read_text()) if goes_on and RESULTS.exists() else {}
     equal = explained(pool)

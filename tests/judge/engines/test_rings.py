@@ -1,6 +1,7 @@
 """The rings of the second engine: the laws of rings, and what each of them is besides."""
 
 from fractions import Fraction
+from math import gcd
 from random import Random
 
 import pytest
@@ -77,6 +78,25 @@ def test_a_quotient_is_what_its_divisor_makes_the_dividend(name):
         assert ring.divide(x * y, y) == x
     with pytest.raises(ZeroDivisionError):
         ring.divide(x, x - x)
+
+
+def test_ratios_are_in_lowest_terms_over_denominators_that_are_each_named_once():
+    """Numbers go below with numbers; a denominator is primitive, and its first coefficient is positive."""
+    ring, element = sympy_elements()
+    random = Random(11)
+    for _ in range(30):
+        x, y, z = (element(random) for _ in range(3))
+        for r in (x + y, x * z, x - y * 6, ring.divide(x, 4 - y * y), ring.divide(x * 2, z * z + y), x * 0):
+            assert r.number > 0 and gcd(r.number, *r.top.values()) == 1
+            assert all(power > 0 for power in r.below.values())
+    for p in ring.denominators:
+        assert gcd(*p.values()) == 1 and p.LC > 0 and not p.is_ground
+    assert len({str(p) for p in ring.denominators}) == len(ring.denominators)
+    known = len(ring.denominators)
+    for x in (ring.divide(2, -3), ring.constant(2, -3), ring.constant(-4, 6), ring.lift(Fraction(-2, 3))):
+        assert (x.top, x.number, x.below) == (-2, 3, {}) and x == Fraction(-2, 3)
+    x = ring.divide(ring.constant(5, 1), next(iter(ring.point.values())) * Fraction(-10, 7))
+    assert (x.top, x.number, len(x.below)) == (-7, 2, 1) and len(ring.denominators) == known
 
 
 def test_residues_are_numbers_modulo_the_prime():

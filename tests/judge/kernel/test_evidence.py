@@ -3,6 +3,7 @@
 import pytest
 from judge.test_judge import PHI, PHI_TABLE, judged
 
+from workbench import check
 from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.second import consequences, drake_ring
@@ -212,3 +213,41 @@ def test_a_counterexample_of_the_second_engine_alone_is_a_disagreement(monkeypat
     with pytest.raises(EngineDisagreement, match="one engine only"):
         judged(r"\|a\| = f")
     assert judged("f = g", ["f = 1"]).outcome == Outcome.REFUTED
+
+
+MEANS = {
+    r"x = 2 y \text{ and } y = f \Rightarrow \cos x = \cos 2 f": [
+        ("premise", "put in as a definition", {"formula": "x = 2 y"}),
+        ("premise", "put in as a definition", {"formula": "y = f"}),
+        PRIME,
+        flint(1, 3),
+        SYMPY,
+    ],
+    "e^{f} e^{g} = e^{f+g}": [
+        PRIME,
+        flint(1, 2),
+        SYMPY,
+        DRAKE,
+        ("exponentials", "any functions E that are nowhere 0, with the rates of e^x", {}),
+    ],
+    r"\sin \delta \approx \delta": [
+        PRIME,
+        flint(2, 1),
+        SYMPY,
+        ("dual numbers", r"to first order in \delta and their rates, taken together", {}),
+    ],
+    r"\sin \delta \approx 2 \delta": [
+        PLACE,
+        ("dual numbers", r"to first order in \delta and their rates, taken together", {}),
+    ],
+    r"\sin f = f": [("real balls (Arb)", "the two sides differ", {})],
+    r"S = \{ a \in V_3 \mid a \cdot b = 0 \}": [("sets and maps", "well-formed", {})],
+    r"h : V_3 \to \mathbb{R}, h(a) = a \cdot b": [("sets and maps", "well-formed", {})],
+}
+
+
+@pytest.mark.parametrize("latex", MEANS)
+def test_what_else_was_used_is_told(latex):
+    symbols = {name: "vector" for name in "ab"} | {name: "scalar" for name in "fgxy"}
+    found = check(latex, symbols=symbols | {r"\delta": {"kind": "scalar", "small": True}})
+    assert told(found.verdict) == MEANS[latex]

@@ -130,3 +130,13 @@ def test_whether_two_definitions_share_a_member(entries, tangled):
     """The reader refuses those that overlap; whoever makes definitions otherwise gets no proof for all n."""
     apart = [read_definition(key, body, TABLE)[0] for key, body in entries.items()]
     assert exceptions(Judge(Definitions(apart))).tangled == tangled
+
+
+def test_of_a_tangled_family_each_member_is_judged():
+    apart = [read_definition(key, body, TABLE)[0] for key, body in {"k_{0,0}": "g", "k_{m,n}": "f"}.items()]
+    judge, (claim,) = Judge(Definitions(apart)), read("k_{n,n+1} = f + 0", TABLE, ["n"])
+    found = judge.judge(claim, orders=Orders.parse("n = 0..2"))
+    assert (found.outcome, found.scope) == (Outcome.PROVED, "n = 0..2")
+    (claim,) = read("k_{n,n} = f + 0", TABLE, ["n"])
+    found = judge.judge(claim, orders=Orders.parse("n = 0..2"))
+    assert (found.outcome, found.reason) == (Outcome.REFUTED, "for n = 0")

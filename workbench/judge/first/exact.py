@@ -109,7 +109,7 @@ class ExactEngine:
         """All entries in reading order, real parts before dual parts."""
         matrices = value if is_operator(value) else (value,)
         entries = [entry for matrix in matrices for row in matrix for entry in row]
-        real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
+        real = map(real_part, entries)
         dual = [entry.du for entry in entries if isinstance(entry, Dual)]
         return [self.ring.reduce(self._algebra.polynomial(p)) for p in (*real, *dual)]
 
@@ -270,10 +270,9 @@ class ExactEngine:
     def _circle(self, angle: Term) -> tuple[Entry, Entry]:
         """(cos, sin) of an integer combination of free angles, dual parts by Eq. (72)."""
         value = self.value(angle)[0][0]
-        real = value.re if isinstance(value, Dual) else value
         cosine, sine = self.ring.one, self.ring.zero
         circles = {circle: self._part_of(circle) for circle in self._circles}
-        for circle, count in self._free.multiples(self.ring.reduce(self._algebra.polynomial(real)), circles):
+        for circle, count in self._free.multiples(self._part_of(angle), circles):
             c, s = self._free.circle(circle, count)
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
         if isinstance(value, Dual):

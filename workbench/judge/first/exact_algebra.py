@@ -122,7 +122,7 @@ class ExactAlgebra:
 
     def _faddeev_leverrier(self, matrix: Matrix) -> tuple[Matrix, Entry]:
         size = len(matrix)
-        adjugate, coefficient = self.diagonal(1, size), self.ring.constant(0)
+        adjugate = self.diagonal(1, size)
         for k in range(1, size + 1):
             step = self.map(self.ring.reduce, product(matrix, adjugate))
             coefficient = self.ring.constant(Fraction(-1, k)) * trace(step)
@@ -134,8 +134,7 @@ class ExactAlgebra:
     def norm(self, matrix: Matrix) -> Entry:
         """N with N² = x·x; for a dual vector N + ε x·x₀/N, Eq. (74), where Re x ≠ 0."""
         entries = [entry for row in matrix for entry in row]
-        real = [entry.re if isinstance(entry, Dual) else entry for entry in entries]
-        norm = self._root(self.ring.reduce(sum((x * x for x in real), self.ring.zero)))
+        norm = self._root(self.ring.reduce(sum((real_part(e) ** 2 for e in entries), self.ring.zero)))
         if not any(isinstance(entry, Dual) for entry in entries):
             return norm
         mixed = sum((e.re * e.du for e in entries if isinstance(e, Dual)), self.ring.zero)

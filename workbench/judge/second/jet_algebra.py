@@ -65,7 +65,7 @@ class JetAlgebra:
     def det(self, a: Value) -> Value:
         """det A = a₁ⱼ adj(A)ⱼ₁; for other sizes row by row."""
         if a.re[0].shape != (3, 3):
-            return self._by_minors(a, a.re[0].shape[0])
+            return self._by_minors(a, len(a.re[0]))
         return product_of(first_row_by_first_column, a, self.adjugate(a))
 
     def _by_minors(self, a: Value, size: int) -> Value:
@@ -92,7 +92,8 @@ class JetAlgebra:
             return self.divide(self.constant(1, 1, a.depth), a)
         if shape == (3, 3):
             return self.divide(self.adjugate(a), self.det(a))
-        for size in sorted(range(1, shape[0]), key=lambda k: abs(2 * k - shape[0])):
+        rows = len(a.re[0])
+        for size in sorted(range(1, rows), key=lambda k: abs(2 * k - rows)):
             if is_zero(a.map(lambda x, k=size: x[:k, k:])):
                 return self._lower_inverse(a, size)
             if is_zero(a.map(lambda x, k=size: x[k:, :k])):
@@ -105,7 +106,7 @@ class JetAlgebra:
         lower = self.inverse(a.map(lambda x: x[size:, size:]))
         moved = product_of(np.matmul, a.map(lambda x: -x[size:, :size]), upper)
         corner = product_of(np.matmul, lower, moved)
-        rest = self.filled((size, a.re[0].shape[0] - size))
+        rest = self.filled((size, len(a.re[0]) - size))
 
         def joined(parts: tuple[Jet, Jet, Jet]) -> Jet:
             return [np.block([[p, rest], [q, s]]) for p, q, s in zip(*parts, strict=True)]
@@ -118,7 +119,7 @@ class JetAlgebra:
 
     def _gauss_jordan(self, a: Value) -> Value:
         """The inverse of a square block matrix, pivot by pivot; a pivot must not vanish identically."""
-        size = a.re[0].shape[0]
+        size = len(a.re[0])
         rows = [[entry(a, (i, j)) for j in range(size)] for i in range(size)]
         unit = self.diagonal(size, 1, a.depth)
         for i in range(size):

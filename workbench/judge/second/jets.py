@@ -157,11 +157,10 @@ class JetEngine:
         match term:
             case Number():
                 return self._algebra.constant(term.value.numerator, term.value.denominator, depth)
-            case Zero() | Identity():
-                shape = array_shape(term.type)
-                if isinstance(term, Identity):
-                    return self._algebra.diagonal(shape[0], 1, depth)
-                return Value([self._algebra.filled(shape) for _ in range(depth + 1)])
+            case Zero():
+                return Value([self._algebra.filled(array_shape(term.type)) for _ in range(depth + 1)])
+            case Identity():
+                return self.one(term.type, depth)
             case DualUnit():
                 return Value(self._algebra.constant(0, 1, depth).re, self._algebra.constant(1, 1, depth).re)
             case Symbol():

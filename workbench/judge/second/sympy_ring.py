@@ -74,11 +74,8 @@ class Ratio:
         if isinstance(other, int):
             return Ratio(self.ring, self.top * other, self.number, self.below)
         other = self.ring.lift(other)
-        below = self.below or other.below
-        if self.below and other.below:
-            below = {k: self.below.get(k, 0) + other.below.get(k, 0) for k in {*self.below, *other.below}}
-        top = self.ring.normal(self.top * other.top) if self.top and other.top else self.ring.zero
-        return Ratio(self.ring, top, self.number * other.number, below)
+        below = {k: self.below.get(k, 0) + other.below.get(k, 0) for k in {*self.below, *other.below}}
+        return Ratio(self.ring, self.ring.normal(self.top * other.top), self.number * other.number, below)
 
     __rmul__ = __mul__
 
@@ -101,7 +98,6 @@ class SympyRing:
         names.sort(key=lambda p: first.get(p.part) != p.component)
         symbols = [f"n{i}" for i in reversed(range(self._roots))] + [f"y{i}" for i in range(len(names))]
         self.polynomials, *generators = polynomial_ring(symbols or "y", ZZ, lex)
-        self.zero = self.polynomials.zero
         self._root_generators = generators[: self._roots][::-1]
         self._root_squares: list[PolyElement] = []  # over the rationals
         bases = dict(zip(names, generators[self._roots :], strict=False))
@@ -145,9 +141,8 @@ class SympyRing:
         return self.constant(value.numerator, value.denominator)
 
     def constant(self, numerator: int, denominator: int) -> Ratio:
-        if denominator < 0:
-            numerator, denominator = -numerator, -denominator
-        return Ratio(self, self.polynomials.ground_new(ZZ(numerator)), denominator, {})
+        value = Fraction(numerator, denominator)
+        return Ratio(self, self.polynomials.ground_new(ZZ(value.numerator)), value.denominator, {})
 
     def normal(self, p: PolyElement) -> PolyElement:
         """The remainder by the relations, which are a Gröbner basis (see `differential_ring.py`): squares are
@@ -166,18 +161,16 @@ class SympyRing:
         a, b = self.lift(a), self.lift(b)
         if not b:
             raise ZeroDivisionError("division by an expression that is identically zero")
-        upside_down = self.constant(b.number, 1)
-        for place, exponent in b.below.items():
-            upside_down = upside_down * Ratio(self, self.denominators[place] ** exponent, 1, {})
         content = gcd(*b.top.values()) if b.top.LC > 0 else -gcd(*b.top.values())
+        quotient = a * self.constant(b.number, content)
+        for place, exponent in b.below.items():
+            quotient = quotient * Ratio(self, self.denominators[place] ** exponent, 1, {})
         primitive = b.top.quo_ground(content)
-        below = {}
-        if primitive != 1:
-            if primitive not in self.denominators:
-                self.denominators.append(primitive)
-            below = {self.denominators.index(primitive): 1}
-        sign = self.polynomials.ground_new(ZZ(1 if content > 0 else -1))
-        return a * upside_down * Ratio(self, sign, abs(content), below)
+        if primitive == 1:
+            return quotient
+        if primitive not in self.denominators:
+            self.denominators.append(primitive)
+        return quotient * Ratio(self, self.polynomials.one, 1, {self.denominators.index(primitive): 1})
 
     def root(self, square: Any) -> Ratio:
         square = self.lift(square)
@@ -188,14 +181,10 @@ class SympyRing:
         (top,) = self.over_rationals([square.top])
         top = top.quo_ground(QQ(square.number))
         leading = top.LC
-        outside = leading**0
-        below = leading.denominator
-        if leading > 0 and isqrt(leading.numerator * below) ** 2 == leading.numerator * below:
-            outside = QQ(isqrt(leading.numerator * below), below)
-        top = top.quo_ground(outside**2)
+        outside = QQ(isqrt(abs(leading.numerator * leading.denominator)), leading.denominator)
+        outside = outside if outside**2 == leading else QQ(1)
         root = self.constant(outside.numerator, outside.denominator)
-        if top == 1:
-            return root
+        top = top.quo_ground(outside**2)
         for base, power in self._split(top):
             for _ in range(power):
                 root = root * self._root_of(base)

@@ -57,6 +57,7 @@ SAME = [
     (r"\mathds{1}_{3\times3}", r"\mathbf{I}"),
     (r"[NB]^T [a] [N B]", r"T^T \operatorname{skew}(a) T"),
     (r"[[NB] v]", r"\operatorname{skew}(T v)"),
+    ("[" * 24 + "a" + "]" * 24 + " v", r"\tilde{a} v"),  # each bracket read once, else 2²⁴ times
 ]
 
 

@@ -14,6 +14,7 @@ from workbench.language.errors import Fault, Misfit
 from workbench.language.notations import Known
 from workbench.language.scope import Scope
 from workbench.language.signatures import agree
+from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Accented,
     Binomial,
@@ -42,9 +43,17 @@ _LONGEST_NUMBER = 100
 class Elaborator(Scope):
     """Reads the nodes of one formula."""
 
+    def __init__(self, table: SymbolTable, variables: frozenset[str]) -> None:
+        super().__init__(table, variables)
+        self._read: dict[tuple[int, frozenset[str]], tuple[Node, Term]] = {}
+
     def term(self, node: Node) -> Term:
-        with self.nested(node.at):
-            return self._term(node)
+        """Read once, however many of the paper's signs are tried around it."""
+        key = id(node), self.variables
+        if key not in self._read:
+            with self.nested(node.at):
+                self._read[key] = node, self._term(node)
+        return self._read[key][1]
 
     def _term(self, node: Node) -> Term:
         value = self.integer_expression(node) or self.written(node)

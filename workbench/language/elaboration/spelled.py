@@ -20,6 +20,7 @@ from workbench.language.syntax import (
     Styled,
     core,
     is_function,
+    unstyled,
 )
 from workbench.language.terms import Term
 from workbench.language.vocabulary import FONTS
@@ -98,6 +99,9 @@ def refuse_row_of_vectors(scope: Scope, row: Product) -> None:
 
 
 def _is_vector(scope: Scope, node: Node) -> bool:
+    _, nucleus = unstyled(node.nucleus if isinstance(node, Scripted) else node)
+    if not isinstance(nucleus.body if isinstance(nucleus, Accented) else nucleus, Leaf | Styled):
+        return False
     try:
         return not is_function(node) and scope.term(node).type.kind == "vector"
     except (Fault, Misfit):

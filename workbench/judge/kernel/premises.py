@@ -7,9 +7,9 @@ for an x that t does not hold and of which no derivative is taken: so x = t may 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 
-from workbench.judge.subject import Lookup, With
+from workbench.judge.subject import Lookup, With, reached
 from workbench.judge.subject.assumptions import Assumptions
 from workbench.judge.subject.divisions import never_divides
 from workbench.judge.subject.inventory import take_inventory
@@ -48,18 +48,7 @@ def _is_any(term: Term, bound: Collection[Name]) -> bool:
 
 def _is_total(value: Term, definitions: Lookup) -> bool:
     """Whether it has a value whatever its symbols are. Only the derivatives of a norm may have none."""
-    parts = list(_all_of(value, definitions))
+    parts = list(reached(value, definitions))
     is_still = not any(isinstance(part, Derivative | TimeOperator) for part in parts)
     return all(never_divides(p) or (is_still and isinstance(p, Apply) and p.head == "norm") for p in parts)
 
-
-def _all_of(term: Term, definitions: Lookup) -> Iterator[Term]:
-    """The parts of a term, and of the definitions in it."""
-    waiting, seen = [term], {term}
-    while waiting:
-        for part in waiting.pop().walk():
-            yield part
-            body = definitions.lookup(part) if isinstance(part, Symbol) else None
-            if body is not None and body not in seen:
-                seen.add(body)
-                waiting.append(body)

@@ -1,6 +1,6 @@
 """What a statement is about, before any arithmetic: the one thing that the two engines share."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -22,6 +22,18 @@ class With:
 
     def lookup(self, symbol: Symbol) -> Term | None:
         return self.more.get(symbol) or self.definitions.lookup(symbol)
+
+
+def reached(term: Term, definitions: Lookup) -> Iterator[Term]:
+    """The parts of the term, and of all definitions in it, each of which is looked into once."""
+    waiting, seen = [term], {term}
+    while waiting:
+        for part in waiting.pop().walk():
+            yield part
+            body = definitions.lookup(part) if isinstance(part, Symbol) else None
+            if body is not None and body not in seen:
+                seen.add(body)
+                waiting.append(body)
 
 
 class NotExact(ValueError):

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
 
-from workbench.judge.subject import Lookup, NotExact
+from workbench.judge.subject import Lookup, NotExact, reached
 from workbench.judge.subject.angles import angles_of
 from workbench.judge.subject.slopes import require_known_dependence, seeds
 from workbench.language.construct import apply, derivative, number
@@ -106,16 +106,12 @@ class _Survey:
                         waiting.append(symbol)
 
     def _holds_rates(self, term: Term) -> bool:
-        bodies = (self.definitions.lookup(part) for part in term.walk() if isinstance(part, Symbol))
-        here = any(isinstance(part, Derivative | TimeOperator) for part in term.walk())
-        return here or any(body is not None and self._holds_rates(body) for body in bodies)
+        return any(isinstance(part, Derivative | TimeOperator) for part in reached(term, self.definitions))
 
     def _moving(self, term: Term) -> set[Symbol]:
         """What stands under a derivative by the time."""
         found: set[Symbol] = set()
-        for part in term.walk():
-            body = self.definitions.lookup(part) if isinstance(part, Symbol) else None
-            found |= set() if body is None else self._moving(body)
+        for part in reached(term, self.definitions):
             if isinstance(part, Derivative | TimeOperator):
                 found |= self.orders(part.body if isinstance(part, Derivative) else term).keys()
         return found

@@ -163,11 +163,6 @@ class SymbolTable:
         """Whether any symbol is a quaternion, so that s + x of a scalar and a vector may be one."""
         return any(d.type.kind == "quaternion" for d in self.symbols.values())
 
-    @cached_property
-    def weighs(self) -> bool:
-        """Whether any symbol says a weight: without one, numbers may stand for quantities, as in 1 - t."""
-        return any(each.weight is not None for each in (*self.symbols.values(), *self.functions.values()))
-
     def __contains__(self, letter: str) -> bool:
         """Whether the letter, as it stands there, is a symbol."""
         return Name(letter) in self.symbols

@@ -127,4 +127,4 @@ class Declaration:
 
 
 #: The time t.
-CLOCK = Declaration(Name("t"), SCALAR, Linear(-1), independent=True, clock=True)
+CLOCK = Declaration(Name("t"), SCALAR, None, independent=True, clock=True)

@@ -170,7 +170,8 @@ class _Question:
             value, body = _number(trial, self.value), _number(trial, self.varied.body)
             return value is not None and value < 0 and body is not None
 
-        if self.has_norm and (trial := case.find(is_negative, self.value)):
+        may_be_negative = self.has_norm and not is_seen_nonnegative(self.value)
+        if may_be_negative and (trial := case.find(is_negative, self.value)):
             return replace(case.refuted(trial, plain), reason="a norm is not negative")
         trial = case.find(is_less, minus(self.form, self.wanted))
         if trial is None:

@@ -145,14 +145,15 @@ class _Prover:
 
     def _judge(self, obligation: Obligation) -> Verdict:
         used = _integers(obligation)
+        simpler = list(forms(obligation.statement, self.judge, used)) if used else []
         try:
-            simpler = list(forms(obligation.statement, self.judge, used))
-            same = used and any(form.is_same_sum and form.holds_from(used) for form in simpler)
+            same = any(form.is_same_sum and form.holds_from(used) for form in simpler)
             if same and self._first_hold(obligation, used):
                 return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
             verdict = self._judged(obligation.statement, obligation, used)
             if verdict.outcome in (Outcome.REFUTED, Outcome.CONDITIONAL) or _is_for_all(verdict, used):
                 return verdict
+            simpler = simpler or list(forms(obligation.statement, self.judge, used))
             soon = [form for form in simpler if form.holds_from(used)]
             if (shown := self._one_of(soon, obligation, used)) is not None:
                 return shown
@@ -186,7 +187,8 @@ class _Prover:
     def _one_of(self, simpler: Sequence[Form], obligation: Obligation, used: Mapping) -> Verdict | None:
         """The proof, if there is one, of a form that is left when operators and sums are taken away. What is
         before the form's first integers has been looked at one by one."""
-        if obligation.rule != FORMULA and any(form.is_same_sum for form in simpler):
+        same = obligation.rule != FORMULA and any(form.is_same_sum for form in simpler)
+        if same and self._first_hold(obligation, used):
             return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
         for form in simpler:
             left = _integers(replace(obligation, statement=form.equation))

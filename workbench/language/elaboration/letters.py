@@ -188,8 +188,7 @@ class _Lettering:
             case "\\varepsilon":
                 return construct.dual_unit()
             case "t":
-                time = construct.symbol(CLOCK)
-                return time if self.scope.table.weighs else replace(time, weight=None)
+                return construct.symbol(CLOCK)
             case "\\mathbf{D}":
                 return construct.time_operator()
         if name in EXPONENTIALS:

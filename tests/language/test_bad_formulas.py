@@ -10,9 +10,10 @@ import pytest
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.statements import clauses_of
 from workbench.language.errors import Fault, IllFormedAt, Misfit, ReadError
+from workbench.language.parser import parse
 from workbench.language.reader import read, read_term
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Chain, parse
+from workbench.language.syntax import Chain
 
 TABLE = SymbolTable.build(
     {

@@ -10,8 +10,9 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact
 from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.latex import latex_of
+from workbench.language.parser import parse
 from workbench.language.printer import to_latex
-from workbench.language.syntax import Accented, Group, Infix, Product, parse
+from workbench.language.syntax import Accented, Group, Infix, Product
 from workbench.language.terms import Statement
 from workbench.papers import Claim, Formula
 from workbench.papers.formulas import read_statement

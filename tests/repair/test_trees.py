@@ -6,7 +6,7 @@ import pytest
 
 from tests.language.chapter import PARTS
 from workbench.language.latex import latex_of
-from workbench.language.syntax import parse
+from workbench.language.parser import parse
 
 FORMULAS = [latex for part in PARTS.values() for _, latex in part.formulas]
 #: What else the grammar has.

@@ -10,7 +10,8 @@ import pytest
 
 from workbench.ingest import ingest, model_text
 from workbench.ingest.kinds import Guesser
-from workbench.ingest.proposals import ground_of, proposals_for
+from workbench.ingest.proposal import ground_of
+from workbench.ingest.proposals import proposals_for
 from workbench.ingest.prose import Prose
 from workbench.ingest.typefaces import Guess
 from workbench.judge.verdict import Outcome

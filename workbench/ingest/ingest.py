@@ -13,7 +13,8 @@ from typing import Any
 from workbench.ingest.asked import Outcome
 from workbench.ingest.features import feature_of
 from workbench.ingest.kinds import Guesser
-from workbench.ingest.proposals import Proposal, ground_of, proposals_for, words_of
+from workbench.ingest.proposal import Proposal, ground_of, words_of
+from workbench.ingest.proposals import proposals_for
 from workbench.ingest.prose import Prose
 from workbench.ingest.questions import questions_of
 from workbench.ingest.typefaces import Guess

@@ -29,10 +29,10 @@ from workbench.ingest.typefaces import (
 from workbench.language.declarations import read_key
 from workbench.language.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.names import Name
+from workbench.language.parser import parses
 from workbench.language.reader import read, unclaimed
 from workbench.language.spelling import INDEX_LETTERS
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import parses
 from workbench.language.types import Declaration
 
 _UNKNOWN = re.compile(r"unknown symbol (.+)", re.DOTALL)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from workbench.ingest.ingest import Ingested, Proposed
-from workbench.ingest.proposals import tables_of
+from workbench.ingest.proposal import tables_of
 from workbench.papers.faults import Faults
 from workbench.papers.text_claims.text_load import model_of
 from workbench.papers.toml.toml_file import TomlFile

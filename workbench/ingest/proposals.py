@@ -3,38 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
+from dataclasses import replace
 
-from workbench.language.symbols import SymbolTable
-from workbench.papers.notation import FUNCTIONS, HAMILTON, notation_of
-from workbench.papers.toml.toml_file import TomlFile
+from workbench.ingest.frames import frames
+from workbench.ingest.proposal import Proposal
+from workbench.papers.notation import FUNCTIONS, HAMILTON
 
-_STYLE = r"(?:\\(?:bar|vec|mathbf|boldsymbol|mathsf|underline|mathrm|hat)\s*)"
-_SCRIPT = (
-    rf"(?:\{{[^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)*\}}|{_STYLE}\{{[A-Za-z]+\}}|{_STYLE}[A-Za-z](?![A-Za-z])"
-    r"|\\[A-Za-z]+(?![A-Za-z{])|[A-Za-z0-9])"
-)
-_CORE = rf"(?:{_STYLE}\{{\s*\\?[A-Za-z]+\s*\}}|{_STYLE}?\\?[A-Za-z])"
-_SEEN_FROM = re.compile(rf"\{{\}}\s*\^\s*(?P<F>{_SCRIPT})\s*(?P<core>{_CORE})(?:\s*\^\s*(?P<G>{_SCRIPT}))?")
-_RATE_IN = re.compile(rf"\{{\}}\s*\^\s*(?P<F>{_SCRIPT})\s*(?:d(?![A-Za-z])|\\frac\s*\{{?\s*d)")
-_BETWEEN = re.compile(rf"(?P<core>{_CORE})\s*\^\s*\{{\s*(?P<P>[^{{}}/]+?)\s*/\s*(?P<O>[^{{}}/]+?)\s*\}}")
-_JOINED = re.compile(rf"(?P<core>{_CORE})\s*\^\s*\{{\s*(?P<O>[A-Z])\s*(?P<P>[A-Z])\s*\}}")
-_BOLD = r"\\(?:mathbf|boldsymbol)"
-_AXIS = re.compile(
-    rf"(?:(?P<outer>{_BOLD})\s*\{{\s*)?\\hat\s*\{{?\s*(?:(?P<inner>{_BOLD})\s*\{{?\s*)?(?P<letter>[a-z])\}}*"
-    r"\s*_\s*\{?\s*(?P<axis>[xyz123])(?![A-Za-z0-9])"
-)
-#: The frame in which the others move, where the text names none.
-_NOWHERE = "O"
-#: Capitals that mechanics has for rotations; X and T may be transforms.
-_ROTATIONS = frozenset("ACDQRS")
-_LABELS = re.compile(r"\{\}\s*[_^]|/|\\hat|\[\s*(?:\\dot\s*\{)?\s*[A-Z]\s*[A-Z]")
-#: [BN], where neither letter stands for itself.
-_TURN = re.compile(r"\[\s*(?:\\dot\s*\{)?\s*([A-Z])\s*([A-Z])\s*(?:\(t\)\s*)?\}?\s*\]")
-_ALONE = r"(?<![\\A-Za-z/_^{{]){}(?![A-Za-z])"
 _UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
 _SYMBOL = r"(?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])"
 _DOTTED = rf"(?:\\d*dot\s*\{{?\s*{_SYMBOL}\s*\}}?|{_SYMBOL})"
@@ -52,46 +27,6 @@ _TYPED = {name: re.compile(rf"(?<!\\)(?<!\\arc)(?<!arc)(?<!a){name}(?![A-Za-z2])
 _UNITS_OF_QUATERNIONS = re.compile(
     r"(?P<font>\\(?:mathbf|boldsymbol|hat|vec|mathrm)\s*\{?|)(?<![\\A-Za-z])?\s*i\}?(?:\s*\+[^=+]*|\s*)(?P=font)\s*j\}?(?:\s*\+[^=+]*|\s*)(?P=font)\s*k(?![A-Za-z])"
 )
-
-
-@dataclass(frozen=True)
-class Proposal:
-    """Entries of one table of a model, as TOML, and what they rest on. `stands`: kept unless it loses a
-    formula; others, where formulas come further by it, or, if it `reads`, are read by it."""
-
-    table: str
-    entries: Mapping[str, str]
-    why: str
-    question: str
-    trigger: re.Pattern[str]
-    stands: bool = False
-    reads: bool = False
-
-
-def tables_of(proposals: Sequence[Proposal]) -> dict[str, dict[str, tuple[str, str]]]:
-    """Table → key → value as TOML, and why. Lists of one convention grow together."""
-    tables: dict[str, dict[str, tuple[str, str]]] = {}
-    for proposal in proposals:
-        table = tables.setdefault(proposal.table, {})
-        for key, value in proposal.entries.items():
-            if key in table and value.startswith("["):
-                value = f"{table[key][0][:-1]}, {value[1:]}"
-            table[key] = (value, proposal.why)
-    return tables
-
-
-def ground_of(proposals: Sequence[Proposal]) -> SymbolTable:
-    """The table that the reader has with these proposals alone. Raises PaperError."""
-    lines = []
-    for name, entries in tables_of(proposals).items():
-        lines += [f"[{name}]", *(f"{key} = {value}" for key, (value, _) in entries.items())]
-    return notation_of([TomlFile(Path("guessed"), "\n".join(lines) + "\n")]).symbols
-
-
-def words_of(proposals: Sequence[Proposal]) -> frozenset[str]:
-    """The functions that the text writes without a backslash."""
-    texts = (p.entries["functions"] for p in proposals if "functions" in p.entries)
-    return frozenset(re.findall(r"[a-z]+", " ".join(texts)))
 
 
 def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
@@ -137,7 +72,7 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
     gradient = '"row"' if _TRANSPOSED_SLOPE.search(together) else '"column"'
     question = "How does the derivative of a scalar by a column stand, as a row or a column?"
     yield _conventions("gradient", gradient, "a partial derivative", question, re.compile(r"\\partial"))
-    yield from _frames(together)
+    yield from frames(together)
     question = r"Is \hat{x} the skew tensor of x?"
     hat = _notation(
         r"\\(?:wide)?hat(?![A-Za-z])", r"\hat{x}", {"x": "vector"}, _SKEW, "a hat on a symbol", question
@@ -288,99 +223,3 @@ def _prime(kinds: Sequence[str]) -> Proposal:
 
 def _conventions(key: str, value: str, why: str, question: str, trigger: re.Pattern[str]) -> Proposal:
     return Proposal("conventions", {key: value}, why, question, trigger)
-
-
-def _frames(formulas: str) -> Iterator[Proposal]:
-    """Labels on the left, as in {}^A ω^B and {}^A d/dt; points, as in r^{P/O}."""
-    seen = list(_SEEN_FROM.finditer(formulas))
-    rates = [_label(match["F"]) for match in _RATE_IN.finditer(formulas)]
-    frames = Counter(rates + [_label(match["F"]) for match in seen])
-    points: Counter[str] = Counter()
-    spelled: dict[str, dict[str, str]] = {"frames": {}, "points": {}}
-    for match in seen:
-        core, right = match["core"].strip(), match["G"]
-        meaning = None if right is None else _meaning(core)
-        if meaning is None:
-            continue
-        where, phrase = meaning
-        (frames if where == "frames" else points)[_label(right)] += 1
-        spelled[where][f"'{{}}^F{core}^{'G' if where == 'frames' else 'P'}'"] = f'"{phrase}"'
-    for match in _BETWEEN.finditer(formulas):
-        points.update((_label(match["P"]), _label(match["O"])))
-        spelled["points"][f"'{match['core'].strip()}^{{P/O}}'"] = '"to P from O"'
-    for match in _JOINED.finditer(formulas):
-        points.update((match["P"], match["O"]))
-        spelled["points"][f"'{match['core'].strip()}^{{OP}}'"] = '"to P from O"'
-    triads, turns = _triads(formulas), _TURN.findall(formulas)
-    named, rest = [letter for turn in turns for letter in turn], _TURN.sub("", formulas)
-    if any(re.search(_ALONE.format(letter), rest) for letter in named):
-        turns = []  # a product in brackets
-    elif turns:
-        frames.update(named)
-        spelled["frames"]["'[FG]'"] = '"rotation to F from G"'
-    if not (seen or rates or triads or turns):
-        return
-    labels = Counter(rates or [_label(match["F"]) for match in seen] or [seen_from for _, seen_from in turns])
-    base = labels.most_common(1)[0][0] if labels else _NOWHERE
-    names = [name for name in frames if name != base]
-    axes = _axes(triads, base, names)
-    entries = {"base": f"'{base}'", "names": _list(names), "dot": f"'{base}'", **spelled["frames"], **axes}
-    question = (
-        "Do scripts on the left name frames, and is {}^F ω^G that of G in F, [FG] the turn to F from G?"
-    )
-    yield Proposal("frames", entries, "labels of frames", question, _LABELS, stands=True)
-    if points:
-        entries = {"names": _list(list(points)), **spelled["points"]}
-        question = (
-            "Do the labels of positions, velocities and accelerations name points, and is r^{OP} from O?"
-        )
-        yield Proposal("points", entries, "labels of points", question, _LABELS, stands=True)
-
-
-def _triads(formulas: str) -> dict[str, tuple[str, str]]:
-    """\\hat{b}_x, \\hat{b}_y, \\hat{b}_z: by their letter, its font and the three indices."""
-    found: dict[tuple[str, str], set[str]] = {}
-    for match in _AXIS.finditer(formulas):
-        font = match["inner"] or match["outer"] or ""
-        found.setdefault((match["letter"], font), set()).add(match["axis"])
-    return {
-        letter: (font, triad)
-        for (letter, font), axes in found.items()
-        for triad in ("xyz", "123")
-        if set(triad) <= axes
-    }
-
-
-def _axes(triads: Mapping[str, tuple[str, str]], base: str, names: list[str]) -> dict[str, str]:
-    """The triads as the axes of frames: of B, or of one more frame, for the letter b."""
-    rows = []
-    for letter, (font, indices) in triads.items():
-        frame = next((name for name in [base, *names] if name.strip("{}")[-1:] == letter.upper()), None)
-        if frame is None:
-            frame = letter.upper()
-            names.append(frame)
-        core = f"{font}{{{letter}}}" if font else letter
-        rows.append(f"'{frame}' = " + _list([f"\\hat{{{core}}}_{axis}" for axis in indices]))
-    return {"axes": f"{{ {', '.join(rows)} }}"} if rows else {}
-
-
-def _meaning(core: str) -> tuple[str, str] | None:
-    """By the letter, as mechanics has it: in which table, and what it is."""
-    letter = re.findall(r"\\?[A-Za-z]+", core)[-1]
-    if "\\hat" in core:
-        return None
-    if letter == "\\omega":
-        return "frames", "angular velocity of G in F"
-    if letter == "\\alpha":
-        return "frames", "angular acceleration of G in F"
-    if letter in _ROTATIONS:
-        return "frames", "rotation to F from G"
-    return {"v": ("points", "velocity of P in F"), "a": ("points", "acceleration of P in F")}.get(letter)
-
-
-def _label(script: str) -> str:
-    return script.strip().removeprefix("{").removesuffix("}").strip() if script[:1] == "{" else script.strip()
-
-
-def _list(names: Sequence[str]) -> str:
-    return "[" + ", ".join(f"'{name}'" for name in names) + "]"

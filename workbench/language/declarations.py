@@ -8,6 +8,7 @@ from typing import Any
 from workbench.language.errors import Fault, SpecError
 from workbench.language.integers import Linear
 from workbench.language.names import PREFIXES, Name
+from workbench.language.parser import parse
 from workbench.language.spelling import (
     INDEX_LETTERS,
     TRANSPOSES,
@@ -30,7 +31,6 @@ from workbench.language.syntax import (
     Scripted,
     as_letter,
     core,
-    parse,
     unstyled,
 )
 from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind

@@ -11,10 +11,11 @@ from workbench.language.definitions import Definitions, solve
 from workbench.language.errors import Fault, IllFormedAt, SpecError
 from workbench.language.integers import Linear, as_linear
 from workbench.language.names import Name
+from workbench.language.parser import parse
 from workbench.language.reader import read_term
 from workbench.language.spelling import Named
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Bracket, Node, Product, Scripted, in_a_row, parse
+from workbench.language.syntax import Bracket, Node, Product, Scripted, in_a_row
 from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
 from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
 

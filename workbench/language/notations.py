@@ -10,6 +10,7 @@ from typing import Any, Literal
 from workbench.language.construct import zero
 from workbench.language.errors import Fault, SpecError
 from workbench.language.latex import latex_of
+from workbench.language.parser import parse
 from workbench.language.syntax import (
     Bracket,
     Chain,
@@ -25,7 +26,6 @@ from workbench.language.syntax import (
     Sum,
     core,
     is_own_word,
-    parse,
 )
 from workbench.language.terms import Term, Zero
 from workbench.language.types import KINDS, type_of_kind

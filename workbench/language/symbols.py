@@ -24,8 +24,8 @@ from workbench.language.errors import SpecError
 from workbench.language.integers import Linear
 from workbench.language.names import PREFIXES, Name
 from workbench.language.notations import Notation, Notations
+from workbench.language.parser import parse
 from workbench.language.spelling import Named, Spelling
-from workbench.language.syntax import parse
 from workbench.language.terms import IllFormed, Symbol, Term
 from workbench.language.types import CLOCK, Declaration, Type
 

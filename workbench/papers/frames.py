@@ -14,10 +14,10 @@ from workbench.language.declarations import key_spelling
 from workbench.language.definitions import Definitions
 from workbench.language.errors import Fault, ReadError, SpecError
 from workbench.language.names import Name
+from workbench.language.parser import parse
 from workbench.language.reader import read_term
 from workbench.language.spelling import Spelling, bracketed, in_bracket, spell_label
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import parse
 from workbench.language.terms import Conjunction, Definition, IllFormed, Term
 from workbench.language.types import TENSOR, VECTOR
 from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minus, turned

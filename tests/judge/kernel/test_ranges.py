@@ -7,7 +7,7 @@ import pytest
 from judge.test_judge import TABLE, defined
 
 from workbench.judge.kernel.beyond import behind, beyond
-from workbench.judge.kernel.generic import Distinct, judge_addends
+from workbench.judge.kernel.generic import Distinct, judge_addends, ranges_apart
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome
 from workbench.language.definitions import Definitions
@@ -82,7 +82,7 @@ def test_only_what_has_no_end_goes_on():
 def lasts_of(latex, generic, table=TABLE):
     (said,) = read(latex, table, frozenset("ijn"))
     orders = Ranges({name: range(1, 3) for name in generic}, tuple(generic))
-    found = Distinct.of(orders, said, [said.left, said.right], FREE)
+    found = ranges_apart(orders, said, [said.left, said.right], FREE)
     assert all(each.orders is orders and (each.generic, each.endless) == ((), frozenset()) for each in found)
     return [dict(each.lasts) for each in found]
 

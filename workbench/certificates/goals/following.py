@@ -19,9 +19,9 @@ from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.language.construct import relation, symbol
 from workbench.language.declarations import read_key
 from workbench.language.names import Name
+from workbench.language.parser import parse
 from workbench.language.reader import read_term
 from workbench.language.spelling import linear
-from workbench.language.syntax import parse
 from workbench.language.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator, Zero
 from workbench.language.types import Declaration
 

@@ -3,7 +3,8 @@ formula, such as the 4 of Σ_{k=0}^{4}. A range without an end is looked at ther
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from itertools import product
 from typing import Protocol
 
@@ -13,6 +14,9 @@ from workbench.language.terms import BigSum, Counting, Derivative, Integer, Powe
 
 #: Larger numbers than this are no places where a formula could change.
 _LARGEST = 12
+
+#: How many members of a family are looked at one by one, where a proof is for all of them.
+FIRST = 3
 
 
 class OrderRanges(Protocol):
@@ -27,6 +31,25 @@ class OrderRanges(Protocol):
     def endless(self) -> frozenset[str]: ...
 
     def assignments(self) -> Iterator[dict[str, int]]: ...
+
+
+@dataclass(frozen=True)
+class FirstMembers:
+    """The first few values of each integer: what `Judge` takes for the orders of a family.   endless: the
+    integers of which these are examples only."""
+
+    least: Mapping[str, int]
+    generic: tuple[str, ...] = ()  # a range is stated for each
+    endless: Collection[str] = ()
+
+    def assignments(self) -> Iterator[dict[str, int]]:
+        values: list[dict[str, int]] = [{}]
+        for name, least in self.least.items():
+            values = [{**v, name: least + k} for v in values for k in range(FIRST)]
+        return iter(values)
+
+    def __str__(self) -> str:
+        return ", ".join(f"{name} = {least}..{least + FIRST - 1}" for name, least in self.least.items())
 
 
 def beyond(

@@ -13,7 +13,7 @@ from functools import partial
 from typing import Protocol
 
 from workbench.judge.kernel.beyond import OrderRanges, beyond
-from workbench.judge.kernel.generic import Distinct, judge_addends
+from workbench.judge.kernel.generic import judge_addends, ranges_apart
 from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
 from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
 from workbench.judge.subject.addends import has_sums
@@ -80,7 +80,7 @@ def judge_family(
         return _instance_for(judge, statement, assume, hypothesis, {})
     verdict = _family(judge, statement, assume, hypothesis, orders)
     if verdict.outcome is Outcome.REFUTED and orders.generic:
-        apart = Distinct.of(orders, statement, list(_terms(statement)), judge.definitions)
+        apart = ranges_apart(orders, statement, list(_terms(statement)), judge.definitions)
         found = [_instances(judge, statement, assume, hypothesis, values) for values in apart]
         if found and all(each.outcome is Outcome.REFUTED for each in found):
             return found[0]

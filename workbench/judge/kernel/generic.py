@@ -27,23 +27,6 @@ class Distinct:
     generic: tuple[str, ...] = ()
     endless: frozenset[str] = frozenset()
 
-    @staticmethod
-    def of(
-        orders: OrderRanges, statement: Statement, terms: Sequence[Term], definitions: Definitions
-    ) -> list[Distinct]:
-        """All must refute: with sums of two addends up to such as end behind all numbers of the formula: the
-        text may say somewhere how many there are. None at all where these would be too long, and for
-        M c = Σ m_i x_i or Σ a_i = 0, which may say what stands there."""
-        sums = [part for term in terms for part in term.walk() if isinstance(part, BigSum)]
-        lasts = [name for name in orders.generic if any(name in each.upper.variables for each in sums)]
-        if not lasts:
-            return [Distinct(orders, {})]
-        longest = behind(terms, definitions)
-        if longest is None or not (isinstance(statement, Relation) and all(map(has_sums, terms))):
-            return []
-        lengths = range(2, max(longest, len(orders.generic) + 2) + 1)
-        return [Distinct(orders, dict.fromkeys(lasts, length)) for length in lengths]
-
     def assignments(self) -> Iterator[dict[str, int]]:
         indices = [name for name in self.orders.generic if name not in self.lasts]
         first = next(self.orders.assignments())
@@ -51,6 +34,23 @@ class Distinct:
             is_first = all(values[name] == first[name] for name in self.lasts)
             if is_first and len({values[name] for name in indices}) == len(indices):
                 yield {**values, **self.lasts}
+
+
+def ranges_apart(
+    orders: OrderRanges, statement: Statement, terms: Sequence[Term], definitions: Definitions
+) -> list[Distinct]:
+    """Ranges that must all refute: with sums of two addends up to such as end behind all numbers of the
+    formula: the text may say somewhere how many there are. None at all where these would be too long, and
+    for M c = Σ m_i x_i or Σ a_i = 0, which may say what stands there."""
+    sums = [part for term in terms for part in term.walk() if isinstance(part, BigSum)]
+    lasts = [name for name in orders.generic if any(name in each.upper.variables for each in sums)]
+    if not lasts:
+        return [Distinct(orders, {})]
+    longest = behind(terms, definitions)
+    if longest is None or not (isinstance(statement, Relation) and all(map(has_sums, terms))):
+        return []
+    lengths = range(2, max(longest, len(orders.generic) + 2) + 1)
+    return [Distinct(orders, dict.fromkeys(lasts, length)) for length in lengths]
 
 
 def judge_addends(judge: InstanceJudge, statement: Statement) -> Verdict | None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
+from workbench.judge.kernel.beyond import FIRST, FirstMembers
 from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
@@ -54,28 +55,6 @@ from workbench.language.terms import IllFormed, Relation, Statement
 Lemmas: TypeAlias = "dict[tuple[Statement, tuple[Statement, ...], tuple[tuple[str, int], ...]], Verdict]"
 
 _SHOWN = (Outcome.PROVED, Outcome.DEFINITION)
-
-#: How many members of a family are looked at one by one, beside the proof for all of them.
-_MEMBERS = 3
-
-
-@dataclass(frozen=True)
-class Members:
-    """The first few values of each integer: what `Judge` takes for the orders of a family.   endless: the
-    integers of which these are examples only."""
-
-    least: Mapping[str, int]
-    generic: tuple[str, ...] = ()  # a range is stated for each
-    endless: Collection[str] = ()
-
-    def assignments(self) -> Iterator[dict[str, int]]:
-        values: list[dict[str, int]] = [{}]
-        for name, least in self.least.items():
-            values = [{**v, name: least + k} for v in values for k in range(_MEMBERS)]
-        return iter(values)
-
-    def __str__(self) -> str:
-        return ", ".join(f"{name} = {least}..{least + _MEMBERS - 1}" for name, least in self.least.items())
 
 
 def prove(
@@ -178,9 +157,9 @@ class _Prover:
             soon = [form for form in simpler if form.holds_from(used)]
             if (shown := self._one_of(soon, obligation, used)) is not None:
                 return shown
-            late = [form for form in simpler if form not in soon and form.holds_from(used, _MEMBERS)]
+            late = [form for form in simpler if form not in soon and form.holds_from(used, FIRST)]
             if late:
-                first = self.judge.judge(obligation.statement, obligation.assume, orders=Members(used))
+                first = self.judge.judge(obligation.statement, obligation.assume, orders=FirstMembers(used))
                 if first.outcome in _SHOWN and (shown := self._one_of(late, obligation, used)) is not None:
                     return replace(shown, evidence=(*first.evidence, *shown.evidence))
             return verdict
@@ -201,7 +180,7 @@ class _Prover:
     def _judged(self, statement: Statement, obligation: Obligation, used: Mapping[str, int]) -> Verdict:
         asked = (statement, obligation.assume, tuple(used.items()))
         if asked not in self.lemmas:
-            orders = Members(used, endless=used) if used else None
+            orders = FirstMembers(used, endless=used) if used else None
             self.lemmas[asked] = self.judge.judge(statement, obligation.assume, orders=orders)
         return self.lemmas[asked]
 

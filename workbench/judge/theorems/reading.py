@@ -38,8 +38,8 @@ from workbench.judge.theorems.goals import (
 from workbench.language.declarations import read_key
 from workbench.language.errors import SpecError
 from workbench.language.names import Name
+from workbench.language.parser import parse
 from workbench.language.spelling import linear
-from workbench.language.syntax import parse
 from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
 
 _MARK = re.compile(

@@ -68,9 +68,9 @@ from workbench.judge.theorems.sum_rules import pascal, termwise
 from workbench.language.construct import apply, power, relation, symbol, zero
 from workbench.language.declarations import read_key
 from workbench.language.integers import Linear
+from workbench.language.parser import parse
 from workbench.language.reader import read_term
 from workbench.language.spelling import linear
-from workbench.language.syntax import parse
 from workbench.language.terms import Relation, Statement, Term, Zero
 from workbench.language.types import SCALAR, VECTOR, Declaration
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from workbench.language.latex import latex_of
+from workbench.language.parser import parse
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Accented,
@@ -22,7 +23,6 @@ from workbench.language.syntax import (
     Summation,
     in_a_row,
     is_left_script,
-    parse,
 )
 from workbench.repair.trees.letters import occurrences
 from workbench.repair.trees.marks import Mark, core_of

@@ -9,6 +9,7 @@ from itertools import product
 from workbench.language.elaboration.statements import reading_of
 from workbench.language.errors import Fault, Misfit
 from workbench.language.latex import latex_of
+from workbench.language.parser import parse
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Chain,
@@ -24,7 +25,6 @@ from workbench.language.syntax import (
     Styled,
     core,
     in_a_row,
-    parse,
 )
 from workbench.language.terms import IllFormed
 from workbench.repair.terms.search import Change

@@ -8,8 +8,9 @@ from itertools import product
 
 from workbench.language.integers import Linear
 from workbench.language.latex import latex_of
+from workbench.language.parser import parse
 from workbench.language.spelling import linear_or_none, variable_name
-from workbench.language.syntax import Bracket, Chain, Group, Leaf, Node, Scripted, Sum, Summation, core, parse
+from workbench.language.syntax import Bracket, Chain, Group, Leaf, Node, Scripted, Sum, Summation, core
 from workbench.repair.trees.marks import Mark
 from workbench.repair.trees.nodes import below
 

@@ -10,8 +10,9 @@ from itertools import islice
 
 from workbench.language.elaboration.statements import clauses_of
 from workbench.language.errors import Fault
+from workbench.language.parser import parse, parses
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Lines, Node, parse, parses
+from workbench.language.syntax import Lines, Node
 from workbench.repair.terms.search import Change
 from workbench.repair.trees.garbled import (
     Step,

@@ -9,8 +9,9 @@ from itertools import islice, pairwise, product
 
 from workbench.language.latex import latex_of
 from workbench.language.names import Name
+from workbench.language.parser import parse
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, in_a_row, parse
+from workbench.language.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, in_a_row
 from workbench.language.types import VECTOR
 from workbench.repair.trees.garbled import Found, changes_of, letters_of_clauses
 from workbench.repair.trees.integers import bound_variables

@@ -1,0 +1,242 @@
+"""The grammar: tokens to nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache, lru_cache
+from pathlib import Path
+
+from lark import Lark, Token, Transformer
+from lark.exceptions import UnexpectedInput
+from lark.lexer import Lexer
+
+from workbench.language.errors import Fault
+from workbench.language.operators import FUNCTIONS
+from workbench.language.syntax import (
+    Accented,
+    Binomial,
+    Bracket,
+    Chain,
+    Conditional,
+    Extremal,
+    Fraction,
+    Given,
+    Group,
+    Infix,
+    Joined,
+    Leaf,
+    Lines,
+    Matrix,
+    Node,
+    Scripted,
+    Styled,
+    Sum,
+    Summation,
+    core,
+    in_a_row,
+)
+from workbench.language.tokens import tokenize
+
+
+class _Builder(Transformer):
+    """Grammar rules to nodes; a rule that holds one thing returns that thing."""
+
+    def start(self, children):
+        return children[0]
+
+    def lines(self, children):
+        rows = [child for child in children if isinstance(child, list)]
+        return Lines(rows[0][0].at if rows[0] else 0, tuple(tuple(row) for row in rows if row))
+
+    def line(self, children):
+        return [child for child in children if isinstance(child, Node)]
+
+    def clause(self, children):
+        if len(children) == 1:
+            return children[0]
+        signs = tuple((str(sign), sign.start_pos) for sign in children[1::2])
+        return Conditional(children[0].at, tuple(children[::2]), signs)
+
+    def joined(self, children):
+        statements = tuple(child for child in children if isinstance(child, Node))
+        return statements[0] if len(statements) == 1 else Joined(statements[0].at, statements)
+
+    def given(self, children):
+        return Given(children[0].start_pos, tuple(c for c in children if isinstance(c, Node)))
+
+    def statement(self, children):
+        universal = isinstance(children[0], Token)
+        parts = children[universal:]
+        if len(parts) == 1 and not universal:
+            return parts[0]
+        relations = tuple((str(sign), sign.start_pos) for sign in parts[1::2])
+        return Chain(parts[0].at, tuple(parts[::2]), relations, universal)
+
+    def sum(self, children):
+        if len(children) == 1:
+            return children[0]
+        addends, sign = [], ("", children[0].at if isinstance(children[0], Node) else 0)
+        for child in children:
+            if isinstance(child, Token):
+                sign = (str(child), child.start_pos)
+            else:
+                addends.append((*sign, child))
+        return Sum(addends[0][1], tuple(addends))
+
+    def product(self, children):
+        return in_a_row(children[0].at, children)
+
+    def infix(self, children):
+        return Infix(children[0].start_pos, str(children[0]))
+
+    def summation(self, children):
+        at = children[0].start_pos
+        scripts = _scripts(Leaf(at, "MARK", "∑"), children[1:])
+        if scripts.primes or scripts.factorial:
+            raise Fault("a sum has a lower and an upper bound only", at)
+        return Summation(at, scripts.sub, scripts.sup)
+
+    def extremal(self, children):
+        at = children[0].start_pos
+        scripts = _scripts(Leaf(at, "MARK", "∑"), children[1:])
+        if scripts.primes or scripts.factorial or scripts.sup is not None:
+            raise Fault("expected nothing but letters and their sets under a minimum or maximum", at)
+        return Extremal(at, children[0] == "min", scripts.sub)
+
+    def factor(self, children):
+        return children[0] if len(children) == 1 else _scripts(children[0], children[1:])
+
+    def sup(self, children):
+        return ("sup", children[0].start_pos, _braced(children[1]))
+
+    def sub(self, children):
+        return ("sub", children[0].start_pos, _braced(children[1]))
+
+    def prime(self, children):
+        return ("prime", children[0].start_pos, None)
+
+    def bang(self, children):
+        return ("bang", children[0].start_pos, None)
+
+    def leaf(self, children):
+        token = children[0]
+        if token.type == "FUNCTION":
+            name = token.removeprefix("\\")
+            return Leaf(token.start_pos, token.type, FUNCTIONS.get(name, name), name, bare=name == token)
+        return Leaf(token.start_pos, token.type, str(token))
+
+    def group(self, children):
+        return Group(children[0].start_pos, children[1] if isinstance(children[1], tuple) else ())
+
+    def list(self, children):
+        return tuple(child for child in children if isinstance(child, Node))
+
+    def bracket(self, children):
+        """[ and ] around a matrix that has no brackets of its own are the matrix's; ||x|| is one sign."""
+        kind, parts = str(children[0]), children[1]
+        inner = core(parts[0]) if len(parts) == 1 else None
+        if kind == "[" and isinstance(inner, Matrix) and inner.bare:
+            return replace(inner, bare=False)
+        if kind == "|" and isinstance(inner, Bracket) and inner.kind == "|":
+            kind, parts = "\\|", inner.parts
+        return Bracket(children[0].start_pos, kind, parts)
+
+    def styled(self, children):
+        return Styled(children[0].start_pos, str(children[0]), _braced(children[1]))
+
+    def accented(self, children):
+        return Accented(children[0].start_pos, str(children[0]), _braced(children[1]))
+
+    def fraction(self, children):
+        return Fraction(children[0].start_pos, _braced(children[1]), _braced(children[2]))
+
+    def binomial(self, children):
+        return Binomial(children[0].start_pos, _braced(children[1]), _braced(children[2]))
+
+    def row(self, children):
+        return tuple(child for child in children if isinstance(child, Node))
+
+    def matrix(self, children):
+        rows = tuple(child for child in children if isinstance(child, tuple))
+        return Matrix(children[0].start_pos, rows, str(children[0]) in ("matrix", "smallmatrix", "array"))
+
+    def environment(self, children):
+        return children[1]
+
+
+def _braced(argument: Node) -> Node:
+    """The argument of a command: TeX takes one digit of a number that stands without braces."""
+    if isinstance(argument, Leaf) and argument.kind == "NUMBER" and len(argument.text) > 1:
+        raise Fault(f"TeX takes only the first digit of {argument.text} here; write {{…}}", argument.at)
+    return argument
+
+
+def _scripts(nucleus: Node, scripts: Sequence[tuple[str, int, Node | None]]) -> Scripted:
+    found: dict[str, Node] = {}
+    primes, factorial = 0, False
+    for kind, at, body in scripts:
+        if factorial:
+            raise Fault("nothing may follow a factorial sign without brackets", at)
+        if kind == "prime":
+            primes += 1
+        elif kind == "bang":
+            factorial = True
+        elif kind in found:
+            raise Fault(f"a second {kind}erscript".replace("suberscript", "subscript"), at)
+        else:
+            found[kind] = body
+    return Scripted(nucleus.at, nucleus, found.get("sub"), found.get("sup"), primes, factorial)
+
+
+class _Tokens(Lexer):
+    def __init__(self, lexer_conf) -> None:
+        pass
+
+    def lex(self, data: str):
+        return tokenize(data)
+
+
+@cache
+def _parser() -> Lark:
+    grammar = (Path(__file__).parent / "formula.lark").read_text(encoding="utf-8")
+    return Lark(grammar, parser="lalr", lexer=_Tokens, transformer=_Builder(), maybe_placeholders=True)
+
+
+_NAMES = {
+    "BREAK": "the end of the line",
+    "RBRACE": "}",
+    "CLOSE": "the closing bracket",
+    "END_MATRIX": "the end of the matrix",
+    "END_LINES": "the end of the environment",
+    "$END": "the end of the formula",
+}
+
+
+#: A longer formula is not read; none of a book is as long.
+MOST_CHARACTERS = 20_000
+
+
+@lru_cache(maxsize=4096)
+def parse(text: str) -> Lines:
+    """The lines of a formula. Raises Fault."""
+    if len(text) > MOST_CHARACTERS:
+        raise Fault(f"a formula of {len(text)} characters; up to {MOST_CHARACTERS} are read", 0)
+    try:
+        return _parser().parse(text)
+    except UnexpectedInput as error:
+        token = getattr(error, "token", None)
+        if token is None or token.type == "$END":
+            raise Fault("the formula ends too early", len(text)) from None
+        shown = _NAMES.get(token.type, str(token))
+        raise Fault(f"unexpected {shown}", token.start_pos) from None
+
+
+@cache
+def parses(text: str) -> bool:
+    """Whether the text is a formula, whatever its letters mean."""
+    try:
+        parse(text)
+    except Fault:
+        return False
+    return True

@@ -128,4 +128,5 @@ def _text(path: Path, reader: TexReader) -> Text:
         warnings,
         reader.names,
         reader.fences,
+        starts=reader.starts,
     )

@@ -36,7 +36,7 @@ class Directive:
 class Text:
     """What was read. `labels`: label → number. `warnings`: with the file, line and column of each. `fences`:
     macros that could not be expanded and seem to be brackets, each with its body. `inline`: the formulas
-    inside of sentences."""
+    inside of sentences. `starts`: label outside of displays → place of the display that follows."""
 
     path: Path
     sources: list[Source] = field(default_factory=list)
@@ -47,6 +47,7 @@ class Text:
     macros: Names = field(default_factory=Names)
     fences: dict[str, str] = field(default_factory=dict)
     inline: list[Display] = field(default_factory=list)
+    starts: dict[str, int] = field(default_factory=dict)
 
 
 class TexReader(DisplayReader):
@@ -56,6 +57,7 @@ class TexReader(DisplayReader):
         super().__init__(overrides)
         self.root, self.inline = root, inline
         self.displays: list[Display] = []
+        self.starts: dict[str, int] = {}
         self.directives: list[Directive] = []
         self.sources: list[Source] = []
         self.open_paths: list[Path] = []
@@ -270,7 +272,9 @@ class TexReader(DisplayReader):
         self.counters.new(name, joined(outer).strip() if outer else None)
 
     def label(self, token: Token) -> None:
-        self.labels.setdefault(self.word(), self.counters.current)
+        name = self.word()
+        self.labels.setdefault(name, self.counters.current)
+        self.starts.setdefault(name, len(self.displays))
 
     def letters(self, token: Token) -> None:
         """\\makeatletter, \\makeatother."""

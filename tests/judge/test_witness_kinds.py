@@ -173,3 +173,54 @@ def test_a_wrong_jacobian_is_refused(tmp_path, right, planted):
     assert head != JACOBIAN
     with pytest.raises(PaperError, match="is off by"):
         judge_paper(paper(tmp_path, r"printed = 'V = J q'", head=head, motion=ON_JACOBIAN))
+
+
+TURN = r"""
+    title = "Jacobians of rotations"
+    [symbols]
+    '\phi' = "vector"
+    [definitions]
+    'K' = '\tilde{\phi}'
+    'J_l' = '\mathbf{I} + \frac{1 - \cos\|\phi\|}{\|\phi\|^2} K + \frac{\|\phi\| - \sin\|\phi\|}{\|\phi\|^3} K^2'
+    'J_r' = '\mathbf{I} - \frac{1 - \cos\|\phi\|}{\|\phi\|^2} K + \frac{\|\phi\| - \sin\|\phi\|}{\|\phi\|^3} K^2'
+    'R' = '\exp(K)'
+    '\omega' = 'J_l \dot{\phi}'
+    '\Omega' = 'J_r \dot{\phi}'
+"""
+ON_TURN = r"""
+    [motion]
+    '\phi' = "rotvec_WB"
+    'R' = "R_WB"
+    '\omega' = "w_WB"
+    '\Omega' = "w_WB_B"
+"""
+
+
+def test_the_jacobians_of_a_rotation_vector_are_those_of_drake(tmp_path):
+    claims = (
+        r"printed = 'R^T J_l = J_r'",
+        r"printed = 'J_l^T = J_r'",
+        r"printed = '\dot{R} = \tilde{\omega} R'",
+        r"printed = '\dot{R} = R \tilde{\Omega}'",
+    )
+    for claim in judged(tmp_path, *claims, head=TURN, motion=ON_TURN):
+        assert claim["verdict"] in ("proved", "conditional"), claim
+        assert claim["motion"]["witness"] == "Drake" and motions(claim)
+
+
+@pytest.mark.parametrize(
+    ("right", "planted"),
+    [
+        ("'J_l \\dot{\\phi}'", "'J_r \\dot{\\phi}'"),
+        ("'J_r \\dot{\\phi}'", "'J_l \\dot{\\phi}'"),
+        ("'\\exp(K)'", "'\\exp(-K)'"),
+        (r"- \frac{1 - \cos", r"- \frac{1 + \cos"),
+        (r"\|\phi\| - \sin", r"\|\phi\| + \sin"),
+    ],
+)
+def test_a_wrong_jacobian_of_a_rotation_is_refused(tmp_path, right, planted):
+    assert right in TURN
+    with pytest.raises(PaperError, match="is off by"):
+        judge_paper(
+            paper(tmp_path, r"printed = 'J_l^T = J_r'", head=TURN.replace(right, planted), motion=ON_TURN)
+        )

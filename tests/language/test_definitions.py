@@ -217,3 +217,26 @@ def test_one_definition_at_a_time_gives_what_all_together_give() -> None:
     together, final = read_definitions(ENTRIES, TABLE)
     assert tuple(together) == tuple(alone)
     assert final == table
+
+
+@pytest.mark.parametrize(
+    ("entries", "latex", "indices"),
+    [
+        ({"J_l": r"\mathbf{I}"}, "J_l", 0),  # the left Jacobian: nothing in it depends on an l
+        ({r"\boldsymbol{v}_p": "a + b"}, r"\boldsymbol{v}_p", 0),
+        ({"x^i_j": "a"}, "x^i_j", 0),
+        ({"F_n": "a^{(n)}"}, "F_3", 1),
+        ({"F_1": "a", "F_{n+1}": r"\dot{F}_n"}, "F_2", 1),
+        ({"F_n": "n a"}, "F_2", 1),
+    ],
+)
+def test_a_letter_of_which_the_body_does_not_speak_is_a_label(entries, latex, indices) -> None:
+    table = SymbolTable.build({name: {"kind": "vector"} for name in "ab"})
+    term = read_term(latex, read_definitions(entries, table)[1])
+    assert isinstance(term, Symbol) and len(term.index) == indices
+
+
+def test_a_member_of_a_declared_family_stays_one() -> None:
+    table = SymbolTable.build({"F_n": {"kind": "vector"}, "a": {"kind": "vector"}})
+    definitions, table = read_definitions({"F_n": "a"}, table)
+    assert definitions.lookup(read_term("F_3", table)) == read_term("a", table)

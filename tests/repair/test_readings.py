@@ -131,3 +131,13 @@ def test_sums_that_are_zero_are_all_found(lists):
 
 def test_too_many_sums_are_not_looked_at():
     assert zero_sums([[0] * 200] * 8) is None
+
+
+@pytest.mark.parametrize("factor", ["", r"\frac{1}{2} "])
+@pytest.mark.parametrize(("a", "b", "c"), [(r"\omega", r"\omega", r"\rho"), ("x", "y", r"\sigma")])
+def test_two_lost_crosses_are_two_crosses_and_no_tilde(factor, a, b, c):
+    right = f"{factor}{b} ({a} \\cdot {c}) - {factor}{c} ({a} \\cdot {b})"
+    (found, *_) = (
+        check(f"{factor}{a} {b} {c} = {right}", symbols=SYMBOLS, definitions=DEFINITIONS).repair().proposals
+    )
+    assert found.latex.replace(" ", "").startswith(f"{factor}{a}\\times({b}\\times{c})=".replace(" ", ""))

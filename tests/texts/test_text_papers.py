@@ -10,6 +10,7 @@ from click.testing import CliRunner, Result
 
 from workbench.cli.commands import main
 from workbench.judge.verdict import Outcome
+from workbench.language.names import Name
 from workbench.papers import load_paper
 from workbench.papers.model import PaperError
 from workbench.papers.text_claims.steps import steps_of
@@ -436,3 +437,19 @@ def test_a_formula_may_say_what_frames_leave_open(tmp_path: Path, formula: str, 
     (tmp_path / "p.toml").write_text(FRAMED)
     (claim,) = json.loads(run("check", str(tmp_path / "p.toml"), "--no-proposals", "--json").stdout)["claims"]
     assert claim["verdict"] == verdict
+
+
+@pytest.mark.parametrize("section", [r"\section{Two}\label{sec:two}", r"\section*{Two}\label{sec:two}"])
+def test_a_scope_begins_at_the_label_of_a_section(tmp_path: Path, section: str) -> None:
+    body = rf"\[ b \cdot a = a \cdot b \] {section} where \[ b a = a b \] \section{{Three}}\label{{sec:end}}"
+    (tmp_path / "p.tex").write_text(
+        rf"\begin{{document}}\section{{One}}\label{{sec:one}}{body}\end{{document}}"
+    )
+    head = "source = 'p.tex'\n[symbols]\n'a' = 'vector'\n'b' = 'vector'\n[[scope]]\n"
+    scope = "from = 'sec:two'\nsymbols = { 'b' = { kind = 'scalar' } }\n"
+    (tmp_path / "p.toml").write_text(head + scope)
+    claims = load_paper(tmp_path / "p.toml").claims
+    kinds = [claim.notation.symbols.symbols[Name("b")].type.kind for claim in claims]
+    assert kinds == ["vector", "scalar"]
+    (tmp_path / "p.toml").write_text(head + scope.replace("sec:two", "sec:end"))  # no display follows
+    assert "from: the text has no 'sec:end'" in load_paper(tmp_path / "p.toml").faults[0].message

@@ -131,6 +131,10 @@ ANGLE_BINDINGS = (
     Binding("rpyDt_WB", VECTOR, 1, "the angles' rates, by RollPitchYaw from w_WB"),
 )
 
+TURN_BINDINGS = (
+    Binding("rotvec_WB", VECTOR, 0, "rotation vector of R_WB on a longer chain, by ToAngleAxis: below π"),
+)
+
 CHAIN_BINDINGS = (*RELATIVE_BINDINGS, *CYLINDER_BINDINGS)
 
 FAMILIES = (
@@ -187,6 +191,7 @@ BINDINGS = {
         *THIRD_BODY_BINDINGS,
         *SIX_BINDINGS,
         *ANGLE_BINDINGS,
+        *TURN_BINDINGS,
         *DERIVED,
     )
 }

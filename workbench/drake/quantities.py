@@ -139,6 +139,12 @@ def angle_quantities(angles: np.ndarray, w_WB: np.ndarray) -> Quantities:
     }
 
 
+def turn_quantities(X_WB: Any) -> Quantities:
+    """The rotation vector, from Drake's angle between 0 and π and its axis."""
+    turn = X_WB.rotation().ToAngleAxis()
+    return {"rotvec_WB": turn.angle() * turn.axis()}
+
+
 def third_body_quantities(
     q: Sequence[Any], X_WC: Any, X_BC: Any, V_WC: Any, V_BC_B: Any, V_BC_W: Any, u3_W: Any, point3_W: Any
 ) -> Quantities:

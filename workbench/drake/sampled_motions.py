@@ -40,6 +40,7 @@ from workbench.drake.quantities import (
     relative_quantities,
     six_coordinates,
     third_body_quantities,
+    turn_quantities,
 )
 
 SAMPLES = (-0.75, 0.5)
@@ -174,6 +175,7 @@ def _with_intermediate(posture: Posture) -> Quantities:
             posture.pose("B"),
             posture.velocity("B", "A"),
         ),
+        **turn_quantities(posture.pose("B")),
     }
 
 

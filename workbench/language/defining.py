@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from workbench.language import construct
@@ -41,11 +42,13 @@ def read_definition(key: str, body: str, table: SymbolTable) -> tuple[Definition
     The key is a symbol (α), a member of a family (Φ_1), a recurrence step (Φ_{n+1}, after its base), a
     family at once (Φ_n), or one of these with formal arguments, which are declared symbols: Φ_{n+1}(x). A
     symbol that is not in [symbols] gets the type and weight of its body; a family the linear weight that
-    fits.
+    fits. A letter of which the body does not speak is a label: the l of J_l.
     Raises SpecError for the key, ReadError and IllFormedAt for the body.
     """
     head = _head(key, table)
     declaration = _known(head, table)
+    if declaration is None and (labels := _labels(head, body, table)):
+        head = _head(key, table, labels)
     if declaration is None:
         definition, table = _introduced(head, body, table)
     else:
@@ -83,7 +86,7 @@ class _Head:
         return replace(self.own[0], parameters=len(self.formals))
 
 
-def _head(key: str, table: SymbolTable) -> _Head:
+def _head(key: str, table: SymbolTable, labels: Collection[str] = ()) -> _Head:
     try:
         lines = parse(key).lines
     except Fault as fault:
@@ -97,7 +100,7 @@ def _head(key: str, table: SymbolTable) -> _Head:
             node = in_a_row(node.at, name)
     if len(set(formals)) != len(formals):
         raise SpecError("the formal arguments must differ", key)
-    spelling = key_spelling(node, key)
+    spelling = key_spelling(node, key, labels)
     own = spelling.declared()
     for place in own[1]:
         if len(place.coefficients) != 1 or place.coefficients[0][1] != 1:
@@ -115,6 +118,15 @@ def _formal(node: Node, table: SymbolTable, key: str) -> Declaration:
     if found is None or found[1] or (isinstance(node, Scripted) and node.sup is not None):
         raise SpecError("a formal argument must be a symbol that is declared, without an index", key)
     return found[0]
+
+
+def _labels(head: _Head, body: str, table: SymbolTable) -> frozenset[str]:
+    """The letters in the places of indices, if the body speaks of none of them and no member is known."""
+    own, places = head.own
+    is_spoken_of = any(re.search(rf"(?<![\\A-Za-z]){letter}(?![A-Za-z])", body) for letter in head.variables)
+    has_members = any(own.index_of(name) is not None for name in table.symbols)
+    is_step = any(place.constant for place in places)
+    return frozenset() if is_spoken_of or has_members or is_step or head.formals else head.variables
 
 
 def _known(head: _Head, table: SymbolTable) -> tuple[Declaration, tuple[Linear, ...]] | None:

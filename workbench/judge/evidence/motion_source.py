@@ -148,14 +148,14 @@ class MotionSource:
             return Value(jets, step)
         return Value(jets)
 
-    def circle(self, angle: Symbol) -> tuple[Any, Any]:
-        if self._bindings.find(angle) is None:
+    def circle(self, angle: Term, value: Lanes | None = None) -> tuple[Any, Any]:
+        if isinstance(angle, Symbol) and self._bindings.find(angle) is None:
             return self._free.circle(angle)
-        value = self.jet(angle, 0).re[0][()].values
-        return Lanes(np.cos(value)), Lanes(np.sin(value))
+        values = (self.jet(angle, 0).re[0][()] if value is None else value).values
+        return Lanes(np.cos(values)), Lanes(np.sin(values))
 
     def circles(self) -> list[Term]:
-        return []
+        return self._free.circles()
 
     def moved(self, seed: object) -> MotionSource:
         raise NotExact("a partial derivative, on a motion")

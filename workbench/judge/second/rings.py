@@ -150,7 +150,7 @@ class PointSource:
             self._circles = [term for term in firsts if not isinstance(term, Symbol)]
         return self._circles
 
-    def circle(self, angle: Term) -> tuple[Any, Any]:
+    def circle(self, angle: Term, value: Any = None) -> tuple[Any, Any]:
         return tuple(self._point[Parameter(angle, "circle", 0, i)] for i in range(2))
 
     def jet(self, symbol: Symbol, depth: int) -> Value:

@@ -17,8 +17,8 @@ class Source(Protocol):
 
     def jet(self, symbol: Symbol, depth: int) -> Value: ...
 
-    def circle(self, angle: Term) -> tuple[Any, Any]:
-        """(cos, sin) of the angle at the instant."""
+    def circle(self, angle: Term, value: Any = None) -> tuple[Any, Any]:
+        """(cos, sin) of the angle at the instant; value: that of a term that is no symbol."""
 
     def circles(self) -> list[Term]:
         """The terms other than symbols that have a circle, such as ω t."""

@@ -126,14 +126,14 @@ class Turns:
         others = () if isinstance(angle, Symbol) else self._source.circles()
         for count, other in product(reversed(_MULTIPLES), others):
             if other != angle and self._engine.origin.value(other, 0).re[0][()] * count == now:
-                c, s = self._source.circle(other)
+                c, s = self._source.circle(other, self._engine.origin.value(other, 0).re[0][()])
                 cosine, sine = c, s
                 for _ in range(count - 1):
                     cosine, sine = cosine * c - sine * s, sine * c + cosine * s
                 return cosine, sine
             if (other, count) == (angle, 1):
                 break
-        return self._source.circle(angle)
+        return self._source.circle(angle, now)
 
     def exp(self, argument: Term, depth: int) -> Value:
         """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u."""

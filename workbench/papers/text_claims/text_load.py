@@ -63,7 +63,7 @@ def model_of(toml: TomlFile, text: Text, faults: Faults) -> TextModel:
     if chain is None:
         faults.stop()
     model = TextModel(chain, guessed=guessed or (), faults=faults)
-    read_scopes(toml, text.displays, model)
+    read_scopes(toml, text, model)
     read_directives(text.directives, text.displays, model)
     model.entries[:0] = read_entries(toml, faults)
     return model

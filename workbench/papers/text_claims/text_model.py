@@ -13,7 +13,7 @@ from workbench.papers.faults import Faults
 from workbench.papers.mends import MEND_KEYS
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.notation import notation_of
-from workbench.papers.texts import Directive, Display
+from workbench.papers.texts import Directive, Display, Text
 from workbench.papers.toml.toml_file import TomlFile
 from workbench.papers.toml.toml_places import KeyPath
 
@@ -128,25 +128,26 @@ def _places(toml: TomlFile, path: KeyPath) -> Sequence[str]:
     return places
 
 
-def read_scopes(toml: TomlFile, displays: Sequence[Display], model: TextModel) -> None:
+def read_scopes(toml: TomlFile, text: Text, model: TextModel) -> None:
     """The [[scope]] tables, each from its place on."""
     for index in range(len(model.faults.past(lambda: toml.tables(("scope",))) or ())):
         path = ("scope", index)
         model.faults.past(partial(toml.allow_keys, path, _SCOPE_KEYS))
-        place = model.faults.past(partial(_start, toml, path, displays))
+        place = model.faults.past(partial(_start, toml, path, text))
         if place is not None:
             model.scopes.append((place, Table(toml, path)))
     model.scopes.sort(key=lambda scope: scope[0])
 
 
-def _start(toml: TomlFile, path: KeyPath, displays: Sequence[Display]) -> int:
+def _start(toml: TomlFile, path: KeyPath, text: Text) -> int:
     start = toml.text((*path, "from"))
     if start is None:
         raise toml.error_at_key(
             path, "missing key 'from': a label, an equation number, a section or \"line N\""
         )
-    place = place_of(start, displays)
-    if place is None:
+    place = place_of(start, text.displays)
+    place = text.starts.get(start) if place is None else place
+    if place is None or place >= len(text.displays):
         raise toml.error_at_value((*path, "from"), f"from: the text has no {start!r}")
     return place
 

@@ -121,4 +121,5 @@ def _text(path: Path, reader: TexReader) -> Text:
         reader.names,
         reader.fences,
         reader.inline,
+        reader.starts,
     )

@@ -12,6 +12,7 @@ from workbench.language.latex import latex_of
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import (
     Accented,
+    Bracket,
     Group,
     Infix,
     Leaf,
@@ -168,6 +169,7 @@ def product_marks(node: Node) -> Iterator[Mark]:
     for part in below(node):
         if isinstance(part, Product):
             yield from _signs(part)
+            yield from _nested(part)
             yield from _tildes(part)
             yield from _sums_uncovered(part)
         elif isinstance(part, Accented) and part.accent == "~" and core_of(part) is None:
@@ -212,6 +214,21 @@ def _signs(product: Product) -> Iterator[Mark]:
                 new = Product(product.at, (*items[:place], Infix(item.at, operator), *items[place + 1 :]))
                 said = f"${latex_of(item)}$ before ${latex_of(items[place + 1])}$ should be ${sign}$"
                 yield Mark(product, new, 1, "product", said, 0)
+
+
+def _nested(product: Product) -> Iterator[Mark]:
+    """a b c as a × (b × c)."""
+    items = product.items
+    for start in range(len(items) - 2):
+        run = items[start : start + 3]
+        if any(isinstance(item, Infix) or _is_number(item) for item in run):
+            continue
+        a, b, c = run
+        inner = Bracket(b.at, "(", (Product(b.at, (b, Infix(c.at, "×"), c)),))
+        twice = (a, Infix(b.at, "×"), inner)
+        said = f"${latex_of(Product(a.at, run))}$ should be ${latex_of(Product(a.at, twice))}$"
+        new = Product(product.at, (*items[:start], *twice, *items[start + 3 :]))
+        yield Mark(product, new, 2, "product", said, 0)
 
 
 def _is_number(node: Node) -> bool:

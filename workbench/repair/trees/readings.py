@@ -305,7 +305,7 @@ class _Equation:
         places = [*letter_marks(leaf, table), *index_marks(leaf, table), *integer_marks(leaf, self.variables)]
         products = [*factor_marks(leaf, self.reader.letters), *product_marks(leaf)]
         for cost in range(MOST_MARKS + 1):
-            for on_products in range(min(cost, 2) + 1):
+            for on_products in sorted(range(min(cost, 2) + 1), key=lambda n: n != 2):  # one mark for two
                 for on_letters in _with_cost(places, cost - on_products):
                     if on_products:
                         yield from ((*on_letters, m) for m in products if m.cost == on_products)

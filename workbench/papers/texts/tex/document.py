@@ -24,7 +24,7 @@ _VERBATIM = frozenset((
 class Text:
     """What was read. `labels`: label → number. `warnings`: with the file, line and column of each. `fences`:
     macros that could not be expanded and seem to be brackets, each with its body. `inline`: the formulas
-    inside of sentences."""
+    inside of sentences. `starts`: label outside of displays → place of the display that follows."""
 
     path: Path
     sources: list[Source] = field(default_factory=list)
@@ -35,6 +35,7 @@ class Text:
     macros: Names = field(default_factory=Names)
     fences: dict[str, str] = field(default_factory=dict)
     inline: list[Display] = field(default_factory=list)
+    starts: dict[str, int] = field(default_factory=dict)
 
 
 class TexReader(FileReader):
@@ -44,6 +45,7 @@ class TexReader(FileReader):
         super().__init__(root, overrides)
         self.displays: list[Display] = []
         self.inline: list[Display] = []
+        self.starts: dict[str, int] = {}
         self.theorems: dict[str, str | None] = {}
 
     def read_display(self, view: View, opening: Token, environment: str) -> Display:
@@ -204,7 +206,9 @@ class TexReader(FileReader):
         self.counters.new(name, joined(outer).strip() if outer else None)
 
     def label(self, token: Token) -> None:
-        self.labels.setdefault(self.word(), self.counters.current)
+        name = self.word()
+        self.labels.setdefault(name, self.counters.current)
+        self.starts.setdefault(name, len(self.displays))
 
     def declare(self, name: str, macro: Macro) -> None:
         super().declare(name, macro)

@@ -376,3 +376,8 @@ def test_a_bracket_that_may_say_an_argument_is_asked_about() -> None:
             read(formula, TABLE)
     with pytest.raises(IllFormedAt):
         read("T(a + b) b = c", TABLE)
+
+
+def test_the_exponential_of_a_vector_is_asked_about() -> None:
+    with pytest.raises(ReadError, match="of its skew tensor, or of a quaternion"):
+        read(r"T = e^{a}", TABLE)

@@ -366,3 +366,16 @@ def test_the_frobenius_norm() -> None:
     for other in (r"\|T\|_2", r"\|a\|_1", r"\|T\|_G"):
         with pytest.raises(ReadError, match="a subscript on an expression"):
             read_term(other, TABLE)
+
+
+def test_a_bracket_that_may_say_an_argument_is_asked_about() -> None:
+    for formula in (r"T(a) b = c", r"T(a, b) c = c"):
+        with pytest.raises(ReadError, match="bracket"):
+            read(formula, TABLE)
+    with pytest.raises(IllFormedAt):
+        read("T(a + b) b = c", TABLE)
+
+
+def test_the_exponential_of_a_vector_is_asked_about() -> None:
+    with pytest.raises(ReadError, match="of its skew tensor, or of a quaternion"):
+        read(r"T = e^{a}", TABLE)

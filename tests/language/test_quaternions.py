@@ -165,3 +165,18 @@ def test_jacobi_for_twists() -> None:
     assert check(f"{one} {other} - {other} {one} = {bracket}", MOTIONS).outcome == Outcome.PROVED
     turned = ad(r"w \times x - v \times y", r"w \times y")
     assert check(f"{one} {other} - {other} {one} = {turned}", MOTIONS).outcome == Outcome.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\begin{bmatrix} x \\ v \end{bmatrix} \circ \begin{bmatrix} y \\ w \end{bmatrix} = "
+         r"\begin{bmatrix} x y - v^T w \\ x w + y v + v \times w \end{bmatrix}", Outcome.PROVED),
+        (r"\begin{bmatrix} x \\ v \end{bmatrix} \circ \begin{bmatrix} y \\ w \end{bmatrix} = "
+         r"\begin{bmatrix} x y - v^T w \\ x w + y v - v \times w \end{bmatrix}", Outcome.REFUTED),
+        (r"\begin{bmatrix} -\operatorname{Vec} q & \operatorname{Sc}(q) \mathbf{I} \end{bmatrix} q = 0", Outcome.PROVED),
+        (r"\begin{bmatrix} \operatorname{Vec} q & \operatorname{Sc}(q) \mathbf{I} \end{bmatrix} q = 0", Outcome.REFUTED),
+    ],
+)  # fmt: skip
+def test_columns_of_four_beside_quaternions(formula: str, outcome: Outcome) -> None:
+    assert check(formula, KINDS).outcome is outcome

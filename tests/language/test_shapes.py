@@ -206,3 +206,19 @@ def test_a_one_beside_a_square_block_is_a_unit_matrix(spelt: str, meant: str | N
 def test_another_number_beside_a_square_block_does_not_fit() -> None:
     with pytest.raises(IllFormedAt, match="blocks of size"):
         read_term(r"\begin{bmatrix} A & 2 \end{bmatrix}", TABLE)
+
+
+@pytest.mark.parametrize(
+    ("formula", "holds"),
+    [
+        (r"\begin{bmatrix} 0 \\ x \end{bmatrix} + \begin{bmatrix} x \\ y \end{bmatrix} = \begin{bmatrix} x \\ x + y \end{bmatrix}", True),
+        (r"\begin{bmatrix} x \\ 0 \end{bmatrix} + \begin{bmatrix} x \\ y \end{bmatrix} = \begin{bmatrix} x \\ x + y \end{bmatrix}", False),
+    ],
+)  # fmt: skip
+def test_a_zero_in_a_column_is_as_high_as_the_other_side_needs(formula: str, holds: bool) -> None:
+    assert check(formula, KINDS).outcome is (Outcome.PROVED if holds else Outcome.REFUTED)
+
+
+def test_numbers_in_a_column_are_no_blocks() -> None:
+    with pytest.raises(IllFormedAt, match="differ in type"):
+        read(r"\begin{bmatrix} x \\ y \end{bmatrix} = \begin{bmatrix} 0 \\ 1 \\ 2 \\ 3 \end{bmatrix}", TABLE)

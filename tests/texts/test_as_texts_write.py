@@ -47,6 +47,8 @@ SPELLED = [
     ),
     (r"R = [a \quad b\ \ c]", [r"R = \begin{bmatrix}a &b&c\end{bmatrix}"]),
     (r"x = [a \quad b]^T", ["x = [a ,b]^T"]),
+    (r"R = \left[ a \quad b\,\right]", [r"R = \begin{bmatrix} a &b\,\end{bmatrix}"]),
+    (r"R = \left[ a \quad b \right)", [r"R = \left[ a \quad b \right)"]),
     (r"x = [a + b \quad c]", [r"x = [a + b \quad c]"]),
     (
         r"x = \begin{bmatrix} a \\ \rule[.5ex]{1em}{1pt} \\ b \end{bmatrix}",

@@ -156,10 +156,17 @@ def apply(head: str, *arguments: Term) -> Term:
         arguments = _as_quaternions(arguments) if is_product else arguments
     if head == "adjugate" and arguments[0].type.kind == "quaternion":
         head = "conjugate"  # both are written with a star
+    if head == "mul" and arguments[1].type.kind == "quaternion" and arguments[0].type.columns == 4:
+        is_narrow = arguments[0].type.rows != 4
+        arguments = (arguments[0], _column_of_four(arguments[1])) if is_narrow else arguments
     if head == "mul":
         arguments = _beside_matrix(*arguments)
     type_, weight = OPERATORS[head].signature(arguments)
     return Apply(type_, weight, head, arguments)
+
+
+def _column_of_four(term: Term) -> Term:
+    return block([[apply("scalar part", term)], [apply("vector part", term)]])
 
 
 def _as_quaternions(terms: Sequence[Term]) -> tuple[Term, ...]:

@@ -114,6 +114,26 @@ def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[in
     )
 
 
+def stretched(terms: Sequence[Term]) -> tuple[Term, ...]:
+    """The terms; [0; x] beside a column of 6 has a 0 of the three rows that are left."""
+    heights = {each.type.rows for each in terms if filling(each) is None}
+    return tuple(_stretched(each, max(heights, default=0)) for each in terms)
+
+
+def _stretched(term: Term, height: int) -> Term:
+    missing = height - term.type.rows
+    if not isinstance(term, Block) or missing < 1 or term.type.columns != 1 or term.type.algebra:
+        return term
+    column = [entry for (entry,) in term.entries]
+    zeros = [i for i, each in enumerate(column) if filling(each) == "zero" and each.type.rows == 1]
+    if len(zeros) != 1 or all(each.type.rows == 1 for each in column):
+        return term
+    (place,) = zeros
+    zero = shaped(column[place], Type(missing + 1, 1))
+    entries = (*term.entries[:place], (zero,), *term.entries[place + 1 :])
+    return replace(term, type=replace(term.type, rows=height), entries=entries)
+
+
 def fitted(entry: Term, rows: int, columns: int) -> Term:
     """An entry of a block matrix in a place of this size."""
     fills = filling(entry)

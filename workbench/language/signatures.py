@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.language.integers import Linear
-from workbench.language.shapes import filling, shaped
+from workbench.language.shapes import filling, shaped, stretched
 from workbench.language.terms import Block, Identity, IllFormed, Term, Zero
 from workbench.language.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
@@ -16,6 +16,7 @@ Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
 def agree(terms: Sequence[Term], what: str) -> tuple[Term, ...]:
     """The terms brought to one kind: multiples of 0 or I take the kind of the others, a tensor beside an
     operator counts as an operator of degree 0. Raises IllFormed where kinds or weights differ."""
+    terms = stretched(terms)
     units = [t for t in terms if filling(t) == "identity"]
     firm = [t for t in terms if filling(t) is None]
     types = {t.type.with_dual(False) for t in firm}

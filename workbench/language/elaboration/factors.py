@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.scope import Scope
-from workbench.language.syntax import Bracket, Fraction, Leaf, Node, Scripted, is_numeral
+from workbench.language.syntax import Accented, Bracket, Fraction, Leaf, Node, Scripted, Styled, is_numeral
 from workbench.language.terms import IllFormed, Integer, Number, Term
 
 
@@ -52,8 +52,19 @@ class Row:
             if place == 1 and _is_integer(factors[0]) and isinstance(term, Integer) and _is_bare(factor.node):
                 result = construct.integer(term.value * int(result.value))
             else:
-                result = self.scope.apply(factor.at, "mul", result, term)
+                result = self._product(result, factors[: place + 1])
         return result
+
+    def _product(self, result: Term, factors: Sequence[Factor]) -> Term:
+        """Raises Misfit; Fault where one of the factors may only say what the one before it depends on."""
+        try:
+            return self.scope.apply(factors[-1].at, "mul", result, factors[-1].term)
+        except Misfit:
+            for factor in factors[1:]:
+                if isinstance(factor.node, Bracket) and all(map(_is_name, factor.node.parts)):
+                    what = "a function of what is in the bracket? [conventions] arguments says it"
+                    raise Fault(what, factor.at) from None
+            raise
 
     def operand(self, factor: Factor, more: Sequence[Factor]) -> None:
         """An operator acts on the factor; refused where it may act on more than that."""
@@ -76,6 +87,10 @@ class Row:
 def _is_integer(factor: Factor) -> bool:
     literal = isinstance(factor.node, Leaf) and isinstance(factor.term, Number)
     return literal and factor.term.value.denominator == 1
+
+
+def _is_name(node: Node) -> bool:
+    return isinstance(node, Leaf | Styled | Accented | Scripted) and not is_numeral(node)
 
 
 def _is_bare(node: Node) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from workbench.language.errors import Fault
 from workbench.language.operators import SIGNS
 from workbench.language.scope import Scope
+from workbench.language.shapes import scalar_and_vector
 from workbench.language.syntax import Infix
 from workbench.language.terms import Term
 from workbench.language.vocabulary import OWN_SIGNS
@@ -22,6 +23,8 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
             if "cross" in heads and len([o for o in operands if o.type.kind != "scalar"]) > 2:
                 raise Fault("several products without brackets are ambiguous", signs[-1].at)
             continue
+        if sign.operator == "∘" and scope.table.has_quaternions:
+            result, operand = (_from_column(scope, sign.at, each) for each in (result, operand))
         head = SIGNS[sign.operator]
         if head == "dot" and not (result.type.is_column and operand.type.is_column):
             head = "mul"
@@ -43,6 +46,12 @@ def _own_sign(scope: Scope, sign: Infix, left: Term, right: Term) -> Term:
         if entry.fits(terms):
             return scope.term(entry.filled(terms))
     raise Fault(f"{sign.operator} of a {left.type} and a {right.type}: {OWN_SIGNS[sign.operator]}", sign.at)
+
+
+def _from_column(scope: Scope, at: int, term: Term) -> Term:
+    """The quaternion that a column of four is, (s; x); anything else as it is."""
+    parts = scalar_and_vector(term) if (term.type.rows, term.type.columns) == (4, 1) else None
+    return term if parts is None else scope.apply(at, "quaternion", *parts)
 
 
 def _beside_quaternion(sign: Infix, left: Term, right: Term) -> str | None:

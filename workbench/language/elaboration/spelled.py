@@ -20,6 +20,7 @@ from workbench.language.syntax import (
     Styled,
     core,
     is_function,
+    is_left_script,
     unstyled,
 )
 from workbench.language.terms import Term
@@ -28,7 +29,21 @@ from workbench.language.vocabulary import FONTS
 
 def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
     """The items, each a factor or a sign."""
-    return _with_prefixes(scope, [part for item in items for part in letters_in_one_font(item)])
+    after = [*items[1:], None]
+    bare = [part for item, next_ in zip(items, after, strict=True) for part in _without_braces(item, next_)]
+    return _with_prefixes(scope, [part for item in bare for part in letters_in_one_font(item)])
+
+
+def _without_braces(item: Node, following: Node | None) -> Sequence[Node]:
+    """{\\mathbf{A}} and {{}^1 x} before a bracket are the symbols."""
+    behind = following.nucleus if isinstance(following, Scripted) else following
+    if isinstance(item, Group) and isinstance(behind, Bracket):
+        match core(item):
+            case Product(items=(left, body)) if is_left_script(left):
+                return left, body
+            case Leaf(kind="LETTER") | Styled() | Accented() | Scripted() as name:
+                return (name,)
+    return (item,)
 
 
 def letters_in_one_font(item: Node) -> Iterator[Node]:

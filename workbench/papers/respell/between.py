@@ -50,11 +50,13 @@ def wide_space(tokens: list[Token], place: int) -> tuple[list[Token], int] | Non
 
 def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """[a \\quad b], in which nothing else stands between the two, as a row of a matrix."""
-    if tokens[place].text != "[" or (place and tokens[place - 1].text == "\\left"):
+    is_large = tokens[place].text == "\\left"
+    start, closing = (place + 1, "\\right") if is_large else (place, "]")
+    if printed(tokens[start : start + 1]) != ["["] or (start == place and _is_large(tokens, place)):
         return None
     parts: list[list[Token]] = [[]]
-    depth, end = 0, place + 1
-    while end < len(tokens) and (depth or tokens[end].text != "]"):
+    depth, end = 0, start + 1
+    while end < len(tokens) and (depth or tokens[end].text != closing):
         text = tokens[end].text
         if not depth and text in _NO_ROW:
             return None
@@ -66,14 +68,21 @@ def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] 
         end += 1
     if end == len(tokens) or len(parts) < 2 or any(past(part, 1) >= len(part) for part in parts[1:]):
         return None
+    end += is_large
+    if printed(tokens[end : end + 1]) != ["]"]:
+        return None
     first, last = tokens[place], tokens[end]
     above = past(tokens, end + 1)
     is_transposed = [token.text for token in tokens[above : above + 1]] == ["^"]
     inside = [token for part in parts for token in part]
     if is_transposed:  # [a, b]^T, which a reader may take for a column
         apart = (token.standing_for(",") if token.text == "&" else token for token in inside)
-        return [first, *apart, last], end + 1
+        return [*tokens[place : start + 1], *apart, *tokens[end - is_large : end + 1]], end + 1
     return [first.standing_for("\\begin{bmatrix}"), *inside, last.standing_for("\\end{bmatrix}")], end + 1
+
+
+def _is_large(tokens: list[Token], place: int) -> bool:
+    return place > 0 and tokens[place - 1].text == "\\left"
 
 
 def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:

@@ -251,3 +251,10 @@ def test_what_else_was_used_is_told(latex):
     symbols = {name: "vector" for name in "ab"} | {name: "scalar" for name in "fgxy"}
     found = check(latex, symbols=symbols | {r"\delta": {"kind": "scalar", "small": True}})
     assert told(found.verdict) == MEANS[latex]
+
+
+@pytest.mark.parametrize("definition", [r"k = e^{f} g", "k = f g"])
+def test_a_definition_rests_on_itself(definition):
+    found = check(definition, symbols={"f": "scalar", "g": "scalar"}, definitions=[definition]).verdict
+    assert found.outcome == Outcome.DEFINITION
+    assert told(found) == [("definitions", "well-formed, and the one in force", {})]

@@ -10,12 +10,17 @@ import sys
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
+from workbench.cli.commands import main
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.memory import ground, objects
 from workbench.memory.store import Store
 from workbench.papers import find_paper, installed_notation, load_installed, load_paper
-from workbench.verify.claims import PaperJudge
+from workbench.repair.propose import run
+from workbench.repair.propose.limits import STANDARD
+from workbench.repair.propose.repair import Repair
+from workbench.verify.claims import PaperJudge, judge_paper
 from workbench.verify.keys import Keys, Memory
 
 PAPER = r"""
@@ -234,3 +239,40 @@ def test_only_our_terms_come_back_from_bytes():
     for foreign in (os.system, subprocess.Popen, Store, pickle.loads):
         with pytest.raises(pickle.UnpicklingError, match="is not kept"):
             objects.unpacked(pickle.dumps(foreign))
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("c = {", 'd = { kind = "vector" }\nc = {'),  # any symbol may stand in what is proposed
+        (r"s = 'a \cdot b'", r"s = 'b \cdot a'"),
+        (r"'a \times b = b \times a'", r"'a \times b = 2 b \times a'"),
+    ],
+)
+def test_what_is_proposed_is_searched_again_where_anything_changed(tmp_path, old, new):
+    def key(text: str) -> str:
+        (tmp_path / "paper.toml").write_text(text)
+        return Keys({}, {}).of_proposals(load_paper(tmp_path / "paper.toml").claims[2])
+
+    assert key(PAPER) == key(PAPER.replace('"t"', '"u"')) != key(PAPER.replace(old, new, 1))
+
+
+def test_what_is_proposed_is_not_searched_for_twice(tmp_path, monkeypatch):
+    monkeypatch.setenv("WORKBENCH_CACHE", str(tmp_path))
+    (tmp_path / "paper.toml").write_text(PAPER.replace("corrected", "note"))
+    command = ["check", str(tmp_path / "paper.toml")]
+    first = CliRunner().invoke(main, command)
+    assert "edit" in first.stdout
+    monkeypatch.setattr(run, "repair", lambda *_: pytest.fail("searched again"))
+    assert CliRunner().invoke(main, command).stdout == first.stdout
+    (tmp_path / "paper.toml").write_text(PAPER)  # its correction is proved: nothing is looked for
+    assert CliRunner().invoke(main, command).exit_code == 0
+
+
+def test_a_search_that_is_interrupted_is_not_kept(tmp_path, monkeypatch):
+    (tmp_path / "paper.toml").write_text(PAPER)
+    results, memory = judge_paper(load_paper(tmp_path / "paper.toml")), Memory(tmp_path / "v.sqlite")
+    for interrupted, known in ((True, None), (False, ())):
+        monkeypatch.setattr(run, "repair", lambda claim, _, i=interrupted: Repair(claim, interrupted=i))
+        run.with_proposals(results, memory=memory)
+        assert memory.proposals(Keys({}, {"proposals": STANDARD}).of_proposals(results[2].claim)) == known

@@ -39,11 +39,12 @@ class PaperFile(pytest.File):
     """A paper file; its claims share one judge."""
 
     def collect(self) -> Iterator[ClaimItem]:
-        from workbench.papers import PaperError, load_paper
+        from workbench.papers import PaperError
+        from workbench.papers.load import load_part
         from workbench.verify.claims import PaperJudge
 
         try:
-            paper = load_paper(self.path)
+            paper = load_part(self.path)
         except PaperError as error:
             raise self.CollectError("\n".join(str(fault) for fault in error.faults)) from None
         if paper.faults:

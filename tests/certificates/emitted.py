@@ -11,6 +11,16 @@ from workbench.judge.theorems.proofs import Proven
 from workbench.judge.verdict import Outcome
 from workbench.papers import find_paper
 
+#: The theorem claims of the chapter that are joined to one theorem, those with families first.
+OF_FAMILIES = ("21.every_n", "Remark_3", "22.every_n", "117", "119", "122", "122.observed", "Remark7.sum")
+JOINED = (
+    *OF_FAMILIES,
+    *("Theorem_1", "23.group", "71", "73.module", "74", "76.definition", "77.definition", "78", "Theorem5"),
+    *("79.displacements", "Theorem8", "92.origin", "92.field", "102.A.minimum", "102.J.minimum", "3C"),
+    *(f"Remark7.{name}" for name in ("parallel", "coincident", "relative_translation", "one_translation")),
+    *("Remark7.translations", "3C.expanded"),
+)
+
 
 @cache
 def all_certificates():
@@ -35,8 +45,8 @@ def one(claim_id, name="printed"):
 
 
 @cache
-def whole_theorems():
-    """Of each theorem claim that is joined to one theorem: that theorem, by the claim's id."""
+def joined():
+    """The theorem of each claim that is joined to one, by the claim's id."""
     paper = find_paper("chapter")
     found = {}
     for claim in paper.claims:

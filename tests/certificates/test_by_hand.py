@@ -11,16 +11,14 @@ from workbench.judge.verdict import Outcome, Verdict
 from workbench.papers import find_paper
 from workbench.verify.claims import ClaimResult
 
-PAPER = find_paper("chapter")
-
 
 def results(name):
-    (claim,) = [c for c in PAPER.claims if c.id == name]
+    (claim,) = [c for c in find_paper().claims if c.id == name]
     return [ClaimResult(claim, Verdict(Outcome.PROVED), None, None, Outcome.PROVED, True)]
 
 
 def test_each_theorem_of_the_chapter_s_file_is_on_a_claim():
-    (file,) = by_hand(PAPER)
+    (file,) = by_hand(find_paper())
     theorems = file.path.read_text("utf-8").count("\nTheorem ")
     assert len({said for _, _, said in file.about}) == theorems
     assert all(said.startswith("Theorem ") and said.endswith(".") for _, _, said in file.about)
@@ -37,13 +35,13 @@ def test_each_theorem_of_the_chapter_s_file_is_on_a_claim():
 )
 def test_a_claim_is_shown_with_its_theorem_only_if_coq_accepts_all(monkeypatch, said, shown):
     monkeypatch.setattr(coqc, "recall", lambda text: said)
-    (told,) = with_certificates(results("21.every_n"), PAPER)
+    (told,) = with_certificates(results("21.every_n"), find_paper())
     hand = [c for c in told.certificates if c.form == "theorem"]
     assert bool(hand) == shown
     if shown:
         assert hand[0].statement.startswith("Theorem c_21_all")
         assert "not read back" in hand[0].word
-    (other,) = with_certificates(results("58.det"), PAPER)
+    (other,) = with_certificates(results("58.det"), find_paper())
     assert not [c for c in other.certificates if c.form == "theorem"]
 
 
@@ -54,4 +52,4 @@ def test_a_theorem_on_no_claim_is_an_error(tmp_path):
         "(* on 14, 14.x: words *)\nTheorem t : True.\nProof. exact I. Qed.\n", "utf-8"
     )
     with pytest.raises(coqc.CoqFault, match=r"mine.v: a theorem on 14\.x"):
-        by_hand(replace(PAPER, paths=(tmp_path / "paper.toml",)))
+        by_hand(replace(find_paper(), paths=(tmp_path / "paper.toml",)))

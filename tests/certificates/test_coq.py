@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from click.testing import CliRunner
 
-from tests.certificates.emitted import one, whole_theorems
+from tests.certificates.emitted import JOINED, joined, one
 from tests.proofs.tampering import made_false, with_a_changed_conclusion
 from workbench import check
 from workbench.certificates import coqc
@@ -161,14 +161,14 @@ def test_a_goal_that_says_something_else_is_refused(name, old, new):
     assert not coqc.check(start + mark + statement.replace(old, new, 1), remember=False).accepted
 
 
-@pytest.mark.parametrize("name", list(whole_theorems()))
+@pytest.mark.parametrize("name", JOINED)
 def test_a_false_goal_with_a_proof_of_its_own_is_refused(name):
     """The proof is written anew for the goal with a conclusion that is false."""
     (claim,) = [c for c in find_paper("chapter").claims if c.id == name]
     changed = list(with_a_changed_conclusion(claim.goal.goal, made_false))
     assert changed
     texts = [text for goal in changed[:: max(1, len(changed) // 3)] for text in goal_texts(name, goal)]
-    assert texts or " : nat, " in whole_theorems()[name].proposition  # whose false steps are not written
+    assert texts or " : nat, " in joined()[name].proposition  # whose false steps are not written
     assert not any(coqc.check(text, remember=False).accepted for text in texts)
 
 

@@ -33,6 +33,8 @@ KINDS = {
 TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()})
 
 SAME = [
+    (r"\|a\|_2^2", r"\|a\|^2"),
+    (r"\left|a + b\right|_2", r"\|a + b\|"),
     (r"-a^2", r"-(a^2)"),
     (r"-\alpha^2", r"-(\alpha^2)"),
     (r"\alpha a \times b", r"(\alpha a) \times b"),
@@ -336,3 +338,13 @@ def test_the_article_fits() -> None:
 
 def test_a_backslash_at_the_end_of_a_line_is_a_space_as_in_tex():
     assert read_term("a \\\n + a", TABLE) == read_term("a + a", TABLE)
+
+
+@pytest.mark.parametrize("formula", [r"s = 1 - t", r"s = \cos t", r"s = 3 + t^2 \alpha"])
+def test_the_time_may_stand_for_a_number(formula: str) -> None:
+    assert read(formula, TABLE)
+
+
+def test_a_star_on_a_column_is_not_the_adjugate() -> None:
+    with pytest.raises(ReadError, match="declare the symbol with it"):
+        read(r"a^* = b", TABLE)

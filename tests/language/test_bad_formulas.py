@@ -204,7 +204,6 @@ ILL_FORMED = [
     (r"\dot{\mathbf{P}}_1 = 0", 1, "operator"),
     (r"\omega^3 = 0", 8, "odd power"),
     (r"\omega^{-1} = 0", 8, "inverse of a vector"),
-    (r"\omega^* = 0", 8, "expected a tensor"),
     (r"\alpha^T = 0", 8, "transpose of a scalar"),
     (r"\det \omega = 0", 1, "expected a tensor"),
     (r"\operatorname{vect} \omega = 0", 1, "expected a tensor"),

@@ -27,9 +27,17 @@ TABLE = SymbolTable.build(
         r"\mathds{1}_{3\times 3}": {"means": r"\mathbf{I}"},
         "[x]": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
         "[NB]": {"means": "T"},
+        "S(x)": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+        r"x \times": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
     }
 )
 SAME = [
+    (r"S(a + v) a", r"\operatorname{skew}(a + v) a"),
+    (r"S(a)^T", r"\tilde{a}^T"),
+    (r"S(2 a)^2 v", r"(\operatorname{skew}(2 a))^2 v"),
+    (r"(a \times) v", r"\tilde{a} v"),
+    (r"(a \times v \times)^T", r"(a \times \tilde{v})^T"),
+    (r"\begin{bmatrix} 2 a \times & T \end{bmatrix}", r"\begin{bmatrix} 2 \tilde{a} & T \end{bmatrix}"),
     (r"v^\wedge", r"\tilde{v}"),
     (r"v^{\land}", r"\tilde{v}"),
     (r"T^\wedge", r"\operatorname{vect} T"),
@@ -62,7 +70,17 @@ def test_labels_are_read(formula: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "formula", [r"v \oplus a = v", r"v^\vee = a", r"v / a = 1", r"(a \cdot v)^\wedge = T"]
+    "formula",
+    [
+        r"v \oplus a = v",
+        r"S(T) = T",
+        r"(T \times) a = v",
+        r"(a \otimes) = T",
+        r"S(a)_1 = T",
+        r"v^\vee = a",
+        r"v / a = 1",
+        r"(a \cdot v)^\wedge = T",
+    ],
 )
 def test_what_is_not_explained_is_refused(formula: str) -> None:
     with pytest.raises((ReadError, IllFormedAt)):

@@ -6,7 +6,6 @@ import ast
 import re
 from pathlib import Path
 
-import nbformat
 import pytest
 
 NOTEBOOKS = sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb"))
@@ -22,6 +21,14 @@ NAMES = [
 ]
 LONGEST_CELL = 80
 LARGEST = 1_000_000  # bytes, with its figures
+
+
+@pytest.fixture(scope="module", autouse=True)
+def with_nbformat() -> None:
+    """It builds grammars for three seconds, which only the process needs that tests notebooks."""
+    global nbformat
+    import nbformat
+
 
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 

@@ -9,7 +9,10 @@ import pytest
 from click.testing import CliRunner
 
 from workbench.cli.commands import main
+from workbench.language.authors import in_the_hand_of
+from workbench.language.printer import to_latex
 from workbench.papers import PaperError, load_paper
+from workbench.papers.formulas import read_statement
 
 MODEL = r"""
 source = "p.md"
@@ -91,6 +94,40 @@ C = ['\frac{r}{\|r\|}', '\frac{(r \times s) \times r}{\|r \times s\| \|r\|}', '\
 's' = "vector"
 """
 
+SCHAUB = r"""
+source = "p.md"
+[frames]
+base = "N"
+names = ["B", "R", '\mathcal{S}']
+dot = "N"
+'[BN]' = "rotation to B from N"
+'{}^F\omega_{P/Q}' = "angular velocity of P in Q, resolved in F"
+axes = { B = ['\hat b_1', '\hat b_2', '\hat b_3'] }
+[symbols]
+'\omega' = "vector"
+[definitions]
+'\omega' = '{}^B\omega_{B/N}'
+"""
+OF_MATRICES = [
+    r"[RN] = [RB][BN]",
+    r"[BN]^T = [NB]",
+    r"[B\mathcal{S}] [\mathcal{S} N] = [BN]",
+    r"[\dot{BN}] = -[\tilde{\omega}] [BN]",
+    r"\dot{[BN]} = -\tilde{\omega} [BN(t)]",
+    r"\frac{d}{dt}[NB] = [NB] [\tilde\omega]",
+    r"{}^N\omega_{B/N} = [NB] \omega",
+    r"[\ddot{BN}] = [\tilde{\omega}]^2 [BN] - [\tilde{\dot{\omega}}] [BN]",
+    r"\hat b_1 = [BN]^T \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix}",
+    r"\det [RB] = 1",
+]
+NOT_OF_MATRICES = [
+    r"[RN] = [BN][RB]",
+    r"[BN] = [NB]",
+    r"[\dot{BN}] = [\tilde{\omega}] [BN]",
+    r"{}^N\omega_{B/N} = [BN] \omega",
+    r"[\ddot{BN}] = [\tilde{\omega}]^2 [BN] + [\tilde{\dot{\omega}}] [BN]",
+]
+
 
 def verdicts(path: Path, formulas: list[str], model: str = MODEL) -> list[str]:
     (path / "p.toml").write_text(model)
@@ -104,6 +141,27 @@ def test_the_laws_of_frames_and_points(tmp_path: Path) -> None:
     assert found == ["proved"] * len(TRUE) + ["refuted"] * len(FALSE)
 
 
+def test_the_laws_of_matrices_that_two_frames_name(tmp_path: Path) -> None:
+    found = verdicts(tmp_path, OF_MATRICES + NOT_OF_MATRICES, SCHAUB)
+    assert found == ["proved"] * len(OF_MATRICES) + ["refuted"] * len(NOT_OF_MATRICES)
+    for claim in load_paper(tmp_path / "p.toml").claims:
+        statement = claim.printed.statement
+        with in_the_hand_of(claim.notation.hand):
+            assert read_statement(to_latex(statement), claim.notation, None)[0] == statement
+
+
+def test_two_frames_in_a_bracket_are_no_product_and_two_symbols_are(tmp_path: Path) -> None:
+    undeclared = SCHAUB.replace("'[BN]' =", "'C_{B/N}' =")
+    symbols = "'B' = \"tensor\"\n'N' = \"tensor\"\n'[PQ]' = \"rotation\"\n'P' = \"tensor\"\n[definitions]"
+    undeclared = undeclared.replace("[definitions]", symbols)
+    formulas = [r"[BN] = BN", r"[BP]^T = P^T B^T", r"[PQ][PQ]^T = \mathbf{I}", r"[PQ]^T [PQ]^T = \mathbf{I}"]
+    assert verdicts(tmp_path, formulas, undeclared) == ["unchecked", "proved", "proved", "refuted"]
+    reason = load_paper(tmp_path / "p.toml").claims[0].printed.unread
+    assert "'[BN]' = \"rotation to B from N\"" in reason
+    own = undeclared.replace("[symbols]", "[notation]\n'[BN]' = { means = 'B^2' }\n[symbols]")
+    assert verdicts(tmp_path, [r"[BN]^T = B^T B^T", r"[BN] + N = BN"], own) == ["proved", "refuted"]
+
+
 def test_transforms_act_on_points_as_columns_of_four(tmp_path: Path) -> None:
     wrong = [
         r"{}^A P = {}^B_A T\, {}^B P",
@@ -112,6 +170,56 @@ def test_transforms_act_on_points_as_columns_of_four(tmp_path: Path) -> None:
     ]
     found = verdicts(tmp_path, OF_TRANSFORMS + wrong, CRAIG)
     assert found == ["proved"] * len(OF_TRANSFORMS) + ["refuted", "refuted", "unchecked"]
+
+
+DRAKE = r"""
+source = "p.md"
+[frames]
+base = "W"
+names = ["A", "B", "C"]
+'{}^F R^G' = "rotation to F from G"
+'{}^F p^G_D' = "origin of G in F, resolved in D"
+'{}^F p^G' = "origin of G in F"
+'{}^F\omega^G_D' = "angular velocity of G in F, resolved in D"
+'{}^F v^G_D' = "velocity of the origin of G in F, resolved in D"
+'{}^F u' = "u resolved in F"
+'{}^F z' = 'u \times w resolved in F'
+[symbols]
+u = "vector"
+w = "vector"
+"""
+OF_COMPONENTS = [
+    r"{}^A p^B_C = {}^C R^A {}^A p^B",
+    r"{}^A p^B_C + {}^B p^A_C = 0",
+    r"{}^A p^C = {}^A p^B + {}^A R^B {}^B p^C",
+    r"{}^A p^C_W = {}^A p^B_W + {}^B p^C_W",
+    r"{}^A v^C_W = {}^A v^B_W + {}^B v^C_W + {}^A\omega^B_W \times {}^B p^C_W",
+    r"{}^A v^B_C = -{}^B v^A_C - {}^A\omega^B_C \times {}^B p^A_C",
+    r"{}^A u = {}^A R^B {}^B u",
+    r"{}^A u = {}^A R^W u",
+    r"{}^A u = {}^A R^C {}^C R^B {}^B u",
+    r"{}^A z = {}^A R^B {}^B z",
+    r"{}^A z = {}^A u \times {}^A R^W w",
+]
+OF_WRONG_COMPONENTS = [
+    r"{}^A p^B_C = {}^A R^C {}^A p^B",
+    r"{}^A u = {}^B R^A {}^B u",
+    r"{}^A p^B_C = {}^B p^A_C",
+    r"{}^A z = {}^B z",
+]
+
+
+def test_components_in_frames(tmp_path: Path) -> None:
+    found = verdicts(tmp_path, OF_COMPONENTS + OF_WRONG_COMPONENTS, DRAKE)
+    assert found == ["proved"] * len(OF_COMPONENTS) + ["refuted"] * len(OF_WRONG_COMPONENTS)
+
+
+@pytest.mark.parametrize("phrase", ["k resolved in F", "2 resolved in F", "u", "u resolved in"])
+def test_what_is_no_vector_is_not_resolved(tmp_path: Path, phrase: str) -> None:
+    (tmp_path / "p.toml").write_text(DRAKE.replace('"u resolved in F"', f'"{phrase}"'))
+    (tmp_path / "p.md").write_text("$$\nu = u\n$$\n")
+    with pytest.raises(PaperError, match="a vector resolved in F"):
+        load_paper(tmp_path / "p.toml")
 
 
 def test_frames_made_of_others_and_of_vectors(tmp_path: Path) -> None:

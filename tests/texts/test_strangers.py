@@ -9,6 +9,7 @@ import pytest
 
 from workbench.judge.verdict import Outcome
 from workbench.papers.load import load_paper
+from workbench.papers.model import PaperError
 from workbench.papers.steps import steps_of
 from workbench.papers.texts import read_text
 from workbench.verify.claims import judge_paper
@@ -107,38 +108,92 @@ MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
 )  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("text", "why"),
-    [
-        (r"$$\mathbf{r} \cdot (\mathbf{s} \times \mathbf{r}) = r_1^2$$", "reads as a component of"),
-        (r"Here $\alpha = 1 \pm 2$. $$\alpha^2 x = \alpha x$$", "the text says what \\alpha is (line 1)"),
-        ("$$\\alpha(x) = \\int x$$\n\n$$\\alpha^2 x = \\alpha x$$", "the text says what \\alpha is (line 1)"),
-        (r"$$x y + x z + y = x$$", "says what z is"),
-        (r"$$x^2 y - x^2 y^2 = 0$$", "says what x is"),
-        (r"$$\mathbf{r} + x\mathbf{s} + \mathbf{s} = x^2 \mathbf{s}$$", "says what \\mathbf{r} is"),
-        (r"$$\widetilde{\mathbf{r}} = \mathbf{s} \mathbf{s}^T$$", "says what \\mathbf{r} is"),
-        (r"$$x y + x y^2 = x + y$$", None),
-        (r"$$\mathbf{r} \cdot \mathbf{s} + \mathbf{s} \cdot \mathbf{s} = 0$$", "says what \\mathbf{r} is"),
-        (r"$$\mathbf{r} \cdot \mathbf{s} = -\mathbf{s} \cdot \mathbf{r}$$", None),
-        ("$$z = x + y = y - x$$\n\n$$x^2 y + y = y^2 + x$$", None),
-        (r"$$\mathbf{u} \cdot \mathbf{u} = x y$$", "says what y is"),
-        (r"$$\mathbf{u} \cdot \mathbf{u} = x$$", None),
-        (r"$$\mathbf{w} = \mathbf{s} \times \mathbf{r}$$", r"says what \mathbf{w} is"),
-        (r"$$\mathbf{w} + x \mathbf{s} = \mathbf{s}$$", None),
-    ],
+OPEN = [
+    (r"$$\mathbf{r} \cdot (\mathbf{s} \times \mathbf{r}) = r_1^2$$", "reads as a component of"),
+    (r"Here $\alpha = 1 \pm 2$. $$\alpha^2 x = \alpha x$$", "the text says what \\alpha is (line 1: "),
+    ("$$\\alpha(x) = \\int x$$\n\n$$\\alpha^2 x = \\alpha x$$", "the text says what \\alpha is (line 1: "),
+    (r"$$x y + x z + y = x$$", "says what z is"),
+    (r"$$x^2 y - x^2 y^2 = 0$$", "says what x is"),
+    (r"$$\mathbf{r} + x\mathbf{s} + \mathbf{s} = x^2 \mathbf{s}$$", "says what \\mathbf{r} is"),
+    (r"$$\widetilde{\mathbf{r}} = \mathbf{s} \mathbf{s}^T$$", "says what \\mathbf{r} is"),
+    (r"$$x y + x y^2 = x + y$$", None),
+    (r"$$\mathbf{r} \cdot \mathbf{s} + \mathbf{s} \cdot \mathbf{s} = 0$$", "says what \\mathbf{r} is"),
+    (r"$$\mathbf{r} \cdot \mathbf{s} = -\mathbf{s} \cdot \mathbf{r}$$", None),
+    ("$$z = x + y = y - x$$\n\n$$x^2 y + y = y^2 + x$$", None),
+    (r"$$\mathbf{u} \cdot \mathbf{u} = x y$$", "says what y is"),
+    (r"$$\mathbf{u} \cdot \mathbf{u} = x$$", None),
+    (r"$$\mathbf{w} = \mathbf{s} \times \mathbf{r}$$", r"says what \mathbf{w} is"),
+    (r"$$\mathbf{w} + x \mathbf{s} = \mathbf{s}$$", None),
+]
+DEFINED = (
+    "[definitions]\n"
+    r"'\mathbf{u}' = '\begin{bmatrix} x \\ 0 \\ 1 \end{bmatrix}'"
+    "\n"
+    r"'\mathbf{w}' = '\begin{bmatrix} x \\ y \\ z \end{bmatrix}'"
+    "\n"
 )
+
+
+@pytest.mark.parametrize(("text", "why"), OPEN)
 def test_what_the_text_says_elsewhere_leaves_a_falsehood_open(
     tmp_path: Path, text: str, why: str | None
 ) -> None:
     (tmp_path / "p.md").write_text(text)
-    column = r"\begin{bmatrix} x \\ 0 \\ 1 \end{bmatrix}"
-    other = r"\begin{bmatrix} x \\ y \\ z \end{bmatrix}"
-    defined = f"[definitions]\n'\\mathbf{{u}}' = '{column}'\n'\\mathbf{{w}}' = '{other}'\n"
-    (tmp_path / "p.toml").write_text(f"{MODEL}{defined}")
+    (tmp_path / "p.toml").write_text(f"{MODEL}{DEFINED}")
     claim = load_paper(tmp_path / "p.toml").claims[-1]
     assert claim.printed.statement is not None
     said = claim.unsettled or claim.says
     assert said is None if why is None else why in (said or "")
+
+
+@pytest.mark.parametrize("text", [text for text, _ in OPEN])
+def test_what_is_declared_free_is_any_whatever_the_text_says(tmp_path: Path, text: str) -> None:
+    (tmp_path / "p.md").write_text(text)
+    (tmp_path / "p.toml").write_text(MODEL.replace('" }', '", free = true }') + DEFINED)
+    result = judge_paper(load_paper(tmp_path / "p.toml"))[-1]
+    assert (result.claim.unsettled, result.claim.says, result.claim.states) == (None, None, None)
+    assert result.verdict.outcome is Outcome.REFUTED
+
+
+SPINNING = {r"\mathbf{r}": "vector", r"\mathbf{s}": "vector", "x": "scalar"}
+SAID = [r"where $\mathbf{s} = \int \mathbf{r}$.", r"$$\mathbf{s} = \int \mathbf{r}$$"]
+
+
+@pytest.mark.parametrize("said", SAID)
+@pytest.mark.parametrize("skip", [False, True])
+@pytest.mark.parametrize(
+    ("latex", "free"),
+    [
+        (r"x \mathbf{s} \cdot \mathbf{s} = x \mathbf{s} \cdot \mathbf{r}", Outcome.REFUTED),
+        (r"\mathbf{s} = \mathbf{r} \times \mathbf{s}", Outcome.REFUTED),
+        (r"\dot{\mathbf{s}} = \mathbf{r}", Outcome.REFUTED),  # no law for what may be anything
+        (r"\tilde{\mathbf{s}}^3 = -\tilde{\mathbf{s}}", Outcome.REFUTED),  # nor a unit vector
+        (r"\mathbf{s} \times \mathbf{r} = -\mathbf{r} \times \mathbf{s}", Outcome.PROVED),
+    ],
+)
+def test_what_a_sentence_says_of_a_symbol_is_open_until_the_author_says_that_it_is_free(
+    tmp_path: Path, said: str, skip: bool, latex: str, free: Outcome
+) -> None:
+    (tmp_path / "p.md").write_text(f"{said}\n\n$$ {latex} $$\n")
+    left_out = "[[claim]]\nat = 'line 1'\nskip = 'a definition'\n" * (skip and said.startswith("$$"))
+    for flag, expected in (("", Outcome.UNCHECKED), (", free = true", free)):
+        symbols = "".join(f"'{name}' = {{ kind = '{kind}'{flag} }}\n" for name, kind in SPINNING.items())
+        (tmp_path / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{symbols}{left_out}")
+        verdict = judge_paper(load_paper(tmp_path / "p.toml"))[-1].verdict
+        assert verdict.outcome is (Outcome.PROVED if free is Outcome.PROVED else expected), verdict.reason
+        if flag == "" and r"\cdot" in latex:
+            assert r"(line 1: \mathbf{s} = \int" in verdict.reason and ", not read)" in verdict.reason
+            assert "`free = true`" in verdict.reason
+
+
+def test_a_symbol_that_is_defined_is_not_free(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("$$x = y$$")
+    head = "source = 'p.md'\n[symbols]\n'y' = 'scalar'\n"
+    (tmp_path / "p.toml").write_text(
+        head + "'x' = { kind = 'scalar', free = true }\n[definitions]\n'x' = '2 y'\n"
+    )
+    with pytest.raises(PaperError, match="declared as free, which a definition need not keep"):
+        load_paper(tmp_path / "p.toml")
 
 
 @pytest.mark.parametrize(("said", "passes"), [("", True), ("corrected = 'x = y'\n", False)])

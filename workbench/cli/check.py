@@ -80,7 +80,7 @@ def check(
                 unusable += error.faults
     found = judged_papers(papers, jobs, scheduler, **engines)
     judged = [(paper, results) for (_, paper), results in zip(papers, found, strict=True)]
-    print_judged(judged, json_out, form, proposals, unusable)
+    print_judged(judged, json_out, form, proposals, unusable, engines["cache"])
     sys.exit(max([_status(paper, results) for paper, results in judged], default=2) if not unusable else 2)
 
 

@@ -27,13 +27,15 @@ def print_judged(
     form: str,
     proposals: bool,
     unusable: Sequence[PaperError] = (),
+    cache: bool = True,
 ) -> None:
-    """`unusable`: what is wrong in papers of which nothing could be judged."""
+    """`unusable`: what is wrong in papers of which nothing could be judged.   cache: whether earlier runs'
+    proposals are taken."""
     if form in ("github", "sarif", "rdjsonl"):
         _print_findings(judged, unusable, form)
         return
     print_faults(unusable)
-    judged = [(paper, with_proposals(results, proposals)) for paper, results in judged]
+    judged = [(paper, with_proposals(results, proposals, cache, False)) for paper, results in judged]
     if form == "json" or json_out is not None:
         told = [report_json(paper, results) | _faults_json(paper) for paper, results in judged]
         told += [{"faults": [_fault_json(fault) for fault in unusable]}] if unusable else []

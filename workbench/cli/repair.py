@@ -10,7 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from workbench.cli.options import Unusable, json_flag, named_paper, paper_option, print_json, reports_faults
+from workbench.cli.options import (
+    Unusable,
+    json_flag,
+    memory_of_verdicts,
+    named_paper,
+    paper_option,
+    print_json,
+    reports_faults,
+)
 from workbench.repair.propose.limits import STANDARD, Limits
 
 if TYPE_CHECKING:
@@ -124,11 +132,14 @@ def _repair_definitions(claims: Sequence[Claim], seconds: float, as_json: bool) 
     sys.exit(0 if repairs else 1)
 
 
-def with_proposals(results: Sequence[ClaimResult], wanted: bool) -> list[ClaimResult]:
-    """The results with what the machine proposes where a printed form is refuted or ill-formed; with nothing
-    if that is not wanted."""
+def with_proposals(
+    results: Sequence[ClaimResult], wanted: bool, cache: bool = True, beside_right: bool = True
+) -> list[ClaimResult]:
+    """The results with what the machine proposes where a printed form is refuted or ill-formed, and perhaps
+    where a right form is proved; with nothing if that is not wanted."""
     from workbench.cli.terminal import progress_bar
     from workbench.repair.propose.run import with_proposals
 
-    with progress_bar(len(results) if wanted else 0, "repairing") as advance:
-        return with_proposals(results, STANDARD if wanted else None, advance)
+    limits = STANDARD if wanted else None
+    with memory_of_verdicts(cache) as memory, progress_bar(len(results) * wanted, "repairing") as advance:
+        return with_proposals(results, limits, advance, memory, beside_right)

@@ -31,7 +31,10 @@ _AXIS = re.compile(
 _NOWHERE = "O"
 #: Capitals that mechanics has for rotations; X and T may be transforms.
 _ROTATIONS = frozenset("ACDQRS")
-_LABELS = re.compile(r"\{\}\s*[_^]|/|\\hat")
+_LABELS = re.compile(r"\{\}\s*[_^]|/|\\hat|\[\s*(?:\\dot\s*\{)?\s*[A-Z]\s*[A-Z]")
+#: [BN], where neither letter stands for itself.
+_TURN = re.compile(r"\[\s*(?:\\dot\s*\{)?\s*([A-Z])\s*([A-Z])\s*(?:\(t\)\s*)?\}?\s*\]")
+_ALONE = r"(?<![\\A-Za-z/_^{{]){}(?![A-Za-z])"
 _UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
 _SYMBOL = r"(?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])"
 _DOTTED = rf"(?:\\d*dot\s*\{{?\s*{_SYMBOL}\s*\}}?|{_SYMBOL})"
@@ -308,16 +311,24 @@ def _frames(formulas: str) -> Iterator[Proposal]:
     for match in _JOINED.finditer(formulas):
         points.update((match["P"], match["O"]))
         spelled["points"][f"'{match['core'].strip()}^{{OP}}'"] = '"to P from O"'
-    triads = _triads(formulas)
-    if not (seen or rates or triads):
+    triads, turns = _triads(formulas), _TURN.findall(formulas)
+    named, rest = [letter for turn in turns for letter in turn], _TURN.sub("", formulas)
+    if any(re.search(_ALONE.format(letter), rest) for letter in named):
+        turns = []  # a product in brackets
+    elif turns:
+        frames.update(named)
+        spelled["frames"]["'[FG]'"] = '"rotation to F from G"'
+    if not (seen or rates or triads or turns):
         return
-    labels = Counter(rates or [_label(match["F"]) for match in seen])
+    labels = Counter(rates or [_label(match["F"]) for match in seen] or [seen_from for _, seen_from in turns])
     base = labels.most_common(1)[0][0] if labels else _NOWHERE
     names = [name for name in frames if name != base]
     axes = _axes(triads, base, names)
     entries = {"base": f"'{base}'", "names": _list(names), "dot": f"'{base}'", **spelled["frames"], **axes}
-    question = "Do scripts on the left name frames, and is {}^F ω^G that of G in F?"
-    yield Proposal("frames", entries, "labels on the left", question, _LABELS, stands=True)
+    question = (
+        "Do scripts on the left name frames, and is {}^F ω^G that of G in F, [FG] the turn to F from G?"
+    )
+    yield Proposal("frames", entries, "labels of frames", question, _LABELS, stands=True)
     if points:
         entries = {"names": _list(list(points)), **spelled["points"]}
         question = (

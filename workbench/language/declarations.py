@@ -14,6 +14,8 @@ from workbench.language.spelling import (
     Named,
     Scripts,
     Spelling,
+    bracketed,
+    in_bracket,
     linear,
     prefixed,
     spell,
@@ -33,7 +35,9 @@ from workbench.language.syntax import (
 )
 from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
-_FLAGS = ("constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal", "small")
+_FLAGS = (
+    "constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal", "small", "free",
+)  # fmt: skip
 _FLAGGED = {
     "unit": ("vector", "hamilton quaternion"),
     "coordinate": ("vector",),
@@ -93,6 +97,8 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
     """The spelling of a declared name, where index letters count as integers, save those in `labels`. Raises
     SpecError."""
     left_sub = left_sup = None
+    if (letters := in_bracket(node)) is not None:
+        return Spelling(bracketed(letters), ())
     match node:
         case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
             left_sub, left_sup, node = left.sub, left.sup, core(right)
@@ -161,6 +167,7 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
         uniform=spec.get("uniform", False),
         independent=spec.get("independent", False),
         small=spec.get("small", False),
+        free=spec.get("free", False),
         indices=len(index),
     )
 
@@ -169,7 +176,8 @@ def arguments_of(key: str, declaration: Declaration, names: Any) -> Sequence[str
     """What a symbol is said to be a function of."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise SpecError(f"of is {names!r}; expected a list of symbols such as ['q', 't']", key)
-    bound = [flag for flag in (*_FLAGS, "rotation", "transform") if getattr(declaration, flag)]
+    flags = (*_FLAGS, "rotation", "transform")
+    bound = [flag for flag in flags if flag != "free" and getattr(declaration, flag)]
     if bound or declaration.type.dual or declaration.type.kind == "operator":
         what = bound[0] if bound else f"a {declaration.type}"
         raise SpecError(f"of is for real quantities whose values are free, not for {what}", key)

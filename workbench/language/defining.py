@@ -146,7 +146,7 @@ def _defined(
 ) -> Definition:
     """The definition of a symbol whose type and weight are known; the body must have them too."""
     declaration, index = known
-    for flag in ("constant", "unit", "rotation", "transform", "symmetric", "diagonal", "coordinate"):
+    for flag in ("constant", "unit", "rotation", "transform", "symmetric", "diagonal", "coordinate", "free"):
         if getattr(declaration, flag):
             raise SpecError(f"declared as {flag}, which a definition need not keep", head.key)
     term = read_term(body, table, head.variables)

@@ -223,10 +223,14 @@ def _is_alike(pattern: Node, node: Node) -> bool:
             return len(pattern.rows) == len(node.rows)
         case Scripted(), Scripted():
             return _is_alike(core(pattern.nucleus), core(node.nucleus))
+        case Product(items=(_, Infix(operator=one))), Product(items=(_, Infix(operator=other))):
+            return one == other
         case Product(items=(one, Bracket())), Product(items=(other, Bracket())):
             return _is_alike(_without_scripts(one), _without_scripts(other))
-        case Leaf(kind="FUNCTION"), Leaf(kind="FUNCTION"):
+        case Leaf(), Leaf():
             return pattern.text == node.text
+        case Styled(), Styled():
+            return pattern.style == node.style
     return False
 
 
@@ -315,7 +319,9 @@ def is_shape(node: Node) -> bool:
     """Whether a node that is no name may be spelt in the paper's own notation."""
     match node:
         case Product(items=(word, Bracket())):
-            return is_own_word(_without_scripts(word))
+            return is_own_word(_without_scripts(word)) or _letter(word) is not None
+        case Product(items=(_, Infix())):
+            return True
     nucleus = _without_scripts(node)
     return isinstance(nucleus, Bracket | Matrix) or is_own_word(nucleus)
 

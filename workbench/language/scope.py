@@ -5,15 +5,16 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import TypeVar
 
 from workbench.language import construct
 from workbench.language.errors import Fault, Misfit
 from workbench.language.integers import Linear
 from workbench.language.notations import is_shape
-from workbench.language.spelling import Named, linear, linear_or_none, spell_label
+from workbench.language.spelling import Named, bracketed, in_bracket, linear, linear_or_none, spell_label
 from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Group, Leaf, Node, Product, Scripted, Sum
+from workbench.language.syntax import Accented, Bracket, Group, Leaf, Node, Product, Scripted, Sum
 from workbench.language.terms import IllFormed, Symbol, Term, Zero, is_rate
 from workbench.language.types import type_of_kind
 
@@ -89,10 +90,31 @@ class Scope(ABC):
     def written(self, node: Node) -> Term | None:
         """The term of a bracket or matrix that the paper spells in a way of its own; None for any other."""
         found = self.table.notations.shapes(node) if is_shape(node) else []
+        is_own = any(not entry.formals for entry, _ in found)
+        if not is_own and (named := self.in_bracket(node)) is not None:
+            return named
         for entry, places in found:
             terms = {letter: self.term(part) for letter, part in places.items()}
             if entry.fits(terms):
                 return self.term(entry.filled(terms))
+        return None
+
+    def in_bracket(self, node: Node) -> Term | None:
+        """The matrix [BN], also as [\\dot{BN}]; None for any other bracket."""
+        within, order = node, 0
+        match node:
+            case Bracket(kind="[", parts=(Accented(accent="1" | "2" as dots, body=body),)):
+                within, order = replace(node, parts=(body,)), int(dots)
+        letters = in_bracket(within)
+        if letters is None:
+            return None
+        if (declared := self.table.symbols.get(bracketed(letters))) is not None:
+            term = self.build(node.at, construct.symbol, declared)
+            return self.rate(node.at, term, Linear(order), None) if order else term
+        if all(letter in self.table.frames for letter in letters):
+            name, phrase = bracketed(letters), f"rotation to {letters[0]} from {letters[1]}"
+            message = "a product of two symbols, or the matrix of two frames? [frames] says the latter"
+            raise Fault(f"{name}: {message}: '{name}' = \"{phrase}\"", node.at)
         return None
 
     def build(self, at: int, make: Callable[..., Result], *arguments) -> Result:

@@ -175,6 +175,31 @@ def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spellin
     return Spelling(primed, tuple(found))
 
 
+def in_bracket(node: Node) -> tuple[str, ...] | None:
+    """The letters of [BN], a matrix that is named by its two frames; of [BN(t)], too."""
+    match node:
+        case Bracket(kind="[", parts=(part,)) if isinstance(inner := core(part), Product):
+            *letters, last = inner.items
+            is_of_time = isinstance(last, Bracket) and _spell_script(last, ()) == ["(", "t", ")"]
+            spelled = [_spell_script(each, ()) for each in ([*letters] if is_of_time else inner.items)]
+            is_name = len(spelled) == 2 and all(map(_is_label, inner.items[:2]))
+            return tuple("".join(map(str, pieces)) for pieces in spelled) if is_name else None
+    return None
+
+
+def _is_label(node: Node) -> bool:
+    inner = node.nucleus if isinstance(node, Scripted) and not (node.sup or node.primes) else node
+    while isinstance(inner, Styled):
+        inner = core(inner.body)
+    return isinstance(inner, Leaf) and inner.kind == "LETTER"
+
+
+def bracketed(letters: Sequence[str]) -> Name:
+    """The name [BN]."""
+    ends_in_word = letters[0].startswith("\\") and letters[0][-1].isalpha()
+    return Name(f"[{(' ' if ends_in_word else '').join(letters)}]")
+
+
 def spell_label(node: Node) -> str | None:
     """A script that is a label, as names have it."""
     pieces = _spell_script(node, ())

@@ -312,10 +312,13 @@ class _Builder(Transformer):
         return tuple(child for child in children if isinstance(child, Node))
 
     def bracket(self, children):
-        """[ and ] around a matrix that has no brackets of its own are the matrix's."""
+        """[ and ] around a matrix that has no brackets of its own are the matrix's; ||x|| is one sign."""
         kind, parts = str(children[0]), children[1]
-        if kind == "[" and len(parts) == 1 and isinstance(parts[0], Matrix) and parts[0].bare:
-            return replace(parts[0], bare=False)
+        inner = core(parts[0]) if len(parts) == 1 else None
+        if kind == "[" and isinstance(inner, Matrix) and inner.bare:
+            return replace(inner, bare=False)
+        if kind == "|" and isinstance(inner, Bracket) and inner.kind == "|":
+            kind, parts = "\\|", inner.parts
         return Bracket(children[0].start_pos, kind, parts)
 
     def styled(self, children):

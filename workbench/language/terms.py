@@ -36,9 +36,11 @@ class Term:
 
     def walk(self) -> Iterator[Term]:
         """This term and all below it, parents first."""
-        yield self
-        for child in self.children:
-            yield from child.walk()
+        waiting = [self]
+        while waiting:
+            term = waiting.pop()
+            yield term
+            waiting.extend(reversed(term.children))
 
 
 @dataclass_transform(frozen_default=True)

@@ -95,6 +95,7 @@ class Declaration:
     of: the symbols that it is a function of; nothing but them (and t, where it is among them) moves it.
     independent: others are functions `of` it and it is none itself, so that ∂/∂q keeps it fixed.
     small: so small that what is said with ≈ holds to first order in it and its rates.
+    free: it may be anything, whatever a text seems to say of it.
     tilded: the same letter with a tilde is a symbol of its own, so its skew tensor is not written so.
     clock: the time t, whose derivative is 1.
     parameters: how many arguments a function symbol such as Φ_k(ω) takes.
@@ -116,6 +117,7 @@ class Declaration:
     of: tuple[Any, ...] = ()
     independent: bool = False
     small: bool = False
+    free: bool = False
     tilded: bool = False
     clock: bool = False
     indices: int = 0
@@ -125,4 +127,4 @@ class Declaration:
 
 
 #: The time t.
-CLOCK = Declaration(Name("t"), SCALAR, Linear(-1), independent=True, clock=True)
+CLOCK = Declaration(Name("t"), SCALAR, None, independent=True, clock=True)

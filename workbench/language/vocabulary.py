@@ -53,6 +53,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "neq": ("RELATION", "≠"),
     "ne": ("RELATION", "≠"),
     "triangleq": ("RELATION", "="),
+    "equiv": ("RELATION", "="),
     "coloneq": ("RELATION", "="),
     "coloneqq": ("RELATION", "="),
     "approx": ("RELATION", "≈"),

@@ -8,6 +8,7 @@ and what they refute is false. Written in columns of the base:
     to P from O             p_P − p_O          derivative in F               ẋ − w_F × x
     axes of F               Q_F e₁, Q_F e₂, Q_F e₃
     transform to F from G   [Q_Fᵀ Q_G, Q_Fᵀ (o_G − o_F); 0 1]
+    x, resolved in F        Q_Fᵀ x             origin of G in F              o_G − o_F, resolved in F
     P fixed in F            p_P = o_F + Q_F c, c constant
 """
 
@@ -138,6 +139,8 @@ def _rotation(frames: Frames, to: str, origin: str) -> Term:
     return apply("transpose", one) if other is None else apply("mul", apply("transpose", one), other)
 
 
+#: Phrases of components: in the frame F, where no other is named.
+RESOLVED_IN_F = ("origin of", "place of")
 #: What a spelling may be said to be → its kind, which of its letters are frames, and what it is.
 PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
     (r"rotation to (?P<F>\w) from (?P<G>\w)", TENSOR, "FG", lambda f, F, G: _rotation(f, F, G)),
@@ -151,17 +154,13 @@ PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
     (r"to (?P<P>\w) from (?P<Q>\w)", VECTOR, "", lambda f, P, Q: minus(f.place(P), f.place(Q))),
     (r"velocity of (?P<P>\w) in (?P<F>\w)", VECTOR, "F", lambda f, P, F: f.velocity(P, F)),
     (r"transform to (?P<F>\w) from (?P<G>\w)", TRANSFORM, "FG", lambda f, F, G: f.transform(F, G)),
+    (r"origin of (?P<G>\w) in (?P<F>\w)", VECTOR, "FG", lambda f, F, G: minus(f.origin(G), f.origin(F))),
+    (r"place of (?P<P>\w) in (?P<F>\w)", VECTOR, "F", lambda f, P, F: minus(f.place(P), f.origin(F))),
     (
-        r"origin of (?P<G>\w) in (?P<F>\w)",
+        r"velocity of the origin of (?P<G>\w) in (?P<F>\w)",
         VECTOR,
         "FG",
-        lambda f, F, G: f.resolved(F, minus(f.origin(G), f.origin(F))),
-    ),
-    (
-        r"place of (?P<P>\w) in (?P<F>\w)",
-        VECTOR,
-        "F",
-        lambda f, P, F: f.resolved(F, minus(f.place(P), f.origin(F))),
+        lambda f, F, G: f.rate(F, minus(f.origin(G), f.origin(F))),
     ),
     (r"acceleration of (?P<P>\w) in (?P<F>\w)", VECTOR, "F", lambda f, P, F: f.rate(F, f.velocity(P, F))),
 )

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -12,13 +13,14 @@ from workbench.language.construct import apply, block, identity, number, relatio
 from workbench.language.declarations import key_spelling
 from workbench.language.definitions import Definitions
 from workbench.language.errors import Fault, ReadError, SpecError
+from workbench.language.names import Name
 from workbench.language.reader import read_term
-from workbench.language.spelling import Spelling, spell_label
+from workbench.language.spelling import Spelling, bracketed, in_bracket, spell_label
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import parse
 from workbench.language.terms import Conjunction, Definition, IllFormed, Term
 from workbench.language.types import TENSOR, VECTOR
-from workbench.papers.frame_families import PHRASES, Frames, minus, turned
+from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minus, turned
 from workbench.papers.toml_file import TomlFile
 
 _FRAME_KEYS = ("base", "names", "axes", "dot", "orientation")
@@ -160,19 +162,23 @@ class _Reader:
             return
         text = phrase if isinstance(phrase, str) else ""
         resolved = _RESOLVED.search(text)
-        phrases = ((re.fullmatch(entry[0], _RESOLVED.sub("", text)), *entry[1:]) for entry in PHRASES)
+        what = _RESOLVED.sub("", text)
+        phrases = ((re.fullmatch(entry[0], what), *entry[1:]) for entry in PHRASES)
         match, type_, in_frames, make = next(
             (entry for entry in phrases if entry[0]), (None, VECTOR, "", minus)
         )
         if match is None:
-            known = "; ".join(re.sub(r"\(\?P<(\w)>\\w\)", r"\1", pattern) for pattern, *_ in PHRASES)
-            raise SpecError(f"{phrase!r}; expected derivative, or one of: {known}; [, resolved in F]", key)
+            vector = self.vector(what) if resolved else None
+            if vector is None:
+                known = "; ".join(re.sub(r"\(\?P<(\w)>\\w\)", r"\1", pattern) for pattern, *_ in PHRASES)
+                said = f"{phrase!r}; expected derivative, or one of: {known}; [, resolved in F]"
+                raise SpecError(f"{said}; or a vector resolved in F", key)
+            make = partial(_as_it_is, vector)
         if resolved is not None and type_ is not VECTOR:
             raise SpecError("only a vector is resolved in a frame", key)
-        letters = {match[role]: role for role in match.groupdict()}
-        spelling = _spelling(key)
-        texts = {piece for _, pieces in spelling.scripts for piece in pieces} | {spelling.letter.letter}
-        where = resolved["R"] if resolved else None
+        letters = {match[role]: role for role in match.groupdict()} if match else {}
+        texts, named = _spelled(key)
+        where = resolved["R"] if resolved else match["F"] if text.startswith(RESOLVED_IN_F) else None
         names = [*letters, *([where] if where and where not in letters else [])]
         choices = []
         for letter in names:
@@ -187,7 +193,7 @@ class _Reader:
             arguments = {role: given[letter] for letter, role in letters.items()}
             if len(letters) > 1 and len(set(arguments.values())) < 2:
                 continue  # {}^A ω^A
-            name = spelling.exchanged(given).exact
+            name = named(given)
             body = make(self.frames, **arguments)
             if where is not None:
                 body = self.frames.resolved(given[where], body)
@@ -195,6 +201,14 @@ class _Reader:
                 self.frames.defined(name, type_, body)
             if text.split()[0] not in _PLACES:
                 self.frames.directions.add(name)
+
+    def vector(self, text: str) -> Term | None:
+        """The vector that a declared symbol, or a formula of such, is."""
+        try:
+            term = read_term(text, self.table)
+        except (ReadError, IllFormed):
+            return None
+        return term if term.type == VECTOR else None
 
     def axes(self, frame: str, axes: Any) -> None:
         self.known(frame, self.frames.labels, frame)
@@ -209,6 +223,10 @@ class _Reader:
             else:
                 self.frames.declarations[name] = declared
                 self.frames.definitions.append(Definition(declared, (), (), body))
+
+
+def _as_it_is(vector: Term, _: Frames) -> Term:
+    return vector
 
 
 def _names(entries: Mapping[str, Any]) -> list[str]:
@@ -228,6 +246,15 @@ def _table(entries: Mapping[str, Any], key: str) -> Mapping[str, Any]:
 def _unit(place: int) -> Term:
     rows = " \\\\ ".join("1" if row == place else "0" for row in range(3))
     return read_term(f"\\begin{{bmatrix}} {rows} \\end{{bmatrix}}", SymbolTable())
+
+
+def _spelled(key: str) -> tuple[set[Any], Callable[[Mapping[str, str]], Name]]:
+    """What stands in a spelling, and its name with other letters: of [BN], too."""
+    spelling = _spelling(key)
+    if (letters := in_bracket(parse(key).lines[0][0])) is not None:
+        return set(letters), lambda given: bracketed([given.get(letter, letter) for letter in letters])
+    texts = {piece for _, pieces in spelling.scripts for piece in pieces} | {spelling.letter.letter}
+    return texts, lambda given: spelling.exchanged(given).exact
 
 
 def _spelling(key: str) -> Spelling:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from importlib.metadata import entry_points
+from collections.abc import Mapping
+from functools import cache
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 
 from workbench.papers.model import InstalledPaper, PaperError
@@ -13,31 +15,40 @@ GROUP = "workbench.papers"
 DEFAULT = "chapter"
 
 
+@cache
+def _points() -> Mapping[str, EntryPoint]:
+    return {point.name: point for point in entry_points(group=GROUP)}
+
+
 def installed_names() -> tuple[str, ...]:
-    return tuple(sorted({point.name for point in entry_points(group=GROUP)}))
+    return tuple(sorted(_points()))
 
 
 def installed(name: str) -> InstalledPaper:
     """Raises PaperError if no installed package announces a usable paper of that name."""
-    points = list(entry_points(group=GROUP, name=name))
-    if not points:
+    point = _points().get(name)
+    if point is None:
         known = ", ".join(installed_names()) or "none"
         message = f"no such file, and no installed paper of that name (known: {known})"
         raise PaperError(name, None, None, message)
     try:
-        paper = points[0].load()
+        paper = point.load()
     except (ImportError, AttributeError) as error:
         raise PaperError(name, None, None, f"the installed paper does not load: {error}") from error
     if not isinstance(paper, InstalledPaper):
         got = type(paper).__name__
-        raise PaperError(name, None, None, f"{points[0].value}: expected an InstalledPaper, got a {got}")
+        raise PaperError(name, None, None, f"{point.value}: expected an InstalledPaper, got a {got}")
     return paper
 
 
 def paper_of(file: Path) -> InstalledPaper:
     """The installed paper that `file` is part of; one without files and theorems if it is part of none."""
-    for name in installed_names():
-        paper = installed(name)
-        if file.resolve() in {path.resolve() for path in paper.files}:
-            return paper
-    return InstalledPaper(())
+    name = name_of(file)
+    return InstalledPaper(()) if name is None else installed(name)
+
+
+def name_of(file: Path) -> str | None:
+    """The name of the installed paper that `file` is part of."""
+    place = file.resolve()
+    parts = ((name, path) for name in installed_names() for path in installed(name).files)
+    return next((name for name, path in parts if path.resolve() == place), None)

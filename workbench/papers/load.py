@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 from workbench.budget import Budget
 from workbench.memory.store import Store
 from workbench.papers.faults import Faults
-from workbench.papers.installed import DEFAULT, installed, installed_names, paper_of
+from workbench.papers.installed import DEFAULT, installed, installed_names, name_of, paper_of
 from workbench.papers.kept import Kept
 from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError, Theorem
 from workbench.papers.notation_files import NOTATION_KEYS, notation_chain
@@ -39,6 +39,15 @@ def load_paper(path: Path | str, faults: list[PaperError] | None = None, store: 
         return load_text(path)
     toml = TomlFile(path)
     return load_model(toml) if "source" in toml.data else merge([path], faults=faults, store=store)
+
+
+def load_part(path: Path) -> Paper:
+    """The paper of one file; of an installed one what it has in this file. Raises PaperError."""
+    if (name := name_of(path)) is None:
+        return load_paper(path)
+    paper, place = load_installed(name), path.resolve()
+    own = tuple(claim for claim in paper.claims if claim.file.resolve() == place)
+    return replace(paper, claims=own) if own else paper  # the claims of a text stand in the text
 
 
 def load_notation(path: Path | str) -> Notation:

@@ -157,7 +157,7 @@ def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, De
             bodies = (each.body for each in definitions if each.declaration.name in framed)
             if _free([other], definitions) - _free(bodies, definitions):
                 return symbol, None
-        elif symbol.declaration.name not in known:
+        elif symbol.declaration.name not in known and not symbol.declaration.free:
             is_exact = statement.operator == "=" and not order
             return symbol, _definition(symbol, other) if is_exact else None
     angle = _only_angle(statement, known)
@@ -181,7 +181,8 @@ def _only_angle(statement: Statement, known: set[Name]) -> Symbol | None:
     for term in terms:
         if isinstance(term, Apply) and term.head in _ROUND and isinstance(term.arguments[0], Symbol):
             (angle,) = term.arguments
-            if symbols.count(angle) == 1 and angle.declaration.name not in known:
+            is_given = angle.declaration.name in known or angle.declaration.free
+            if symbols.count(angle) == 1 and not is_given:
                 return angle
     return None
 

@@ -26,6 +26,8 @@ from workbench.papers.said import terms_of
 from workbench.papers.texts import Source
 
 _INLINE = re.compile(r"(?:(?<![$\\])\$(?!\$)|\\\(|:math:`)\s*([^$`=]{1,60}?)\s*:?=")
+_CLOSING = re.compile(r"\$|\\\)|`|\n\s*\n")
+_UNREAD = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _LONE = re.compile(r"(?:\\[a-z]+)*(?:\\?[A-Za-z]+)'*(?:[_^](?:\\?[A-Za-z0-9]+|[A-Za-z0-9,]+))*")
 _SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
@@ -44,7 +46,7 @@ def with_unsettled(claims: Sequence[Claim], sources: Sequence[Source]) -> list[C
             known = {definition.declaration.name for definition in claim.notation.definitions}
             symbols = [term.declaration for term in terms_of(statement) if isinstance(term, Symbol)]
             open_columns = {each.name for each in symbols if _is_open(claim, each, symbols)}
-            free = [each for each in symbols if each.name not in known - open_columns]
+            free = [each for each in symbols if each.name not in known - open_columns and not each.free]
             why = _of_unread(free, unread) or _of_components(free, claim) or _of_a_star(statement, sources)
             claim = replace(claim, unsettled=why, says=_solved_for(statement, free, _within(claim, symbols)))
         made.append(claim)
@@ -52,18 +54,24 @@ def with_unsettled(claims: Sequence[Claim], sources: Sequence[Source]) -> list[C
 
 
 def _said_unread(claims: Sequence[Claim], sources: Sequence[Source]) -> Mapping[str, str]:
-    """What stands alone before an = in a formula that is not read, or in a sentence, and the line."""
+    """What stands alone before an = in a formula that is not read, or in a sentence; its line and formula."""
     found: dict[str, str] = {}
     for claim in claims:
         is_unread = claim.printed.statement is None and not claim.chain
         if is_unread and (match := re.match(r"([^=]{1,80}?):?=", claim.printed.latex)):
             for name in _lone(match[1]):
-                found.setdefault(name, f"line {claim.line}")
+                found.setdefault(name, _place(claim.line, claim.printed.latex))
     for source in sources:
         for match in _INLINE.finditer(source.text):
             for name in _lone(match[1]):
-                found.setdefault(name, f"line {source.place(match.start(1))[0]}")
+                said = _CLOSING.split(source.text[match.start(1) :][:400], maxsplit=1)[0]
+                found.setdefault(name, _place(source.place(match.start(1))[0], said))
     return found
+
+
+def _place(line: int, latex: str) -> str:
+    text = " ".join(latex.split())
+    return f"line {line}: {text if len(text) <= 60 else f'{text[:59]}…'}"
 
 
 def _lone(left: str) -> Iterator[str]:
@@ -80,9 +88,7 @@ def _flat(name: str) -> str:
 def _of_unread(free: Sequence[Declaration], unread: Mapping[str, str]) -> str | None:
     for declaration in free:
         if place := unread.get(_flat(str(declaration.name))):
-            return (
-                f"the text says what {declaration.name} is ({place}), which is not read; a definition says it"
-            )
+            return _UNREAD.format(declaration.name, place)
     return None
 
 
@@ -113,7 +119,8 @@ def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
 def _is_open(claim: Claim, column: Declaration, symbols: Sequence[Declaration]) -> bool:
     """Whether the symbol is a column of symbols that nothing defines and that the claim has nowhere else."""
     bodies = [each.body for each in claim.notation.definitions if each.declaration == column]
-    entries = {entry.declaration.name for entry in column_of_symbols(bodies[0] if len(bodies) == 1 else None)}
+    parts = column_of_symbols(bodies[0] if len(bodies) == 1 else None)
+    entries = {part.declaration.name for part in parts if not part.declaration.free}
     if not entries:
         return False
     others = [each for each in symbols if each != column]

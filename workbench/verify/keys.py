@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Mapping, Sequence, Set
 from contextlib import suppress
-from dataclasses import fields, is_dataclass
+from dataclasses import asdict, fields, is_dataclass
 from functools import cache
 from typing import Any
 
@@ -23,6 +23,7 @@ from workbench.language.types import Declaration, Type
 from workbench.memory.ground import digest, ground
 from workbench.memory.store import Store
 from workbench.papers.model import Claim, Notation, Theorem
+from workbench.verify.results import Proposed
 
 #: What a claim says of itself that no verdict depends on.
 _COSMETIC = frozenset((
@@ -50,6 +51,18 @@ class Memory(Store):
         text = json.dumps(verdict.to_dict(), ensure_ascii=False)
         if Verdict.from_dict(json.loads(text)) == verdict:
             self.put(key, text.encode())
+
+    def proposals(self, key: str) -> tuple[Proposed, ...] | None:
+        """What an earlier search proposed, if that is there and undamaged."""
+        with suppress(ValueError, KeyError, TypeError):
+            if (text := self.get(key)) is not None:
+                return tuple(
+                    Proposed(**{**each, "verdict": Outcome(each["verdict"])}) for each in json.loads(text)
+                )
+        return None
+
+    def keep_proposals(self, key: str, proposed: Sequence[Proposed]) -> None:
+        self.put(key, json.dumps([asdict(each) for each in proposed], ensure_ascii=False).encode())
 
     def knows(self, key: str) -> bool:
         """Whether what the key stands for was found to be so."""
@@ -89,6 +102,11 @@ class Keys:
         elif not claim.notation.hand.is_plain:  # what it prints may be any symbol's name
             reached.append(reach.whole)
         return digest(repr((text, reached, self._ground)))
+
+    def of_proposals(self, claim: Claim) -> str:
+        """The key of what is proposed for a claim: any symbol may stand in it."""
+        whole = self._reach(claim.notation).whole
+        return digest(repr((self.of(claim, "proposals"), whole, claim.notation.words)))
 
     def of_bindings(self, notation: Notation) -> str:
         """The key of the agreement of a notation's bindings with its definitions, on motions that agree

@@ -60,7 +60,7 @@ def _candidates(claim: Claim, said: Sequence[Definition]) -> Iterator[tuple[str,
         each
         for each in symbols
         if each.declaration.name not in defined
-        and each.declaration not in fixed
+        and not (each.declaration in fixed or each.declaration.free)
         and not (each.index or each.arguments or each.type.dual)
     ]
     for kind, flags in _FLAGS.items():

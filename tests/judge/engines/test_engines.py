@@ -18,6 +18,7 @@ from workbench.judge.second.sympy_ring import SympyRing
 from workbench.judge.subject.inventory import NotExact, take_inventory
 from workbench.judge.subject.parameters import parameters
 from workbench.language.construct import apply, derivative, relation
+from workbench.language.defining import read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
 from workbench.language.symbols import SymbolTable
@@ -277,6 +278,24 @@ def test_points_lie_on_their_spheres():
 )
 def test_an_operator_acts_on_blocks_of_three_rows_only(latex, outcome):
     assert check(latex, {"T": "tensor", "x": "vector"}).outcome == outcome
+
+
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        ("P x = T x", "proved"),
+        ("P P x = T^2 x", "proved"),
+        (r"P (x + \dot{x}) - T \dot{x} = T x", "proved"),
+        (r"\mathbf{D} (P x) = \dot{T} x + P \dot{x}", "proved"),
+        (r"P x = \dot{T} x", "refuted"),
+    ],
+)
+def test_a_tensor_is_an_operator_of_degree_0(latex, outcome):
+    """Where an operator is defined by it, too."""
+    kinds = SymbolTable.build({"T": {"kind": "tensor"}, "x": {"kind": "vector"}, "P": {"kind": "operator"}})
+    definitions, table = read_definitions({"P": "T"}, kinds)
+    (said,) = read(latex, table)
+    assert Judge(definitions).judge(said).outcome == outcome
 
 
 BLOCKS = [

@@ -6,9 +6,13 @@ from collections.abc import Callable, Collection, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import compress
 from random import Random
 from typing import Any
 
+import numpy as np
+
+from workbench.judge.evidence.lanes import LaneRing, Lanes
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource, RationalRing, sample
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
@@ -22,6 +26,8 @@ from workbench.language.terms import Derivative, Relation, Symbol, Term
 #: Entries to draw from, and how many points to try with them.
 STAGES = (((-1, 0, 1), 240), ((-2, -1, 0, 1, 2), 160), ((-3, -2, -1, 1, 2, 3), 120))
 
+#: What is more than rounding in doubles, at points with such entries.
+_CLEARLY = 1e-6
 
 #: Completes a point: gives the parameters that the assumed equations determine their values.
 Completion = Callable[[dict[Parameter, Fraction]], dict[Parameter, Fraction]]
@@ -66,20 +72,42 @@ def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> I
             yield trial_at(complete(point), definitions)
 
 
-def trial_at(
-    point: dict[Parameter, Fraction], definitions: Lookup, ring: RationalRing | None = None
-) -> Trial:
+def trial_at(point: dict[Parameter, Any], definitions: Lookup, ring: Any = None) -> Trial:
     return Trial(point, JetEngine(PointSource(ring or RationalRing(), point), definitions))
 
 
 def first_trial(
-    inventory: Inventory, definitions: Lookup, accept: Callable[[Trial], bool], complete: Completion
+    inventory: Inventory,
+    definitions: Lookup,
+    accept: Callable[[Trial], bool],
+    complete: Completion,
+    positive_nowhere: Term | None = None,
 ) -> Trial | None:
-    """The first point that is accepted, made simpler as long as it still is; None if there is none."""
-    for trial in trials(inventory, definitions, complete):
+    """The first point that is accepted, made simpler as long as it still is; None if there is none.
+    positive_nowhere: a scalar that is > 0 at none of the points to be accepted, which spares most of them."""
+    candidates = trials(inventory, definitions, complete)
+    if positive_nowhere is not None:
+        candidates = _where_not_positive(list(candidates), positive_nowhere, definitions)
+    for trial in candidates:
         if accepted(trial, accept):
             return _simplified(trial, definitions, accept, complete)
     return None
+
+
+def _where_not_positive(candidates: list[Trial], term: Term, definitions: Lookup) -> Iterator[Trial]:
+    """Those where the term is not clearly > 0, in doubles at all points at once."""
+    lanes = {
+        parameter: Lanes(np.array([trial.point[parameter] for trial in candidates], dtype=float))
+        for parameter in candidates[0].point
+    }
+    try:
+        found = trial_at(lanes, definitions, LaneRing(len(candidates), 1)).components(term)
+    except NotExact:
+        found = None
+    if found is None:
+        return iter(candidates)
+    positive = np.broadcast_to(found[0].values > _CLEARLY, len(candidates))
+    return compress(candidates, ~positive)
 
 
 def accepted(trial: Trial, accept: Callable[[Trial], bool]) -> bool:

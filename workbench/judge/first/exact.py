@@ -166,7 +166,8 @@ class ExactEngine:
                 body = self._definitions.lookup(term)
                 if body is None:
                     raise NotExact(f"{term.declaration.name} is not in the inventory")
-                return self.value(body)
+                value = self.value(body)
+                return as_operator(value) if term.type.kind == "operator" else value
             case Derivative():
                 value = self.value(term.body)
                 for _ in range(int(term.order)):

@@ -23,7 +23,7 @@ from workbench.judge.subject.inventory import Inventory, Lookup, NotExact, take_
 from workbench.judge.subject.parameters import Parameter
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.language.names import Name
-from workbench.language.terms import Relation, Statement, Symbol
+from workbench.language.terms import Relation, Statement, Symbol, Term
 
 #: So many random points are cheaper to try than points to solve for.
 _FEW = 40
@@ -102,10 +102,10 @@ class Case:
         if self.assumptions.equations:
             raise NotExact("an equation under which an angle stands beside its sine or cosine")
 
-    def find(self, accept: Callable[[Trial], bool]) -> Trial | None:
-        """A small point that satisfies the assumptions and is accepted."""
+    def find(self, accept: Callable[[Trial], bool], positive_nowhere: Term | None = None) -> Trial | None:
+        """A small point that satisfies the assumptions and is accepted; see also `first_trial`."""
         admitted = self._admitted(accept)
-        found = first_trial(self.inventory, self.definitions, admitted, self._completed)
+        found = first_trial(self.inventory, self.definitions, admitted, self._completed, positive_nowhere)
         return found or next((trial for trial in self._solved() if accepted(trial, admitted)), None)
 
     def find_real(self, accept: Callable[[Trial], bool]) -> Trial | None:

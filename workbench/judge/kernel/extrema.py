@@ -170,9 +170,10 @@ class _Question:
             value, body = _number(trial, self.value), _number(trial, self.varied.body)
             return value is not None and value < 0 and body is not None
 
-        if self.has_norm and (trial := case.find(is_negative)):
+        may_be_negative = self.has_norm and not is_seen_nonnegative(self.value)
+        if may_be_negative and (trial := case.find(is_negative, self.value)):
             return replace(case.refuted(trial, plain), reason="a norm is not negative")
-        trial = case.find(is_less)
+        trial = case.find(is_less, minus(self.form, self.wanted))
         if trial is None:
             return None
         found = case.refuted(trial, squares if self.has_norm else plain)
@@ -269,7 +270,7 @@ class _Question:
             defined.append(trial)
             return self._least_at(trial) != said
 
-        trial = case.find(fails)
+        trial = case.find(fails, factor)
         if trial is not None:
             found = case.refuted(trial, self._said(rest))
             least, sign = self._least_at(trial), 1 if self.said.least else -1

@@ -113,11 +113,13 @@ def _family(
         scope = _scope(judge, [statement], {}, statement, orders)
         return verdict if scope is None else replace(verdict, scope=scope or None)
     general = _for_all(judge, statement, assume, hypothesis, orders)
-    if general is None:
-        return _instances(judge, statement, assume, hypothesis, orders)
-    # the range is then a check of the argument for all n; for a proof one engine is enough there
-    light = replace(judge, second_engine=False) if general.outcome == Outcome.PROVED else judge
+    # where the range is a check of the argument for all n, or proves nothing, one engine is enough there
+    is_proof = general is None and not orders.endless and not orders.generic
+    is_needed = is_proof or (general is not None and general.outcome != Outcome.PROVED)
+    light = judge if is_needed else replace(judge, second_engine=False)
     instances = _instances(light, statement, assume, hypothesis, orders)
+    if general is None:
+        return instances
     if general.outcome != Outcome.PROVED:
         same = instances.outcome == general.outcome
         return replace(general, evidence=_checked(general, orders)) if same else instances

@@ -29,6 +29,7 @@ from workbench.language.terms import (
     Term,
     column_of_symbols,
 )
+from workbench.language.types import Declaration
 
 _LINEAR = frozenset(
     {"mul", "neg", "dot", "cross", "outer", "transpose", "skew", "vector part", "scalar part"}
@@ -59,7 +60,7 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     for whole, entries in [*groups, *_columns(relation, definitions)]:
         orders = {inventory.orders.get(symbol, 0) for symbol in entries}
         highest = [o for symbol in entries for o in found[symbol] if o.order in orders]
-        free = [s for s in entries if not (s.declaration.constant or s.declaration.of or s.declaration.clock)]
+        free = [s for s in entries if _may_be_given(s.declaration)]
         if len(orders) == 1 and all(orders) and len(entries) == len(highest) == len(free):
             (order,), place = orders, highest[0]
             if sum(map(len, found.values())) == len(entries):
@@ -69,6 +70,10 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
             if (alone or foreign) and _has_solutions(relation, inventory, definitions, entries, order):
                 return derivative(whole, order)
     return None
+
+
+def _may_be_given(declared: Declaration) -> bool:
+    return not (declared.constant or declared.of or declared.clock or declared.free)
 
 
 def _columns(relation: Relation, definitions: Lookup) -> Iterator[tuple[Symbol, tuple[Symbol, ...]]]:

@@ -55,7 +55,11 @@ def _is_total(value: Term, definitions: Lookup) -> bool:
 
 def _all_of(term: Term, definitions: Lookup) -> Iterator[Term]:
     """The parts of a term, and of the definitions in it."""
-    for part in term.walk():
-        yield part
-        if isinstance(part, Symbol) and (body := definitions.lookup(part)) is not None:
-            yield from _all_of(body, definitions)
+    waiting, seen = [term], {term}
+    while waiting:
+        for part in waiting.pop().walk():
+            yield part
+            body = definitions.lookup(part) if isinstance(part, Symbol) else None
+            if body is not None and body not in seen:
+                seen.add(body)
+                waiting.append(body)

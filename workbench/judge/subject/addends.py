@@ -53,10 +53,12 @@ def addends(term: Term, negative: bool = False) -> Iterator[tuple[bool, Term]]:
 
 def spread(term: Term) -> Term:
     """The term with its sums outermost: what is linear is brought to their addends."""
+    if not has_sums(term):
+        return term
     children = tuple(spread(child) for child in term.children)
     unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
     term = term if unchanged else rebuild(term, children)
-    if not has_sums(term) or isinstance(term, BigSum):
+    if isinstance(term, BigSum):
         return term
     if isinstance(term, Derivative) and term.order.is_number:
         return _over(term.body, lambda part: _derived(part, term.order))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TypeAlias
@@ -61,11 +61,12 @@ _MEMBERS = 3
 
 @dataclass(frozen=True)
 class Members:
-    """The first few values of each integer: what `Judge` takes for the orders of a family."""
+    """The first few values of each integer: what `Judge` takes for the orders of a family.   endless: the
+    integers of which these are examples only."""
 
     least: Mapping[str, int]
     generic: tuple[str, ...] = ()  # a range is stated for each
-    endless: frozenset[str] = frozenset()
+    endless: Collection[str] = ()
 
     def assignments(self) -> Iterator[dict[str, int]]:
         values: list[dict[str, int]] = [{}]
@@ -165,19 +166,24 @@ class _Prover:
 
     def _judge(self, obligation: Obligation) -> Verdict:
         used = _integers(obligation)
+        simpler = list(forms(obligation.statement, self.judge, used)) if used else []
         try:
-            simpler = list(forms(obligation.statement, self.judge, used))
-            same = used and any(form.is_same_sum and form.holds_from(used) for form in simpler)
+            same = any(form.is_same_sum and form.holds_from(used) for form in simpler)
             if same and self._first_hold(obligation, used):
                 return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
             verdict = self._judged(obligation.statement, obligation, used)
             if verdict.outcome in (Outcome.REFUTED, Outcome.CONDITIONAL) or _is_for_all(verdict, used):
                 return verdict
-            looked_at = _MEMBERS if verdict.outcome in _SHOWN else 0
-            simpler = [form for form in simpler if form.holds_from(used, looked_at)]
-            if obligation.rule != FORMULA and any(form.is_same_sum for form in simpler):
-                return Verdict(Outcome.PROVED, evidence=(*verdict.evidence, SAME_ADDENDS))
-            return self._one_of(simpler, obligation, used) or _for_some_only(verdict)
+            simpler = simpler or list(forms(obligation.statement, self.judge, used))
+            soon = [form for form in simpler if form.holds_from(used)]
+            if (shown := self._one_of(soon, obligation, used)) is not None:
+                return shown
+            late = [form for form in simpler if form not in soon and form.holds_from(used, _MEMBERS)]
+            if late:
+                first = self.judge.judge(obligation.statement, obligation.assume, orders=Members(used))
+                if first.outcome in _SHOWN and (shown := self._one_of(late, obligation, used)) is not None:
+                    return replace(shown, evidence=(*first.evidence, *shown.evidence))
+            return verdict
         except Unsatisfiable:
             reason = "its premises contradict each other, or no example of them was found"
             return Verdict(Outcome.UNCHECKED, reason=reason)
@@ -195,13 +201,16 @@ class _Prover:
     def _judged(self, statement: Statement, obligation: Obligation, used: Mapping[str, int]) -> Verdict:
         asked = (statement, obligation.assume, tuple(used.items()))
         if asked not in self.lemmas:
-            orders = Members(used) if used else None
+            orders = Members(used, endless=used) if used else None
             self.lemmas[asked] = self.judge.judge(statement, obligation.assume, orders=orders)
         return self.lemmas[asked]
 
     def _one_of(self, simpler: Sequence[Form], obligation: Obligation, used: Mapping) -> Verdict | None:
         """The proof, if there is one, of a form that is left when operators and sums are taken away. What is
         before the form's first integers has been looked at one by one."""
+        same = obligation.rule != FORMULA and any(form.is_same_sum for form in simpler)
+        if same and self._first_hold(obligation, used):
+            return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
         for form in simpler:
             left = _integers(replace(obligation, statement=form.equation))
             left = {name: max(least, form.since.get(name, 0)) for name, least in left.items()}
@@ -275,12 +284,6 @@ class _Prover:
 
 def _is_for_all(verdict: Verdict, used: Mapping[str, int]) -> bool:
     return verdict.outcome in _SHOWN and (not used or (verdict.scope or "").startswith("all"))
-
-
-def _for_some_only(verdict: Verdict) -> Verdict:
-    if verdict.outcome not in _SHOWN:
-        return verdict
-    return replace(verdict, outcome=Outcome.UNCHECKED, reason=f"shown for {verdict.scope} only")
 
 
 def _obligation(sequent: Sequent, statement: Statement) -> Obligation:

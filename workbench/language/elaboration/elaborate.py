@@ -31,7 +31,6 @@ from workbench.language.syntax import (
     Styled,
     Sum,
     Summation,
-    core,
 )
 from workbench.language.terms import IllFormed, Integer, Number, Term, Zero
 
@@ -121,12 +120,9 @@ class Elaborator(Scope):
             raise Misfit(fault, places[_first_that_differs(addends)]) from None
 
     def bracket(self, node: Bracket) -> Term:
-        kind, inner = node.kind, core(node.parts[0]) if len(node.parts) == 1 else None
-        if kind == "|" and isinstance(inner, Bracket) and inner.kind == "|":
-            kind, node = "\\|", inner  # ||x||
         terms = [self.term(part) for part in node.parts]
-        if kind in ("|", "\\|") and len(terms) == 1:
-            is_determinant = kind == "|" and terms[0].type.is_square and terms[0].type.rows > 1
+        if node.kind in ("|", "\\|") and len(terms) == 1:
+            is_determinant = node.kind == "|" and terms[0].type.is_square and terms[0].type.rows > 1
             return self.apply(node.at, "det" if is_determinant else "norm", terms[0])
         if len(terms) == 1 and node.kind not in ("\\langle", "\\lfloor"):
             return terms[0]

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from workbench.language import construct, instances
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
+from workbench.language.elaboration.spelled import is_euclidean
 from workbench.language.errors import Fault, Misfit, Unranged
 from workbench.language.integers import Linear
 from workbench.language.names import Name
@@ -85,6 +86,8 @@ class _Lettering:
                 return self.read(part, scripts, styles)
         if styles:
             raise Fault(f"{styles[-1]} of more than one symbol", node.at)
+        if scripts.sub is not None and is_euclidean(self.scope, node, scripts.sub):
+            scripts = replace(scripts, sub=None)
         if scripts.sub is not None or scripts.left_sub is not None or scripts.left_sup is not None:
             raise Fault("a subscript on an expression; indices belong to symbols", node.at)
         entries = self.scope.table.notations.primes()
@@ -343,6 +346,8 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
             return term if isinstance(term, Zero) else scope.apply(sup.at, "transpose", term)
         case Sum(addends=(("-", _, below),)) if _is_transpose(below):
             return raised(scope, scope.apply(sup.at, "inverse", term), below)
+        case Leaf(kind="MARK", text="*") if not (term.type.is_square or term.type.kind == "quaternion"):
+            raise Fault(f"* on a {term.type}; declare the symbol with it, or say it in [notation]", sup.at)
         case Leaf(kind="MARK", text="*"):
             return scope.apply(sup.at, "adjugate", term)
         case Bracket(kind="(", parts=(order,)):

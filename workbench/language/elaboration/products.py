@@ -58,10 +58,18 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
         else:
             rows[-1].append(item)
     if not rows[-1]:
-        raise Fault(f"nothing after {signs[-1].operator}", signs[-1].at)
+        rows = [*rows[:-2], [*rows[-2][:-1], _with_sign_behind(scope, rows[-2][-1], signs.pop())]]
     if any(sign.operator == "/" for sign in signs):
         return _solidus(scope, rows, signs)
     return _joined(scope, [_row(scope, row) for row in rows], signs)
+
+
+def _with_sign_behind(scope: Scope, item: Node, sign: Infix) -> Node:
+    """x \\times, with nothing behind it, as the paper spells it."""
+    node = Product(item.at, (item, sign))
+    if scope.written(node) is None:
+        raise Fault(f"nothing after {sign.operator}", sign.at)
+    return node
 
 
 def _joined(scope: Scope, rows: Sequence[Row], signs: list[Infix]) -> Term:
@@ -173,14 +181,30 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     if not (isinstance(bracket, Bracket) and bracket.kind == "("):
         bracket = None
     plain = not scripts.left_sub and not scripts.left_sup
+    if (
+        plain
+        and bracket is not None
+        and (own := scope.written(Product(item.at, (item, bracket)))) is not None
+    ):
+        return Factor(_behind(scope, own, following), item.at, place + 2, item)
     if plain and (value := scope.integer_expression(item)) is not None:
         return Factor(value, item.at, place + 1, item)
     term, sup, takes_bracket = letter(scope, item, scripts, bracket)
     end = place + 1
     if takes_bracket or (bracket is not None and is_own_variable(scope, bracket, term)):
-        if isinstance(following, Scripted):
+        if isinstance(following, Scripted) and sup is not None:
             raise Fault("scripts on the argument of a function; bracket the whole", following.at)
+        term = _behind(scope, term, following)
         end += 1
     if sup is not None:
         term = raised(scope, term, sup)
     return Factor(term, item.at, end, item)
+
+
+def _behind(scope: Scope, value: Term, argument: Node) -> Term:
+    """R(\\theta)^T is that of the value."""
+    if not isinstance(argument, Scripted):
+        return value
+    if argument.sup is None or argument.sub is not None or argument.primes or argument.factorial:
+        raise Fault("scripts on the argument of a function; bracket the whole", argument.at)
+    return raised(scope, value, argument.sup)

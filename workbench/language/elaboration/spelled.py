@@ -10,6 +10,7 @@ from workbench.language.scope import Scope
 from workbench.language.spelling import prefixed
 from workbench.language.syntax import (
     Accented,
+    Bracket,
     Group,
     Leaf,
     Node,
@@ -68,3 +69,13 @@ def _styled_letter(node: Node) -> tuple[tuple[str, ...], str]:
             case _:
                 return styles, ""
     return styles, node.text
+
+
+def is_euclidean(scope: Scope, node: Node, sub: Node) -> bool:
+    """Whether it is \\|x\\|_2 of a column, which is \\|x\\|; that of a matrix is another norm."""
+    is_norm = isinstance(node, Bracket) and node.kind in ("|", "\\|") and len(node.parts) == 1
+    two = core(sub)
+    if not is_norm or not isinstance(two, Leaf) or two.text != "2":
+        return False
+    type_ = scope.term(node.parts[0]).type
+    return type_.columns == 1 and type_.rows > 1

@@ -40,7 +40,7 @@ class Found:
         return replace(self, label=label)
 
 
-def formulas(view: View, searched: str, escaped: bool, inline: bool) -> Iterator[tuple[Found, int, int]]:
+def formulas(view: View, searched: str, escaped: bool) -> Iterator[tuple[Found, int, int]]:
     """Each formula, and its offsets in the view. `searched` is the view's text with what is no text blanked.
     escaped: brackets are written \\\\[ … \\\\]."""
     brackets = r"\\\\[\[(]" if escaped else r"(?<!\\)\\[\[(]"
@@ -51,8 +51,7 @@ def formulas(view: View, searched: str, escaped: bool, inline: bool) -> Iterator
         position = match.end()
         if match[0] == "$":
             if close := _INLINE.match(searched, position):
-                if inline:
-                    yield _found(view, match.start(), position, close.end() - 1, close.end(), "$")
+                yield _found(view, match.start(), position, close.end() - 1, close.end(), "$")
                 position = close.end()
             continue
         closing, is_display = (f"\\end{{{match[1]}}}", True) if match[1] else _PAIRS[match[0]]
@@ -63,7 +62,7 @@ def formulas(view: View, searched: str, escaped: bool, inline: bool) -> Iterator
         after = end + len(closing)
         if match[1]:
             yield _found(view, match.start(), match.start(), after, after, match[1])
-        elif is_display or inline:
+        else:
             yield _found(view, match.start(), position, end, after, "\\[" if is_display else "\\(")
         position = after
 

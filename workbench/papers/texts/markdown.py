@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from workbench.papers.texts.delimiters import Found, formulas
 from workbench.papers.texts.prose import plain
+from workbench.papers.texts.tex.displays import INLINE
 from workbench.papers.texts.view import View
 
 _FENCE = re.compile(r"([ >\t]*)(`{3,}|~{3,}|:{3,})(.*)")
@@ -26,32 +27,27 @@ _NEAR = 200
 _ESCAPED = re.compile(r"\\([!-/:-@\[-`{-~])")
 
 
-def markdown(view: View, inline: bool = False) -> Iterator[Found]:
+def markdown(view: View) -> Iterator[Found]:
     """The formulas in reading order."""
     headings = _headings(view.text)
-    for found, start in sorted(_all(view, inline), key=lambda pair: pair[1]):
+    for found, start in sorted(_all(view), key=lambda pair: pair[1]):
         yield replace(found, section=headings.at(start))
 
 
-def _all(view: View, inline: bool) -> Iterator[tuple[Found, int]]:
+def _all(view: View) -> Iterator[tuple[Found, int]]:
     searched, fenced, ticked = _without_code(view.text)
     for inner, inner_end, start, label in fenced:
         yield _fenced(view, inner, inner_end, start, label), start
     for start, inner, inner_end, end in ticked:
-        if inline or _is_a_paragraph(view.text, start, end):
-            environment = "\\[" if _is_a_paragraph(view.text, start, end) else "$"
-            yield Found(view.cut(inner, inner_end), view.at[start], view.at[end - 1] + 1, environment), start
+        environment = "\\[" if _is_a_paragraph(view.text, start, end) else "$"
+        yield Found(view.cut(inner, inner_end), view.at[start], view.at[end - 1] + 1, environment), start
     escaped = "\\\\[" in searched or "\\\\(" in searched
     in_paragraph = _is_kramdown(view.text, searched)
-    for found, start, end in formulas(view, searched, escaped, inline=True):
+    for found, start, end in formulas(view, searched, escaped):
         environment = found.environment
-        if environment in ("$", "\\(") and _is_a_paragraph(searched, start, end):
+        if environment in INLINE and _is_a_paragraph(searched, start, end):
             environment = "\\["
-        elif environment in ("$", "\\(") and not (inline or "\\newcommand" in found.view.text):
-            continue
         if in_paragraph and searched.startswith("$$", start) and _stands_in_a_line(searched, start, end):
-            if not inline:
-                continue
             environment = "$"
         label = _LABEL.match(searched, end)
         yield replace(_unmarked(found, escaped), environment=environment).named(label and label[1]), start

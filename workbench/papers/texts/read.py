@@ -10,9 +10,8 @@ from pathlib import Path
 from workbench.papers.model import PaperError
 from workbench.papers.texts.delimiters import Found, within
 from workbench.papers.texts.markdown import markdown
-from workbench.papers.texts.prose import sentence_before
 from workbench.papers.texts.restructured import restructured
-from workbench.papers.texts.tex.displays import with_sentence
+from workbench.papers.texts.tex.displays import CLOSING, INLINE
 from workbench.papers.texts.tex.document import TexReader, Text
 from workbench.papers.texts.tex.macros import named
 from workbench.papers.texts.tex.state import Names
@@ -20,7 +19,7 @@ from workbench.papers.texts.tex.tokens import Lexer, Token
 from workbench.papers.texts.view import Source, View
 from workbench.papers.texts.web import notebook, web
 
-Find = Callable[[View, bool], Iterator[Found]]
+Find = Callable[[View], Iterator[Found]]
 
 _TEX = frozenset({".tex", ".latex", ".ltx"})
 _MARKUP: dict[str, Find] = {
@@ -29,7 +28,6 @@ _MARKUP: dict[str, Find] = {
     **dict.fromkeys((".html", ".htm", ".xhtml"), web),
     ".ipynb": notebook,
 }
-_INLINE = frozenset({"$", "\\(", "math"})
 SUFFIXES = _TEX | set(_MARKUP)
 
 _DECLARATION = re.compile(r"\s*\\(?:re)?newcommand|\s*\\g?def\b|\s*\\DeclareMathOperator|\s*\\let\b")
@@ -42,13 +40,12 @@ def is_text(path: Path) -> bool:
 def read_text(
     path: Path | str,
     macros: Path | str | None = None,
-    inline: bool = False,
     bodies: Mapping[str, str] | None = None,
 ) -> Text:
     """The displays of a text, macros expanded, each token with the author's own characters.
 
     macros: a TeX file of macros that a site or a class keeps elsewhere; they win over those of the text.
-    inline: formulas inside of sentences too.   bodies: more such macros, each by its body.
+    bodies: more such macros, each by its body.
 
     Raises PaperError for a file that cannot be used.
     """
@@ -57,23 +54,16 @@ def read_text(
         raise PaperError(path, None, None, f"expected one of {', '.join(sorted(SUFFIXES))}")
     overrides = Names() if macros is None else _macros(Path(macros))
     overrides.macros |= named(bodies or {}, path)
-    text = _text(path, _read(path, TexReader(path.parent, overrides, inline)))
-    if not inline:
-        found = _read(path, TexReader(path.parent, overrides, inline=True)).displays
-        text.inline = [formula for formula in found if formula.environment in _INLINE]
-    return text
-
-
-def _read(path: Path, reader: TexReader) -> TexReader:
+    reader = TexReader(path.parent, overrides)
     find = _MARKUP.get(path.suffix.lower())
     if find is None:
         reader.read_file(path)
     else:
         source = Source.open(path)
         reader.sources.append(source)
-        for found in find(source.view(), reader.inline):
+        for found in find(source.view()):
             _read_found(reader, found)
-    return reader
+    return _text(path, reader)
 
 
 def _macros(path: Path) -> Names:
@@ -90,12 +80,15 @@ def _read_found(reader: TexReader, found: Found) -> None:
     found = within(found)
     reader.heading = found.section
     opening = Token("\\[", found.view.source, found.start, found.start + 1)
-    if found.environment in ("\\[", "$", "\\("):
-        closing = {"\\[": "\\]", "$": "$", "\\(": "\\)"}[found.environment]
+    if (closing := CLOSING.get(found.environment)) is not None:
         reader.push([Token(closing, found.view.source, found.end, found.end)])
+    told = len(reader.warnings)
     display = reader.read_display(found.view, opening, found.environment)
     reader.waiting.clear()
-    before = sentence_before(found.view.source.text, found.start)
+    if found.environment in INLINE:
+        del reader.warnings[told:]
+        reader.inline.append(replace(display, start=found.start, end=found.end))
+        return
     rows = display.rows
     if found.label is not None and rows:
         first = rows[0]
@@ -105,8 +98,7 @@ def _read_found(reader: TexReader, found: Found) -> None:
             number = reader.counters.number("equation")
         rows = (replace(first, labels=(*first.labels, found.label), number=number), *rows[1:])
         reader.labels.setdefault(found.label, number)
-    display = replace(display, start=found.start, end=found.end, rows=rows)
-    reader.displays.append(with_sentence(display, before))
+    reader.displays.append(replace(display, start=found.start, end=found.end, rows=rows))
 
 
 def _text(path: Path, reader: TexReader) -> Text:
@@ -128,4 +120,5 @@ def _text(path: Path, reader: TexReader) -> Text:
         warnings,
         reader.names,
         reader.fences,
+        reader.inline,
     )

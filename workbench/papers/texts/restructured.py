@@ -35,7 +35,7 @@ class _Line:
         return self.start + len(self.text)
 
 
-def restructured(view: View, inline: bool = False) -> Iterator[Found]:
+def restructured(view: View) -> Iterator[Found]:
     lines = _lines(view.text)
     place, literal, section = 0, None, ""
     while place < len(lines):
@@ -49,8 +49,7 @@ def restructured(view: View, inline: bool = False) -> Iterator[Found]:
                 continue
             if place and _UNDERLINE.fullmatch(line.text) and lines[place - 1].text.strip():
                 section = plain(lines[place - 1].text)
-            if inline:
-                yield from _roles(view, line, section)
+            yield from _roles(view, line, section)
             is_note = line.text.lstrip().startswith(".. ")
             if _CODE.match(line.text) or (line.text.rstrip().endswith("::") and not is_note):
                 literal = line.indent

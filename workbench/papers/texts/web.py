@@ -48,12 +48,12 @@ class _Text:
         return View("".join(self.pieces), self.view.source, [*self.at, end])
 
 
-def web(view: View, inline: bool = False) -> Iterator[Found]:
+def web(view: View) -> Iterator[Found]:
     text, headings, scripts = _page(view)
     page = text.made()
     found = [
         (replace(each, section=_last(headings, start)), each.start)
-        for each, start, _ in formulas(page, page.text, escaped=False, inline=inline)
+        for each, start, _ in formulas(page, page.text, escaped=False)
     ]
     found += [(each, each.start) for each in scripts]
     for each, _ in sorted(found, key=lambda pair: pair[1]):
@@ -99,11 +99,11 @@ def _last(headings: list[tuple[int, str]], position: int) -> str:
     return next((name for start, name in reversed(headings) if start <= position), "")
 
 
-def notebook(view: View, inline: bool = False) -> Iterator[Found]:
+def notebook(view: View) -> Iterator[Found]:
     """The Markdown cells of an .ipynb, whose lines are JSON strings."""
     for cell in _CELL.finditer(view.text):
         if cell[1] == "markdown" and (source := _SOURCE.search(view.text, cell.end())):
-            yield from markdown(_unescaped(view, source.end()), inline)
+            yield from markdown(_unescaped(view, source.end()))
 
 
 def _unescaped(view: View, position: int) -> View:

@@ -70,13 +70,15 @@ class Proposal:
 
 @dataclass(repr=False)
 class Repair:
-    """What was found. `candidates`: how many were looked at; `complete`: the search came to its end."""
+    """What was found. `candidates`: how many were looked at; `complete`: the search came to its end;
+    `interrupted`: by Ctrl-C."""
 
     claim: Claim | None
     proposals: list[Proposal] = field(default_factory=list)
     candidates: int = 0
     seconds: float = 0.0
     complete: bool = False
+    interrupted: bool = False
 
     @property
     def printed(self) -> str:
@@ -127,8 +129,8 @@ def repair(
     try:
         with in_the_hand_of(claim.notation.hand):
             bench.run()
-    except (KeyboardInterrupt, _LimitReached):
-        found.complete = False
+    except (KeyboardInterrupt, _LimitReached) as cut:
+        found.complete, found.interrupted = False, isinstance(cut, KeyboardInterrupt)
     finally:
         bench.aside.close()
     found.seconds = monotonic() - start

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
+from workbench.papers.texts.prose import sentence_before
 from workbench.papers.texts.tex.expander import Expander
 from workbench.papers.texts.tex.numbering import Counters
 from workbench.papers.texts.tex.state import Names
@@ -17,7 +18,8 @@ from workbench.papers.texts.view import Source
 ROWS = frozenset({"align", "gather", "eqnarray", "IEEEeqnarray", "flalign", "alignat", "xalignat", "dgroup"})
 NUMBERED = ROWS | {"equation", "multline", "dmath"}
 DISPLAYS = NUMBERED | {f"{name}*" for name in NUMBERED} | {"displaymath", "empheq"}
-_CLOSING = {"$$": "$$", "\\[": "\\]", "$": "$", "\\(": "\\)"}
+CLOSING = {"$$": "$$", "\\[": "\\]", "$": "$", "\\(": "\\)"}
+INLINE = frozenset({"$", "\\("})
 _UNNUMBERED = frozenset({"\\notag", "\\nonumber", "\\IEEEnonumber"})
 _ON, _ON_LETTER = "\\IEEEyesnumber", "\\IEEEyessubnumber"
 _MARKS = _UNNUMBERED | {_ON, _ON_LETTER, "\\IEEEnosubnumber", "\\displaybreak", "\\allowdisplaybreaks"}
@@ -42,8 +44,8 @@ class Row:
 
 @dataclass(frozen=True)
 class Display:
-    """`start` to `end`: where it stands in the author's file. `before`: the sentence before it. `opaque`:
-    macros in it that could not be expanded. `warnings`: with the token that each is about."""
+    """`start` to `end`: where it stands in the author's file. `opaque`: macros in it that could not be
+    expanded. `warnings`: with the token that each is about."""
 
     source: Source
     start: int
@@ -51,7 +53,6 @@ class Display:
     environment: str
     section: str
     heading: str
-    before: str
     rows: tuple[Row, ...]
     opaque: frozenset[str] = frozenset()
     warnings: tuple[tuple[Token, str], ...] = ()
@@ -59,6 +60,11 @@ class Display:
     @property
     def line(self) -> int:
         return self.source.place(self.start)[0]
+
+    @property
+    def before(self) -> str:
+        """The sentence before it."""
+        return sentence_before(self.source.text, self.start)
 
     @property
     def labels(self) -> tuple[str, ...]:
@@ -137,7 +143,6 @@ def read_display(reader: DisplayReader, opening: Token, environment: str) -> Dis
         environment=environment,
         section=reader.counters.section(),
         heading=reader.heading,
-        before="",
         rows=tuple(row for row in rows if row.tokens) or rows[:1],
         opaque=frozenset(reader.left_opaque),
         warnings=tuple(reader.warnings[told:]),
@@ -150,7 +155,7 @@ class _Body:
     def __init__(self, reader: DisplayReader, opening: Token, environment: str, numbering: str) -> None:
         self.reader, self.environment, self.last = reader, environment, opening
         self.opening = opening
-        self.closing = _CLOSING.get(environment)
+        self.closing = CLOSING.get(environment)
         self.splits = numbering.rstrip("*") in ROWS
         self.rows = [_Row()]
         self.depth = 0
@@ -348,7 +353,3 @@ def _trimmed(tokens: Sequence[Token]) -> list[Token]:
     while first < last and tokens[last - 1].text.isspace():
         last -= 1
     return list(tokens[first:last])
-
-
-def with_sentence(display: Display, before: str) -> Display:
-    return replace(display, before=before)

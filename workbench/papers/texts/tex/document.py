@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from workbench.papers.model import PaperError
-from workbench.papers.texts.prose import plain, sentence_before
-from workbench.papers.texts.tex.displays import DISPLAYS, Display, DisplayReader, read_display, with_sentence
+from workbench.papers.texts.prose import plain
+from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, DisplayReader, read_display
 from workbench.papers.texts.tex.numbering import SECTIONS
 from workbench.papers.texts.tex.state import Macro, Names
-from workbench.papers.texts.tex.tokens import Lexer, Token, joined
+from workbench.papers.texts.tex.tokens import PARAGRAPH, Lexer, Token, joined
 from workbench.papers.texts.view import Source, View
 
 _VERBATIM = frozenset((
@@ -52,10 +52,11 @@ class Text:
 class TexReader(DisplayReader):
     """Reads what is opened, to its end. `root`: the folder of the main file."""
 
-    def __init__(self, root: Path, overrides: Names | None = None, inline: bool = False) -> None:
+    def __init__(self, root: Path, overrides: Names | None = None) -> None:
         super().__init__(overrides)
-        self.root, self.inline = root, inline
+        self.root = root
         self.displays: list[Display] = []
+        self.inline: list[Display] = []
         self.directives: list[Directive] = []
         self.sources: list[Source] = []
         self.open_paths: list[Path] = []
@@ -99,30 +100,37 @@ class TexReader(DisplayReader):
     def _dollar(self, token: Token) -> None:
         if self.take("$"):
             self._display(token, "$$")
-        elif self.inline:
-            self._display(token, "$")
         else:
-            self._skip_inline()
+            self._inline(token, "$")
 
-    def _skip_inline(self) -> None:
-        while (token := self.pop()) is not None and token.text not in ("$", "\\par"):
+    def _inline(self, opening: Token, environment: str) -> None:
+        """What stands before the closing mark in this paragraph, read by itself: a $ that closes nothing
+        takes no display away."""
+        taken: list[Token] = []
+        while (token := self.pop()) is not None and token.text not in (CLOSING[environment], PARAGRAPH):
+            taken.append(token)
             if token.text in ("\\text", "\\mbox", "\\textrm", "\\hbox"):
-                self.argument()
+                taken += [token.standing_for("{"), *self.argument(), token.standing_for("}")]
+        if token is None or token.text == PARAGRAPH:
+            return
+        outer, self.waiting = self.waiting, [token, *reversed(taken)]
+        told = len(self.warnings)
+        self.inline.append(read_display(self, opening, environment))
+        del self.warnings[told:]
+        self.waiting = outer
 
     def _display(self, token: Token, environment: str) -> None:
         self.counters.begin()
-        display = read_display(self, token, environment)
+        self.displays.append(read_display(self, token, environment))
         self.counters.end()
-        before = sentence_before(token.source.text, token.start)
-        self.displays.append(with_sentence(display, before))
 
     def _is_end(self, token: Token) -> bool:
         """Obeys a command; whether the document ends with it."""
         word = token.word
         if word == "[":
             self._display(token, "\\[")
-        elif word == "(" and self.inline:
-            self._display(token, "\\(")
+        elif word == "(":
+            self._inline(token, "\\(")
         elif word == "begin":
             self._begin(token, self.word())
         elif word == "end":
@@ -143,8 +151,11 @@ class TexReader(DisplayReader):
         if name in _VERBATIM:
             self._skip_verbatim(name)
             return
-        if (name in DISPLAYS and name not in self.names.environments) or (name == "math" and self.inline):
+        if name in DISPLAYS and name not in self.names.environments:
             self._display(token, name)
+            return
+        if name == "math":
+            self.inline.append(read_display(self, token, name))
             return
         self.counters.begin()
         if name == "subequations":

@@ -108,10 +108,24 @@ def place_of(mutant):
     return f"{module.partition('judge.')[2]}.{name.removeprefix('x_').removeprefix('xǁ').replace('ǁ', '.')}"
 
 
-def explained(pool):
-    """Those of the mutants that the file explains. Complains of what it says of no mutant."""
-    survivors = tomllib.loads(EXPLAINED.read_text())["survivor"]
-    said = {(survivor["in"], survivor["change"].strip()) for survivor in survivors}
+def is_of_class(mutant, known):
+    """Whether it changes one line, and there `old` at one place into `new`, in what the class is of."""
+    lines = [line.strip()[1:] for line in difference(mutant).splitlines()]
+    if not place_of(mutant).startswith(known["in"]) or len(lines) != 2:
+        return False
+    parts = lines[0].split(known["old"])
+    changed = (
+        known["old"].join(parts[:i]) + known["new"] + known["old"].join(parts[i:])
+        for i in range(1, len(parts))
+    )
+    return lines[1] in changed
+
+
+def explained(pool, sample):
+    """Those of the pool that the file explains one by one, and of the sample those that it explains by class.
+    Complains of what it says of no mutant."""
+    explanations = tomllib.loads(EXPLAINED.read_text())
+    said = {(survivor["in"], survivor["change"].strip()) for survivor in explanations["survivor"]}
     places = {place for place, _ in said}
     found = {}
     for mutant in pool:
@@ -120,7 +134,8 @@ def explained(pool):
             found[mutant] = place_of(mutant), change
     for stale in said - set(found.values()):
         print(f"{EXPLAINED.name} explains what is no mutant of {stale[0]}:\n{stale[1]}")
-    return {mutant for mutant, key in found.items() if key in said}
+    of_classes = {name for name in sample if any(is_of_class(name, known) for known in explanations["class"])}
+    return of_classes | {mutant for mutant, key in found.items() if key in said}
 
 
 class Trials:
@@ -217,7 +232,7 @@ def main():
     sample = random.Random(options.seed).sample(chosen, min(options.sample, len(chosen)))
     goes_on = options.again or options.more
     results = json.loads(RESULTS.read_text()) if goes_on and RESULTS.exists() else {}
-    equal = explained(pool)
+    equal = explained(pool, sample)
     tried = [name for name in sample if name not in equal]
     left = [name for name in tried if name in results and not is_killed(results[name])]
     new = [name for name in tried if name not in results]

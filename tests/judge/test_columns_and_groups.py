@@ -45,3 +45,17 @@ def test_what_holds_is_proved_and_what_is_changed_refuted(true: str, false: str)
     symbols = {name: {"kind": kind} for name, kind in SYMBOLS.items()}
     assert check(true, symbols=symbols, definitions=DEFINITIONS).outcome is Outcome.PROVED
     assert check(false, symbols=symbols, definitions=DEFINITIONS).outcome is Outcome.REFUTED
+
+
+@pytest.mark.parametrize(
+    "entries", [("f", "0", "1", "g"), ("f", "0", "g", "h"), ("f", "g", "0", "h"), ("f", "g", "1", "h")]
+)
+@pytest.mark.parametrize("duals", ["", "f", "g", "fg", "fgh"])
+def test_the_inverse_of_a_matrix_of_four_numbers_dual_ones_among_them(entries: tuple, duals: str) -> None:
+    a, b, c, d = (rf"\underline{{{x}}}" if x in duals and x.isalpha() else x for x in entries)
+    symbols = {"f": "scalar", "g": "scalar", "h": "scalar"}
+    symbols |= {rf"\underline{{{x}}}": "dual scalar" for x in duals}
+    inverse = rf"\begin{{bmatrix}} {a} & {b} \\ {c} & {d} \end{{bmatrix}}^{{-1}} = "
+    cofactors = rf"\frac{{1}}{{{a} \cdot {d} - {b} \cdot {c}}} \begin{{bmatrix}} {d} & -{b} \\ -{c} & {a} \end{{bmatrix}}"
+    assert check(inverse + cofactors, symbols=symbols).outcome is Outcome.CONDITIONAL
+    assert check(f"{inverse} 2 {cofactors}", symbols=symbols).outcome is Outcome.REFUTED

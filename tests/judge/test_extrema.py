@@ -196,6 +196,31 @@ def test_what_is_false_or_not_decided(latex, expected):
     assert found.reason or found.counterexample
 
 
+SINGULAR = "shown only where what multiplies the unknowns has the rank that it has in general"
+
+
+@pytest.mark.parametrize(
+    ("latex", "assume", "expected", "reason"),
+    [
+        (r"\min_{x, y \in \mathbb{R}} ((x - 1)^2 + (f y)^2) = 0", [], Outcome.UNCHECKED, SINGULAR),
+        (r"\min_{x, y \in \mathbb{R}} ((x - 1)^2 + (f y)^2) = 0", [r"f \neq 0"], Outcome.PROVED, None),
+        (r"\min_{x \in \mathbb{R}} (0 x + f) = f", [], Outcome.PROVED, None),
+        (r"\min_{x \in \mathbb{R}} \|a + 0 x a\| = \|a\|", [], Outcome.PROVED, None),
+        (r"\max_{x \in \mathbb{R}} (f - f^2 x^2) = f", [], Outcome.PROVED, None),
+        (r"\min_{x \in \mathbb{R}} (f^2 x^2 + 2 s x) = 0", ["s = 0"], Outcome.PROVED, None),
+        (
+            r"\min_{x \in \mathbb{R}} (f^2 x^2 + f x) = -\frac{1}{4}",
+            [],
+            Outcome.REFUTED,
+            "the least value is another one",
+        ),
+    ],
+)
+def test_where_a_form_loses_its_rank(latex, assume, expected, reason):
+    found = verdict(latex, *assume)
+    assert (found.outcome, found.reason) == (expected, reason)
+
+
 def test_a_premise_about_what_varies_is_not_used():
     assert outcome(r"\min_{b \in V_3} b^2 = 1", r"b^2 = 1") == Outcome.UNCHECKED
 

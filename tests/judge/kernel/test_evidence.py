@@ -251,3 +251,25 @@ def test_what_else_was_used_is_told(latex):
     symbols = {name: "vector" for name in "ab"} | {name: "scalar" for name in "fgxy"}
     found = check(latex, symbols=symbols | {r"\delta": {"kind": "scalar", "small": True}})
     assert told(found.verdict) == MEANS[latex]
+
+
+@pytest.mark.parametrize("definition", [r"k = e^{f} g", "k = f g"])
+def test_a_definition_rests_on_itself(definition):
+    found = check(definition, symbols={"f": "scalar", "g": "scalar"}, definitions=[definition]).verdict
+    assert found.outcome == Outcome.DEFINITION
+    assert told(found) == [("definitions", "well-formed, and the one in force", {})]
+
+
+WHY = {
+    r"\delta \approx f": "to first order the sides differ; to order 0 is open",
+    r"S = \{ a \in V_3 \mid a \cdot a = -1 \}": "the set is empty: nothing satisfies its conditions",
+    r"h : V_3 \to \mathbb{R}, h(a) = \frac{1}{\|a\|}": r"\frac{1}{\left\|a\right\|} is not seen to be defined for all of "
+    "these: a denominator can vanish, and nothing that the claim assumes excludes it",
+}
+
+
+@pytest.mark.parametrize("latex", WHY)
+def test_why_it_is_open(latex):
+    symbols = {"a": "vector", "f": "scalar", r"\delta": {"kind": "scalar", "small": True}}
+    found = check(latex, symbols=symbols).verdict
+    assert (found.outcome, found.reason) == (Outcome.UNCHECKED, WHY[latex])

@@ -112,10 +112,8 @@ class JetAlgebra:
             return [np.block([[p, rest], [q, s]]) for p, q, s in zip(*parts, strict=True)]
 
         blocks = (upper, corner, lower)
-        if all(b.du is None for b in blocks):
-            return Value(joined(tuple(b.re for b in blocks)))
-        dual = tuple([0 * x for x in b.re] if b.du is None else b.du for b in blocks)
-        return Value(joined(tuple(b.re for b in blocks)), joined(dual))
+        dual = None if a.du is None else joined(tuple(b.du for b in blocks))
+        return Value(joined(tuple(b.re for b in blocks)), dual)
 
     def _gauss_jordan(self, a: Value) -> Value:
         """The inverse of a square block matrix, pivot by pivot; a pivot must not vanish identically."""

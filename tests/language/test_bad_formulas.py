@@ -184,6 +184,7 @@ UNREADABLE = [
     (r"__import__('os') = 0", 1, "unexpected _"),
     (r"\omega = \mathbf{0}_{0 \times 2}", 21, "shape"),
     (r"\omega = \mathbf{0}_7", 21, "shape"),
+    (r"e^{\omega} = 1", 3, "the exponential of a vector"),
 ]
 
 # formula, column of the operation at fault, a part of the message
@@ -217,7 +218,6 @@ ILL_FORMED = [
     (r"\sum_{k=0}^{3} \omega^{(k)} = 0", 1, "differ in weight"),
     (r"\begin{bmatrix} \omega & \Phi_1 \\ \omega \end{bmatrix} = 0", 1, "unequal lengths"),
     (r"\begin{bmatrix} \omega & \Phi_1 \\ \Phi_1 & \omega \end{bmatrix} = 0", 1, "blocks of size"),
-    (r"e^{\omega} = 1", 3, "expected a"),
     (r"\mathbf{P}_1 \alpha = 0", 14, "operator"),
 ]
 

@@ -51,4 +51,3 @@ def _is_total(value: Term, definitions: Lookup) -> bool:
     parts = list(reached(value, definitions))
     is_still = not any(isinstance(part, Derivative | TimeOperator) for part in parts)
     return all(never_divides(p) or (is_still and isinstance(p, Apply) and p.head == "norm") for p in parts)
-

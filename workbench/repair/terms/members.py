@@ -9,9 +9,10 @@ from dataclasses import replace
 
 from workbench.language.construct import identity, number, relation, zero
 from workbench.language.errors import Fault, IllFormedAt, ReadError
+from workbench.language.parser import parse
 from workbench.language.printer import to_latex
 from workbench.language.reader import read_term
-from workbench.language.syntax import Chain, parse
+from workbench.language.syntax import Chain
 from workbench.language.terms import Term
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Notation

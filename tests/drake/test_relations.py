@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.drake.bindings import ANGLE_BINDINGS, BINDINGS, SIX_BINDINGS, bound
+from workbench.drake.bindings import ANGLE_BINDINGS, BINDINGS, SIX_BINDINGS, TURN_BINDINGS, bound
 from workbench.drake.motions import reference_motions
 from workbench.drake.relations import ALSO, DEFINED, names_in
 from workbench.drake.sampled_motions import sampled_motions
@@ -102,7 +102,9 @@ def test_every_binding_of_a_chain_is_free_or_defined_once():
     blocks_and_directions = {"X_WB", "X_WA", "X_AB", "u1_W", "u2_A", "u2_W", "V_WB", "V_WB_B", "A_WB"}
     blocks_and_directions |= {"q_WA", "q_AB", "q_WB"}
     third_body_and_origin = {n for n in BINDINGS if "C" in n or n.endswith("3")} | {"p_W0", "dual_u3_W"}
-    of_coordinates = {b.name for b in (*SIX_BINDINGS, *ANGLE_BINDINGS)}  # see test_witness_kinds
+    of_coordinates = {
+        b.name for b in (*SIX_BINDINGS, *ANGLE_BINDINGS, *TURN_BINDINGS)
+    }  # see test_witness_kinds
     shown = (
         {b.name for b in BINDINGS.values()} - blocks_and_directions - third_body_and_origin - of_coordinates
     )

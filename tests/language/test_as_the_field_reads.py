@@ -356,6 +356,23 @@ def test_vectors_side_by_side_in_a_bracket_are_asked_about(row: str) -> None:
         read(f"T = [{row}]", TABLE)
 
 
+def test_vectors_below_each_other_that_are_a_matrix_are_asked_about() -> None:
+    with pytest.raises(ReadError, match="the rows of a matrix"):
+        read(r"T = \begin{bmatrix} a \\ b \\ c \end{bmatrix}", TABLE)
+    assert read(r"T = \begin{bmatrix} a^T \\ b^T \\ c^T \end{bmatrix}", TABLE)
+
+
+@pytest.mark.parametrize(
+    "formula", [r"e a^2 = -(a \cdot a) e", r"a^2 e = e", "a b = 0", "a b e = e", "a^3 = 0", "2 a^2 e = e"]
+)
+def test_vectors_that_may_be_quaternions_are_asked_about(formula: str) -> None:
+    """The square of a quaternion (0, a) is −a·a, that of a vector a·a."""
+    table = TABLE.with_specs({"e": {"kind": "hamilton quaternion"}})
+    with pytest.raises(ReadError, match="write"):
+        read(formula, table)
+    assert read(r"e a a = -(a \cdot a) e", table) and read(r"a^2 = a \cdot a", table)
+
+
 @pytest.mark.parametrize("name", ["atan2", "arctan2"])
 def test_arcs_of_two(name: str) -> None:
     assert read_term(rf"\mathrm{{{name}}}(s, \alpha)", TABLE).head == "atan2"

@@ -15,7 +15,7 @@ from workbench.language.notations import is_shape
 from workbench.language.spelling import Named, bracketed, in_bracket, linear, linear_or_none, spell_label
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Accented, Bracket, Group, Leaf, Node, Product, Scripted, Sum
-from workbench.language.terms import Apply, IllFormed, Symbol, Term, Zero, is_rate
+from workbench.language.terms import Apply, IllFormed, Power, Symbol, Term, Zero, is_rate
 from workbench.language.types import VECTOR, type_of_kind
 
 Result = TypeVar("Result")
@@ -131,6 +131,8 @@ class Scope(ABC):
             raise Misfit(fault, at) from None
 
     def apply(self, at: int, head: str, *arguments: Term) -> Term:
+        if head == "mul":
+            self._refuse_pure(at, *arguments)
         if head == "mul" and arguments[0].type == type_of_kind("transform"):
             column = self.as_point(arguments[1], at)
             if self.table.keeps_points and column is not arguments[1]:
@@ -141,6 +143,15 @@ class Scope(ABC):
         if head == "exp" and arguments[0].type.is_square and arguments[0].type.rows > 3:
             raise Fault(f"the exponential of a {arguments[0].type} is not read", at)
         return self.build(at, construct.apply, head, *arguments)
+
+    def _refuse_pure(self, at: int, left: Term, right: Term) -> None:
+        """Refuses vectors beside each other, and their powers beside a quaternion, where they may be
+        quaternions without a scalar part: ω² is ω·ω then, or −ω·ω."""
+        kinds = {left.type.kind, right.type.kind}
+        parts = (part for side in (left, right) for part in (side, *side.children))
+        is_power = any(isinstance(part, Power) and part.base.type.kind == "vector" for part in parts)
+        if self.table.has_quaternions and (kinds == {"vector"} or ("quaternion" in kinds and is_power)):
+            raise Fault("of vectors, or of quaternions? write \\cdot, \\times or (0, x)", at)
 
     def as_point(self, term: Term, at: int) -> Term:
         """The column (p, 1) of a point, where the paper writes p for it; anything else as it is."""

@@ -364,6 +364,9 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
     if exponent is None:
         known = "an integer, -1, T, -T, *, or an order in round brackets"
         raise Fault(f"expected {known} as superscript; {scope.known_variables()}", sup.at)
+    is_odd = exponent.is_number and exponent.constant % 2 and exponent.constant != 1
+    if is_odd and term.type.kind == "vector" and scope.table.has_quaternions:
+        raise Fault("an odd power of a vector: is it a quaternion? write (0, x)", sup.at)
     if exponent.is_number and exponent.constant < 0:
         base = term if exponent.constant == -1 else scope.build(sup.at, construct.power, term, -exponent)
         return scope.apply(sup.at, "inverse", base)

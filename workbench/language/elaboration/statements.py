@@ -24,6 +24,7 @@ from workbench.language.scope import DEEPEST_TERM
 from workbench.language.symbols import SymbolTable
 from workbench.language.syntax import Chain, Conditional, Given, Joined, Lines, Node
 from workbench.language.terms import (
+    Block,
     Conjunction,
     Equivalence,
     IllFormed,
@@ -282,6 +283,7 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
     if any(term.type == type_of_kind("matrix 4×1") for term in terms):
         terms = [reader.as_point(term, side.at) for term, side in zip(terms, chain.sides, strict=True)]
     _refuse_applied(reader, terms)
+    _refuse_rows(terms, chain.sides)
     for term, side in zip(terms, chain.sides, strict=True):
         _refuse_depth(term, side.at)
     links = tuple(
@@ -303,6 +305,16 @@ def _refuse_applied(reader: Elaborator, terms: Sequence[Term]) -> None:
     if reader.tensor_operand is not None and any(term.type.kind == "operator" for term in terms):
         fault = IllFormed("an operator applied to a tensor, or their product?", "brackets, or \\circ")
         raise Misfit(fault, reader.tensor_operand)
+
+
+def _refuse_rows(terms: Sequence[Term], sides: Sequence[Node]) -> None:
+    """Vectors below each other that are a matrix: its rows, where vectors are columns?"""
+    sizes = {term.type.rows for term in terms if term.type.is_square}
+    for term, side in zip(terms, sides, strict=True):
+        entries = term.entries if isinstance(term, Block) else ()
+        stacked = [row[0].type.kind for row in entries if len(row) == 1]
+        if len(stacked) in sizes and stacked == ["vector"] * len(entries):
+            raise Fault("vectors below each other: the rows of a matrix? write x^T", side.at)
 
 
 def _refuse_depth(term: Term, at: int) -> None:

@@ -45,3 +45,18 @@ def test_what_is_long_is_checked_by_itself(monkeypatch):
     batches = coqc.in_batches(texts)
     assert [text for batch in batches for text in batch] == texts
     assert [len(batch) for batch in batches] == [1, 1, 2, 1]
+
+
+@pytest.mark.parametrize(
+    ("said", "asked"),
+    [
+        (None, True),
+        (coqc.Checked(True, (), "", 1.0), False),
+        (coqc.Checked(False, (), "Error: it is false", 1.0), False),
+        (coqc.Checked(False, (), f"{coqc.UNFINISHED} in 1 s", 1.0), True),
+    ],
+)
+def test_what_ran_out_of_time_is_asked_again(monkeypatch, said, asked):
+    text = "From Kin Require Import Dual.\n\nTheorem t : True.\n"
+    monkeypatch.setattr(coqc, "recall", lambda text: said)
+    assert coqc.in_batches([text]) == ([[text]] if asked else [])

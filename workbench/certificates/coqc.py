@@ -35,7 +35,7 @@ REALS = frozenset((
 ))  # fmt: skip
 
 #: No certificate may take longer, in processor time.
-SECONDS = 60
+SECONDS = 300
 
 #: How many certificates Coq checks in one run, at most.
 TOGETHER = 24
@@ -154,6 +154,12 @@ def _compile(place: Path) -> None:
         done.result()
 
 
+def is_settled(text: str) -> bool:
+    """Whether Coq came to its end with the certificate; what ran out of time may have more of it now."""
+    known = recall(text)
+    return known is not None and not known.unfinished
+
+
 def recall(text: str) -> Checked | None:
     """What is remembered of the certificate."""
     note = _note(text)
@@ -170,8 +176,8 @@ def _note(text: str) -> Path:
 
 def check(text: str, remember: bool = True) -> Checked:
     """Whether Coq accepts the certificate, and what its theorems rest on."""
-    if remember and (known := recall(text)) is not None:
-        return known
+    if remember and is_settled(text):
+        return recall(text)
     result, _ = _asked(text)
     if remember:
         _remember(text, result)
@@ -245,7 +251,7 @@ def in_batches(texts: Iterable[str]) -> list[list[str]]:
     batches: list[list[str]] = []
     open_batches: dict[str, list[str]] = {}
     for text in texts:
-        if recall(text) is None:
+        if not is_settled(text):
             batch = open_batches.get(_header(text), [])
             if not batch or len(batch) == TOGETHER or sum(map(len, batch)) + len(text) > LENGTH:
                 batch = open_batches[_header(text)] = []

@@ -81,7 +81,8 @@ class Steps:
         if self.is_one_theorem:
             return f"{count}; joined to one theorem"
         obstacle = next((f"; not certified: {step.obstacle}" for step in self.steps if step.obstacle), "")
-        return f"{count}{obstacle or f'; not joined: {self.whole.obstacle}'}"
+        refused = self.whole.checked.fault if self.whole.checked else ""
+        return f"{count}{obstacle or f'; not joined: {self.whole.obstacle or refused}'}"
 
     @property
     def certification(self) -> Certification:

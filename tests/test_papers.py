@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from workbench.judge.verdict import Outcome
-from workbench.language.names import Name
+from workbench.language.typed.names import Name
 from workbench.papers import InstalledPaper, Orders, PaperError, load_paper, merge
 from workbench.papers.orders import orders_within
 
@@ -392,8 +392,8 @@ def test_orders_must_stay_in_the_stated_range(paper_of):
 
 
 def test_orders_of_one_variable_bounded_by_another():
-    from workbench.language.integers import Linear
     from workbench.language.reader import Range
+    from workbench.language.typed.integers import Linear
 
     stated = [Range("k", Linear(1), Linear.variable("n"))]
     orders = orders_within(Orders.parse("k = 1..3, n = 1..3"), stated)

@@ -11,9 +11,9 @@ from workbench import papers
 from workbench.budget import Budget
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
-from workbench.language.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.lines import Line, split_lines, whole_line
-from workbench.language.symbols import SymbolTable
+from workbench.language.grammar.lines import Line, split_lines, whole_line
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.memory.store import Store, standard
 from workbench.papers import Claim, Formula, Notation, Orders, Paper
 from workbench.papers.formulas import read_statement, why_ill_formed

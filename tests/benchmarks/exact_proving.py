@@ -20,8 +20,8 @@ from workbench.judge.subject.assumptions import Assumptions
 from workbench.judge.subject.inventory import take_inventory
 from workbench.language.defining import read_definition
 from workbench.language.definitions import Definitions
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
 
 
 def acceleration_tensors():

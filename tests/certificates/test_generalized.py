@@ -11,11 +11,11 @@ from workbench.certificates.steps import steps_of
 from workbench.certificates.theorem import theorem
 from workbench.certificates.values.trial import holds_whatever_they_are
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.construct import apply, big_sum, derivative, integer, number, relation, symbol
 from workbench.language.definitions import Definitions
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.types import VECTOR, Declaration
+from workbench.language.typed.construct import apply, big_sum, derivative, integer, number, relation, symbol
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.types import VECTOR, Declaration
 from workbench.papers import find_paper
 from workbench.verify.claims import ClaimResult
 

@@ -16,8 +16,8 @@ from workbench.certificates.theorem import theorem
 from workbench.certificates.values.trial import holds_whatever_they_are
 from workbench.cli.commands import main
 from workbench.judge.theorems.goals import atoms
-from workbench.language.construct import apply, relation
-from workbench.language.terms import Derivative, Symbol, TimeOperator
+from workbench.language.typed.construct import apply, relation
+from workbench.language.typed.terms import Derivative, Symbol, TimeOperator
 from workbench.papers import find_paper
 
 #: What can be done to a proposition in one place.

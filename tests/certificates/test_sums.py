@@ -10,11 +10,11 @@ from workbench.certificates.emission.nodes import NotCertified
 from workbench.certificates.emission.sums import Summed, cores_of, count
 from workbench.certificates.theorem import theorem
 from workbench.certificates.values.trial import holds_whatever_they_are
-from workbench.language.construct import apply, big_sum, counting, derivative, relation, symbol
 from workbench.language.definitions import Definitions
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.types import VECTOR, Declaration
+from workbench.language.typed.construct import apply, big_sum, counting, derivative, relation, symbol
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.types import VECTOR, Declaration
 
 N, K = map(Linear.variable, "nk")
 X, Y = (symbol(Declaration(Name(name), VECTOR)) for name in "xy")

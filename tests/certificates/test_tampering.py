@@ -18,8 +18,8 @@ from workbench.judge.theorems.goals import Atom, Implies, Scope
 from workbench.judge.theorems.proofs import Kernel
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import Sequent
-from workbench.language.instances import instantiate
-from workbench.language.terms import IllFormed, Relation
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.terms import IllFormed, Relation
 from workbench.papers import find_paper
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.edits import edits

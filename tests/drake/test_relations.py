@@ -10,11 +10,11 @@ from workbench.drake.sampled_motions import sampled_motions
 from workbench.judge.evidence.motion_check import Subject, witness
 from workbench.judge.evidence.motion_source import Bindings
 from workbench.judge.evidence.relation_terms import term_of
-from workbench.language.construct import relation, symbol
 from workbench.language.definitions import Definitions
-from workbench.language.names import Name
-from workbench.language.terms import Symbol
-from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration
+from workbench.language.typed.construct import relation, symbol
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Symbol
+from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Declaration
 
 #: Free bindings: a rotation R(t), a vector of time, a constant vector, a scalar of time, a constant line.
 FREE = {

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from workbench.language.symbols import SymbolTable
+from workbench.language.naming.symbols import SymbolTable
 
 TABLE = replace(
     SymbolTable.build(

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from random import Random
 
-from workbench.language.construct import (
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.construct import (
     apply,
     big_sum,
     block,
@@ -17,8 +18,7 @@ from workbench.language.construct import (
     symbol,
     zero,
 )
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import (
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Block,
@@ -30,7 +30,7 @@ from workbench.language.terms import (
     Symbol,
     Term,
 )
-from workbench.language.types import Declaration
+from workbench.language.typed.types import Declaration
 
 _REVERSIBLE = ("mul", "cross", "dot", "outer", "add", "compose", "div")
 _UNDONE = ("conjugate", "inverse", "transpose", "skew", "norm", "symmetric", "antisymmetric")

@@ -43,9 +43,9 @@ from evaluator.series import (
 )
 from mpmath import mp, mpf
 
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.terms import (
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Block,

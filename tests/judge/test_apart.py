@@ -11,7 +11,7 @@ from workbench.judge.theorems.prove import prove
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definitions
-from workbench.language.symbols import SymbolTable
+from workbench.language.naming.symbols import SymbolTable
 
 FAMILIES = {"K_n": r"a^{(n)}", "P_1": r"\mathbf{I}", "P_{n+1}": r"\mathbf{D} P_n + P_n(F_1)"}
 APART = {"F_5": "T", "K_5": "b", "P_5": "T"}  # K_5 = b: it is refuted that K_n is a derivative

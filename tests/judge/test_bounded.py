@@ -7,7 +7,7 @@ from workbench.judge.theorems.goals import AllBelow, GoalError
 from workbench.judge.theorems.proofs import At, False_, Follows, Given, Have, Induction, Kernel, Termwise, Use
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.verdict import Outcome
-from workbench.language.integers import Linear
+from workbench.language.typed.integers import Linear
 
 
 def below(bound: str) -> str:

@@ -31,7 +31,7 @@ from workbench.judge.theorems.prove import Lemmas, prove
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.defining import read_definitions
-from workbench.language.symbols import SymbolTable
+from workbench.language.naming.symbols import SymbolTable
 
 VECTOR, SCALAR, TENSOR = {"kind": "vector"}, {"kind": "scalar"}, {"kind": "tensor"}
 SYMBOLS = {

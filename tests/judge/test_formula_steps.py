@@ -5,7 +5,7 @@ import pytest
 from workbench.judge.theorems.arguments import Engine, argue
 from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.verdict import Outcome
-from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.typed.errors import IllFormedAt, ReadError
 
 LETTERS = Letters(
     {

@@ -31,8 +31,8 @@ from workbench.judge.theorems.prove import prove
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.defining import read_definitions
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.symbols import SymbolTable
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import IllFormedAt, ReadError
 
 SYMBOLS = {
     "a": {"kind": "vector"},

@@ -79,7 +79,7 @@ def run(code):
 IDENTITY = r"""
 from workbench.language.definitions import Definitions
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.naming.symbols import SymbolTable
 from workbench.judge.kernel.judge import Judge
 
 table = SymbolTable.build({"a": {"kind": "vector"}, "R": {"kind": "rotation"}, "f": {"kind": "scalar"}})

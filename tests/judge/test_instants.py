@@ -18,9 +18,9 @@ from workbench.judge.theorems.proofs import (
 from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definitions
 from workbench.language.definitions import expand
-from workbench.language.printer import to_latex
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_term
-from workbench.language.symbols import SymbolTable
 
 _THEREFORE = Given(Follows("Y", Y=Use(0, {"z": "c"})))
 _VANISHES = Have(

@@ -9,8 +9,8 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.verdict import EngineDisagreement, Outcome
 from workbench.language.defining import read_definition
 from workbench.language.definitions import Definitions
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
 from workbench.papers.orders import Orders
 
 TABLE = SymbolTable.build(

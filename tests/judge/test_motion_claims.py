@@ -17,8 +17,8 @@ from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.said import said
 from workbench.judge.verdict import Evidence, Outcome, Verdict
-from workbench.language.printer import to_latex
-from workbench.language.symbols import SymbolTable
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.papers.model import PaperError
 from workbench.verify import witnesses
 from workbench.verify.claims import judge_paper

@@ -17,8 +17,8 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact, take_inventory
 from workbench.judge.verdict import Outcome
-from workbench.language.instances import instantiate
-from workbench.language.terms import Conjunction, IllFormed, Relation
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.terms import Conjunction, IllFormed, Relation
 from workbench.papers import find_paper
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.edits import KINDS, edits

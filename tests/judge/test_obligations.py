@@ -25,7 +25,7 @@ from workbench.judge.theorems.proofs import (
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import Sequent
-from workbench.language.printer import to_latex
+from workbench.language.printing.printer import to_latex
 
 #: A goal and its proof; rule: statement | what is supposed | the least integers.
 ASKED = [

@@ -11,12 +11,12 @@ import pytest
 from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome
-from workbench.language.construct import apply, derivative, relation, symbol
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.operators import GRADIENTS, LINEAR, OPERATORS, PARTIALS
-from workbench.language.terms import IllFormed
-from workbench.language.types import QUATERNION, SCALAR, TENSOR, VECTOR, Declaration
+from workbench.language.typed.construct import apply, derivative, relation, symbol
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.operators import GRADIENTS, LINEAR, OPERATORS, PARTIALS
+from workbench.language.typed.terms import IllFormed
+from workbench.language.typed.types import QUATERNION, SCALAR, TENSOR, VECTOR, Declaration
 
 TYPES = (VECTOR, TENSOR, SCALAR, QUATERNION)
 PLACE = symbol(Declaration(Name("r"), VECTOR, coordinate=True))

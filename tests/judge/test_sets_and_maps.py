@@ -6,10 +6,10 @@ import pytest
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome
 from workbench.language.definitions import Definitions
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.printer import to_latex
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.errors import IllFormedAt, ReadError
 
 TABLE = SymbolTable.build(
     {

@@ -12,9 +12,9 @@ from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definitions
 from workbench.language.definitions import Definitions
-from workbench.language.errors import ReadError, SpecError
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.errors import ReadError, SpecError
 
 SPECS = {
     **{name: {"kind": "scalar"} for name in ("q", "p", "k", r"\theta")},

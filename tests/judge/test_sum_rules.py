@@ -21,8 +21,8 @@ from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.tidy import is_same_sum, tidy
 from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definitions
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula
-from workbench.language.symbols import SymbolTable
 
 SYMBOLS = {
     "a": "vector", "b": "vector", "x": "vector", "f": "scalar", "c_k": "vector", "T": "tensor", "U": "tensor",

@@ -31,7 +31,11 @@ CHECKS = {
         "what the formula says",
         "types and weights; the read-back in every report; read ∘ print = 1 and fuzz (tests/language)",
     ),
+    "language/typed": ("which terms there are, and which fit together", "the same"),
+    "language/grammar": ("what stands in which brackets", "the same"),
+    "language/naming": ("which symbol a name means", "the same"),
     "language/elaboration": ("what each form of the notation says", "the same"),
+    "language/printing": ("what the read-back shows", "the same"),
     "judge": ("the form of a verdict", "tests/judge"),
     "judge/subject": (
         "what the free quantities are",

@@ -22,13 +22,13 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.construct import apply, derivative, number, rebuild, relation, symbol
 from workbench.language.defining import read_definitions
 from workbench.language.definitions import Definitions
-from workbench.language.instances import instantiate
-from workbench.language.names import Name
 from workbench.language.reader import read
-from workbench.language.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
+from workbench.language.typed.construct import apply, derivative, number, rebuild, relation, symbol
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
 from workbench.papers.orders import Orders
 
 Found = tuple[str, Verdict | None]

@@ -24,14 +24,14 @@ from test_values import Wrong, campaign, verdict_on
 from workbench.budget import STANDARD, OutOfBudget, Workers
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.authors import in_the_hand_of
-from workbench.language.construct import apply, derivative, number, relation, symbol
 from workbench.language.defining import read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.hand import Hand
-from workbench.language.names import Name
-from workbench.language.printer import to_latex
-from workbench.language.terms import IllFormed, Implication, Statement, Zero
+from workbench.language.printing.authors import in_the_hand_of
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, derivative, number, relation, symbol
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import IllFormed, Implication, Statement, Zero
 from workbench.papers.formulas import read_statement
 from workbench.papers.load import load_notation
 from workbench.papers.model import Notation

@@ -8,7 +8,7 @@ import pytest
 from workbench import check
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import EngineDisagreement, Outcome
-from workbench.language.errors import ReadError
+from workbench.language.typed.errors import ReadError
 from workbench.papers import load_paper
 from workbench.verify.claims import judge_paper
 

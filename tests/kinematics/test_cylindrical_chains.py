@@ -23,11 +23,11 @@ from workbench.kinematics.cylindrical_chains import (
 )
 from workbench.kinematics.lines import line_through
 from workbench.kinematics.screws import from_rodrigues_vector
-from workbench.language.construct import relation
 from workbench.language.definitions import Definitions
-from workbench.language.printer import to_latex
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.construct import relation
 
 CLOSED_FORMS = {2: twist_derivatives_2c, 3: twist_derivatives_3c}
 

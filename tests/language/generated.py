@@ -6,12 +6,12 @@ from fractions import Fraction
 
 from hypothesis import strategies as st
 
-from workbench.language import construct
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Apply, IllFormed, Integer, Number, Symbol, Term, Zero
-from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed import construct
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, IllFormed, Integer, Number, Symbol, Term, Zero
+from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Declaration
 
 SPECS = {
     r"\omega": {"kind": "vector", "aliases": [r"\boldsymbol{\omega}"]},

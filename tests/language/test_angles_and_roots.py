@@ -6,7 +6,7 @@ import pytest
 
 from workbench import check
 from workbench.judge.verdict import Outcome
-from workbench.language.errors import ReadError
+from workbench.language.typed.errors import ReadError
 
 SYMBOLS = {
     **{name: "scalar" for name in (r"\theta", r"\phi", "f", "g")},

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from workbench.language.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.names import Name
-from workbench.language.printer import to_latex
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_formula, read_term
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Symbol
+from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Symbol
 
 KINDS = {
     "a": "vector",

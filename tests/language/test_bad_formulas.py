@@ -9,11 +9,11 @@ import pytest
 
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.statements import clauses_of
-from workbench.language.errors import Fault, IllFormedAt, Misfit, ReadError
-from workbench.language.parser import parse
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import Chain
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Chain
+from workbench.language.typed.errors import Fault, IllFormedAt, Misfit, ReadError
 
 TABLE = SymbolTable.build(
     {

@@ -8,11 +8,11 @@ import pytest
 
 from tests.language.chapter import PARTS, Part
 from workbench.language.defining import read_definitions
-from workbench.language.errors import IllFormedAt
-from workbench.language.printer import to_latex
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_formula
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Conjunction, Equivalence, Implication, Relation
+from workbench.language.typed.errors import IllFormedAt
+from workbench.language.typed.terms import Conjunction, Equivalence, Implication, Relation
 
 CASES = [(name, equation, latex) for name, part in PARTS.items() for equation, latex in part.formulas]
 

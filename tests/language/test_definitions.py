@@ -6,12 +6,12 @@ import pytest
 
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions, expand
-from workbench.language.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.instances import instantiate
-from workbench.language.printer import to_latex
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_term
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import IllFormed, Symbol, Term
+from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.terms import IllFormed, Symbol, Term
 
 TABLE = SymbolTable.build(
     {

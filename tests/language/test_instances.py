@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.language.generated import TABLE, VARIABLES, terms
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
-from workbench.language.printer import to_latex
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.terms import BigSum, Counting, IllFormed, Integer, Number, Term, Zero
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import BigSum, Counting, IllFormed, Integer, Number, Term, Zero
 
 
 def at(latex: str, **values: int) -> str:

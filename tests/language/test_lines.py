@@ -4,10 +4,10 @@ from itertools import product
 
 import pytest
 
-from workbench.language.errors import ReadError
-from workbench.language.lines import split_lines
+from workbench.language.grammar.lines import split_lines
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.errors import ReadError
 from workbench.papers.text_claims.alignment import lines_of
 from workbench.papers.texts import read_text
 

@@ -8,11 +8,11 @@ from itertools import permutations
 import pytest
 
 from workbench.language.defining import read_definitions
-from workbench.language.errors import ReadError
-from workbench.language.names import Name
-from workbench.language.printer import to_latex
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.errors import ReadError
+from workbench.language.typed.names import Name
 
 LETTERS = ("x", "y", "z")
 KINDS = dict.fromkeys((*LETTERS, "f", "g", "v"), "vector") | {"A": "rotation", "s": "scalar"}

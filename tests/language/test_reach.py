@@ -2,9 +2,9 @@
 
 import pytest
 
-from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.errors import IllFormedAt, ReadError
 
 TABLE = SymbolTable.build(
     {

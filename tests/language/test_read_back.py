@@ -9,9 +9,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from tests.language.generated import TABLE, VARIABLES, terms
-from workbench.language.printer import to_latex
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_formula, read_term
-from workbench.language.terms import Term
+from workbench.language.typed.terms import Term
 
 _NO_CHECKS = list(HealthCheck)
 

@@ -6,10 +6,10 @@ import pytest
 
 from workbench import check
 from workbench.judge.verdict import Outcome
-from workbench.language.errors import IllFormedAt
-from workbench.language.printer import to_latex
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.errors import IllFormedAt
 
 KINDS = {
     "A": "tensor",

@@ -2,9 +2,9 @@
 
 import pytest
 
-from workbench.language.errors import IllFormedAt
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.errors import IllFormedAt
 
 TABLE = SymbolTable.build({"A": {"kind": "tensor"}, "B": {"kind": "tensor"}, "a": {"kind": "vector"}})
 

@@ -18,10 +18,10 @@ from workbench.judge.theorems.goals import (
     Implies,
 )
 from workbench.judge.theorems.proofs import Follows, Squares, TwoWitnesses, Unique, Witness
-from workbench.language.construct import apply, number, relation, symbol
-from workbench.language.names import Name
-from workbench.language.terms import Conjunction, Equivalence, Implication, Relation, Statement
-from workbench.language.types import Declaration
+from workbench.language.typed.construct import apply, number, relation, symbol
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Conjunction, Equivalence, Implication, Relation, Statement
+from workbench.language.typed.types import Declaration
 
 Change = Callable[[Relation], Relation]
 

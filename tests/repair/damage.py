@@ -8,12 +8,12 @@ from random import Random
 
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.latex import latex_of
-from workbench.language.parser import parse
-from workbench.language.printer import to_latex
-from workbench.language.syntax import Accented, Group, Infix, Product
-from workbench.language.terms import Statement
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import Accented, Group, Infix, Product
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.terms import Statement
 from workbench.papers import Claim, Formula
 from workbench.papers.formulas import read_statement
 from workbench.repair.propose.limits import STANDARD, Limits

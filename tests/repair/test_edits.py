@@ -7,8 +7,8 @@ import pytest
 from repair.damage import read_or_fault, right_claims
 
 from workbench.judge.second.rings import PRIME
-from workbench.language.latex import latex_of
-from workbench.language.parser import parse
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
 from workbench.papers import find_paper
 from workbench.repair.terms.arithmetic import coefficient, times
 from workbench.repair.terms.coefficients import LARGEST, fewest_changes, rational

@@ -6,7 +6,7 @@ import pytest
 from repair.damage import read_or_fault, right_claims
 
 from workbench.judge.subject.inventory import NotExact
-from workbench.language.terms import Apply, IllFormed
+from workbench.language.typed.terms import Apply, IllFormed
 from workbench.papers import find_paper
 from workbench.repair.propose.repair import symbols_like
 from workbench.repair.screening.screen import Screen

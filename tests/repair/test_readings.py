@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from workbench import check
 from workbench.judge.second.rings import PRIME
-from workbench.language.latex import latex_of
-from workbench.language.parser import parse
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
 from workbench.papers import Claim, Formula
 from workbench.papers.formulas import read_statement
 from workbench.repair.propose.errata import compared

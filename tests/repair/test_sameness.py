@@ -6,8 +6,8 @@ from random import Random
 import pytest
 from repair.damage import damages, read_or_fault, right_claims, same
 
-from workbench.language.construct import relation
-from workbench.language.terms import Conjunction, IllFormed, Relation, Zero
+from workbench.language.typed.construct import relation
+from workbench.language.typed.terms import Conjunction, IllFormed, Relation, Zero
 from workbench.papers import find_paper
 from workbench.repair.terms.arithmetic import times
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tests.language.chapter import PARTS
-from workbench.language.latex import latex_of
-from workbench.language.parser import parse
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
 
 FORMULAS = [latex for part in PARTS.values() for _, latex in part.formulas]
 #: What else the grammar has.

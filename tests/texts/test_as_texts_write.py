@@ -15,9 +15,9 @@ from workbench.ingest.proposals import proposals_for
 from workbench.ingest.prose import Prose
 from workbench.ingest.typefaces import Guess
 from workbench.judge.verdict import Outcome
-from workbench.language.errors import ReadError
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.errors import ReadError
 from workbench.papers import load_paper
 from workbench.papers.text_claims.steps import steps_of
 from workbench.papers.texts import read_text

@@ -9,8 +9,8 @@ import pytest
 from click.testing import CliRunner
 
 from workbench.cli.commands import main
-from workbench.language.authors import in_the_hand_of
-from workbench.language.printer import to_latex
+from workbench.language.printing.authors import in_the_hand_of
+from workbench.language.printing.printer import to_latex
 from workbench.papers import PaperError, load_paper
 from workbench.papers.formulas import read_statement
 

@@ -10,7 +10,7 @@ from click.testing import CliRunner, Result
 
 from workbench.cli.commands import main
 from workbench.judge.verdict import Outcome
-from workbench.language.names import Name
+from workbench.language.typed.names import Name
 from workbench.papers import load_paper
 from workbench.papers.model import PaperError
 from workbench.papers.text_claims.steps import steps_of

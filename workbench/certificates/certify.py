@@ -13,7 +13,7 @@ from workbench.certificates.goals.whole import of_one_instant
 from workbench.certificates.refutation import not_empty, refutation
 from workbench.certificates.steps import all_steps
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.authors import in_the_hand_of
+from workbench.language.printing.authors import in_the_hand_of
 from workbench.papers import Paper
 from workbench.verify.results import Certification, ClaimResult
 

@@ -12,8 +12,8 @@ from workbench.certificates.inequations import HEADER as OF_INEQUATIONS
 from workbench.certificates.inequations import denies, unequal
 from workbench.certificates.theorem import HEADER, Theorem, theorem
 from workbench.certificates.values.trial import can_be_certified
-from workbench.language.instances import instantiate
-from workbench.language.terms import IllFormed, Relation
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.terms import IllFormed, Relation
 from workbench.papers.model import Claim, Formula
 
 #: What is needed where a dual quantity is divided by, or has a length; and where sums or numbers depend on n.

@@ -12,13 +12,13 @@ from dataclasses import replace
 
 from workbench.certificates.emission.emitter import Emitter
 from workbench.certificates.emission.nodes import KINDS, NotCertified
-from workbench.language.construct import apply, big_sum, derivative, power, rebuild, relation, symbol
 from workbench.language.definitions import Definitions
-from workbench.language.instances import free_integers, instantiate
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.printer import to_latex
-from workbench.language.terms import (
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, big_sum, derivative, power, rebuild, relation, symbol
+from workbench.language.typed.instances import free_integers, instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Counting,
@@ -32,7 +32,7 @@ from workbench.language.terms import (
     Term,
     TimeOperator,
 )
-from workbench.language.types import Declaration
+from workbench.language.typed.types import Declaration
 
 
 class Generalizer:

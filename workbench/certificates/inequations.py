@@ -16,7 +16,7 @@ from workbench.certificates.theorem import Theorem, equation
 from workbench.certificates.values.instances import BASE, Instance, instances, on_polynomials
 from workbench.certificates.values.trigonometric import flat, value
 from workbench.language.definitions import Definitions
-from workbench.language.terms import Equivalence, Implication, Relation, Statement
+from workbench.language.typed.terms import Equivalence, Implication, Relation, Statement
 
 HEADER = """From Coq Require Import QArith List.
 From Kin Require Import Kin Poly Terms Certify Modulo Symbols Forms Facts Fraction Context Steps.

@@ -25,10 +25,10 @@ from workbench.certificates.values.instances import (
 )
 from workbench.certificates.values.trigonometric import order, parsed
 from workbench.judge.verdict import Verdict
-from workbench.language.construct import derivative
-from workbench.language.instances import instantiate
-from workbench.language.printer import to_latex
-from workbench.language.terms import Conjunction, IllFormed, Naming
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import derivative
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.terms import Conjunction, IllFormed, Naming
 
 #: Of a vector on which an operator acts: any that tells two operators apart.
 _PROBE = (("1", "2", "-1", "3"), ("2", "-3", "1", "1"), ("3", "1", "2", "-1"))

@@ -18,7 +18,7 @@ from workbench.judge.theorems.proofs import Proof, Proven
 from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import Obligation, Premise, Sequent
 from workbench.judge.verdict import Outcome
-from workbench.language.terms import IllFormed
+from workbench.language.typed.terms import IllFormed
 from workbench.papers.model import Claim
 from workbench.verify.results import Certification, ClaimResult
 

@@ -13,10 +13,10 @@ from workbench.certificates.reading.said_again import faults_of
 from workbench.certificates.values.trial import can_be_certified
 from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.sequents import relations_of
-from workbench.language.construct import relation as make_relation
 from workbench.language.definitions import Definitions, expand
-from workbench.language.integers import Linear
-from workbench.language.terms import (
+from workbench.language.typed.construct import relation as make_relation
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     Derivative,
@@ -28,7 +28,7 @@ from workbench.language.terms import (
     Symbol,
     Term,
 )
-from workbench.language.types import SCALAR
+from workbench.language.typed.types import SCALAR
 
 HEADER = """From Coq Require Import QArith List.
 From Kin Require Import Kin Poly Terms Certify Modulo Symbols Forms Facts Fraction Context Steps.

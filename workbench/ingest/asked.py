@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from workbench.language.names import Name
-from workbench.language.terms import Statement
-from workbench.language.types import Declaration
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Statement
+from workbench.language.typed.types import Declaration
 
 
 @dataclass

@@ -19,9 +19,9 @@ from workbench.ingest.prose import Prose
 from workbench.ingest.questions import questions_of
 from workbench.ingest.typefaces import Guess
 from workbench.ingest.undeclared import letters_in_bold
-from workbench.language.integers import Linear
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol
 from workbench.papers.model import PaperError
 from workbench.papers.said import stated, terms_of
 from workbench.papers.text_claims.steps import Step, steps_of

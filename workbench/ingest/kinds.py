@@ -26,14 +26,14 @@ from workbench.ingest.typefaces import (
     letters_in,
     without_bold,
 )
-from workbench.language.declarations import read_key
-from workbench.language.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.names import Name
-from workbench.language.parser import parses
+from workbench.language.grammar.parser import parses
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import INDEX_LETTERS
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, unclaimed
-from workbench.language.spelling import INDEX_LETTERS
-from workbench.language.symbols import SymbolTable
-from workbench.language.types import Declaration
+from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.typed.names import Name
+from workbench.language.typed.types import Declaration
 
 _UNKNOWN = re.compile(r"unknown symbol (.+)", re.DOTALL)
 _OF_KINDS = re.compile(

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbench.language.symbols import SymbolTable
+from workbench.language.naming.symbols import SymbolTable
 from workbench.papers.notation import notation_of
 from workbench.papers.toml.toml_file import TomlFile
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from workbench.language.parser import parses
+from workbench.language.grammar.parser import parses
 from workbench.papers.texts import Display
 
 _PREFIXED = re.compile(r"\\(?:bf|bs|bm|bold|vect|vec|mat|vc|b|v|m)([A-Za-z]|[a-z]{2,7}|[A-Z][a-z]{1,6})")

@@ -6,19 +6,19 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.language import construct
-from workbench.language.declarations import key_spelling, refuse_builtin
 from workbench.language.definitions import Definitions, solve
-from workbench.language.errors import Fault, IllFormedAt, SpecError
-from workbench.language.integers import Linear, as_linear
-from workbench.language.names import Name
-from workbench.language.parser import parse
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import Bracket, Node, Product, Scripted, in_a_row
+from workbench.language.naming.declarations import key_spelling, refuse_builtin
+from workbench.language.naming.spelling import Named
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.spelling import Named
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Bracket, Node, Product, Scripted, in_a_row
-from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
-from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
+from workbench.language.typed import construct
+from workbench.language.typed.errors import Fault, IllFormedAt, SpecError
+from workbench.language.typed.integers import Linear, as_linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
+from workbench.language.typed.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
 
 #: How the weight of Φ_n may grow with n, in the order in which it is tried.
 _SLOPES = (1, 0, 2, 3, -1, 4)

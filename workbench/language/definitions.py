@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
-from workbench.language.construct import rebuild
-from workbench.language.instances import free_integers, instantiate
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.spelling import Named
-from workbench.language.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
+from workbench.language.naming.spelling import Named
+from workbench.language.typed.construct import rebuild
+from workbench.language.typed.instances import free_integers, instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
 
 
 class Definitions:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from workbench.language.construct import symbol
-from workbench.language.declarations import UNIT
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.instances import free_integers
-from workbench.language.names import Name
-from workbench.language.notations import Notation
+from workbench.language.naming.declarations import UNIT
+from workbench.language.naming.notations import Notation
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import meaning_of, read_term
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Apply, Identity, Integer, Number, Symbol, Term, Zero
-from workbench.language.types import Declaration, type_of_kind
+from workbench.language.typed.construct import symbol
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.instances import free_integers
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, Identity, Integer, Number, Symbol, Term, Zero
+from workbench.language.typed.types import Declaration, type_of_kind
 
 #: What tells the symbol in a place from all others.
 _PLACE = ("a place",)

@@ -11,11 +11,11 @@ from typing import TypeVar
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import Range, names_a_set
 from workbench.language.elaboration.statements import Reading, reading_of, term_of
-from workbench.language.errors import ALONE, SAYS_NOTHING, Fault, IllFormedAt, Misfit, ReadError, place
-from workbench.language.parser import parse
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Lines, Node
-from workbench.language.terms import Statement, Term
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import Lines, Node
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import ALONE, SAYS_NOTHING, Fault, IllFormedAt, Misfit, ReadError, place
+from workbench.language.typed.terms import Statement, Term
 
 __all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term", "unclaimed"]
 

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 
 from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers
 from workbench.judge.theorems.reading import read_goal
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.lines import Line, split_lines
-from workbench.language.printer import to_latex
+from workbench.language.grammar.lines import Line, split_lines
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula
-from workbench.language.terms import Conjunction, Statement
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.terms import Conjunction, Statement
 from workbench.papers.formulas import WORDS, FormulaReader
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Stated, Theorem

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NoReturn
 
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.lines import Line, whole_line
+from workbench.language.grammar.lines import Line, whole_line
 from workbench.language.reader import Range, read_formula
-from workbench.language.terms import Conjunction, Statement
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.terms import Conjunction, Statement
 from workbench.papers.model import Formula, Notation
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.toml.toml_file import TomlFile

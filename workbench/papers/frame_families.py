@@ -17,11 +17,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from workbench.language.construct import apply, block, derivative, number, symbol, zero
-from workbench.language.errors import SpecError
-from workbench.language.names import Name
-from workbench.language.terms import Definition, Term, Zero
-from workbench.language.types import TENSOR, VECTOR, Declaration, Type, type_of_kind
+from workbench.language.typed.construct import apply, block, derivative, number, symbol, zero
+from workbench.language.typed.errors import SpecError
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Definition, Term, Zero
+from workbench.language.typed.types import TENSOR, VECTOR, Declaration, Type, type_of_kind
 
 TRANSFORM = type_of_kind("transform")
 

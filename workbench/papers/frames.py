@@ -9,17 +9,17 @@ from functools import partial
 from itertools import product
 from typing import Any, NamedTuple
 
-from workbench.language.construct import apply, block, identity, number, relation
-from workbench.language.declarations import key_spelling
 from workbench.language.definitions import Definitions
-from workbench.language.errors import Fault, ReadError, SpecError
-from workbench.language.names import Name
-from workbench.language.parser import parse
+from workbench.language.grammar.parser import parse
+from workbench.language.naming.declarations import key_spelling
+from workbench.language.naming.spelling import Spelling, bracketed, in_bracket, spell_label
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.spelling import Spelling, bracketed, in_bracket, spell_label
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Conjunction, Definition, IllFormed, Term
-from workbench.language.types import TENSOR, VECTOR
+from workbench.language.typed.construct import apply, block, identity, number, relation
+from workbench.language.typed.errors import Fault, ReadError, SpecError
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Conjunction, Definition, IllFormed, Term
+from workbench.language.typed.types import TENSOR, VECTOR
 from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minus, turned
 from workbench.papers.toml.toml_file import TomlFile
 

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from workbench.judge.verdict import Verdict
     from workbench.language.definitions import Definitions
     from workbench.language.hand import Hand
-    from workbench.language.names import Name
-    from workbench.language.symbols import SymbolTable
-    from workbench.language.terms import Definition, Relation, Statement, Symbol
+    from workbench.language.naming.symbols import SymbolTable
+    from workbench.language.typed.names import Name
+    from workbench.language.typed.terms import Definition, Relation, Statement, Symbol
     from workbench.papers.toml.toml_places import KeyPath
 
 

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 
 from workbench.drake.bindings import Bound, alternatives
 from workbench.drake.special_motions import NAMES
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.integers import Linear
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Symbol
-from workbench.language.types import Type
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Symbol
+from workbench.language.typed.types import Type
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Formula, Notation, OnMotions, Robot
 from workbench.papers.orders import Orders

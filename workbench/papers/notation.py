@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from workbench.language.declarations import read_key
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions
-from workbench.language.errors import IllFormedAt, ReadError, SpecError
-from workbench.language.names import Name
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Definition, Symbol
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Definition, Symbol
 from workbench.papers.frames import framed, require_rotations
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot

@@ -11,8 +11,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from workbench.language.definitions import Definitions
-from workbench.language.names import Name
-from workbench.language.terms import (
+from workbench.language.grammar.vocabulary import COMMANDS
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     Definition,
@@ -26,8 +27,7 @@ from workbench.language.terms import (
     Symbol,
     Term,
 )
-from workbench.language.types import Declaration
-from workbench.language.vocabulary import COMMANDS
+from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim, Formula, Notation, Said
 
 _EQUALS = (name for name, token in COMMANDS.items() if token == ("RELATION", "="))

@@ -12,7 +12,7 @@ from workbench.drake.relations import ALSO, DEFINED, names_in
 from workbench.drake.relations import Term as Data
 from workbench.judge.evidence.relation_terms import term_of
 from workbench.language.definitions import Definitions
-from workbench.language.terms import Definition, Symbol, Term
+from workbench.language.typed.terms import Definition, Symbol, Term
 
 
 def ties(motion: Mapping[Symbol, str], definitions: Definitions) -> list[Definition]:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Protocol
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.authors import in_the_hand_of
+from workbench.language.printing.authors import in_the_hand_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Theorem
 from workbench.papers.selection import select_claims
 from workbench.verify.keys import Keys, Memory

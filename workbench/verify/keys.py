@@ -16,10 +16,10 @@ from functools import cache
 from typing import Any
 
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.terms import Definition, Symbol, Term
-from workbench.language.types import Declaration, Type
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Definition, Symbol, Term
+from workbench.language.typed.types import Declaration, Type
 from workbench.memory.ground import digest, ground
 from workbench.memory.store import Store
 from workbench.papers.model import Claim, Notation, Theorem

@@ -10,7 +10,7 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.language.definitions import Definitions
-from workbench.language.terms import Definition, Relation
+from workbench.language.typed.terms import Definition, Relation
 from workbench.papers.model import Claim, Notation, Said
 from workbench.papers.said import SAYS, introduces
 

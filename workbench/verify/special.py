@@ -10,12 +10,12 @@ from dataclasses import replace
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.verdict import Outcome
-from workbench.language.construct import symbol
 from workbench.language.definitions import Definitions, replaced
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.terms import Definition, Derivative, IllFormed, Relation, Symbol, Term
-from workbench.language.types import Declaration
+from workbench.language.typed.construct import symbol
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Definition, Derivative, IllFormed, Relation, Symbol, Term
+from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import terms_of
 

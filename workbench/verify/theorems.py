@@ -12,7 +12,7 @@ from workbench.judge.theorems.goals import AllFrom, Atom, Goal, GoalError, Impli
 from workbench.judge.theorems.proofs import False_, Kernel, Proven
 from workbench.judge.theorems.prove import Lemmas, prove
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.terms import Statement
+from workbench.language.typed.terms import Statement
 from workbench.papers.model import Claim, Formula, Notation, Theorem
 from workbench.papers.orders import Orders
 

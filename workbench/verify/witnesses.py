@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, TypeAlias
 
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.terms import Relation, Statement
+from workbench.language.typed.terms import Relation, Statement
 from workbench.papers.model import Claim, Formula, Notation, OnMotions, PaperError
 from workbench.papers.ties import names_behind
 from workbench.verify.on_motions import METHOD

@@ -17,11 +17,11 @@ from workbench.judge.second.rings import PointSource, RationalRing, ResidueRing,
 from workbench.judge.second.sympy_ring import SympyRing
 from workbench.judge.subject.inventory import NotExact, take_inventory
 from workbench.judge.subject.parameters import parameters
-from workbench.language.construct import apply, derivative, relation
 from workbench.language.defining import read_definitions
 from workbench.language.definitions import Definitions
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.construct import apply, derivative, relation
 
 FREE = Definitions()
 KINDS = ("scalar", "vector", "tensor", "operator")

@@ -7,12 +7,12 @@ from evaluator.identities import IDENTITIES, TABLE
 
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome
-from workbench.language.construct import apply, derivative, number, relation, symbol
 from workbench.language.definitions import Definitions
-from workbench.language.names import Name
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
-from workbench.language.types import TENSOR, Declaration
+from workbench.language.typed.construct import apply, derivative, number, relation, symbol
+from workbench.language.typed.names import Name
+from workbench.language.typed.types import TENSOR, Declaration
 
 MORE = r"""
 \underline{T} \underline{T}^* = (\det \underline{T}) \mathbf{I}

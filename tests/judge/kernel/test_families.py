@@ -11,9 +11,9 @@ from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definition
 from workbench.language.definitions import Definitions
 from workbench.language.elaboration.ranges import Range
-from workbench.language.integers import Linear
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.integers import Linear
 from workbench.papers.orders import Orders
 
 TANGLED = Definitions(

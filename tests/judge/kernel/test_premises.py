@@ -7,8 +7,8 @@ from workbench.judge.kernel.premises import put_in
 from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definition
 from workbench.language.definitions import Definitions
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
 
 SYMBOLS = (
     dict.fromkeys("xyz", "scalar")

@@ -13,10 +13,10 @@ from workbench.judge.kernel.quadratics import Quadratic, solved
 from workbench.judge.kernel.varied import Varied, at_zero_part, is_seen_nonnegative
 from workbench.judge.subject.inventory import NotExact, take_inventory
 from workbench.judge.verdict import Outcome
-from workbench.language.construct import apply, big_sum, derivative, power
 from workbench.language.definitions import Definitions
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.language.symbols import SymbolTable
+from workbench.language.typed.construct import apply, big_sum, derivative, power
 
 FREE = Definitions()
 

@@ -7,15 +7,15 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders, with_free_derivatives
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome
-from workbench.language.construct import apply, derivative, symbol, zero
 from workbench.language.definitions import Definitions
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
-from workbench.language.names import Name
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Derivative
-from workbench.language.types import VECTOR, Declaration
+from workbench.language.typed.construct import apply, derivative, symbol, zero
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Derivative
+from workbench.language.typed.types import VECTOR, Declaration
 from workbench.papers import load_paper
 from workbench.papers.orders import Orders
 from workbench.verify.claims import judge_paper

@@ -6,8 +6,8 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact, take_inventory
 from workbench.judge.verdict import Outcome
 from workbench.language.definitions import Definitions
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read, read_term
-from workbench.language.symbols import SymbolTable
 from workbench.papers.orders import Orders
 
 TABLE = SymbolTable.build({"A": {"kind": "tensor"}, "x": {"kind": "vector"}})

@@ -4,9 +4,9 @@ import pytest
 
 from workbench.judge.kernel.judge import Judge
 from workbench.language.definitions import Definitions
-from workbench.language.printer import to_latex
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
-from workbench.language.symbols import SymbolTable
 
 TABLE = SymbolTable.build(
     {

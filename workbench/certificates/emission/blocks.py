@@ -11,9 +11,9 @@ from workbench.certificates.emission import nodes
 from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.nodes import APPLICATION, ATOM, NotCertified
 from workbench.judge.subject.inventory import Lookup
-from workbench.language.construct import apply, block, identity, number, zero
-from workbench.language.terms import Apply, Block, Derivative, Number, Symbol, Term, Zero
-from workbench.language.types import TENSOR, Type
+from workbench.language.typed.construct import apply, block, identity, number, zero
+from workbench.language.typed.terms import Apply, Block, Derivative, Number, Symbol, Term, Zero
+from workbench.language.typed.types import TENSOR, Type
 
 _NOTHING = "(Num false (0 # 1))"
 

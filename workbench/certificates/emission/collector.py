@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from workbench.certificates.emission import nodes
 from workbench.certificates.emission.nodes import ATOM, Node, flag, single
 from workbench.language.definitions import Definitions
-from workbench.language.integers import Linear
-from workbench.language.terms import Symbol, Term
-from workbench.language.types import Declaration
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Symbol, Term
+from workbench.language.typed.types import Declaration
 
 #: What Coq, the library and the proofs call otherwise.
 _TAKEN = frozenset([

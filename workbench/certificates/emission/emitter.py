@@ -8,8 +8,8 @@ from workbench.certificates.emission.collector import Collector, Origin
 from workbench.certificates.emission.fields import curl, divergence
 from workbench.certificates.emission.nodes import KINDS, Node, NotCertified, flag, single
 from workbench.language.definitions import Definitions, expand
-from workbench.language.instances import count
-from workbench.language.terms import (
+from workbench.language.typed.instances import count
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Block,

@@ -13,10 +13,10 @@ from workbench.certificates.emission import nodes, suppositions
 from workbench.certificates.emission.collector import Collector, Origin, spelled
 from workbench.certificates.emission.nodes import APPLICATION, Node, NotCertified
 from workbench.judge.theorems.sequents import relations_of
-from workbench.language.construct import symbol as make_symbol
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
-from workbench.language.terms import (
+from workbench.language.typed.construct import symbol as make_symbol
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import (
     BigSum,
     Counting,
     Derivative,
@@ -28,8 +28,8 @@ from workbench.language.terms import (
 
 if TYPE_CHECKING:
     from workbench.language.definitions import Definitions
-    from workbench.language.terms import Definition, Statement
-    from workbench.language.types import Declaration
+    from workbench.language.typed.terms import Definition, Statement
+    from workbench.language.typed.types import Declaration
 
 
 def general(

@@ -6,7 +6,7 @@ from workbench.certificates.emission import nodes
 from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.nodes import APPLICATION, ATOM, Node, NotCertified
 from workbench.language.definitions import expand
-from workbench.language.terms import Symbol, Term
+from workbench.language.typed.terms import Symbol, Term
 
 
 def divergence(emitter: Collector, field: Term) -> Node:

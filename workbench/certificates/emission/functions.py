@@ -10,8 +10,8 @@ from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.nodes import APPLICATION, ATOM, Node, NotCertified, flag, single
 from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
-from workbench.language.terms import Apply, DualUnit, Number, Symbol, Term
-from workbench.language.types import SCALAR
+from workbench.language.typed.terms import Apply, DualUnit, Number, Symbol, Term
+from workbench.language.typed.types import SCALAR
 
 if TYPE_CHECKING:
     from collections.abc import Callable

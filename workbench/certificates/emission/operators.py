@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from workbench.certificates.emission import nodes
 from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.nodes import APPLICATION, ATOM, PRODUCT, SUM, Node, NotCertified
-from workbench.language.terms import Apply, Identity, Power, Symbol, Term, TimeOperator, Zero
+from workbench.language.typed.terms import Apply, Identity, Power, Symbol, Term, TimeOperator, Zero
 
 
 @dataclass(frozen=True)

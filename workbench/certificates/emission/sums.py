@@ -13,10 +13,10 @@ from workbench.certificates.emission import families, nodes
 from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.nodes import APPLICATION, ATOM, KINDS, Node, NotCertified, flag, single
 from workbench.judge.theorems.sequents import relations_of
-from workbench.language.construct import apply, big_sum, counting, derivative, zero
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
-from workbench.language.terms import Apply, BigSum, Derivative, IllFormed, Statement, Symbol, Term, Zero
+from workbench.language.typed.construct import apply, big_sum, counting, derivative, zero
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Apply, BigSum, Derivative, IllFormed, Statement, Symbol, Term, Zero
 
 _ANY = "·"  # stands for the variable of a sum
 _SHIFTS = (0, 1, -1, 2, -2)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from workbench.certificates.emission import nodes
 from workbench.certificates.emission.collector import Collector
 from workbench.certificates.emission.nodes import ATOM, KINDS, Node, flag, single
-from workbench.language.terms import Symbol
-from workbench.language.types import Declaration
+from workbench.language.typed.terms import Symbol
+from workbench.language.typed.types import Declaration
 
 
 def variable(emitter: Collector, symbol: Symbol, kind: str, name: str) -> Node:

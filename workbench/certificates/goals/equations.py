@@ -19,10 +19,10 @@ from workbench.judge.theorems.goals import Atom, Variable
 from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.proofs import Kernel, Proof
 from workbench.judge.theorems.substitution import Substitution
-from workbench.language.construct import symbol
 from workbench.language.definitions import expand
-from workbench.language.integers import Linear
-from workbench.language.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator
+from workbench.language.typed.construct import symbol
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator
 
 
 class Equations(Script):

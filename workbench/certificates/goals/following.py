@@ -16,14 +16,14 @@ from workbench.judge.theorems.members import read_members
 from workbench.judge.theorems.proofs import Follows, Kernel, Proof, Use
 from workbench.judge.theorems.sequents import kind_of
 from workbench.judge.theorems.substitution import Substitution, at_integer
-from workbench.language.construct import relation, symbol
-from workbench.language.declarations import read_key
-from workbench.language.names import Name
-from workbench.language.parser import parse
+from workbench.language.grammar.parser import parse
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import linear
 from workbench.language.reader import read_term
-from workbench.language.spelling import linear
-from workbench.language.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator, Zero
-from workbench.language.types import Declaration
+from workbench.language.typed.construct import relation, symbol
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, Derivative, Relation, Symbol, Term, TimeOperator, Zero
+from workbench.language.typed.types import Declaration
 
 
 class Following(Equations):

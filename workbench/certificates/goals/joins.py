@@ -51,12 +51,12 @@ from workbench.judge.theorems.proofs import (
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.sequents import kind_of, relations_of
 from workbench.judge.theorems.substitution import at_integer
-from workbench.language.construct import apply, power, relation, symbol, zero
-from workbench.language.declarations import read_key
 from workbench.language.definitions import expand
-from workbench.language.integers import Linear
-from workbench.language.terms import BigSum, Relation, Zero
-from workbench.language.types import SCALAR, VECTOR, Declaration
+from workbench.language.naming.declarations import read_key
+from workbench.language.typed.construct import apply, power, relation, symbol, zero
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import BigSum, Relation, Zero
+from workbench.language.typed.types import SCALAR, VECTOR, Declaration
 
 
 class Joiner(Following):

@@ -9,11 +9,11 @@ from dataclasses import replace
 from workbench.certificates.emission.nodes import KINDS, NotCertified
 from workbench.certificates.reading.read_back import expression
 from workbench.certificates.theorem import Theorem
-from workbench.language.construct import rebuild, relation, symbol
 from workbench.language.definitions import Definitions
-from workbench.language.instances import free_integers
-from workbench.language.names import Name
-from workbench.language.terms import (
+from workbench.language.typed.construct import rebuild, relation, symbol
+from workbench.language.typed.instances import free_integers
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Counting,
@@ -28,7 +28,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import Declaration
+from workbench.language.typed.types import Declaration
 
 
 def at_an_instant(lemma: Theorem) -> str:

@@ -9,10 +9,10 @@ from workbench.certificates.emission.nodes import KINDS, NotCertified, flag
 from workbench.certificates.theorem import relations
 from workbench.judge.theorems.goals import Atom, Both, Goal, Scope, Variable
 from workbench.judge.theorems.sequents import kind_of
-from workbench.language.construct import apply, identity, number, relation, symbol
 from workbench.language.definitions import expand
-from workbench.language.terms import Relation, Term
-from workbench.language.types import TENSOR
+from workbench.language.typed.construct import apply, identity, number, relation, symbol
+from workbench.language.typed.terms import Relation, Term
+from workbench.language.typed.types import TENSOR
 
 
 @dataclass(frozen=True)

@@ -33,12 +33,12 @@ from workbench.judge.theorems.goals import (
 )
 from workbench.judge.theorems.members import bound_names
 from workbench.judge.theorems.sequents import kind_of, names_of, relations_of
-from workbench.language.construct import symbol
 from workbench.language.definitions import Definitions
-from workbench.language.instances import free_integers
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.terms import (
+from workbench.language.typed.construct import symbol
+from workbench.language.typed.instances import free_integers
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import (
     Apply,
     Number,
     Relation,

@@ -22,9 +22,9 @@ from workbench.judge.theorems.goals import (
     Implies,
     Variable,
 )
-from workbench.language.construct import symbol
-from workbench.language.terms import Relation, Term
-from workbench.language.types import Declaration
+from workbench.language.typed.construct import symbol
+from workbench.language.typed.terms import Relation, Term
+from workbench.language.typed.types import Declaration
 
 _SUPPOSED = ("rotation", "dual_rotation", "unit_vector", "constant")
 

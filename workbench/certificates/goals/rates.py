@@ -6,10 +6,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from workbench.certificates.emission.nodes import NotCertified
-from workbench.language.construct import apply, derivative, rebuild, zero
 from workbench.language.definitions import Definitions
-from workbench.language.operators import COMPONENTWISE, PRODUCTS
-from workbench.language.terms import Apply, Derivative, Identity, Number, Symbol, Term, TimeOperator, Zero
+from workbench.language.typed.construct import apply, derivative, rebuild, zero
+from workbench.language.typed.operators import COMPONENTWISE, PRODUCTS
+from workbench.language.typed.terms import (
+    Apply,
+    Derivative,
+    Identity,
+    Number,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
 
 
 def spread(term: Term, definitions: Definitions) -> Term:

@@ -12,9 +12,9 @@ from workbench.certificates.emission.suppositions import conditions
 from workbench.certificates.goals.propositions import ALWAYS, Speaker, binder
 from workbench.certificates.theorem import Theorem
 from workbench.judge.theorems.goals import Variable
-from workbench.language.construct import relation
-from workbench.language.integers import Linear
-from workbench.language.terms import Relation, Term
+from workbench.language.typed.construct import relation
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Relation, Term
 
 
 def after(many: int, number: str) -> str:

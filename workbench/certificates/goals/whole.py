@@ -28,9 +28,9 @@ from workbench.judge.theorems.goals import (
 )
 from workbench.judge.theorems.proofs import Kernel, Proof
 from workbench.judge.theorems.sequents import NotShown
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.instances import instantiate
-from workbench.language.terms import IllFormed, Relation, Symbol, Term
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.terms import IllFormed, Relation, Symbol, Term
 from workbench.papers.model import Claim
 
 OF_MOMENTS = HEADER.replace(

@@ -17,13 +17,13 @@ from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.subject.rodrigues import angle_and_axis
 from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.sequents import names_of
-from workbench.language.construct import rebuild, symbol
 from workbench.language.definitions import Definitions
-from workbench.language.instances import count, instantiate
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import (
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.construct import rebuild, symbol
+from workbench.language.typed.instances import count, instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Block,
@@ -39,7 +39,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import Declaration
+from workbench.language.typed.types import Declaration
 
 _UNARY = {
     "skew": "skew",

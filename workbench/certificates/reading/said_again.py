@@ -11,11 +11,11 @@ from workbench.certificates.emission.nodes import KINDS
 from workbench.certificates.emission.suppositions import conditions
 from workbench.certificates.reading import read_back
 from workbench.certificates.reading.meaning import OfTerm, OfText, applied, bound
-from workbench.language.construct import symbol as make_symbol
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
-from workbench.language.terms import Apply, Relation, Symbol, Term
-from workbench.language.types import Declaration
+from workbench.language.typed.construct import symbol as make_symbol
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Apply, Relation, Symbol, Term
+from workbench.language.typed.types import Declaration
 
 
 def faults_of(

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from workbench.judge.evidence.motion_check import Motion, Subject, witness
 from workbench.judge.evidence.motion_source import Bindings, BoundFirst
 from workbench.judge.subject.inventory import NotExact, take_inventory
-from workbench.language.construct import relation, symbol
 from workbench.language.definitions import Definitions
-from workbench.language.instances import instantiate
-from workbench.language.printer import to_latex
-from workbench.language.terms import Definition, IllFormed, Relation, Symbol, Term
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import relation, symbol
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.terms import Definition, IllFormed, Relation, Symbol, Term
 
 #: The members that stand for a family.
 MEMBERS = (1, 2, 3)

@@ -13,9 +13,9 @@ from workbench.judge.evidence.motion_source import Bindings, BoundFirst, Motion,
 from workbench.judge.evidence.truth import Evaluation, Truth
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact, take_inventory
 from workbench.judge.verdict import Evidence
-from workbench.language.instances import instantiate
-from workbench.language.operators import GRADIENTS
-from workbench.language.terms import (
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.operators import GRADIENTS
+from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     Equivalence,

@@ -15,7 +15,7 @@ from workbench.judge.second.components import Value
 from workbench.judge.second.rings import PointSource
 from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.language.definitions import solve
-from workbench.language.terms import Symbol, Term
+from workbench.language.typed.terms import Symbol, Term
 
 #: Each time is looked at with the references as they are, and this often with each moved by its error.
 DISTURBED = 2

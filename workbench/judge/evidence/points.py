@@ -19,9 +19,9 @@ from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter
 from workbench.judge.subject.slopes import indices
 from workbench.judge.verdict import Counterexample
-from workbench.language.construct import apply, derivative
-from workbench.language.printer import to_latex
-from workbench.language.terms import Derivative, Relation, Symbol, Term
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, derivative
+from workbench.language.typed.terms import Derivative, Relation, Symbol, Term
 
 #: Entries to draw from, and how many points to try with them.
 STAGES = (((-1, 0, 1), 240), ((-2, -1, 0, 1, 2), 160), ((-3, -2, -1, 1, 2, 3), 120))

@@ -19,7 +19,7 @@ from workbench.judge.second.rings import PointSource, RationalRing, sample
 from workbench.judge.subject import Lookup, NotExact
 from workbench.judge.subject.inventory import Inventory
 from workbench.judge.subject.parameters import Parameter
-from workbench.language.terms import Relation, Term
+from workbench.language.typed.terms import Relation, Term
 
 PRECISION = 200
 _STAGES = (((-1, 0, 1), 20), ((-2, -1, 1, 2, 3), 20))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from workbench.drake.relations import Term as Data
-from workbench.language.construct import apply, derivative, dual_unit
-from workbench.language.terms import Term
+from workbench.language.typed.construct import apply, derivative, dual_unit
+from workbench.language.typed.terms import Term
 
 
 def term_of(data: Data, symbol: Callable[[str], Term]) -> Term:

@@ -20,7 +20,7 @@ from workbench.judge.second.number_field import Algebraic, NumberField, NumberFi
 from workbench.judge.second.rings import RationalRing, sample
 from workbench.judge.subject.inventory import Inventory
 from workbench.judge.subject.parameters import Parameter
-from workbench.language.terms import Relation
+from workbench.language.typed.terms import Relation
 
 #: What is chosen for a coordinate, the simple ones more often. Fractions, so that a sphere is met inside.
 CHOICES = tuple(

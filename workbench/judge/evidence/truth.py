@@ -14,7 +14,7 @@ from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource, sample
 from workbench.judge.subject.inventory import Inventory, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter, parts
-from workbench.language.terms import (
+from workbench.language.typed.terms import (
     Conjunction,
     Equivalence,
     Extremum,

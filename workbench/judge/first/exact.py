@@ -49,8 +49,8 @@ from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parameters
 from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector
 from workbench.judge.subject.slopes import seeds
-from workbench.language.construct import apply
-from workbench.language.terms import (
+from workbench.language.typed.construct import apply
+from workbench.language.typed.terms import (
     Apply,
     Block,
     Counting,
@@ -66,7 +66,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import Type
+from workbench.language.typed.types import Type
 
 
 class ExactEngine:

@@ -15,7 +15,7 @@ from workbench.judge.subject.angles import NO_ANGLE
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.subject.parameters import Parameter, components
 from workbench.judge.subject.slopes import coordinate_count, indices
-from workbench.language.terms import Symbol, Term
+from workbench.language.typed.terms import Symbol, Term
 
 
 class FreeSymbols:

@@ -9,8 +9,8 @@ from itertools import product
 from typing import Protocol
 
 from workbench.language.definitions import Definitions
-from workbench.language.integers import Linear
-from workbench.language.terms import BigSum, Counting, Derivative, Integer, Power, Symbol, Term
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import BigSum, Counting, Derivative, Integer, Power, Symbol, Term
 
 #: Larger numbers than this are no places where a formula could change.
 _LARGEST = 12

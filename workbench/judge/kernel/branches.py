@@ -16,9 +16,9 @@ from typing import NamedTuple
 
 from workbench.judge.subject import Lookup, NotExact
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
-from workbench.language.construct import apply, block, number, relation
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Conjunction, Number, Relation, Statement, Symbol, Term
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, block, number, relation
+from workbench.language.typed.terms import Apply, Conjunction, Number, Relation, Statement, Symbol, Term
 
 Judge = Callable[[Statement], Verdict]
 

@@ -22,8 +22,8 @@ from workbench.judge.subject.assumptions import Assumptions, Unsatisfiable
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact, take_inventory
 from workbench.judge.subject.parameters import Parameter
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
-from workbench.language.names import Name
-from workbench.language.terms import Relation, Statement, Symbol, Term
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Relation, Statement, Symbol, Term
 
 #: So many random points are cheaper to try than points to solve for.
 _FEW = 40

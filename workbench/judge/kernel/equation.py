@@ -18,8 +18,8 @@ from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PRIME, PointSource, ResidueRing, sample
 from workbench.judge.subject.inventory import Lookup, NotExact, has_gradient
 from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
-from workbench.language.printer import to_latex
-from workbench.language.terms import Relation, Statement, Symbol
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.terms import Relation, Statement, Symbol
 
 IN_FORCE = "well-formed, and the one in force"
 _SEED = 2020

@@ -23,9 +23,9 @@ from workbench.judge.kernel.varied import Varied, at_zero_part, is_seen_nonnegat
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Evidence, Outcome, Verdict
-from workbench.language.construct import apply, block, number, power, relation, zero
 from workbench.language.definitions import expand
-from workbench.language.terms import Apply, Extremum, Implication, Relation, Statement, Term, Zero
+from workbench.language.typed.construct import apply, block, number, power, relation, zero
+from workbench.language.typed.terms import Apply, Extremum, Implication, Relation, Statement, Term, Zero
 
 Judge = Callable[[Statement, tuple[Statement, ...]], Verdict]
 

@@ -20,12 +20,12 @@ from workbench.judge.subject.addends import has_sums
 from workbench.judge.subject.assumptions import Unsatisfiable, sides_of
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
-from workbench.language.construct import relation
 from workbench.language.definitions import Definitions, expand
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
-from workbench.language.operators import GRADIENTS, PARTIALS
-from workbench.language.terms import (
+from workbench.language.typed.construct import relation
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.operators import GRADIENTS, PARTIALS
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Conjunction,

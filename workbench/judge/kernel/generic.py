@@ -11,8 +11,8 @@ from workbench.judge.subject.addends import addend_by_addend, has_sums
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.definitions import Definitions
-from workbench.language.instances import free_integers
-from workbench.language.terms import BigSum, Conjunction, IllFormed, Relation, Statement, Symbol, Term
+from workbench.language.typed.instances import free_integers
+from workbench.language.typed.terms import BigSum, Conjunction, IllFormed, Relation, Statement, Symbol, Term
 
 
 @dataclass(frozen=True)

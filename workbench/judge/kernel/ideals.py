@@ -10,7 +10,7 @@ from flint import Ordering, fmpq_mpoly_ctx, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_mpo
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.first.exact import ExactEngine
 from workbench.judge.subject.assumptions import Assumptions
-from workbench.language.terms import Relation
+from workbench.language.typed.terms import Relation
 
 #: Beyond these sizes (polynomials of a basis, terms of one, bits of a coefficient) a basis is not sought.
 LIMITS = (60, 400, 4096)

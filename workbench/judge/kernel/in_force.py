@@ -15,12 +15,12 @@ from weakref import WeakKeyDictionary
 
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.construct import relation, symbol
 from workbench.language.definitions import Definitions, expand, solve
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
+from workbench.language.typed.construct import relation, symbol
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Definition, IllFormed, Relation, Statement, Symbol, Term
 
 _KNOWN: WeakKeyDictionary[Definitions, Exceptions] = WeakKeyDictionary()
 

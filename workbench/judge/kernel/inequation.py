@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
-from workbench.language.terms import Relation, Statement
+from workbench.language.typed.terms import Relation, Statement
 
 
 def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Statement, ...]) -> Verdict:

@@ -19,10 +19,10 @@ from workbench.judge.subject.exponentials import holds_exponentials, without_exp
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.subject.small import to_first_order
 from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
-from workbench.language.construct import apply, zero
-from workbench.language.construct import relation as equated
-from workbench.language.printer import to_latex
-from workbench.language.terms import (
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, zero
+from workbench.language.typed.construct import relation as equated
+from workbench.language.typed.terms import (
     Conjunction,
     Equivalence,
     Extremum,

@@ -19,8 +19,8 @@ from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import FloatRing, PointSource, RationalRing, sample
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parts
-from workbench.language.construct import derivative
-from workbench.language.terms import (
+from workbench.language.typed.construct import derivative
+from workbench.language.typed.terms import (
     Apply,
     Block,
     Derivative,
@@ -29,7 +29,7 @@ from workbench.language.terms import (
     Term,
     column_of_symbols,
 )
-from workbench.language.types import Declaration
+from workbench.language.typed.types import Declaration
 
 _LINEAR = frozenset(
     {"mul", "neg", "dot", "cross", "outer", "transpose", "skew", "vector part", "scalar part"}

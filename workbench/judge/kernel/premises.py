@@ -13,9 +13,9 @@ from workbench.judge.subject import Lookup, With, reached
 from workbench.judge.subject.assumptions import Assumptions
 from workbench.judge.subject.divisions import never_divides
 from workbench.judge.subject.inventory import take_inventory
-from workbench.language.names import Name
-from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol, Term, TimeOperator
-from workbench.language.types import Declaration
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol, Term, TimeOperator
+from workbench.language.typed.types import Declaration
 
 
 def put_in(

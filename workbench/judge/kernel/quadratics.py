@@ -16,8 +16,8 @@ from functools import cached_property, reduce
 from itertools import combinations
 
 from workbench.judge.kernel.varied import Varied
-from workbench.language.construct import apply, block, number, power, relation, zero
-from workbench.language.terms import Relation, Term
+from workbench.language.typed.construct import apply, block, number, power, relation, zero
+from workbench.language.typed.terms import Relation, Term
 
 
 @dataclass

@@ -14,8 +14,8 @@ from collections.abc import Callable, Sequence
 from functools import reduce as fold
 
 from workbench.judge.subject.inventory import Lookup
-from workbench.language.construct import apply, identity, number, rebuild, relation
-from workbench.language.terms import Apply, Identity, Power, Relation, Symbol, Term
+from workbench.language.typed.construct import apply, identity, number, rebuild, relation
+from workbench.language.typed.terms import Apply, Identity, Power, Relation, Symbol, Term
 
 #: From this degree in its letters on, a side is worth the rewriting.
 DEAR = 8

@@ -10,14 +10,23 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from workbench.judge.subject.inventory import NotExact
-from workbench.language.construct import apply, block, derivative, rebuild, symbol, zero
-from workbench.language.construct import relation as equated
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.operators import COMPONENTWISE, PRODUCTS
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Block, Derivative, Relation, Symbol, Term, TimeOperator, Zero
-from workbench.language.types import Declaration
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, block, derivative, rebuild, symbol, zero
+from workbench.language.typed.construct import relation as equated
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.operators import COMPONENTWISE, PRODUCTS
+from workbench.language.typed.terms import (
+    Apply,
+    Block,
+    Derivative,
+    Relation,
+    Symbol,
+    Term,
+    TimeOperator,
+    Zero,
+)
+from workbench.language.typed.types import Declaration
 
 
 def symbolic_orders(terms: Iterable[Term]) -> list[Linear]:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.first.exact import ExactEngine
 from workbench.judge.kernel.ideals import Ideal, has_even_powers, is_nowhere_zero
-from workbench.language.terms import Relation
+from workbench.language.typed.terms import Relation
 
 
 def _factors(engine: ExactEngine, p: Polynomial) -> list[Polynomial]:

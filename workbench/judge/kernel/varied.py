@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.judge.subject import Lookup, NotExact
-from workbench.language.construct import apply, block, dual_unit, number, rebuild
 from workbench.language.definitions import expand, replaced
-from workbench.language.operators import GRADIENTS, PARTIALS
-from workbench.language.terms import (
+from workbench.language.typed.construct import apply, block, dual_unit, number, rebuild
+from workbench.language.typed.operators import GRADIENTS, PARTIALS
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Conjunction,

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from workbench.language.types import Type
+from workbench.language.typed.types import Type
 
 Jet = list[np.ndarray]  # [x, ẋ, ẍ, …], each an object array of the type's shape
 

@@ -13,7 +13,7 @@ from workbench.judge.second.sympy_gate import PolyElement, grevlex, groebner, re
 from workbench.judge.second.sympy_ring import SympyRing, rewritten
 from workbench.judge.subject.assumptions import Assumptions
 from workbench.judge.subject.inventory import Inventory, Lookup
-from workbench.language.terms import Relation
+from workbench.language.typed.terms import Relation
 
 #: A polynomial, and the places of the indeterminates in it: most are put into polynomials without them.
 Spread: TypeAlias = "tuple[PolyElement, set[int]]"

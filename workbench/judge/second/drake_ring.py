@@ -13,7 +13,7 @@ from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import SPHERES, parameters
-from workbench.language.terms import Relation
+from workbench.language.typed.terms import Relation
 
 #: Beyond this many indeterminates Drake's polynomials are too slow to be asked.
 MOST_INDETERMINATES = 15

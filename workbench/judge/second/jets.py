@@ -42,8 +42,8 @@ from workbench.judge.second.tangents import changes, commuted, composed
 from workbench.judge.second.turns import Turns
 from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.judge.subject.slopes import Seed, indices, seeds
-from workbench.language.construct import apply
-from workbench.language.terms import (
+from workbench.language.typed.construct import apply
+from workbench.language.typed.terms import (
     Apply,
     Block,
     Derivative,
@@ -56,7 +56,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import Type
+from workbench.language.typed.types import Type
 
 
 class JetEngine:

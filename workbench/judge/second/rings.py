@@ -16,7 +16,7 @@ from workbench.judge.second.tangents import MovedPoint, TangentRing
 from workbench.judge.subject.inventory import Inventory, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter, parameters
 from workbench.judge.subject.slopes import Seed
-from workbench.language.terms import Symbol, Term
+from workbench.language.typed.terms import Symbol, Term
 
 #: A Mersenne prime of 61 bits; it is 3 modulo 4, so a square root is one power.
 PRIME = 2**61 - 1

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 from workbench.judge.second.components import Value
 from workbench.judge.second.jet_algebra import Ring
 from workbench.judge.subject.slopes import Seed
-from workbench.language.terms import Symbol, Term
+from workbench.language.typed.terms import Symbol, Term
 
 
 class Source(Protocol):

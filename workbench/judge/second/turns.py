@@ -25,8 +25,8 @@ from workbench.judge.second.tangents import pushed
 from workbench.judge.subject.angles import NO_ANGLE, angle_parts
 from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector
-from workbench.language.construct import apply
-from workbench.language.terms import Apply, Number, Symbol, Term, Zero
+from workbench.language.typed.construct import apply
+from workbench.language.typed.terms import Apply, Number, Symbol, Term, Zero
 
 #: How many times an angle is looked for in another that is written otherwise.
 _MULTIPLES = range(1, 5)

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
-from workbench.language.terms import Symbol, Term
+from workbench.language.typed.terms import Symbol, Term
 
 
 class Lookup(Protocol):

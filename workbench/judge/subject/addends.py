@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from workbench.language.construct import apply, big_sum, derivative, rebuild, relation, zero
-from workbench.language.instances import instantiate
-from workbench.language.integers import Linear
-from workbench.language.operators import COMPONENTWISE, PRODUCTS
-from workbench.language.terms import Apply, BigSum, Derivative, Relation, Term, Zero
+from workbench.language.typed.construct import apply, big_sum, derivative, rebuild, relation, zero
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.operators import COMPONENTWISE, PRODUCTS
+from workbench.language.typed.terms import Apply, BigSum, Derivative, Relation, Term, Zero
 
 
 def has_sums(term: Term) -> bool:

@@ -13,10 +13,10 @@ from math import lcm
 
 from workbench.judge.subject import Lookup, NotExact, With
 from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector
-from workbench.language.construct import apply, number, symbol
-from workbench.language.names import Name
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, DualUnit, Number, Power, Symbol, Term, Zero
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, number, symbol
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, DualUnit, Number, Power, Symbol, Term, Zero
 
 #: A sum of products of scalars: the sorted factors of each → its coefficient.
 Sum = dict[tuple[Term, ...], Fraction]

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from workbench.judge.subject.inventory import Lookup, NotExact, take_inventory
-from workbench.language.construct import derivative
-from workbench.language.construct import relation as equated
-from workbench.language.terms import Conjunction, Extremum, Naming, Relation, Statement, Term
+from workbench.language.typed.construct import derivative
+from workbench.language.typed.construct import relation as equated
+from workbench.language.typed.terms import Conjunction, Extremum, Naming, Relation, Statement, Term
 
 
 class Unsatisfiable(ValueError):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from workbench.language.operators import LINEAR, PRODUCTS
-from workbench.language.terms import Apply, Power, Term
+from workbench.language.typed.operators import LINEAR, PRODUCTS
+from workbench.language.typed.terms import Apply, Power, Term
 
 _EVERYWHERE = LINEAR | {*PRODUCTS, "add", "det", "sin", "cos", "exp"}
 

@@ -15,15 +15,15 @@ from typing import NamedTuple
 
 from workbench.judge.subject import NotExact
 from workbench.judge.subject.angles import Sum, round_terms, sum_of_products
-from workbench.language.construct import apply, derivative, number, rebuild, relation, symbol, zero
 from workbench.language.definitions import Definitions, expand
-from workbench.language.instances import raised
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.operators import PARTIALS
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Derivative, Relation, Statement, Symbol, Term
-from workbench.language.types import SCALAR, Declaration
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, derivative, number, rebuild, relation, symbol, zero
+from workbench.language.typed.instances import raised
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.operators import PARTIALS
+from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol, Term
+from workbench.language.typed.types import SCALAR, Declaration
 
 #: No derivatives of higher order than this are supposed of an exponential, no larger powers taken.
 _HIGHEST, _LARGEST = 4, 20

@@ -13,10 +13,10 @@ from math import lcm
 from workbench.judge.subject import Lookup, NotExact, reached
 from workbench.judge.subject.angles import angles_of
 from workbench.judge.subject.slopes import require_known_dependence, seeds
-from workbench.language.construct import apply, derivative, number
-from workbench.language.operators import GRADIENTS, PARTIALS
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, derivative, number
+from workbench.language.typed.operators import GRADIENTS, PARTIALS
+from workbench.language.typed.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
 
 
 @dataclass

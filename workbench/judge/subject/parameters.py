@@ -24,7 +24,7 @@ from dataclasses import dataclass
 
 from workbench.judge.subject.inventory import Inventory, NotExact
 from workbench.judge.subject.slopes import coordinate_count, indices
-from workbench.language.terms import Symbol, Term
+from workbench.language.typed.terms import Symbol, Term
 
 #: Parts whose components lie on a unit sphere, and how many components they have.
 SPHERES = {"circle": 2, "unit": 3, "quaternion": 4}

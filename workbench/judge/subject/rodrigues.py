@@ -6,9 +6,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from workbench.judge.subject import Lookup
-from workbench.language.construct import apply, number
-from workbench.language.shapes import filling
-from workbench.language.terms import Apply, Block, IllFormed, Number, Symbol, Term
+from workbench.language.typed.construct import apply, number
+from workbench.language.typed.shapes import filling
+from workbench.language.typed.terms import Apply, Block, IllFormed, Number, Symbol, Term
 
 NO_EXPONENT = (
     "exp of anything but a purely dual argument, a skew tensor or a quaternion without a scalar part"

@@ -17,7 +17,7 @@ from itertools import combinations_with_replacement
 from typing import NamedTuple
 
 from workbench.judge.subject import Lookup, NotExact
-from workbench.language.terms import Apply, Block, Derivative, Number, Symbol, Term
+from workbench.language.typed.terms import Apply, Block, Derivative, Number, Symbol, Term
 
 
 class Seed(NamedTuple):

@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 from workbench.judge.subject import NotExact
 from workbench.judge.subject.assumptions import sides_of
-from workbench.language.construct import apply, dual_unit, relation
 from workbench.language.definitions import Definitions, expand, replaced
-from workbench.language.operators import OPERATORS
-from workbench.language.terms import (
+from workbench.language.typed.construct import apply, dual_unit, relation
+from workbench.language.typed.operators import OPERATORS
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Block,

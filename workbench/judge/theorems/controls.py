@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from workbench.language.construct import apply, number, rebuild
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Number, Relation, Term, Zero
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, number, rebuild
+from workbench.language.typed.terms import Apply, Number, Relation, Term, Zero
 
 
 def is_another_sign_of(control: Relation, equation: Relation) -> bool:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from workbench.judge.subject.divisions import never_divides
-from workbench.language.construct import apply, relation, zero
 from workbench.language.definitions import Definitions
-from workbench.language.terms import Relation, Symbol, Term
+from workbench.language.typed.construct import apply, relation, zero
+from workbench.language.typed.terms import Relation, Symbol, Term
 
 
 def is_defined_everywhere(term: Term, definitions: Definitions) -> bool:

@@ -11,10 +11,10 @@ from workbench.judge.theorems.defined import is_defined_everywhere
 from workbench.judge.theorems.operators import with_free_values, with_operators_applied
 from workbench.judge.theorems.sums import without_sums
 from workbench.judge.theorems.tidy import is_same_sum, tidy
-from workbench.language.construct import relation
 from workbench.language.definitions import Definitions, expand
-from workbench.language.instances import free_integers
-from workbench.language.terms import BigSum, Relation, Statement, Symbol, Term
+from workbench.language.typed.construct import relation
+from workbench.language.typed.instances import free_integers
+from workbench.language.typed.terms import BigSum, Relation, Statement, Symbol, Term
 
 
 @dataclass(frozen=True)

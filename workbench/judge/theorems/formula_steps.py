@@ -18,10 +18,10 @@ from workbench.judge.theorems.arguments import Engine, Step, Way, vanishing
 from workbench.judge.theorems.controls import is_another_sign_of
 from workbench.language.defining import read_definitions
 from workbench.language.definitions import Definitions
-from workbench.language.instances import instantiate
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Conjunction, Relation, Statement
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.terms import Conjunction, Relation, Statement
 
 Orders = Mapping[str, Iterable[int]]
 

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.language.definitions import Definitions
-from workbench.language.errors import ReadError
-from workbench.language.integers import Linear
-from workbench.language.names import Name
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula, read_term
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Conjunction, Relation, Statement, Term
-from workbench.language.types import Declaration
+from workbench.language.typed.errors import ReadError
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Conjunction, Relation, Statement, Term
+from workbench.language.typed.types import Declaration
 
 
 class GoalError(ValueError):

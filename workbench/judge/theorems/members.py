@@ -19,12 +19,21 @@ from workbench.judge.theorems.goals import (
 )
 from workbench.judge.theorems.sequents import NotShown, Obligation, Sequent, names_of, supposed
 from workbench.judge.theorems.substitution import Substitution, differentiates
-from workbench.language.construct import apply, derivative, identity, number, power, relation, symbol, zero
-from workbench.language.declarations import read_key
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.terms import Relation, Symbol, Term, Zero
-from workbench.language.types import SCALAR, TENSOR
+from workbench.language.naming.declarations import read_key
+from workbench.language.typed.construct import (
+    apply,
+    derivative,
+    identity,
+    number,
+    power,
+    relation,
+    symbol,
+    zero,
+)
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Relation, Symbol, Term, Zero
+from workbench.language.typed.types import SCALAR, TENSOR
 
 
 def put_in(sequent: Sequent, variables: tuple[Variable, ...], members: Mapping[str, str], body: Goal) -> Goal:

@@ -5,12 +5,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from workbench.language.construct import apply, big_sum, derivative, number, power, rebuild, symbol, zero
 from workbench.language.definitions import Definitions
-from workbench.language.instances import free_integers
-from workbench.language.names import Name
-from workbench.language.printer import to_latex
-from workbench.language.terms import (
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import (
+    apply,
+    big_sum,
+    derivative,
+    number,
+    power,
+    rebuild,
+    symbol,
+    zero,
+)
+from workbench.language.typed.instances import free_integers
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Counting,
@@ -23,7 +32,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import SCALAR, Declaration
+from workbench.language.typed.types import SCALAR, Declaration
 
 
 def with_operators_applied(equation: Relation, definitions: Definitions) -> Relation:

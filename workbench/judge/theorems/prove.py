@@ -44,11 +44,11 @@ from workbench.judge.theorems.rules import obligations
 from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent, relations_of
 from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
-from workbench.language.construct import number, relation
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.instances import free_integers, instantiate
-from workbench.language.printer import to_latex
-from workbench.language.terms import IllFormed, Relation, Statement
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import number, relation
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.instances import free_integers, instantiate
+from workbench.language.typed.terms import IllFormed, Relation, Statement
 
 #: Verdicts of one judge on equations, by what is claimed, what is supposed and the integers with their least
 #: values.

@@ -35,12 +35,12 @@ from workbench.judge.theorems.goals import (
     Scope,
     Variable,
 )
-from workbench.language.declarations import read_key
-from workbench.language.errors import SpecError
-from workbench.language.names import Name
-from workbench.language.parser import parse
-from workbench.language.spelling import linear
-from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
+from workbench.language.grammar.parser import parse
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import linear
+from workbench.language.typed.errors import SpecError
+from workbench.language.typed.names import Name
+from workbench.language.typed.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
 
 _MARK = re.compile(
     r"\\(?:forall|exists!?|Rightarrow|Longrightarrow|Leftrightarrow|wedge|geqslant|Big\s*[()])(?![A-Za-z])"

@@ -65,14 +65,14 @@ from workbench.judge.theorems.sequents import (
 )
 from workbench.judge.theorems.substitution import Substitution, at_integer, differentiates
 from workbench.judge.theorems.sum_rules import pascal, termwise
-from workbench.language.construct import apply, power, relation, symbol, zero
-from workbench.language.declarations import read_key
-from workbench.language.integers import Linear
-from workbench.language.parser import parse
+from workbench.language.grammar.parser import parse
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import linear
 from workbench.language.reader import read_term
-from workbench.language.spelling import linear
-from workbench.language.terms import Relation, Statement, Term, Zero
-from workbench.language.types import SCALAR, VECTOR, Declaration
+from workbench.language.typed.construct import apply, power, relation, symbol, zero
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Relation, Statement, Term, Zero
+from workbench.language.typed.types import SCALAR, VECTOR, Declaration
 
 
 def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:

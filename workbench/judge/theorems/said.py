@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 from workbench.judge.theorems.goals import All, AllFrom, Atom, Both, Goal, Iff, Implies
-from workbench.language.terms import Equivalence, Statement
+from workbench.language.typed.terms import Equivalence, Statement
 
 #: Values of each integer that are looked at, from the least one on.
 MEMBERS = 3

@@ -20,8 +20,8 @@ from workbench.judge.theorems.goals import (
     Variable,
     inside,
 )
-from workbench.language.instances import free_integers
-from workbench.language.terms import Extremum, Naming, Relation, Statement, Symbol, Term
+from workbench.language.typed.instances import free_integers
+from workbench.language.typed.terms import Extremum, Naming, Relation, Statement, Symbol, Term
 
 FORMULA = "formula"
 

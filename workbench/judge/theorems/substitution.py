@@ -19,13 +19,13 @@ from workbench.judge.theorems.goals import (
     Implies,
     Variable,
 )
-from workbench.language.construct import rebuild, relation, zero
 from workbench.language.definitions import Definitions, expand
-from workbench.language.instances import free_integers, instantiate
-from workbench.language.integers import Linear, as_linear
-from workbench.language.names import Name
-from workbench.language.operators import COMPONENTWISE, GRADIENTS, PARTIALS
-from workbench.language.terms import (
+from workbench.language.typed.construct import rebuild, relation, zero
+from workbench.language.typed.instances import free_integers, instantiate
+from workbench.language.typed.integers import Linear, as_linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.operators import COMPONENTWISE, GRADIENTS, PARTIALS
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Conjunction,

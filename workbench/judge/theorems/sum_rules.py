@@ -9,13 +9,13 @@ from workbench.judge.theorems.goals import All, AllFrom, Atom, Goal, Scope, Vari
 from workbench.judge.theorems.proofs import Kernel, Pascal, Proof, Termwise
 from workbench.judge.theorems.sequents import NotShown, Sequent, integers_of
 from workbench.judge.theorems.substitution import Substitution, at_integer
-from workbench.language.construct import apply, counting, relation, symbol
-from workbench.language.instances import free_integers, instantiate
-from workbench.language.integers import Linear
-from workbench.language.names import Name
 from workbench.language.reader import read_term
-from workbench.language.terms import BigSum, Relation, Term
-from workbench.language.types import Declaration
+from workbench.language.typed.construct import apply, counting, relation, symbol
+from workbench.language.typed.instances import free_integers, instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import BigSum, Relation, Term
+from workbench.language.typed.types import Declaration
 
 Asked = Iterator[tuple[Sequent, Proof]]
 

@@ -13,7 +13,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from workbench.judge.subject.addends import addends, has_sums, spread
-from workbench.language.construct import (
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import (
     apply,
     derivative,
     integer,
@@ -22,12 +23,11 @@ from workbench.language.construct import (
     relation,
     symbol,
 )
-from workbench.language.instances import free_integers, instantiate
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.operators import COMPONENTWISE, PRODUCTS
-from workbench.language.printer import to_latex
-from workbench.language.terms import (
+from workbench.language.typed.instances import free_integers, instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.operators import COMPONENTWISE, PRODUCTS
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Counting,
@@ -36,7 +36,7 @@ from workbench.language.terms import (
     Symbol,
     Term,
 )
-from workbench.language.types import Declaration
+from workbench.language.typed.types import Declaration
 
 _SHIFTS = (0, 1, -1, 2, -2)
 

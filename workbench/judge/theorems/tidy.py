@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 from itertools import dropwhile, pairwise
 
-from workbench.language.construct import apply, derivative, rebuild, relation
-from workbench.language.terms import Apply, Derivative, Identity, Relation, Term, Zero
+from workbench.language.typed.construct import apply, derivative, rebuild, relation
+from workbench.language.typed.terms import Apply, Derivative, Identity, Relation, Term, Zero
 
 
 def tidy(equation: Relation) -> Relation:

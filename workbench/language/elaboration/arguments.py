@@ -3,14 +3,14 @@ a bracket, since f(x) and f(y) are two values."""
 
 from __future__ import annotations
 
-from workbench.language.declarations import key_spelling
-from workbench.language.errors import Fault, SpecError
-from workbench.language.latex import latex_of
-from workbench.language.names import Name
-from workbench.language.scope import Scope
-from workbench.language.spelling import Spelling
-from workbench.language.syntax import Accented, Bracket, Leaf, Node, Scripted, Styled
-from workbench.language.terms import Derivative, Symbol, Term, TimeOperator, is_accented_symbol
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Scripted, Styled
+from workbench.language.naming.declarations import key_spelling
+from workbench.language.naming.scope import Scope
+from workbench.language.naming.spelling import Spelling
+from workbench.language.typed.errors import Fault, SpecError
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Derivative, Symbol, Term, TimeOperator, is_accented_symbol
 
 
 def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:

@@ -5,17 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction as Rational
 
-from workbench.language import construct
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.nablas import as_del
 from workbench.language.elaboration.products import product
 from workbench.language.elaboration.spelled import letters_in_one_font, refuse_row_of_vectors
-from workbench.language.errors import Fault, Misfit
-from workbench.language.notations import Known
-from workbench.language.scope import Scope
-from workbench.language.signatures import agree
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Accented,
     Binomial,
     Bracket,
@@ -35,7 +29,13 @@ from workbench.language.syntax import (
     Summation,
     core,
 )
-from workbench.language.terms import IllFormed, Integer, Number, Term, Zero
+from workbench.language.naming.notations import Known
+from workbench.language.naming.scope import Scope
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed import construct
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.signatures import agree
+from workbench.language.typed.terms import IllFormed, Integer, Number, Term, Zero
 
 _LONGEST_NUMBER = 100
 

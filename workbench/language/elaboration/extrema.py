@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import set_name
 from workbench.language.elaboration.sets import Members, letter_name, letter_spelling, members_of
-from workbench.language.errors import Fault
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Chain, Extremal, Group, Infix, Node, Product, in_a_row
-from workbench.language.terms import Extremum, Symbol, Term
-from workbench.language.types import SCALAR, VECTOR
+from workbench.language.grammar.syntax import Chain, Extremal, Group, Infix, Node, Product, in_a_row
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.terms import Extremum, Symbol, Term
+from workbench.language.typed.types import SCALAR, VECTOR
 
 
 def is_extremal(side: Node) -> bool:

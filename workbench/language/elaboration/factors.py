@@ -5,11 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from workbench.language import construct
-from workbench.language.errors import Fault, Misfit
-from workbench.language.scope import Scope
-from workbench.language.syntax import Accented, Bracket, Fraction, Leaf, Node, Scripted, Styled, is_numeral
-from workbench.language.terms import IllFormed, Integer, Number, Term
+from workbench.language.grammar.syntax import (
+    Accented,
+    Bracket,
+    Fraction,
+    Leaf,
+    Node,
+    Scripted,
+    Styled,
+    is_numeral,
+)
+from workbench.language.naming.scope import Scope
+from workbench.language.typed import construct
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.terms import IllFormed, Integer, Number, Term
 
 
 @dataclass(slots=True)

@@ -5,16 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from workbench.language import construct
 from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.letters import raised
 from workbench.language.elaboration.quotients import Rate, slope, value_of
-from workbench.language.errors import Fault, Misfit
-from workbench.language.integers import Linear
-from workbench.language.operators import OF_ANGLES, OF_TENSORS, word_of
-from workbench.language.spelling import linear
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Bracket,
     Fraction,
     Group,
@@ -27,8 +22,13 @@ from workbench.language.syntax import (
     is_left_script,
     is_own_word,
 )
-from workbench.language.terms import IllFormed, Integer, Number, Term, is_rate
-from workbench.language.tokens import words_in_a_formula
+from workbench.language.grammar.tokens import words_in_a_formula
+from workbench.language.naming.spelling import linear
+from workbench.language.typed import construct
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.operators import OF_ANGLES, OF_TENSORS, word_of
+from workbench.language.typed.terms import IllFormed, Integer, Number, Term, is_rate
 
 
 def function(row: Row, place: int) -> Factor:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from workbench.language.errors import Fault
-from workbench.language.operators import SIGNS
-from workbench.language.scope import Scope
-from workbench.language.shapes import scalar_and_vector
-from workbench.language.syntax import Infix
-from workbench.language.terms import Term
-from workbench.language.vocabulary import OWN_SIGNS
+from workbench.language.grammar.syntax import Infix
+from workbench.language.grammar.vocabulary import OWN_SIGNS
+from workbench.language.naming.scope import Scope
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.operators import SIGNS
+from workbench.language.typed.shapes import scalar_and_vector
+from workbench.language.typed.terms import Term
 
 
 def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:

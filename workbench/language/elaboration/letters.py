@@ -5,17 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.language import construct, instances
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
 from workbench.language.elaboration.spelled import subscripted_norm
-from workbench.language.errors import Fault, Misfit, Unranged
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.notations import Notation
-from workbench.language.scope import Scope
-from workbench.language.spelling import INDEX_LETTERS, Scripts, linear, spell
-from workbench.language.symbols import may_be_label
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
     Fraction,
@@ -29,8 +21,16 @@ from workbench.language.syntax import (
     Sum,
     core,
 )
-from workbench.language.terms import Apply, Derivative, IllFormed, Symbol, Term, Zero
-from workbench.language.types import CLOCK, TENSOR, VECTOR, Declaration
+from workbench.language.naming.notations import Notation
+from workbench.language.naming.scope import Scope
+from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, linear, spell
+from workbench.language.naming.symbols import may_be_label
+from workbench.language.typed import construct, instances
+from workbench.language.typed.errors import Fault, Misfit, Unranged
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term, Zero
+from workbench.language.typed.types import CLOCK, TENSOR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
 Lettered = tuple[Term, Node | None]

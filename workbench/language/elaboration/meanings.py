@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.notations import Notation
-from workbench.language.spelling import Scripts, spell, variable_name
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Infix, Leaf, Node, Product, Scripted, core
-from workbench.language.types import CLOCK, Declaration, Type
+from workbench.language.grammar.syntax import Infix, Leaf, Node, Product, Scripted, core
+from workbench.language.naming.notations import Notation
+from workbench.language.naming.spelling import Scripts, spell, variable_name
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.types import CLOCK, Declaration, Type
 
 _UNITS = frozenset((Name("I", ("\\mathbf",)), Name("I", ("\\underline", "\\mathbf"))))
 _PLAIN = frozenset((Name("\\varepsilon"), Name("D", ("\\mathbf",)), CLOCK.name))

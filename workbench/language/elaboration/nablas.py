@@ -8,11 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from workbench.language import construct
 from workbench.language.elaboration.factors import Factor, Row
-from workbench.language.errors import Fault, Misfit
-from workbench.language.scope import Scope
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Bracket,
     Infix,
     Leaf,
@@ -23,8 +20,11 @@ from workbench.language.syntax import (
     in_a_row,
     unstyled,
 )
-from workbench.language.terms import IllFormed, Symbol, Term
-from workbench.language.types import VECTOR
+from workbench.language.naming.scope import Scope
+from workbench.language.typed import construct
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.terms import IllFormed, Symbol, Term
+from workbench.language.typed.types import VECTOR
 
 NABLA = "\\nabla"
 

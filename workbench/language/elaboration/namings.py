@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from workbench.language.construct import relation
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import set_name
 from workbench.language.elaboration.sets import (
@@ -19,12 +18,13 @@ from workbench.language.elaboration.sets import (
     letter_spelling,
     members_of,
 )
-from workbench.language.errors import Fault, Misfit
-from workbench.language.integers import Linear
-from workbench.language.printer import to_latex
-from workbench.language.spelling import linear
-from workbench.language.syntax import Bracket, Chain, Node, Product, Scripted
-from workbench.language.terms import (
+from workbench.language.grammar.syntax import Bracket, Chain, Node, Product, Scripted
+from workbench.language.naming.spelling import linear
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import relation
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     DualUnit,

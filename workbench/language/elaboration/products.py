@@ -14,11 +14,7 @@ from workbench.language.elaboration.nablas import along, as_del, of_field, with_
 from workbench.language.elaboration.quotients import divided, quotient, rate
 from workbench.language.elaboration.spelled import spelled_out
 from workbench.language.elaboration.summations import summation
-from workbench.language.errors import Fault
-from workbench.language.operators import GRADIENTS, OF_TENSORS, word_of
-from workbench.language.scope import Scope
-from workbench.language.spelling import Scripts
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
     Fraction,
@@ -35,7 +31,11 @@ from workbench.language.syntax import (
     in_a_row,
     is_numeral,
 )
-from workbench.language.terms import (
+from workbench.language.naming.scope import Scope
+from workbench.language.naming.spelling import Scripts
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.operators import GRADIENTS, OF_TENSORS, word_of
+from workbench.language.typed.terms import (
     Apply,
     Term,
 )

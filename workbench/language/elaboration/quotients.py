@@ -6,13 +6,7 @@ from dataclasses import replace
 from fractions import Fraction as Rational
 from typing import NamedTuple
 
-from workbench.language import construct
-from workbench.language.errors import Fault, Misfit
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.operators import QUOTIENTS
-from workbench.language.scope import Scope
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Fraction,
     Group,
     Leaf,
@@ -24,7 +18,13 @@ from workbench.language.syntax import (
     core,
     in_a_row,
 )
-from workbench.language.terms import IllFormed, Number, Term, Zero
+from workbench.language.naming.scope import Scope
+from workbench.language.typed import construct
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.operators import QUOTIENTS
+from workbench.language.typed.terms import IllFormed, Number, Term, Zero
 
 _PARTIAL = "\\partial"
 

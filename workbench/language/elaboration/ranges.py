@@ -10,13 +10,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
-from workbench.language.construct import apply, block, identity, number, relation, zero
-from workbench.language.errors import ALONE, Fault
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Bracket,
     Chain,
     Group,
@@ -31,8 +25,14 @@ from workbench.language.syntax import (
     in_a_row,
     unstyled,
 )
-from workbench.language.terms import Apply, Block, Relation, Symbol, Term
-from workbench.language.types import TENSOR, VECTOR, Type
+from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, linear, spell, variable_name
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.construct import apply, block, identity, number, relation, zero
+from workbench.language.typed.errors import ALONE, Fault
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, Block, Relation, Symbol, Term
+from workbench.language.typed.types import TENSOR, VECTOR, Type
 
 NATURALS = {"\\mathbb{N}": 0, "\\mathbb{N}^{*}": 1}
 

@@ -10,13 +10,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-from workbench.language.construct import apply, identity, number, relation, zero
 from workbench.language.elaboration.ranges import set_name
-from workbench.language.errors import Fault
-from workbench.language.names import Name
-from workbench.language.spelling import Scripts, Spelling, spell
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Bracket,
     Group,
     Infix,
@@ -28,8 +23,13 @@ from workbench.language.syntax import (
     core,
     unstyled,
 )
-from workbench.language.terms import Apply, Block, IllFormed, Relation, Symbol, Term, Zero
-from workbench.language.types import SCALAR, TENSOR, VECTOR, Declaration, Type
+from workbench.language.naming.spelling import Scripts, Spelling, spell
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.construct import apply, identity, number, relation, zero
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, Block, IllFormed, Relation, Symbol, Term, Zero
+from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Declaration, Type
 
 _STYLES = ("mathbf", "mathbb", "mathrm", "mathcal", "mathfrak", "mathsf", "boldsymbol", "underline")
 

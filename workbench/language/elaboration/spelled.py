@@ -5,11 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from workbench.language.errors import Fault, Misfit
-from workbench.language.names import PREFIXES
-from workbench.language.scope import Scope
-from workbench.language.spelling import prefixed
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
     Group,
@@ -23,8 +19,12 @@ from workbench.language.syntax import (
     is_left_script,
     unstyled,
 )
-from workbench.language.terms import Term
-from workbench.language.vocabulary import FONTS
+from workbench.language.grammar.vocabulary import FONTS
+from workbench.language.naming.scope import Scope
+from workbench.language.naming.spelling import prefixed
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.names import PREFIXES
+from workbench.language.typed.terms import Term
 
 
 def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from workbench.language import construct
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.extrema import extrema, is_extremal
 from workbench.language.elaboration.namings import is_map, is_set, named_map, named_set, wants_value
@@ -18,12 +17,14 @@ from workbench.language.elaboration.ranges import (
     refuse_alone,
     require_member,
 )
-from workbench.language.errors import SAYS_NOTHING, Fault, Misfit, Unranged
-from workbench.language.integers import Linear
-from workbench.language.scope import DEEPEST_TERM
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Chain, Conditional, Given, Joined, Lines, Node
-from workbench.language.terms import (
+from workbench.language.grammar.syntax import Chain, Conditional, Given, Joined, Lines, Node
+from workbench.language.grammar.vocabulary import ORIENTATIONS
+from workbench.language.naming.scope import DEEPEST_TERM
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed import construct
+from workbench.language.typed.errors import SAYS_NOTHING, Fault, Misfit, Unranged
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import (
     Block,
     Conjunction,
     Equivalence,
@@ -33,8 +34,7 @@ from workbench.language.terms import (
     Statement,
     Term,
 )
-from workbench.language.types import type_of_kind
-from workbench.language.vocabulary import ORIENTATIONS
+from workbench.language.typed.types import type_of_kind
 
 #: An index that may be any is tried with so many values; a formula has at most so many of them.
 GENERIC_VALUES, MOST_GENERIC = 3, 4

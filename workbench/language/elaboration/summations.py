@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from workbench.language import construct
-from workbench.language.errors import Fault, Unranged
-from workbench.language.instances import free_integers
-from workbench.language.integers import Linear
-from workbench.language.scope import Scope
-from workbench.language.spelling import variable_name
-from workbench.language.syntax import Chain, Group, Leaf, Node, Scripted, Sum, Summation, core
-from workbench.language.terms import Term
+from workbench.language.grammar.syntax import Chain, Group, Leaf, Node, Scripted, Sum, Summation, core
+from workbench.language.naming.scope import Scope
+from workbench.language.naming.spelling import variable_name
+from workbench.language.typed import construct
+from workbench.language.typed.errors import Fault, Unranged
+from workbench.language.typed.instances import free_integers
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Term
 
 #: What the number of all members may be called, where a text gives it no name.
 _COUNTS = "NMLKnmlk"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
-from workbench.language.parser import MOST_CHARACTERS
+from workbench.language.grammar.parser import MOST_CHARACTERS
 from workbench.papers.respell.by_hand import as_read
 from workbench.papers.respell.plain_tex import with_nuclei, with_typefaces
 from workbench.papers.texts import Token

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from workbench.language.vocabulary import LINES, goes_on, spellings
+from workbench.language.grammar.vocabulary import LINES, goes_on, spellings
 from workbench.papers.respell import argument, respelled
 from workbench.papers.texts import Display, Token, joined
 

@@ -9,10 +9,10 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
 
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Relation, Statement, Symbol, Zero
-from workbench.language.types import Declaration
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.terms import Apply, Relation, Statement, Symbol, Zero
+from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Notation
 from workbench.papers.said import terms_of

@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from workbench.language.errors import IllFormedAt, ReadError
 from workbench.language.reader import unclaimed
-from workbench.language.terms import Symbol
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.terms import Symbol
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span

@@ -7,8 +7,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from workbench.language.names import Name
-from workbench.language.terms import (
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     Implication,
@@ -20,7 +20,7 @@ from workbench.language.terms import (
     Zero,
     column_of_symbols,
 )
-from workbench.language.types import Declaration
+from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import SAYS, terms_of
 from workbench.papers.texts import Display, Text

@@ -10,7 +10,7 @@ import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
-from workbench.language.errors import place
+from workbench.language.typed.errors import place
 
 #: Keys and array positions from the top of the file: ("claim", 3, "printed").
 KeyPath = tuple[str | int, ...]

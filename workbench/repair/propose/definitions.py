@@ -23,11 +23,11 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.second.rings import PRIME
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome
-from workbench.language.authors import in_the_hand_of
-from workbench.language.construct import relation, symbol, zero
 from workbench.language.definitions import Definitions
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Definition, IllFormed, Relation, Symbol, Term
+from workbench.language.printing.authors import in_the_hand_of
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import relation, symbol, zero
+from workbench.language.typed.terms import Apply, Definition, IllFormed, Relation, Symbol, Term
 from workbench.papers.model import Claim
 from workbench.repair.propose.judging import judging
 from workbench.repair.propose.limits import Limits

@@ -10,7 +10,7 @@ from typing import Any
 from rich.table import Table
 from rich.text import Text
 
-from workbench.language.errors import IllFormedAt, ReadError
+from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim, Formula
 from workbench.repair.propose.repair import Proposal, Repair

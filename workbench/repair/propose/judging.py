@@ -9,7 +9,7 @@ from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Verdict
-from workbench.language.terms import IllFormed, Statement
+from workbench.language.typed.terms import IllFormed, Statement
 from workbench.papers.model import Claim
 from workbench.verify.claims import load_engines
 

@@ -13,14 +13,14 @@ from workbench.budget import OutOfBudget
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Outcome, Verdict
-from workbench.language.authors import in_the_hand_of
-from workbench.language.construct import symbol
-from workbench.language.errors import IllFormedAt, ReadError
-from workbench.language.integers import Linear
-from workbench.language.printer import to_latex
-from workbench.language.symbols import SymbolTable
-from workbench.language.terms import Statement, Symbol, Term
-from workbench.language.types import Declaration
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.authors import in_the_hand_of
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import symbol
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Statement, Symbol, Term
+from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
 from workbench.repair.propose.judging import judging

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from heapq import heappop, heappush
 
 from workbench.judge.second.rings import PRIME
-from workbench.language.terms import Term
+from workbench.language.typed.terms import Term
 from workbench.repair.screening.sums import zero_sums
 from workbench.repair.trees.marks import Mark
 

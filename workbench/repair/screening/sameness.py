@@ -15,7 +15,7 @@ from fractions import Fraction
 from workbench.judge.kernel.case import NoDefinitions
 from workbench.judge.second.rings import PRIME
 from workbench.judge.subject.inventory import Lookup, NotExact, has_gradient
-from workbench.language.terms import (
+from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     Equivalence,

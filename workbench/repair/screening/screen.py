@@ -23,9 +23,9 @@ from workbench.judge.second.rings import PRIME, PointSource
 from workbench.judge.subject.assumptions import Assumptions
 from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter
-from workbench.language.instances import Instantiation, instantiate
-from workbench.language.integers import Linear
-from workbench.language.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term
+from workbench.language.typed.instances import Instantiation, instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term
 
 
 class FlintResidueRing:

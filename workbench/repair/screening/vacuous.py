@@ -6,9 +6,9 @@ from collections import Counter
 from collections.abc import Iterator
 
 from workbench.judge.second.rings import PRIME
-from workbench.language.authors import is_spelt_as_one
-from workbench.language.construct import derivative
-from workbench.language.terms import (
+from workbench.language.printing.authors import is_spelt_as_one
+from workbench.language.typed.construct import derivative
+from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     Identity,

@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import chain
 
 from workbench.judge.second.rings import PRIME
-from workbench.language.construct import apply, derivative, dual_unit, identity, power
-from workbench.language.integers import Linear
-from workbench.language.operators import OF_TENSORS, OPERATORS, PRODUCTS
-from workbench.language.terms import Apply, Derivative, Identity, IllFormed, Statement, Symbol, Term
-from workbench.language.types import Weight
+from workbench.language.typed.construct import apply, derivative, dual_unit, identity, power
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.operators import OF_TENSORS, OPERATORS, PRODUCTS
+from workbench.language.typed.terms import Apply, Derivative, Identity, IllFormed, Statement, Symbol, Term
+from workbench.language.typed.types import Weight
 from workbench.repair.terms.coefficients import Vector
 from workbench.repair.terms.places import places
 from workbench.repair.terms.variants import atoms_of, differentiated_to

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from workbench.language.construct import apply, number
-from workbench.language.operators import PRODUCTS
-from workbench.language.terms import Apply, Number, Term, Zero
+from workbench.language.typed.construct import apply, number
+from workbench.language.typed.operators import PRODUCTS
+from workbench.language.typed.terms import Apply, Number, Term, Zero
 
 
 def coefficient(term: Term) -> Fraction:

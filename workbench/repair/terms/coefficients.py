@@ -14,7 +14,7 @@ from itertools import combinations
 from flint import nmod_mat
 
 from workbench.judge.second.rings import PRIME
-from workbench.language.terms import IllFormed, Relation, Term, Zero
+from workbench.language.typed.terms import IllFormed, Relation, Term, Zero
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.arithmetic import times
 from workbench.repair.terms.edits import without

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from workbench.language.printer import to_latex
-from workbench.language.terms import (
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.terms import (
     Apply,
     Block,
     Conjunction,

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from workbench.language.construct import rebuild
-from workbench.language.operators import LINEAR
-from workbench.language.terms import Apply, Derivative, Term
+from workbench.language.typed.construct import rebuild
+from workbench.language.typed.operators import LINEAR
+from workbench.language.typed.terms import Apply, Derivative, Term
 from workbench.repair.terms.places import Place
 
 

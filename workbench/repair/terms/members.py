@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 
-from workbench.language.construct import identity, number, relation, zero
-from workbench.language.errors import Fault, IllFormedAt, ReadError
-from workbench.language.parser import parse
-from workbench.language.printer import to_latex
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import Chain
+from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_term
-from workbench.language.syntax import Chain
-from workbench.language.terms import Term
+from workbench.language.typed.construct import identity, number, relation, zero
+from workbench.language.typed.errors import Fault, IllFormedAt, ReadError
+from workbench.language.typed.terms import Term
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Notation
 from workbench.papers.orders import Orders

@@ -16,11 +16,11 @@ from flint import nmod
 
 from workbench.judge.second.components import Value, array_shape
 from workbench.judge.second.rings import PRIME
-from workbench.language.construct import apply, power, symbol, time_operator
-from workbench.language.integers import Linear
-from workbench.language.names import Name
-from workbench.language.operators import LINEAR
-from workbench.language.terms import (
+from workbench.language.typed.construct import apply, power, symbol, time_operator
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
+from workbench.language.typed.operators import LINEAR
+from workbench.language.typed.terms import (
     Apply,
     Block,
     Derivative,
@@ -33,7 +33,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import KINDS, Declaration, Type, Weight
+from workbench.language.typed.types import KINDS, Declaration, Type, Weight
 from workbench.repair.screening.screen import Screen, ScreenPoint
 from workbench.repair.terms.addends import Supply
 from workbench.repair.terms.arithmetic import number_and_rest, times, with_addend

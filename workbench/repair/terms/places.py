@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeVar
 
-from workbench.language.authors import is_spelt_as_one
-from workbench.language.construct import rebuild, relation, zero
-from workbench.language.operators import PARTIALS
-from workbench.language.terms import (
+from workbench.language.printing.authors import is_spelt_as_one
+from workbench.language.typed.construct import rebuild, relation, zero
+from workbench.language.typed.operators import PARTIALS
+from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     Equivalence,

@@ -13,8 +13,8 @@ from fractions import Fraction
 from itertools import chain
 
 from workbench.judge.second.rings import PRIME
-from workbench.language.printer import to_latex
-from workbench.language.terms import Apply, Conjunction, IllFormed, Relation, Statement, Term
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.terms import Apply, Conjunction, IllFormed, Relation, Statement, Term
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.addends import Supply
 from workbench.repair.terms.arithmetic import times, with_addend

@@ -6,11 +6,20 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 
-from workbench.language.construct import apply, big_sum, counting, derivative, integer, number, power, symbol
-from workbench.language.integers import Linear
-from workbench.language.operators import OPERATORS, PRODUCTS
-from workbench.language.printer import to_latex
-from workbench.language.terms import (
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import (
+    apply,
+    big_sum,
+    counting,
+    derivative,
+    integer,
+    number,
+    power,
+    symbol,
+)
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.operators import OPERATORS, PRODUCTS
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Counting,
@@ -24,7 +33,7 @@ from workbench.language.terms import (
     Term,
     Zero,
 )
-from workbench.language.types import Weight
+from workbench.language.typed.types import Weight
 from workbench.repair.terms.arithmetic import coefficient, factors_of, product_of, sum_of, times, with_addend
 from workbench.repair.terms.places import places
 

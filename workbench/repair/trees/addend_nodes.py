@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from workbench.language.operators import LINEAR
-from workbench.language.syntax import Bracket, Fraction, Group, Leaf, Node, Product, Sum
+from workbench.language.grammar.syntax import Bracket, Fraction, Group, Leaf, Node, Product, Sum
+from workbench.language.typed.operators import LINEAR
 from workbench.repair.trees.nodes import below, exchanged
 
 

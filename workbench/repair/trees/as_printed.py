@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from workbench.language.errors import Fault
-from workbench.language.latex import latex_of
-from workbench.language.names import Name
-from workbench.language.parser import parse
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Node
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import Node
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.names import Name
 from workbench.repair.trees.integers import bound_variables
 from workbench.repair.trees.letters import meaning_of, occurrences
 from workbench.repair.trees.marks import Mark, marked

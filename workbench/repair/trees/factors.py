@@ -6,10 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from workbench.language.latex import latex_of
-from workbench.language.parser import parse
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import (
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
     Fraction,
@@ -24,6 +23,7 @@ from workbench.language.syntax import (
     in_a_row,
     is_left_script,
 )
+from workbench.language.naming.symbols import SymbolTable
 from workbench.repair.trees.letters import occurrences
 from workbench.repair.trees.marks import Mark, core_of
 from workbench.repair.trees.nodes import below

@@ -7,11 +7,9 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import product
 
 from workbench.language.elaboration.statements import reading_of
-from workbench.language.errors import Fault, Misfit
-from workbench.language.latex import latex_of
-from workbench.language.parser import parse
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import (
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import (
     Chain,
     Fraction,
     Given,
@@ -26,7 +24,9 @@ from workbench.language.syntax import (
     core,
     in_a_row,
 )
-from workbench.language.terms import IllFormed
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.terms import IllFormed
 from workbench.repair.terms.search import Change
 from workbench.repair.trees.integers import bound_variables
 from workbench.repair.trees.letters import Occurrence, has_readable_sup, occurrences

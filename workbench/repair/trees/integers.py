@@ -6,11 +6,21 @@ from collections.abc import Collection, Iterator, Sequence
 from functools import cache
 from itertools import product
 
-from workbench.language.integers import Linear
-from workbench.language.latex import latex_of
-from workbench.language.parser import parse
-from workbench.language.spelling import linear_or_none, variable_name
-from workbench.language.syntax import Bracket, Chain, Group, Leaf, Node, Scripted, Sum, Summation, core
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import (
+    Bracket,
+    Chain,
+    Group,
+    Leaf,
+    Node,
+    Scripted,
+    Sum,
+    Summation,
+    core,
+)
+from workbench.language.naming.spelling import linear_or_none, variable_name
+from workbench.language.typed.integers import Linear
 from workbench.repair.trees.marks import Mark
 from workbench.repair.trees.nodes import below
 

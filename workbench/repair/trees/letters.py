@@ -6,12 +6,8 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.language.elaboration.meanings import Meaning, meaning
-from workbench.language.errors import Fault
-from workbench.language.latex import latex_of
-from workbench.language.names import Name
-from workbench.language.spelling import Scripts, linear
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import (
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
     Chain,
@@ -25,6 +21,10 @@ from workbench.language.syntax import (
     core,
     unstyled,
 )
+from workbench.language.naming.spelling import Scripts, linear
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.names import Name
 from workbench.repair.trees.marks import FONTS, Mark, letter_of, other_case
 from workbench.repair.trees.nodes import children
 

@@ -8,9 +8,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from workbench.language.latex import latex_of
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import (
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
     Group,
@@ -25,7 +24,8 @@ from workbench.language.syntax import (
     in_a_row,
     unstyled,
 )
-from workbench.language.vocabulary import written
+from workbench.language.grammar.vocabulary import written
+from workbench.language.naming.symbols import SymbolTable
 from workbench.repair.trees.nodes import below, children, exchanged
 
 _INFIXES = {sign: written("INFIX", sign) for sign in "·×⊗"}

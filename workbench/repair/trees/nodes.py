@@ -10,7 +10,7 @@ from dataclasses import fields, replace
 from functools import cache, partial
 from typing import Any
 
-from workbench.language.syntax import Node
+from workbench.language.grammar.syntax import Node
 
 
 def below(node: Node) -> Iterator[Node]:

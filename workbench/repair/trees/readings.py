@@ -14,11 +14,11 @@ from random import Random
 
 from workbench.judge.second.rings import PRIME
 from workbench.language.elaboration.statements import reading_of
-from workbench.language.errors import Fault, Misfit
-from workbench.language.latex import latex_of
-from workbench.language.spelling import linear
-from workbench.language.syntax import Chain, Fraction, Node, Styled, Sum
-from workbench.language.terms import Conjunction, IllFormed, Statement, Term
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.syntax import Chain, Fraction, Node, Styled, Sum
+from workbench.language.naming.spelling import linear
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.terms import Conjunction, IllFormed, Statement, Term
 from workbench.papers.model import Claim
 from workbench.repair.screening.choices import AddendChoices, Alternative, Marks
 from workbench.repair.screening.screen import Screen

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from workbench.language.elaboration.elaborate import Elaborator
-from workbench.language.errors import Fault, Misfit
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Node
-from workbench.language.terms import IllFormed, Term
+from workbench.language.grammar.syntax import Node
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.terms import IllFormed, Term
 
 
 class RememberingElaborator(Elaborator):

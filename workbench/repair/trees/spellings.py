@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from itertools import islice
 
 from workbench.language.elaboration.statements import clauses_of
-from workbench.language.errors import Fault
-from workbench.language.parser import parse, parses
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Lines, Node
+from workbench.language.grammar.parser import parse, parses
+from workbench.language.grammar.syntax import Lines, Node
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import Fault
 from workbench.repair.terms.search import Change
 from workbench.repair.trees.garbled import (
     Step,

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice, pairwise, product
 
-from workbench.language.latex import latex_of
-from workbench.language.names import Name
-from workbench.language.parser import parse
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, in_a_row
-from workbench.language.types import VECTOR
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, in_a_row
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.names import Name
+from workbench.language.typed.types import VECTOR
 from workbench.repair.trees.garbled import Found, changes_of, letters_of_clauses
 from workbench.repair.trees.integers import bound_variables
 from workbench.repair.trees.letters import Occurrence, meaning_of, other_letters

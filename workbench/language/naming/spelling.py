@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from workbench.language.errors import Fault
-from workbench.language.integers import Linear
-from workbench.language.names import SCRIPTS, Name
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
     Group,
@@ -21,7 +18,10 @@ from workbench.language.syntax import (
     Sum,
     core,
 )
-from workbench.language.vocabulary import CLOSING, written
+from workbench.language.grammar.vocabulary import CLOSING, written
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import SCRIPTS, Name
 
 #: Indices, orders and exponents beyond this are refused.
 LARGEST_INTEGER = 1000

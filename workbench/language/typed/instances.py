@@ -8,7 +8,7 @@ from itertools import combinations
 from math import comb, factorial
 from typing import overload
 
-from workbench.language.construct import (
+from workbench.language.typed.construct import (
     apply,
     big_sum,
     counting,
@@ -22,8 +22,8 @@ from workbench.language.construct import (
     symbol,
     zero,
 )
-from workbench.language.integers import Linear, as_linear
-from workbench.language.terms import (
+from workbench.language.typed.integers import Linear, as_linear
+from workbench.language.typed.terms import (
     BigSum,
     Conjunction,
     Counting,

@@ -8,9 +8,9 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Protocol
 
-from workbench.language.notations import Notation
-from workbench.language.terms import Term
-from workbench.language.texts import ATOM, FACTOR, INFIX, PRODUCT, SUM, Text
+from workbench.language.naming.notations import Notation
+from workbench.language.printing.texts import ATOM, FACTOR, INFIX, PRODUCT, SUM, Text
+from workbench.language.typed.terms import Term
 
 
 class Author(Protocol):

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from workbench.language.integers import Linear
+from workbench.language.typed.integers import Linear
 
 #: A script: the texts around its index places, ("", ",", "") for two indices and ("rel",) for none; () is no
 #: script.

@@ -11,9 +11,7 @@ from lark import Lark, Token, Transformer
 from lark.exceptions import UnexpectedInput
 from lark.lexer import Lexer
 
-from workbench.language.errors import Fault
-from workbench.language.operators import FUNCTIONS
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Accented,
     Binomial,
     Bracket,
@@ -36,7 +34,9 @@ from workbench.language.syntax import (
     core,
     in_a_row,
 )
-from workbench.language.tokens import tokenize
+from workbench.language.grammar.tokens import tokenize
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.operators import FUNCTIONS
 
 
 class _Builder(Transformer):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.language.terms import IllFormed
+from workbench.language.typed.terms import IllFormed
 
 #: The messages of formulas that only say what their symbols are declared to be, and of expressions.
 SAYS_NOTHING = "the formula says nothing"

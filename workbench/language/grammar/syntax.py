@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from workbench.language.operators import FUNCTIONS
+from workbench.language.typed.operators import FUNCTIONS
 
 
 @dataclass(frozen=True, slots=True)

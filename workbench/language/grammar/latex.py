@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from workbench.language.operators import command_of
-from workbench.language.syntax import (
+from workbench.language.grammar.syntax import (
     Accented,
     Binomial,
     Bracket,
@@ -29,7 +28,8 @@ from workbench.language.syntax import (
     Summation,
     core,
 )
-from workbench.language.vocabulary import CLOSING, written
+from workbench.language.grammar.vocabulary import CLOSING, written
+from workbench.language.typed.operators import command_of
 
 BESIDE = ", \\quad "
 AND = " \\text{ and } "

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from workbench.language.integers import Linear
-from workbench.language.names import Name
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import Name
 
 Kind = Literal["scalar", "vector", "covector", "tensor", "matrix", "operator", "quaternion"]
 

@@ -5,23 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-from workbench.language.errors import Fault, SpecError
-from workbench.language.integers import Linear
-from workbench.language.names import PREFIXES, Name
-from workbench.language.parser import parse
-from workbench.language.spelling import (
-    INDEX_LETTERS,
-    TRANSPOSES,
-    Named,
-    Scripts,
-    Spelling,
-    bracketed,
-    in_bracket,
-    linear,
-    prefixed,
-    spell,
-)
-from workbench.language.syntax import (
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import (
     Accented,
     Chain,
     Group,
@@ -33,7 +18,22 @@ from workbench.language.syntax import (
     core,
     unstyled,
 )
-from workbench.language.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
+from workbench.language.naming.spelling import (
+    INDEX_LETTERS,
+    TRANSPOSES,
+    Named,
+    Scripts,
+    Spelling,
+    bracketed,
+    in_bracket,
+    linear,
+    prefixed,
+    spell,
+)
+from workbench.language.typed.errors import Fault, SpecError
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import PREFIXES, Name
+from workbench.language.typed.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
 _FLAGS = (
     "constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal", "small", "free",

@@ -9,8 +9,8 @@ from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
-from workbench.language.construct import symbol
-from workbench.language.declarations import (
+from workbench.language.grammar.parser import parse
+from workbench.language.naming.declarations import (
     UNIT,
     aliases,
     arguments_of,
@@ -20,14 +20,14 @@ from workbench.language.declarations import (
     refuse_builtin,
     refuse_operation,
 )
-from workbench.language.errors import SpecError
-from workbench.language.integers import Linear
-from workbench.language.names import PREFIXES, Name
-from workbench.language.notations import Notation, Notations
-from workbench.language.parser import parse
-from workbench.language.spelling import Named, Spelling
-from workbench.language.terms import IllFormed, Symbol, Term
-from workbench.language.types import CLOCK, Declaration, Type
+from workbench.language.naming.notations import Notation, Notations
+from workbench.language.naming.spelling import Named, Spelling
+from workbench.language.typed.construct import symbol
+from workbench.language.typed.errors import SpecError
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.names import PREFIXES, Name
+from workbench.language.typed.terms import IllFormed, Symbol, Term
+from workbench.language.typed.types import CLOCK, Declaration, Type
 
 _PREFIXES = frozenset((prefix,) for prefix in PREFIXES)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from workbench.language.integers import Linear
-from workbench.language.shapes import filling, shaped, stretched
-from workbench.language.terms import Block, Identity, IllFormed, Term, Zero
-from workbench.language.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.shapes import filling, shaped, stretched
+from workbench.language.typed.terms import Block, Identity, IllFormed, Term, Zero
+from workbench.language.typed.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
 Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from typing import Literal, dataclass_transform
 
-from workbench.language.integers import Linear
-from workbench.language.types import Declaration, Type, Weight
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.types import Declaration, Type, Weight
 
 
 class IllFormed(ValueError):

@@ -9,10 +9,8 @@ from typing import NamedTuple
 
 from lark import Token
 
-from workbench.language.context import join_lines, marked
-from workbench.language.errors import Fault
-from workbench.language.operators import FUNCTIONS
-from workbench.language.vocabulary import (
+from workbench.language.grammar.context import join_lines, marked
+from workbench.language.grammar.vocabulary import (
     BRACKETS,
     CHARACTERS,
     COMMANDS,
@@ -28,6 +26,8 @@ from workbench.language.vocabulary import (
     UPRIGHT_NAMES,
     WORDS,
 )
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.operators import FUNCTIONS
 
 _OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
 

@@ -9,9 +9,16 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from workbench.language import signatures
-from workbench.language.signatures import Signature, function, of_square, times, total_weight, weightless
-from workbench.language.types import QUATERNION, SCALAR, TENSOR, VECTOR
+from workbench.language.typed import signatures
+from workbench.language.typed.signatures import (
+    Signature,
+    function,
+    of_square,
+    times,
+    total_weight,
+    weightless,
+)
+from workbench.language.typed.types import QUATERNION, SCALAR, TENSOR, VECTOR
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,15 +8,22 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import TypeVar
 
-from workbench.language import construct
-from workbench.language.errors import Fault, Misfit
-from workbench.language.integers import Linear
-from workbench.language.notations import is_shape
-from workbench.language.spelling import Named, bracketed, in_bracket, linear, linear_or_none, spell_label
-from workbench.language.symbols import SymbolTable
-from workbench.language.syntax import Accented, Bracket, Group, Leaf, Node, Product, Scripted, Sum
-from workbench.language.terms import Apply, IllFormed, Power, Symbol, Term, Zero, is_rate
-from workbench.language.types import VECTOR, type_of_kind
+from workbench.language.grammar.syntax import Accented, Bracket, Group, Leaf, Node, Product, Scripted, Sum
+from workbench.language.naming.notations import is_shape
+from workbench.language.naming.spelling import (
+    Named,
+    bracketed,
+    in_bracket,
+    linear,
+    linear_or_none,
+    spell_label,
+)
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed import construct
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Apply, IllFormed, Power, Symbol, Term, Zero, is_rate
+from workbench.language.typed.types import VECTOR, type_of_kind
 
 Result = TypeVar("Result")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lark import Token
 
-from workbench.language.vocabulary import ENDS_A_FACTOR, ORIENTATIONS, goes_on
+from workbench.language.grammar.vocabulary import ENDS_A_FACTOR, ORIENTATIONS, goes_on
 
 _OPENS = frozenset({"OPEN", "LBRACE", "BEGIN_MATRIX", "BEGIN_LINES"})
 _CLOSES = frozenset({"CLOSE", "RBRACE", "END_MATRIX", "END_LINES"})

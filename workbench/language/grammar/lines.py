@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from workbench.language.context import join_lines
-from workbench.language.errors import place
-from workbench.language.tokens import Tokenizer
+from workbench.language.grammar.context import join_lines
+from workbench.language.grammar.tokens import Tokenizer
+from workbench.language.typed.errors import place
 
 _LEFT_BRACE = re.compile(r"\s*(?:\\left\s*\\\{\s*)?")
 _RIGHT_NOTHING = re.compile(r"\s*\\right\s*\.")

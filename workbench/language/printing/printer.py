@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import re
 
-from workbench.language import authors, latex
-from workbench.language.construct import integer
-from workbench.language.integers import Linear
-from workbench.language.operators import GRADIENTS, OPERATORS, PARTIALS, command_of
-from workbench.language.shapes import multiple
-from workbench.language.symbols import may_be_label
-from workbench.language.terms import (
+from workbench.language.grammar import latex
+from workbench.language.grammar.vocabulary import written
+from workbench.language.naming.symbols import may_be_label
+from workbench.language.printing import authors
+from workbench.language.printing.texts import ATOM, FACTOR, INFIX, PRODUCT, SUM, Text, bracket, square
+from workbench.language.typed.construct import integer
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.operators import GRADIENTS, OPERATORS, PARTIALS, command_of
+from workbench.language.typed.shapes import multiple
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Block,
@@ -34,8 +37,6 @@ from workbench.language.terms import (
     Zero,
     is_accented_symbol,
 )
-from workbench.language.texts import ATOM, FACTOR, INFIX, PRODUCT, SUM, Text, bracket, square
-from workbench.language.vocabulary import written
 
 _ZEROS = {"scalar": "0", "vector": "\\mathbf{0}", "tensor": "\\mathbf{0}_{3 \\times 3}"}
 _ZEROS["covector"] = "\\mathbf{0}_{1 \\times 3}"

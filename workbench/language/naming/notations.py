@@ -7,11 +7,9 @@ from dataclasses import dataclass, fields, replace
 from functools import cache, cached_property
 from typing import Any, Literal
 
-from workbench.language.construct import zero
-from workbench.language.errors import Fault, SpecError
-from workbench.language.latex import latex_of
-from workbench.language.parser import parse
-from workbench.language.syntax import (
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import (
     Bracket,
     Chain,
     Conditional,
@@ -27,8 +25,10 @@ from workbench.language.syntax import (
     core,
     is_own_word,
 )
-from workbench.language.terms import Term, Zero
-from workbench.language.types import KINDS, type_of_kind
+from workbench.language.typed.construct import zero
+from workbench.language.typed.errors import Fault, SpecError
+from workbench.language.typed.terms import Term, Zero
+from workbench.language.typed.types import KINDS, type_of_kind
 
 #: alone in a bracket or under an accent, with a mark of its own, or beside others.
 Place = Literal["alone", "marked", "beside"]

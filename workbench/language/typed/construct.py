@@ -6,11 +6,19 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Literal
 
-from workbench.language.integers import Linear, as_linear
-from workbench.language.operators import OPERATORS
-from workbench.language.shapes import filling, fitted, layout, multiple, scalar_and_vector, shaped, with_units
-from workbench.language.signatures import agree
-from workbench.language.terms import (
+from workbench.language.typed.integers import Linear, as_linear
+from workbench.language.typed.operators import OPERATORS
+from workbench.language.typed.shapes import (
+    filling,
+    fitted,
+    layout,
+    multiple,
+    scalar_and_vector,
+    shaped,
+    with_units,
+)
+from workbench.language.typed.signatures import agree
+from workbench.language.typed.terms import (
     Apply,
     BigSum,
     Block,
@@ -28,7 +36,7 @@ from workbench.language.terms import (
     TimeOperator,
     Zero,
 )
-from workbench.language.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type, Weight
+from workbench.language.typed.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type, Weight
 
 
 def number(value: int | Fraction) -> Number:

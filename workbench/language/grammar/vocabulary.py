@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.language.operators import TEX_FUNCTIONS
+from workbench.language.typed.operators import TEX_FUNCTIONS
 
 _LETTERS = """
     alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from workbench.language.terms import Apply, Block, Identity, IllFormed, Number, Term, Zero
-from workbench.language.types import SCALAR, TENSOR, VECTOR, Type
+from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Number, Term, Zero
+from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Type
 
 
 def multiple(term: Term) -> Literal["zero", "identity"] | None:

@@ -1,0 +1,1 @@
+"""Terms back to LaTeX: canonically, or in the author's own spelling."""

@@ -67,3 +67,20 @@ def test_a_column_of_them_says_all_that_it_is_made_of() -> None:
 def test_braces_around_the_bracket_change_nothing() -> None:
     for x in LETTERS:
         assert read(f"f{{({x})}} = v", TABLE) == read(f"f({x}) = v", TABLE)
+
+
+@pytest.mark.parametrize("symbol", ["s", "v", "B", "B^T", "B^{-1}", r"\dot{B}", "s^2"])
+@pytest.mark.parametrize("inside", ["r", "r, w", "r, w, r", "v, w, v", "r + w, r, w", "-r, w, r", "w - r"])
+def test_a_symbol_before_a_bracket_may_be_a_function_of_what_is_in_it(symbol: str, inside: str) -> None:
+    """B(φ, θ, ψ) is no product with a column, and B(v, w, v) none with a triple product; square ones are."""
+    kinds = {"r": "scalar", "w": "scalar", "s": "scalar", "v": "vector", "B": "tensor"}
+    kinds |= {"w": "vector"} if inside == "v, w, v" else {}
+    table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})
+    is_product = inside == "w - r" and symbol not in ("B", r"\dot{B}")  # as in x = v (t_2 - t_1)
+    if is_product:
+        assert read(rf"{symbol}({inside}) = {symbol} w - {symbol} r", table)
+    else:
+        with pytest.raises(ReadError, match="a function of what is in the bracket, or a product"):
+            read(f"{symbol}({inside}) = {symbol}", table)
+    if inside == "w - r":
+        assert read(rf"{symbol} [{inside}] = {symbol} w - {symbol} r", table)

@@ -113,10 +113,10 @@ def _family(
         scope = _scope(judge, [statement], {}, statement, orders)
         return verdict if scope is None else replace(verdict, scope=scope or None)
     general = _for_all(judge, statement, assume, hypothesis, orders)
-    # where the range is a check of the argument for all n, or proves nothing, one engine is enough there
-    is_proof = general is None and not orders.endless and not orders.generic
-    is_needed = is_proof or (general is not None and general.outcome != Outcome.PROVED)
-    light = judge if is_needed else replace(judge, second_engine=False)
+    proves_nothing = orders.endless or orders.generic
+    if general is not None:
+        proves_nothing = general.outcome == Outcome.PROVED
+    light = replace(judge, second_engine=False) if proves_nothing else judge
     instances = _instances(light, statement, assume, hypothesis, orders)
     if general is None:
         return instances

@@ -10,7 +10,20 @@ from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Spelling
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Derivative, Symbol, Term, TimeOperator, is_accented_symbol
+from workbench.language.typed.terms import (
+    Apply,
+    Derivative,
+    Power,
+    Symbol,
+    Term,
+    TimeOperator,
+    is_accented_symbol,
+)
+
+_OR_A_PRODUCT = (
+    "a function of what is in the bracket, or a product?"
+    " [conventions] arguments says the former, square brackets the latter"
+)
 
 
 def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
@@ -30,6 +43,8 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
         if only_says:
             _take_place(scope, bracket, term)
+        elif is_accented_symbol(_without_sup(term)) and not _has_tensor(scope, bracket):
+            raise Fault(_OR_A_PRODUCT, bracket.at)
         return only_says
     if not bracket.parts:
         return False
@@ -43,12 +58,23 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         return only_says
     if scope.is_time(part):
         return True
-    lone = is_accented_symbol(term) and isinstance(part, Leaf | Styled | Accented | Scripted)
-    if lone and "scalar" in (term.type.kind, scope.term(part).type.kind):
-        raise Fault(
-            "a function of what is in the bracket, or a product? a product needs no bracket", bracket.at
-        )
+    is_name = isinstance(part, Leaf | Styled | Accented | Scripted)
+    if is_accented_symbol(_without_sup(term) if is_name else term) and (is_name or term.type.is_square):
+        kinds = (term.type.kind, scope.term(part).type.kind)
+        if "scalar" in kinds and (is_name or kinds[0] != "scalar"):
+            raise Fault(_OR_A_PRODUCT, bracket.at)
     return False
+
+
+def _without_sup(term: Term) -> Term:
+    """R of R^T and f of f²."""
+    is_raised = isinstance(term, Power) or (isinstance(term, Apply) and len(term.children) == 1)
+    return term.children[0] if is_raised else term
+
+
+def _has_tensor(scope: Scope, pair: Bracket) -> bool:
+    """Whether it is a row of blocks such as (a, T)."""
+    return any(scope.term(part).type.kind == "tensor" for part in pair.parts)
 
 
 def _is_no_place(scope: Scope, bracket: Bracket, function: Symbol) -> bool:

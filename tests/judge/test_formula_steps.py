@@ -72,7 +72,7 @@ def test_every_order_of_a_family_is_checked():
 @pytest.mark.parametrize(
     ("formula", "error"),
     [
-        (r"a b = 0", IllFormedAt),
+        (r"a \Phi_1 = 0", IllFormedAt),
         (r"a + c = 0", ReadError),
         (r"a \neq b", ValueError),
         (r"a = 0 \Rightarrow b = 0", ValueError),

@@ -4,7 +4,7 @@ import pytest
 
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.typed.errors import IllFormedAt
+from workbench.language.typed.errors import ReadError
 
 TABLE = SymbolTable.build({"A": {"kind": "tensor"}, "B": {"kind": "tensor"}, "a": {"kind": "vector"}})
 
@@ -22,5 +22,5 @@ def test_a_vector_behind_the_dot_is_multiplied_by_the_vector():
 
 
 def test_brackets_end_its_reach():
-    with pytest.raises(IllFormedAt):
+    with pytest.raises(ReadError, match="dyads"):
         read_term(r"\text{vect} (A) \cdot B", TABLE)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from typing import TypeVar
@@ -42,7 +43,8 @@ def read_formula(
     between commas holds together, and nothing in it is a condition of the rest."""
     names = frozenset(integers)
     read = [
-        _placed(text, lambda lines: reading_of(lines, table, names, as_condition)) for text in _signs(latex)
+        _placed(text, table, lambda lines, table: reading_of(lines, table, names, as_condition))
+        for text in _signs(latex)
     ]
     return replace(read[0], statements=tuple(said for each in read for said in each.statements))
 
@@ -62,7 +64,7 @@ def _sign(above: bool, match: re.Match[str]) -> str:
 def read_term(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> Term:
     """The term of an expression without relations. Raises as `read`."""
     names = frozenset(integers)
-    return _placed(latex, lambda lines: term_of(lines, table, names))
+    return _placed(latex, table, lambda lines, table: term_of(lines, table, names))
 
 
 def meaning_of(node: Node, table: SymbolTable) -> Term | None:
@@ -83,20 +85,39 @@ def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterab
     try:
         read_term(latex, table, integers)
     except ReadError:
-        if not _placed(latex, names_a_set):
+        if not _placed(latex, table, lambda lines, table: names_a_set(lines)):
             raise
     return "an expression, which claims nothing"
 
 
-def _placed(latex: str, make: Callable[[Lines], Result]) -> Result:
+#: What is asked where nothing fits unless it is read so.
+_LOOSELY = {
+    "dyads": 'vectors beside each other, x · T: \\cdot, or dyads? [conventions] products = "dyads" says so',
+    "unit": 'is the number beside tensors one of unit tensors? [conventions] one = "unit" says so',
+}
+
+
+def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable], Result]) -> Result:
     try:
-        return make(parse(latex))
+        return make(parse(latex), table)
     except Fault as fault:
         raise ReadError(_short(str(fault)), *place(latex, fault.at)) from None
     except Misfit as misfit:
-        raise IllFormedAt(misfit.fault, *place(latex, misfit.at)) from None
+        at = place(latex, misfit.at)
+        if (question := _question(lambda loose: make(parse(latex), loose), table)) is not None:
+            raise ReadError(question, *at) from None
+        raise IllFormedAt(misfit.fault, *at) from None
     except RecursionError:
         raise ReadError("its notation leads back to itself, or nests too deep", 1, 1) from None
+
+
+def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> str | None:
+    """What to ask of a formula that does not fit together as read, but does where it is read loosely."""
+    for several in (("dyads",), ("unit",), ("dyads", "unit")):
+        with suppress(Fault, Misfit):
+            make(replace(table, loose=table.loose.union(several)))
+            return "; ".join(_LOOSELY[each] for each in several if each not in table.loose)
+    return None
 
 
 def _short(message: str) -> str:

@@ -20,9 +20,15 @@ from workbench.papers.ties import ties
 from workbench.papers.toml.toml_file import TomlFile
 
 HAMILTON = "hamilton, scalar first"
-#: What a transform makes of a point: the column of four, or the vector of its first three.
-POINTS = ("homogeneous", "vectors")
-GRADIENTS = ("row", "column")
+#: What each convention may be. points: what a transform makes of one, the column of four or the vector of its
+#: first three; products: vectors beside each other; one: a number beside tensors.
+CONVENTIONS = {
+    "quaternion": (HAMILTON,),
+    "gradient": ("row", "column"),
+    "points": ("homogeneous", "vectors"),
+    "products": ("dyads",),
+    "one": ("unit",),
+}
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
 
@@ -33,9 +39,10 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     table = replace(
         _table(files, scopes),
         arguments=_arguments(files),
-        gradient=_gradient(files),
-        directions=frozenset() if any(f.text(("conventions", "points")) for f in files) else None,
-        keeps_points=any(f.text(("conventions", "points")) == POINTS[1] for f in files),
+        gradient=_convention(files, "gradient"),
+        directions=frozenset() if _convention(files, "points") else None,
+        keeps_points=_convention(files, "points") == "vectors",
+        loose=frozenset(found for key in ("products", "one") if (found := _convention(files, key))),
         bare_functions=frozenset(n for file in files for n in file.texts(("conventions", "functions"))),
     )
     table = _spellings(files, table)
@@ -127,19 +134,11 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable
 
 def _says_hamilton(file: TomlFile) -> bool:
     for key in file.value(("conventions",), dict, {}):
-        if key in ("arguments", "functions"):
+        if key in ("arguments", "functions") or file.text(("conventions", key)) in CONVENTIONS.get(key, ()):
             continue
-        if key == "gradient" and file.text(("conventions", key)) in GRADIENTS:
-            continue
-        if key == "points" and file.text(("conventions", key)) in POINTS:
-            continue
-        if key != "quaternion" or file.text(("conventions", key)) != HAMILTON:
-            message = (
-                f'conventions: expected quaternion = "{HAMILTON}", gradient = "row" or "column", '
-                f'points = "{POINTS[0]}" or "{POINTS[1]}", '
-                "arguments = […] or functions = […]"
-            )
-            raise file.error_at_key(("conventions", key), message)
+        known = (f"{name} = " + " or ".join(f'"{each}"' for each in may) for name, may in CONVENTIONS.items())
+        message = f"conventions: expected {', '.join(known)}, arguments = […] or functions = […]"
+        raise file.error_at_key(("conventions", key), message)
     return "quaternion" in file.value(("conventions",), dict, {})
 
 
@@ -168,9 +167,9 @@ def _words(files: Sequence[TomlFile]) -> frozenset[str]:
     return frozenset(found)
 
 
-def _gradient(files: Sequence[TomlFile]) -> str | None:
-    """Whether the derivative of a scalar by a vector is a row or a column."""
-    found = [text for file in files if (text := file.text(("conventions", "gradient"))) is not None]
+def _convention(files: Sequence[TomlFile], key: str) -> str | None:
+    """What the files say of it, the last one first."""
+    found = [text for file in files if (text := file.text(("conventions", key))) is not None]
     return found[-1] if found else None
 
 

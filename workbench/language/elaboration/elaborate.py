@@ -35,7 +35,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.signatures import agree
-from workbench.language.typed.terms import IllFormed, Integer, Number, Term, Zero
+from workbench.language.typed.terms import Apply, IllFormed, Integer, Number, Term, Zero
 
 _LONGEST_NUMBER = 100
 
@@ -128,16 +128,25 @@ class Elaborator(Scope):
         try:
             if self.table.has_quaternions and {a.type.kind for a in addends} == {"scalar", "vector"}:
                 return _parts_of_quaternion(addends)
-            return construct.apply("add", *addends)
+            return construct.apply("add", *self.with_units(addends))
         except IllFormed as fault:
             raise Misfit(fault, places[_first_that_differs(addends)]) from None
+
+    def with_units(self, terms: Sequence[Term]) -> Sequence[Term]:
+        """The terms; in a paper that says so, the numbers beside tensors are multiples of the unit tensor."""
+        if "unit" not in self.table.loose or not any(term.type.kind == "tensor" for term in terms):
+            return terms
+        return [_times_unit(term) for term in terms]
 
     def bracket(self, node: Bracket) -> Term:
         if node.kind == "[" and len(node.parts) == 1 and isinstance(row := core(node.parts[0]), Product):
             refuse_row_of_vectors(self, row)
         terms = [self.term(part) for part in node.parts]
         if node.kind in ("|", "\\|") and len(terms) == 1:
-            is_determinant = node.kind == "|" and terms[0].type.is_square and terms[0].type.rows > 1
+            is_tensor = terms[0].type.is_square and terms[0].type.rows > 1
+            is_determinant = node.kind == "|" and is_tensor
+            if is_tensor and not is_determinant:
+                raise Fault("which norm of a tensor? \\|T\\|_F is read", node.at)
             return self.apply(node.at, "det" if is_determinant else "norm", terms[0])
         if len(terms) == 1 and node.kind not in ("\\langle", "\\lfloor"):
             return terms[0]
@@ -151,6 +160,20 @@ class Elaborator(Scope):
             return self.build(node.at, construct.block, [terms])  # (a_n, Φ_n): beside each other
         message = "a triple product has three, in round brackets; a pair (a, T) two of different kinds"
         raise Fault(f"{len(terms)} expressions between brackets; {message}", node.at)
+
+
+def _times_unit(term: Term) -> Term:
+    """n I of a number n, and of its negative."""
+    match term:
+        case Apply(head="neg", arguments=(Number() | Integer() as inner,)):
+            return construct.apply("neg", _times_unit(inner))
+        case Number() | Integer():
+            return (
+                construct.apply("mul", term, construct.identity())
+                if term.value != 1
+                else construct.identity()
+            )
+    return term
 
 
 def _are_beside(one: Term, other: Term) -> bool:

@@ -31,12 +31,26 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
         head = _beside_quaternion(sign, result, operand) or head
         heads.add(head)
         factors = [o for o in operands if o.type.kind != "scalar"]
-        if heads & {"dot", "cross", "outer"} and len(factors) > 2:
+        is_row = "dyads" in scope.table.loose and all(o.type.kind == "tensor" for o in factors[1:-1])
+        if heads & ({"cross", "outer"} if is_row else {"dot", "cross", "outer"}) and len(factors) > 2:
             raise Fault("several products without brackets are ambiguous", signs[-1].at)
-        if head == "cross" and (result.type.kind, operand.type.kind) == ("vector", "tensor"):
-            head, result = "mul", scope.apply(sign.at, "skew", result)  # a × T takes each column
-        result = scope.apply(sign.at, head, result, operand)
+        result = _of_tensors(scope, sign.at, head, result, operand)
     return result
+
+
+def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Term:
+    """a × T takes each column; in a paper of dyads, T × a takes each row, and a · T is Tᵀ a."""
+    kinds = (left.type.kind, right.type.kind)
+    has_dyads = "dyads" in scope.table.loose
+    if head == "cross" and kinds == ("vector", "tensor"):
+        return scope.apply(at, "mul", scope.apply(at, "skew", left), right)
+    if head == "cross" and kinds == ("tensor", "vector") and has_dyads:
+        return scope.apply(at, "mul", left, scope.apply(at, "skew", right))
+    if head == "mul" and kinds == ("vector", "tensor") and has_dyads:
+        return scope.apply(at, "mul", scope.apply(at, "transpose", right), left)
+    if head == "outer" and (left.type.is_square or right.type.is_square) and "scalar" not in kinds:
+        raise Fault(f"⊗ of a {left.type} and a {right.type}: of vectors it is the dyad", at)
+    return scope.apply(at, head, left, right)
 
 
 def _own_sign(scope: Scope, sign: Infix, left: Term, right: Term) -> Term:

@@ -279,7 +279,7 @@ def _chain(reader: Elaborator, chain: Chain) -> Statement:
     if any(map(is_extremal, chain.sides)):
         return _together(extrema(reader, chain))
     reader.tensor_operand = None
-    terms = [reader.term(side) for side in chain.sides]
+    terms = reader.with_units([reader.term(side) for side in chain.sides])
     if any(term.type == type_of_kind("matrix 4×1") for term in terms):
         terms = [reader.as_point(term, side.at) for term, side in zip(terms, chain.sides, strict=True)]
     _refuse_applied(reader, terms)

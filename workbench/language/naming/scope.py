@@ -140,6 +140,8 @@ class Scope(ABC):
     def apply(self, at: int, head: str, *arguments: Term) -> Term:
         if head == "mul":
             self._refuse_pure(at, *arguments)
+            if "dyads" in self.table.loose and {each.type.kind for each in arguments} == {"vector"}:
+                head = "outer"
         if head == "mul" and arguments[0].type == type_of_kind("transform"):
             column = self.as_point(arguments[1], at)
             if self.table.keeps_points and column is not arguments[1]:

@@ -67,6 +67,8 @@ class SymbolTable:
     directions: frozenset[Name] | None = None
     #: whether T p of a point p is the moved point itself, R p + t
     keeps_points: bool = False
+    #: what is read loosely: "dyads", where x y is x ⊗ y and x · T is Tᵀ x; "unit", where 1 may be that tensor
+    loose: frozenset[str] = frozenset()
     #: whether what it says of an unknown symbol names those that are close
     names_close: bool = True
 

@@ -1,0 +1,89 @@
+"""What some papers write loosely: dyads, x · T, and 1 for the unit tensor. It is read where the paper says so; where
+it does not, and nothing else fits, it is asked about."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
+from workbench.language.reader import read
+from workbench.language.typed.errors import IllFormedAt, ReadError
+
+KINDS = dict.fromkeys("abcd", "vector") | dict.fromkeys("STR", "tensor") | {"s": "scalar"}
+TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()})
+
+#: As papers of dyads write it, and the same in matrices.
+DYADS = [
+    (r"S = a b", r"S = a \otimes b"),
+    (r"S = a b + s c d - T", r"S = a \otimes b + s c \otimes d - T"),
+    (r"a \cdot b c = d", r"(b \otimes c)^T a = d"),
+    (r"d = a b \cdot c", r"d = (a \otimes b) c"),
+    (r"a \cdot T = b", r"T^T a = b"),
+    (r"a \cdot T \cdot b = s", r"(T^T a) \cdot b = s"),
+    (r"T \times a = S", r"T \tilde{a} = S"),
+    (r"a \times T = b c \times d", r"\tilde{a} T = (b \otimes c) \tilde{d}"),
+    (r"a b \cdot c d = S", r"(a \otimes b) (c \otimes d) = S"),
+]
+ONES = [
+    ("T = 1", r"T = \mathbf{I}"),
+    ("R R^T = 1", r"R R^T = \mathbf{I}"),
+    ("T = 1 + S", r"T = \mathbf{I} + S"),
+    ("T - 2 = S", r"T - 2 \mathbf{I} = S"),
+]
+BOTH = [(r"1 - a b = T", r"\mathbf{I} - a \otimes b = T")]
+NEITHER = [
+    "s = a b",
+    "T = s",
+    "a + s = b",
+    "a = 1",
+    "T = a + 1",
+    r"\det a = 0",
+    "T + s = S",
+    "T a = S",
+]
+LOOSE = [
+    *((written, means, {"dyads"}) for written, means in DYADS),
+    *((written, means, {"unit"}) for written, means in ONES),
+    *((written, means, {"dyads", "unit"}) for written, means in BOTH),
+]
+
+
+def loosely(several: set[str]) -> SymbolTable:
+    return replace(TABLE, loose=frozenset(several))
+
+
+@pytest.mark.parametrize(("written", "means", "several"), LOOSE)
+def test_it_is_read_where_the_paper_says_so(written: str, means: str, several: set[str]) -> None:
+    assert to_latex(read(written, loosely(several))[0]) == to_latex(read(means, TABLE)[0])
+
+
+@pytest.mark.parametrize(("written", "means", "several"), LOOSE)
+def test_the_rest_is_read_as_everywhere(written: str, means: str, several: set[str]) -> None:
+    (said,) = read(means, loosely(several))
+    assert (said,) == read(means, TABLE) == read(to_latex(said), loosely(several))
+
+
+@pytest.mark.parametrize(("written", "means", "several"), LOOSE)
+def test_it_is_asked_about_where_the_paper_does_not(written: str, means: str, several: set[str]) -> None:
+    for missing in several:
+        with pytest.raises(ReadError, match=missing) as caught:
+            read(written, loosely(several - {missing}))
+        assert not isinstance(caught.value, IllFormedAt)
+
+
+@pytest.mark.parametrize("formula", NEITHER)
+@pytest.mark.parametrize("several", [set(), {"dyads"}, {"unit"}, {"dyads", "unit"}])
+def test_what_fits_in_no_reading_is_ill_formed(formula: str, several: set[str]) -> None:
+    with pytest.raises(IllFormedAt):
+        read(formula, loosely(several))
+
+
+@pytest.mark.parametrize(
+    "formula", [r"a \cdot b \cdot c = d", r"T \cdot a \cdot b = s", r"a \cdot b \times c = s"]
+)
+def test_what_is_ambiguous_among_dyads_is_refused(formula: str) -> None:
+    with pytest.raises(ReadError, match="ambiguous"):
+        read(formula, loosely({"dyads"}))

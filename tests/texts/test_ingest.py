@@ -53,6 +53,8 @@ TABLES = [
     (r"A homogeneous matrix $T$, $V \in \mathbb{R}^6$: $$ [V] = T^{-1} \dot{T} $$ $$ V = \begin{bmatrix} \boldsymbol{\omega} \\ \mathbf{v} \end{bmatrix} $$", {"notation"}),
     (r"$$ \Gamma(R, S_d) = s \operatorname{tr}(R) $$", {"conventions"}),
     (r"$$ \mathbf{E}(\boldsymbol{\chi}) \mathbf{a} = \mathbf{b}(\boldsymbol{\chi}) $$", {"conventions"}),
+    (r"The rotation $R \in SO(3)$: $$ R^T R = 1 $$", {"conventions"}),
+    (r"The dyad of $\mathbf{a}$ and $\mathbf{b}$, and a tensor $T$: $$ T = \mathbf{a} \mathbf{b} $$", {"conventions"}),
     (r"$$ x = arccos(s) $$ $$ s = cos \frac{x}{2} $$", {"conventions"}),
     ("A quaternion, two quaternions, more quaternions. $$ q = [s, v] $$ $$ q^* q = [s^2 + v^T v, 0] $$", {"conventions", "notation"}),
 ]  # fmt: skip

@@ -72,6 +72,11 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
     gradient = '"row"' if _TRANSPOSED_SLOPE.search(together) else '"column"'
     question = "How does the derivative of a scalar by a column stand, as a row or a column?"
     yield _conventions("gradient", gradient, "a partial derivative", question, re.compile(r"\\partial"))
+    if "dyad" in prose.lower():
+        question = "Are vectors beside each other dyads?"
+        yield _conventions("products", '"dyads"', 'the text says "dyad"', question, re.compile(""))
+    ones = re.compile(r"(?<![\d.])1(?![\d.])")
+    yield _conventions("one", '"unit"', "a number beside tensors", "Is 1 the unit tensor?", ones)
     yield from frames(together)
     question = r"Is \hat{x} the skew tensor of x?"
     hat = _notation(

@@ -36,6 +36,8 @@ SAME = [
     (r"\|a\|_2^2", r"\|a\|^2"),
     (r"\left|a + b\right|_2", r"\|a + b\|"),
     (r"-a^2", r"-(a^2)"),
+    (r"(a^T T b)^T", r"a^T T b"),
+    (r"\operatorname{tr}(a^T b)", r"a^T b"),
     (r"-\alpha^2", r"-(\alpha^2)"),
     (r"\alpha a \times b", r"(\alpha a) \times b"),
     (r"T a \cdot b", r"(T a) \cdot b"),

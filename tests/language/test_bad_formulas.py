@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from contextlib import suppress
+from dataclasses import replace
 
 import pytest
 
@@ -190,6 +191,8 @@ UNREADABLE = [
     (r"\Phi_1 \times \omega = 0", 8, "dyads?"),
     (r"\Phi_1 \otimes \omega = 0", 8, "of vectors it is the dyad"),
     (r"\|\Phi_1\| = 0", 1, "which norm of a tensor?"),
+    (r"\frac{\partial \alpha}{\partial \Phi_1} = 0", 1, "by a tensor is not read"),
+    (r"\sqrt{\Phi_1} = 0", 1, "the root of a tensor is not read"),
 ]
 
 # formula, column of the operation at fault, a part of the message
@@ -208,6 +211,7 @@ ILL_FORMED = [
     (r"\omega^3 = 0", 8, "odd power"),
     (r"\omega^{-1} = 0", 8, "inverse of a vector"),
     (r"\alpha^T = 0", 8, "transpose of a scalar"),
+    (r"\operatorname{tr} \alpha = 0", 1, "expected a"),
     (r"\det \omega = 0", 1, "expected a tensor"),
     (r"\operatorname{vect} \omega = 0", 1, "expected a tensor"),
     (r"\sin \alpha = 0", 1, "transcendental function has weight 1"),
@@ -316,3 +320,10 @@ def test_the_bound_on_brackets_is_named_where_it_is_crossed() -> None:
     with pytest.raises(ReadError, match="nested deeper than 40") as caught:
         read("(" * 41, TABLE)
     assert caught.value.column == 41
+
+
+def test_a_derivative_of_three_indices_is_not_read() -> None:
+    for gradient in ("row", "column"):
+        with pytest.raises(ReadError, match="more than two indices") as caught:
+            read(r"\frac{\partial \Phi_1}{\partial \omega} = 0", replace(TABLE, gradient=gradient))
+        assert not isinstance(caught.value, IllFormedAt)

@@ -22,7 +22,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Apply, IllFormed, Power, Symbol, Term, Zero, is_rate
+from workbench.language.typed.terms import Apply, IllFormed, Power, Symbol, Term, Unread, Zero, is_rate
 from workbench.language.typed.types import VECTOR, type_of_kind
 
 Result = TypeVar("Result")
@@ -82,7 +82,7 @@ class Scope(ABC):
             if body.type.kind == "vector" and self.table.frames:
                 raise Fault("the partial derivative of a vector, seen from which frame?", at)
             return self.apply(at, head, body, by)
-        if self.table.gradient is None:
+        if self.table.gradient is None and by.type.is_column:
             raise Fault('rows or columns? [conventions] gradient = "row" or "column" says it', at)
         slope = self.apply(at, head, body, by)
         is_column = self.table.gradient == "column" and body.type.kind == "scalar"
@@ -134,6 +134,8 @@ class Scope(ABC):
         """make(*arguments), with the place `at` put on what does not fit."""
         try:
             return make(*arguments)
+        except Unread as fault:
+            raise Fault(str(fault), at) from None
         except IllFormed as fault:
             raise Misfit(fault, at) from None
 

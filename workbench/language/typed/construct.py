@@ -162,6 +162,9 @@ def apply(head: str, *arguments: Term) -> Term:
     if head == "mul" and not any(filling(a) == "zero" or a.type.kind == "scalar" for a in arguments):
         is_product = any(a.type.kind == "quaternion" for a in arguments)
         arguments = _as_quaternions(arguments) if is_product else arguments
+    is_made = arguments[0].type.kind == "scalar" and not isinstance(arguments[0], Symbol)
+    if is_made and head in ("transpose", "trace"):
+        return arguments[0]  # (x^T A y)^T, and tr(x^T y)
     if head == "adjugate" and arguments[0].type.kind == "quaternion":
         head = "conjugate"  # both are written with a star
     if head == "mul" and arguments[1].type.kind == "quaternion" and arguments[0].type.columns == 4:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.shapes import filling, shaped, stretched
-from workbench.language.typed.terms import Block, Identity, IllFormed, Term, Zero
+from workbench.language.typed.terms import Block, Identity, IllFormed, Term, Unread, Zero
 from workbench.language.typed.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
 Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
@@ -191,12 +191,14 @@ def norm(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def root(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
+    if arguments[0].type.is_square and arguments[0].type.kind != "scalar":
+        raise Unread(f"the root of a {arguments[0].type} is not read")
     _expect(arguments, {"scalar"})
     weight = arguments[0].weight
     if weight is None:
         return arguments[0].type, None
     if not weight.is_number or weight.constant % 2:
-        raise IllFormed(f"the root of a quantity of weight {weight}")
+        raise Unread(f"the root of a quantity of weight {weight}")
     return arguments[0].type, Linear(weight.constant // 2)
 
 
@@ -256,10 +258,10 @@ def partial(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     if body.type.kind == "operator":
         raise IllFormed("the partial derivative of an operator")
     if by.type.dual or not (by.type.kind == "scalar" or by.type.is_column):
-        raise IllFormed(f"the partial derivative by a {by.type}; expected a scalar or a vector")
+        raise Unread(f"the partial derivative by a {by.type} is not read; that by a scalar or a vector is")
     weight = None if None in (body.weight, by.weight) else body.weight - by.weight
     if by.type.kind == "scalar":
         return body.type, weight
     if body.type.kind != "scalar" and not body.type.is_column:
-        raise IllFormed(f"the derivative of a {body.type} by a vector has more than two indices")
+        raise Unread(f"the derivative of a {body.type} by a vector is not read: it has more than two indices")
     return Type(body.type.rows, by.type.rows, body.type.dual), weight

@@ -22,6 +22,10 @@ class IllFormed(ValueError):
         self.intent = intent
 
 
+class Unread(IllFormed):
+    """It fits, and has no term here: a claim with it is not ill-formed."""
+
+
 @dataclass(frozen=True, slots=True)
 class Term:
     """A formula without a relation. `type` and `weight` are those of its value."""

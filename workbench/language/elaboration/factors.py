@@ -66,9 +66,11 @@ class Row:
 
     def _product(self, result: Term, factors: Sequence[Factor]) -> Term:
         """Raises Misfit; Fault where one of the factors may only say what the one before it depends on."""
-        vectors = factors[-2].term.type.kind == factors[-1].term.type.kind == "vector"
-        if vectors and result.type.kind == "tensor":
+        *others, last, this = (factor.term.type for factor in factors)
+        if last.kind == this.kind == "vector" and result.type.kind == "tensor":
             raise Fault("three vectors beside each other; write (a b) \\cdot c", factors[-1].at)
+        if last.kind == this.kind == "quaternion" and any(other.columns == 4 for other in others):
+            raise Fault("a matrix before a product of quaternions: bracket one of them", factors[-1].at)
         try:
             return self.scope.apply(factors[-1].at, "mul", result, factors[-1].term)
         except Misfit:

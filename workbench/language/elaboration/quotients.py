@@ -24,7 +24,7 @@ from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.operators import QUOTIENTS
-from workbench.language.typed.terms import IllFormed, Number, Term, Zero
+from workbench.language.typed.terms import IllFormed, Number, Term, Unread, Zero
 
 _PARTIAL = "\\partial"
 
@@ -137,6 +137,10 @@ def divided(scope: Scope, places: tuple[int, int], numerator: Term, denominator:
 
 def value_of(head: str, argument: Term) -> Term:
     """The function's value; tan, cot, sec and csc are quotients of sines and cosines."""
+    if head == "re" and argument.type.kind == "quaternion":
+        if argument.type.dual:
+            raise Unread("Re of a dual quaternion: its real part, or its scalar part?")
+        head = "scalar part"
     if head not in QUOTIENTS:
         return construct.apply(head, argument)
     top, bottom = QUOTIENTS[head]

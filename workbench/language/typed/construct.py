@@ -170,6 +170,11 @@ def apply(head: str, *arguments: Term) -> Term:
     if head == "mul" and arguments[1].type.kind == "quaternion" and arguments[0].type.columns == 4:
         is_narrow = arguments[0].type.rows != 4
         arguments = (arguments[0], _column_of_four(arguments[1])) if is_narrow else arguments
+    is_row = head == "mul" and arguments[1].type.rows == 1 < arguments[1].type.columns
+    if is_row and arguments[0].type.kind == "quaternion":
+        arguments = (_column_of_four(arguments[0]), arguments[1])  # q q^T
+    if head == "transpose" and arguments[0].type.kind == "quaternion":
+        arguments = (_column_of_four(arguments[0]),)
     if head == "mul":
         arguments = _beside_matrix(*arguments)
     type_, weight = OPERATORS[head].signature(arguments)

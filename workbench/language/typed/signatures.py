@@ -134,6 +134,8 @@ def compose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 def div(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
     numerator, denominator = arguments
+    if denominator.type.kind == "quaternion":
+        raise Unread("division by a quaternion: from the left or from the right? write q^{-1}")
     if denominator.type.kind != "scalar":
         raise IllFormed(f"division by a {denominator.type}; expected a scalar")
     weight = None

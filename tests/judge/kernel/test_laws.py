@@ -101,6 +101,26 @@ def test_a_column_of_free_symbols_is_free(formula: str, outcome: Outcome) -> Non
         assert r"states a law for \dot{z}," in said.verdict.reason
 
 
+MEMBERS = {"z": r"\begin{bmatrix} x_1 \\ x_2 \\ x_3 \end{bmatrix}"}
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\dot{z} = (1 - z \cdot z) v + z \times v", Outcome.UNCHECKED),
+        (r"\dot{x}_2 = f", Outcome.UNCHECKED),
+        (r"\frac{d}{dt}(x_2 f) = x_2 \dot{f}", Outcome.REFUTED),
+        (r"\dot{y}_2 = f", Outcome.REFUTED),
+    ],
+)
+def test_members_of_a_family_are_free_where_nothing_defines_the_family(
+    formula: str, outcome: Outcome
+) -> None:
+    symbols = {"v": "vector", "x_n": "scalar", "y_n": "scalar", "f": "scalar"}
+    definitions = [*(f"{name} = {body}" for name, body in MEMBERS.items()), r"y_{n+1} = \dot{y}_n"]
+    assert check(formula, symbols, definitions=definitions).outcome == outcome
+
+
 def test_what_a_definition_ties_is_no_law() -> None:
     definitions = {"k": r"\operatorname{vect}(\dot{R} R^T)"}
     symbols = {"R": "rotation", "a": "vector"}

@@ -147,7 +147,7 @@ class Scope(ABC):
             arguments = (arguments[0], column)
         if head == "exp" and arguments[0].type.kind == "vector":
             raise Fault("the exponential of a vector: of its skew tensor, or of a quaternion?", at)
-        if head == "exp" and arguments[0].type.is_square and arguments[0].type.rows > 3:
+        if head == "exp" and arguments[0].type.kind == "matrix" and arguments[0].type.rows != 4:
             raise Fault(f"the exponential of a {arguments[0].type} is not read", at)
         return self.build(at, construct.apply, head, *arguments)
 

@@ -205,7 +205,8 @@ def part(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def exp(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    _expect(arguments, {"scalar", "tensor", "quaternion"})
+    if not arguments[0].type.is_square:
+        _expect(arguments, {"scalar", "tensor", "quaternion"})
     return arguments[0].type, weightless(arguments)
 
 

@@ -27,13 +27,13 @@ class IllFormedAt(IllFormed):
     """A formula whose types or weights do not fit; the place is the operation at fault."""
 
     def __init__(self, fault: IllFormed, line: int, column: int) -> None:
-        super().__init__(f"line {line}, column {column}: {fault}", fault.intent)
+        super().__init__(f"line {line}, column {column}: {fault}", fault.intent, fault.usual)
         self.message = str(fault)
         self.line = line
         self.column = column
 
     def __reduce__(self) -> tuple:
-        return IllFormedAt, (IllFormed(self.message, self.intent), self.line, self.column)
+        return IllFormedAt, (IllFormed(self.message, self.intent, self.usual), self.line, self.column)
 
 
 class SpecError(ValueError):

@@ -15,11 +15,13 @@ from workbench.language.typed.types import Declaration, Type, Weight
 
 
 class IllFormed(ValueError):
-    """Types or weights do not fit. `intent` names the one likely meaning, where there is one."""
+    """Types or weights do not fit. `intent` names the one likely meaning, if there is one; `usual`: authors
+    write it so on purpose, and expect it to be understood."""
 
-    def __init__(self, message: str, intent: str | None = None) -> None:
+    def __init__(self, message: str, intent: str | None = None, usual: bool = False) -> None:
         super().__init__(message)
         self.intent = intent
+        self.usual = usual
 
 
 @dataclass(frozen=True, slots=True)

@@ -207,6 +207,9 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
         return Formula(latex, statement), orders_within(orders, ranges)
     except IllFormedAt as error:
         at = _at(latex, owners, error.line, error.column)
+        if error.usual:
+            why = f"{error.message}; is meant {error.intent}? a `reading` says it"
+            return Formula(latex, unread=why, at=at), orders
         return Formula(latex, ill_formed=_message(error), at=at), orders
     except ReadError as error:
         at = _at(latex, owners, error.line, error.column)

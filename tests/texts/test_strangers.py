@@ -252,3 +252,20 @@ def test_the_column_of_a_point_says_what_the_point_is(tmp_path: Path) -> None:
     (tmp_path / "p.toml").write_text(COLUMNS)
     said = judge_paper(load_paper(tmp_path / "p.toml"))
     assert all("says what a is" in each.verdict.reason for each in said)
+
+
+def test_formulas_that_another_one_is_to_follow_from(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text(
+        "$$ \\dot{a} = f b $$\n\n$$ \\dot{a} + b = f b + b $$\n\n"
+        "$$ f f b \\cdot b = 2 \\dot{a} \\cdot \\dot{a} $$\n\n$$ \\dot{b} = f a $$"
+    )
+    model = COLUMNS + "[[claim]]\nat = {}\ngiven = {}\n"
+    (tmp_path / "p.toml").write_text(model.format('["L3", "L5"]', '["L1"]'))
+    law, follows, false, other = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert law.verdict.outcome is other.verdict.outcome is Outcome.UNCHECKED
+    assert follows.verdict.outcome is Outcome.PROVED
+    assert false.verdict.outcome is Outcome.REFUTED
+    for at, given in (('"L1"', '["L3"]'), ('"L3"', '["L3"]'), ('"L3"', '["L9"]')):
+        (tmp_path / "p.toml").write_text(model.format(at, given))
+        (fault,) = load_paper(tmp_path / "p.toml").faults
+        assert "given: no formula" in str(fault)

@@ -54,7 +54,8 @@ class Meant:
             return "the sides are equal in places: are they said to differ always, or in general?"
         if (why := self._if_special(claim, ())) is not None:
             return why
-        rests = [said for said in claim.rests if not self._is_known(said, claim.notation)]
+        unused = (said for said in claim.rests if said.statement not in claim.supposed)
+        rests = [said for said in unused if not self._is_known(said, claim.notation)]
         if not rests:
             return None if _is_said_beside(claim) else claim.says
         definitions = {said.name: said.definition for said in rests if said.definition is not None}

@@ -116,6 +116,9 @@ MATRICES = [
         (r"e^{B} e^{C} = e^{B + C}", {"refuted"}),
         (r"e^{B} = \mathbf{I}_{4 \times 4} + B", {"refuted"}),
         (r"e^{S} e^{S} = e^{2 S}", {"unchecked"}),
+        (r"e^{B} e^{-B} = \mathbf{I}_{4 \times 4}", {"proved"}),
+        (r"e^{B} B = B e^{B}", {"proved"}),
+        (r"e^{B} B = B e^{-B}", {"refuted"}),
     ],
 )
 def test_exponentials_of_twists(formula: str, outcome: set[str]) -> None:

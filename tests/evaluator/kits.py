@@ -2,24 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
-
-@dataclass(frozen=True)
-class Kit:
-    """notation: a paper file without claims.   identities: what holds there.   supposing: definitions that
-    make what the identities suppose true, and that the judge is not told.   places: of frames, what the
-    evaluator takes for the points."""
-
-    notation: str
-    identities: tuple[str, ...]
-    supposing: dict[str, str] = field(default_factory=dict)
-    places: dict[str, str] = field(default_factory=dict)
-
-
-def _lines(text: str) -> tuple[str, ...]:
-    return tuple(line.strip() for line in text.strip().splitlines())
-
+from evaluator.kit import Kit, lines
+from evaluator.rigid_motions import SCREWS, TWISTS
 
 SMALL = Kit(
     r"""
@@ -37,7 +21,7 @@ R = "rotation"
 T = "tensor"
 p = "hamilton quaternion"
 """,
-    _lines(r"""
+    lines(r"""
 \sin\theta \approx \theta
 \cos\theta \approx 1
 \tan\theta \approx \sin\theta
@@ -80,7 +64,7 @@ s = "scalar"
 c = { kind = "scalar", constant = true }
 S = "tensor"
 """,
-    _lines(r"""
+    lines(r"""
 \sum_{i=1}^{n} (f_i + g_i) = \sum_{i=1}^{n} f_i + \sum_{i=1}^{n} g_i
 \sum_{i=1}^{n} f_i (a_i \times b_i) = -\sum_{i=1}^{n} b_i \times (f_i a_i) + \sum_{i=1}^{n} 0 a_i
 S \sum_{i=1}^{n} a_i = \sum_{i=1}^{n} S a_i
@@ -113,7 +97,7 @@ y = "scalar"
 z = "scalar"
 A = { kind = "scalar", of = ["y", "z"] }
 """,
-    _lines(r"""
+    lines(r"""
 e^{f + g} = e^f e^g
 e^{f} e^{-f} = 1
 \frac{d}{dt} e^{2 f} = 2 \dot{f} e^{2 f}
@@ -146,7 +130,7 @@ J = '\mathbf{I} + \frac{1 - \cos\|x\|}{\|x\|^2} \tilde{x} + \frac{\|x\| - \sin\|
 K = '\mathbf{I} - \frac{1 - \cos\|x\|}{\|x\|^2} \tilde{x} + \frac{\|x\| - \sin\|x\|}{\|x\|^3} \tilde{x}^2'
 L = '\mathbf{I} - \frac{1}{2} \tilde{x} + \left(\frac{1}{\|x\|^2} - \frac{1 + \cos\|x\|}{2 \|x\| \sin\|x\|}\right) \tilde{x}^2'
 """,
-    _lines(r"""
+    lines(r"""
 J = E K
 J x = x
 K x = E x
@@ -166,52 +150,6 @@ E \dot{x} = \dot{x} + x \times (J \dot{x})
 \det E = 1
 \operatorname{trace} E = 1 + 2 \cos\|x\|
 \operatorname{vect} E = \frac{\sin\|x\|}{\|x\|} x
-"""),
-)
-
-TWISTS = Kit(
-    r"""
-[symbols]
-R = "rotation"
-S = "rotation"
-p = "vector"
-q = "vector"
-x = "vector"
-a = "vector"
-b = "vector"
-V = "matrix 6×1"
-W = "matrix 6×1"
-H = "transform"
-G = "transform"
-[definitions]
-A = '\begin{bmatrix} R & 0 \\ \tilde{p} R & R \end{bmatrix}'
-B = '\begin{bmatrix} S & 0 \\ \tilde{q} S & S \end{bmatrix}'
-C = '\begin{bmatrix} R S & 0 \\ \widetilde{p + R q} R S & R S \end{bmatrix}'
-N = '\begin{bmatrix} \tilde{a} & 0 \\ \tilde{b} & \tilde{a} \end{bmatrix}'
-M = '\begin{bmatrix} \tilde{x} & 0 \\ \tilde{q} & \tilde{x} \end{bmatrix}'
-K = '\begin{bmatrix} \widetilde{a \times x} & 0 \\ \widetilde{a \times q + b \times x} & \widetilde{a \times x} \end{bmatrix}'
-'\omega' = '\operatorname{vect}(\dot{R} R^T)'
-T = '\begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}'
-""",
-    _lines(r"""
-A B = C
-A^{-1} = \begin{bmatrix} R^T & 0 \\ -R^T \tilde{p} & R^T \end{bmatrix}
-N M - M N = K
-A N A^{-1} = \begin{bmatrix} \widetilde{R a} & 0 \\ \widetilde{R b + p \times (R a)} & \widetilde{R a} \end{bmatrix}
-N \begin{bmatrix} a \\ b \end{bmatrix} = 0 V
-M \begin{bmatrix} a \\ b \end{bmatrix} = -N \begin{bmatrix} x \\ q \end{bmatrix}
-\dot{A} = \begin{bmatrix} \tilde{\omega} & 0 \\ \widetilde{\dot{p} - \omega \times p} & \tilde{\omega} \end{bmatrix} A
-A^T \begin{bmatrix} a \\ b \end{bmatrix} \cdot \begin{bmatrix} x \\ q \end{bmatrix} = \begin{bmatrix} a \\ b \end{bmatrix} \cdot (A \begin{bmatrix} x \\ q \end{bmatrix})
-T^{-1} = \begin{bmatrix} R^T & -R^T p \\ 0 & 1 \end{bmatrix}
-\dot{T} T^{-1} = \begin{bmatrix} \tilde{\omega} & \dot{p} - \omega \times p \\ 0 & 0 \end{bmatrix}
-T^{-1} \dot{T} = \begin{bmatrix} \widetilde{R^T \omega} & R^T \dot{p} \\ 0 & 0 \end{bmatrix}
-T \begin{bmatrix} x \\ 1 \end{bmatrix} = \begin{bmatrix} R x + p \\ 1 \end{bmatrix}
-T \begin{bmatrix} x \\ 0 \end{bmatrix} = \begin{bmatrix} R x \\ 0 \end{bmatrix}
-(G H)^{-1} = H^{-1} G^{-1}
-\frac{d}{dt} (H^{-1}) = -H^{-1} \dot{H} H^{-1}
-\frac{d}{dt} (A V) = \dot{A} V + A \dot{V}
-\det(G H) = 1
-\operatorname{trace}(V W^T) = V^T W
 """),
 )
 
@@ -235,7 +173,7 @@ C = '(s^2 - x \cdot x) \mathbf{I} + 2 x \otimes x + 2 s \tilde{x}'
 w = '2 \operatorname{Vec}(\dot{e} e^*)'
 o = '2 \operatorname{Vec}(e^* \dot{e})'
 """,
-    _lines(r"""
+    lines(r"""
 C a = \operatorname{Vec}(e a e^*)
 C^T C = \mathbf{I}
 \det C = 1
@@ -268,7 +206,7 @@ g = "scalar"
 a = "vector"
 b = "vector"
 """,
-    _lines(r"""
+    lines(r"""
 \sec^2 \alpha = 1 + \tan^2 \alpha
 \cot \alpha \tan \alpha = 1
 \csc \alpha \sin \alpha = 1
@@ -303,7 +241,7 @@ n = "vector"
 f = "scalar"
 T = "tensor"
 """,
-    _lines(r"""
+    lines(r"""
 a \times (n \times c) = (a \cdot c) n \text{ for } a \perp n
 (a \cdot b) a = (a \cdot a) b \text{ for } a \parallel b
 (a \cdot b)^2 = a^2 b^2 \text{ for } a \parallel b
@@ -337,7 +275,7 @@ S = "tensor"
 U = "tensor"
 R = "rotation"
 """,
-    _lines(r"""
+    lines(r"""
 f^2 g = f \text{ for } f g = 1
 (f + g)^2 = f^2 + g^2 + 2 \text{ for } f g = 1
 \frac{1}{f} + \frac{1}{g} = f + g \text{ for } f g = 1
@@ -384,7 +322,7 @@ D = { kind = "vector", of = ["w"] }
 F = { kind = "scalar", of = ["y"] }
 T = { kind = "tensor", constant = true }
 """,
-    _lines(r"""
+    lines(r"""
 \dot{A} = \frac{\partial A}{\partial y} \dot{y} + \frac{\partial A}{\partial z} \dot{z}
 \dot{C} = \frac{\partial C}{\partial w} \cdot \dot{w} + \frac{\partial C}{\partial t}
 \dot{D} = \frac{\partial D}{\partial w} \dot{w}
@@ -425,7 +363,7 @@ fixed = { O = "N", Q = "B" }
 x = "vector"
 f = "scalar"
 """,
-    _lines(r"""
+    lines(r"""
 \frac{{}^A d x}{dt} = \frac{{}^B d x}{dt} + {}^A\omega^B \times x
 {}^N\omega^B = {}^N\omega^A + {}^A\omega^B
 {}^A\omega^B = -{}^B\omega^A
@@ -463,7 +401,7 @@ names = ["A", "B", "C"]
 names = ["P"]
 '{}^F P' = "place of P in F"
 """,
-    _lines(r"""
+    lines(r"""
 {}^A P = {}^A_B R\, {}^B P + {}^A P_{BORG}
 {}^A_B T = {}^A_C T\, {}^C_B T
 {}^B_A T = {}^A_B T^{-1}
@@ -481,6 +419,7 @@ names = ["P"]
 
 KITS = {
     "small": SMALL, "sums": SUMS, "exponentials": EXPONENTIALS, "jacobians": JACOBIANS, "twists": TWISTS,
+    "screws": SCREWS,
     "quaternions": QUATERNIONS, "angles": ANGLES, "oriented": ORIENTED, "conditions": CONDITIONS, "slopes": SLOPES, "frames": FRAMES,
     "homogeneous": HOMOGENEOUS,
 }  # fmt: skip

@@ -91,3 +91,41 @@ COORDINATES = {
 )
 def test_slopes(formula: str, outcome: str) -> None:
     assert check(formula, COORDINATES).verdict.outcome == outcome
+
+
+TWISTS = {
+    "c": {"kind": "vector", "constant": True},
+    "d": {"kind": "vector", "constant": True},
+    "w": "vector",
+    "v": "vector",
+    "S": "matrix 4×4",
+    "V": "matrix 6×1",
+}
+MATRICES = [
+    rf"{name} = \begin{{bmatrix}} \operatorname{{skew}}({turning}) & {moving} \\ 0 & 0 \end{{bmatrix}}"
+    for name, turning, moving in (("B", "w", "v"), ("C", "c", "d"))
+]
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\frac{d}{dt} e^{C t} = C e^{C t}", {"proved", "conditional"}),
+        (r"\frac{d}{dt} e^{B} = \dot{B} e^{B}", {"refuted"}),
+        (r"\frac{d}{dt} e^{C t} = e^{C t} B", {"refuted", "unchecked"}),
+        (r"e^{B} e^{C} = e^{B + C}", {"refuted"}),
+        (r"e^{B} = \mathbf{I}_{4 \times 4} + B", {"refuted"}),
+        (r"e^{S} e^{S} = e^{2 S}", {"unchecked"}),
+        (r"e^{B} e^{-B} = \mathbf{I}_{4 \times 4}", {"proved"}),
+        (r"e^{B} B = B e^{B}", {"proved"}),
+        (r"e^{B} B = B e^{-B}", {"refuted"}),
+    ],
+)
+def test_exponentials_of_twists(formula: str, outcome: set[str]) -> None:
+    assert check(formula, TWISTS, definitions=MATRICES).outcome in outcome
+
+
+def test_a_twist_is_no_exponent_and_no_fault() -> None:
+    """By e^V authors mean that of its 4×4 matrix, as by e^w that of the skew tensor."""
+    with pytest.raises(ValueError, match="is not read"):
+        check("e^{V} = e^{V}", TWISTS)

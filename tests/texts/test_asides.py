@@ -64,6 +64,14 @@ def test_a_condition_in_the_sentence(tmp_path: Path, ending: str, text: str, exp
     assert verdicts(tmp_path, written(text, ending), ending) == [expected]
 
 
+def test_a_condition_on_other_symbols_leaves_open_what_the_formula_says(tmp_path: Path) -> None:
+    """f is what nothing defines and stands there once; the sentence speaks of g."""
+    text = r"It is [[a \times b = f g b \times a]] where <<0 = g - 2>> holds."
+    assert verdicts(tmp_path, written(text, "tex")) == [Outcome.UNCHECKED]
+    text = r"It is [[a \times b = f b \times a]] where <<0 = f - 2>> holds."
+    assert verdicts(tmp_path, written(text, "tex")) == [Outcome.REFUTED]
+
+
 def test_the_condition_is_told_with_its_line(tmp_path: Path) -> None:
     (tmp_path / "p.tex").write_text(
         "\\newcommand{\\ff}{f}\nFor $\\ff \\neq 0$ it is\n\\[" + CANCELLED + "\\]"

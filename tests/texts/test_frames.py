@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -283,4 +284,69 @@ def test_tables_that_cannot_be_used(tmp_path: Path, old: str, new: str) -> None:
     (tmp_path / "p.toml").write_text(MODEL.replace(old, new))
     (tmp_path / "p.md").write_text("$$\nx = x\n$$\n")
     with pytest.raises(PaperError):
+        load_paper(tmp_path / "p.toml")
+
+
+PENDULUM = r"""
+source = "p.md"
+[frames]
+base = "N"
+names = ["B", "C"]
+'{}^F\omega^G' = "angular velocity of G in F"
+axes = { B = ['b_x', 'b_y', 'b_z'], C = ['c_x', 'c_y', 'c_z'], N = ['n_x', 'n_y', 'n_z'] }
+[frames.orientation]
+B = '\begin{bmatrix} \cos\theta & -\sin\theta & 0 \\ \sin\theta & \cos\theta & 0 \\ 0 & 0 & 1 \end{bmatrix}'
+C = ["B", '\begin{bmatrix} \cos\phi & -\sin\phi & 0 \\ \sin\phi & \cos\phi & 0 \\ 0 & 0 & 1 \end{bmatrix}']
+[points]
+names = ["O", "P", "Q"]
+fixed = { O = "N" }
+place = { Q = ["O", 'l b_x'], P = ["Q", 's c_x'] }
+'r^{OP}' = "to P from O"
+'{}^F v^P' = "velocity of P in F"
+'{}^F a^P' = "acceleration of P in F"
+[symbols]
+'\theta' = "scalar"
+'\phi' = "scalar"
+'l' = { kind = "scalar", constant = true }
+'s' = "scalar"
+"""
+OF_PLACES = [
+    r"r^{OQ} = l b_x",
+    r"r^{OP} = l b_x + s c_x",
+    r"r^{PQ} = -s c_x",
+    r"{}^N v^Q = l \dot{\theta} b_y",
+    r"{}^N v^P = {}^N v^Q + \dot{s} c_x + s (\dot{\theta} + \dot{\phi}) c_y",
+    r"{}^N a^Q = l \ddot{\theta} b_y - l \dot{\theta}^2 b_x",
+]
+NOT_OF_PLACES = [
+    r"{}^N v^P = {}^N v^Q + s (\dot{\theta} + \dot{\phi}) c_y - 2 \dot{s} c_x",
+    r"{}^N a^Q = l \ddot{\theta} b_y + l \dot{\theta}^2 b_x",
+    r"r^{QO} = l b_x",
+]
+
+
+def test_places_that_a_text_gives(tmp_path: Path) -> None:
+    found = verdicts(tmp_path, OF_PLACES + NOT_OF_PLACES, PENDULUM)
+    assert found[: len(OF_PLACES)] == ["proved"] * len(OF_PLACES)
+    assert "proved" not in found[len(OF_PLACES) :] and found[-2:] == ["refuted"] * 2
+
+
+@pytest.mark.parametrize(
+    ("place", "why"),
+    [
+        ("{ P = ['Q', 's c_x'], Q = ['O', 'l b_x'] }", "that of Q is to be given before"),
+        ("{ P = ['P', 's c_x'] }", "that of P is to be given before"),
+        ("{ O = ['Q', 's c_x'] }", "O is fixed, too"),
+        ("{ T = ['Q', 's c_x'] }", "T is not among the names"),
+        ("{ Q = ['T', 's c_x'] }", "T is not among the names"),
+        ("{ Q = 's c_x' }", "expected another point and the vector from there"),
+        ("{ Q = ['O', 's'] }", "expected a vector, got a scalar"),
+        ("{ Q = ['O', 'r^{OP}'] }", "column 1"),
+    ],
+)
+def test_places_that_cannot_be_used(tmp_path: Path, place: str, why: str) -> None:
+    (tmp_path / "p.md").write_text("$$ s = s $$")
+    before, _, after = PENDULUM.partition("place = ")
+    (tmp_path / "p.toml").write_text(f"{before}place = {place}\n{after.partition(chr(10))[2]}")
+    with pytest.raises(PaperError, match=re.escape(why)):
         load_paper(tmp_path / "p.toml")

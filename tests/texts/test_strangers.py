@@ -206,3 +206,66 @@ def test_a_step_that_says_nothing_passes_only_where_nothing_else_is_expected_of_
     )
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
     assert (not result.why_not) is passes
+
+
+COLUMNS = 'source = "p.md"\n[symbols]\n' + "".join(
+    f"'{name}' = \"{kind}\"\n"
+    for name, kind in {
+        "a": "vector", "b": "vector", "x": "matrix 6×1", "y": "matrix 5×1", "V": "matrix 6×1", "T": "transform",
+        "R": "rotation", "f": "scalar",
+    }.items()
+)  # fmt: skip
+SKEW = "[notation]\n'[z]' = { where = { z = \"vector\" }, means = '\\operatorname{skew}(z)' }\n"
+
+
+@pytest.mark.parametrize(
+    ("formula", "question"),
+    [
+        (r"R R^T = 1", "one of unit tensors?"),
+        (r"R = f R - 2", "one of unit tensors?"),
+        (r"R R^T = f", None),
+        (r"x = \begin{bmatrix} a & b \end{bmatrix}^T", "below each other?"),
+        (r"y = \begin{bmatrix} a & b \end{bmatrix}^T", None),
+        (r"x = \begin{bmatrix} a & b \end{bmatrix}", None),
+        (r"T \begin{bmatrix} a \\ 1 \end{bmatrix} = b", "a 1 (a point) or a 0 (a direction)"),
+        (r"x = a", None),
+        (r"[V] = \begin{bmatrix} [a] & b \\ 0 & 0 \end{bmatrix}", "of a matrix 6×1 an entry can say it"),
+        (r"a = [R] + b", None),
+    ],
+)
+def test_what_authors_leave_out_on_purpose_is_asked_about_and_no_fault(
+    tmp_path: Path, formula: str, question: str | None
+) -> None:
+    (tmp_path / "p.md").write_text(f"$$ {formula} $$")
+    (tmp_path / "p.toml").write_text(COLUMNS + SKEW)
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    if question is None:
+        assert result.verdict.outcome is Outcome.ILL_FORMED
+    else:
+        assert result.verdict.outcome is Outcome.UNCHECKED and question in result.verdict.reason
+
+
+def test_the_column_of_a_point_says_what_the_point_is(tmp_path: Path) -> None:
+    """p is a place in one formula and in another one that of another origin."""
+    formulas = (r"a = R b", r"\begin{bmatrix} a \\ 1 \end{bmatrix} = T \begin{bmatrix} b \\ 1 \end{bmatrix}")
+    (tmp_path / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in formulas))
+    (tmp_path / "p.toml").write_text(COLUMNS)
+    said = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert all("says what a is" in each.verdict.reason for each in said)
+
+
+def test_formulas_that_another_one_is_to_follow_from(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text(
+        "$$ \\dot{a} = f b $$\n\n$$ \\dot{a} + b = f b + b $$\n\n"
+        "$$ f f b \\cdot b = 2 \\dot{a} \\cdot \\dot{a} $$\n\n$$ \\dot{b} = f a $$"
+    )
+    model = COLUMNS + "[[claim]]\nat = {}\ngiven = {}\n"
+    (tmp_path / "p.toml").write_text(model.format('["L3", "L5"]', '["L1"]'))
+    law, follows, false, other = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert law.verdict.outcome is other.verdict.outcome is Outcome.UNCHECKED
+    assert follows.verdict.outcome is Outcome.PROVED
+    assert false.verdict.outcome is Outcome.REFUTED
+    for at, given in (('"L1"', '["L3"]'), ('"L3"', '["L3"]'), ('"L3"', '["L9"]')):
+        (tmp_path / "p.toml").write_text(model.format(at, given))
+        (fault,) = load_paper(tmp_path / "p.toml").faults
+        assert "given: no formula" in str(fault)

@@ -46,13 +46,13 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
         why = f"{name} stands without a backslash"
         question = f"Is {name} the function {name}?"
         yield replace(_conventions("functions", f"['{name}']", why, question, pattern), stands=True)
-    for entry in _NOTATION:
-        yield _notation(*entry)
     spin, other = (_TOP, _BOTTOM) if _SPIN_FIRST.search(together) else (_BOTTOM, _TOP)
     means = rf"\begin{{bmatrix}} \operatorname{{skew}}({spin}) & {other} \\ 0 & 0 \end{{bmatrix}}"
     for trigger, key in ((_IN_BRACKETS, "[V]"), (r"\^\s*\{?\s*\\wedge(?![A-Za-z])", r"V^\wedge")):
         question = f"Is {key} of a twist its matrix of 4×4?"
         yield _notation(trigger, key, {"V": "matrix 6×1"}, means, "a bracket or a wedge on a twist", question)
+    for entry in _NOTATION:
+        yield _notation(*entry)
     for unit in dict.fromkeys(match[0] for match in _UNITS.finditer(together)):
         trigger = re.escape(unit)
         question = f"Is {unit} the unit tensor?"

@@ -10,6 +10,7 @@ and what they refute is false. Written in columns of the base:
     transform to F from G   [Q_Fᵀ Q_G, Q_Fᵀ (o_G − o_F); 0 1]
     x, resolved in F        Q_Fᵀ x             origin of G in F              o_G − o_F, resolved in F
     P fixed in F            p_P = o_F + Q_F c, c constant
+    P at x from O           p_P = p_O + x
 """
 
 from __future__ import annotations
@@ -39,6 +40,7 @@ class Frames:
     places: dict[str, Term] = field(default_factory=dict)
     given: dict[str, Term] = field(default_factory=dict)
     directions: set[Name] = field(default_factory=set)
+    axes: list[Declaration] = field(default_factory=list)
 
     # the symbols behind them
 
@@ -83,6 +85,16 @@ class Frames:
         else:
             offset = self.free(_own("c", point), VECTOR, constant=True)
             self.places[point] = plus(self.origin(frame), turned(self.orientation(frame), offset))
+
+    def put(self, point: str) -> None:
+        """The place of a point that is given; `define` says later what it is."""
+        if point in self.places:
+            raise SpecError(f"{point} is fixed, too", "place")
+        self.place(point)
+
+    def define(self, term: Term, body: Term) -> None:
+        """The definition of a symbol that is free until then."""
+        self.definitions.append(Definition(term.declaration, (), (), body))
 
     def free(self, name: Name, type_: Type, **flags: bool) -> Term:
         if name not in self.declarations:

@@ -19,12 +19,12 @@ from workbench.language.typed.construct import apply, block, identity, number, r
 from workbench.language.typed.errors import Fault, ReadError, SpecError
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Conjunction, Definition, IllFormed, Term
-from workbench.language.typed.types import TENSOR, VECTOR
-from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minus, turned
+from workbench.language.typed.types import TENSOR, VECTOR, Declaration
+from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minus, plus, turned
 from workbench.papers.toml.toml_file import TomlFile
 
 _FRAME_KEYS = ("base", "names", "axes", "dot", "orientation")
-_POINT_KEYS = ("names", "fixed")
+_POINT_KEYS = ("names", "fixed", "place")
 #: How phrases begin that speak of points.
 _PLACES = ("to", "origin", "place")
 _RESOLVED = re.compile(r",? resolved in (?P<R>\w)$")
@@ -103,6 +103,10 @@ class _Reader:
             for frame in [fixed] if isinstance(fixed, str) else fixed:
                 self.known(label(frame), frames.labels, "fixed")
                 frames.fix(label(point), label(frame))
+        placed = _table(self.entries["points"], "place")
+        for point in placed:
+            self.known(label(point), frames.points, "place")
+            frames.put(label(point))
         spins = {frame: frames.spin(frame) for frame in frames.labels}
         for entry in ("frames", "points"):
             reserved = _FRAME_KEYS if entry == "frames" else _POINT_KEYS
@@ -111,6 +115,9 @@ class _Reader:
                     self.spelling(key, phrase)
         for frame, axes in _table(self.entries["frames"], "axes").items():
             self.axes(label(frame), axes)
+        for at, (point, said) in enumerate(placed.items()):
+            later = {label(other) for other in list(placed)[at:]}
+            frames.define(frames.place(label(point)), self.placed(said, later))
         dot = self.entries["frames"].get("dot")
         if dot is not None:
             self.known(label(str(dot)), frames.labels, "dot")
@@ -151,6 +158,25 @@ class _Reader:
             raise SpecError(f"that of {texts[0]} is to be given before", "orientation")
         outer = self.frames.orientation(label(texts[0]))
         return turn if outer is None else apply("mul", outer, turn)
+
+    def placed(self, said: Any, later: Collection[str]) -> Term:
+        """p of a point, where the text says what it is: another point, and the vector from there."""
+        if not isinstance(said, list) or len(said) != 2 or not all(isinstance(text, str) for text in said):
+            raise SpecError("expected another point and the vector from there", "place")
+        self.known(label(said[0]), self.frames.points, "place")
+        if label(said[0]) in later:
+            raise SpecError(f"that of {said[0]} is to be given before", "place")
+        table = self.table
+        for declaration in self.frames.axes:
+            if declaration.name not in table.symbols:
+                table = table.with_symbol(declaration)
+        try:
+            shift = read_term(said[1], table)
+        except (ReadError, IllFormed) as error:
+            raise SpecError(str(error), "place") from None
+        if shift.type != VECTOR:
+            raise SpecError(f"expected a vector, got a {shift.type}", "place")
+        return plus(self.frames.place(label(said[0])), shift)
 
     def known(self, name: str, names: Sequence[str], key: str) -> None:
         if name not in names:
@@ -218,6 +244,7 @@ class _Reader:
             body = turned(self.frames.orientation(frame), _unit(place))
             name = _spelling(key).exact
             self.frames.directions.add(name)
+            self.frames.axes.append(self.table.symbols.get(name) or Declaration(name, VECTOR))
             if (declared := self.table.symbols.get(name)) is None:
                 self.frames.defined(name, VECTOR, body)
             else:

@@ -15,6 +15,7 @@ from workbench.language.grammar.vocabulary import COMMANDS
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import (
     Apply,
+    Block,
     Conjunction,
     Definition,
     Derivative,
@@ -22,12 +23,14 @@ from workbench.language.typed.terms import (
     IllFormed,
     Implication,
     Naming,
+    Number,
     Relation,
     Statement,
     Symbol,
     Term,
+    Zero,
 )
-from workbench.language.typed.types import Declaration
+from workbench.language.typed.types import Declaration, Type
 from workbench.papers.model import Claim, Formula, Notation, Said
 
 _EQUALS = (name for name, token in COMMANDS.items() if token == ("RELATION", "="))
@@ -195,6 +198,9 @@ def _derived(term: Term) -> tuple[Symbol | None, object]:
         return term, 0
     if isinstance(term, Derivative) and isinstance(term.body, Symbol):
         return term.body, term.order
+    if isinstance(term, Block) and term.type == Type(4, 1):  # (p, 1), the column of a point
+        places = [each for each in term.children if not isinstance(each, Number | Zero)]
+        return _derived(places[0]) if len(places) == 1 else (None, 0)
     return None, 0
 
 

@@ -10,9 +10,9 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.language.definitions import Definitions
-from workbench.language.typed.terms import Definition, Relation
+from workbench.language.typed.terms import Definition, Relation, Symbol
 from workbench.papers.model import Claim, Notation, Said
-from workbench.papers.said import SAYS, introduces
+from workbench.papers.said import SAYS, introduces, terms_of
 
 if TYPE_CHECKING:
     from workbench.judge.kernel.judge import Judge
@@ -54,9 +54,10 @@ class Meant:
             return "the sides are equal in places: are they said to differ always, or in general?"
         if (why := self._if_special(claim, ())) is not None:
             return why
-        rests = [said for said in claim.rests if not self._is_known(said, claim.notation)]
+        unused = (said for said in claim.rests if said.statement not in claim.supposed)
+        rests = [said for said in unused if not self._is_known(said, claim.notation)]
         if not rests:
-            return None if claim.beside else claim.says
+            return None if _is_said_beside(claim) else claim.says
         definitions = {said.name: said.definition for said in rests if said.definition is not None}
         under = None
         if definitions.keys() == {said.name for said in rests}:
@@ -71,7 +72,7 @@ class Meant:
             return f"holds with what the text says of {shown}; a definition makes it proved"
         is_clear = len(definitions) == len(rests)
         if under is not None and under.outcome is Outcome.REFUTED and is_clear:
-            says = "" if claim.beside else claim.says or ""
+            says = "" if _is_said_beside(claim) else claim.says or ""
             says = says if not any(says.startswith(f"says what {name} is") for name in definitions) else ""
             return self._if_special(claim, tuple(definitions.values())) or says or None
         return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
@@ -129,6 +130,13 @@ def _as_guessed(verdict: Verdict, names: Sequence[str]) -> str:
     shown = ", ".join(names[:5]) + (", …" if len(names) > 5 else "")
     why = f" ({verdict.reason})" if verdict.reason else ""
     return f"{verdict.outcome} if {shown} are as guessed{why}; confirm them, and it is judged"
+
+
+def _is_said_beside(claim: Claim) -> bool:
+    """Whether a sentence speaks of the symbol that the formula may say something of."""
+    premises = (aside.premise for aside in claim.beside if aside.premise is not None)
+    parts = (part for premise in premises for part in terms_of(premise))
+    return any(SAYS.format(p.declaration.name) == claim.says for p in parts if isinstance(p, Symbol))
 
 
 def _open(why: str, verdict: Verdict) -> Verdict:

@@ -101,6 +101,44 @@ def test_a_column_of_free_symbols_is_free(formula: str, outcome: Outcome) -> Non
         assert r"states a law for \dot{z}," in said.verdict.reason
 
 
+MEMBERS = {"z": r"\begin{bmatrix} x_1 \\ x_2 \\ x_3 \end{bmatrix}"}
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\dot{z} = (1 - z \cdot z) v + z \times v", Outcome.UNCHECKED),
+        (r"\dot{x}_2 = f", Outcome.UNCHECKED),
+        (r"\frac{d}{dt}(x_2 f) = x_2 \dot{f}", Outcome.REFUTED),
+        (r"\dot{y}_2 = f", Outcome.REFUTED),
+    ],
+)
+def test_members_of_a_family_are_free_where_nothing_defines_the_family(
+    formula: str, outcome: Outcome
+) -> None:
+    symbols = {"v": "vector", "x_n": "scalar", "y_n": "scalar", "f": "scalar"}
+    definitions = [*(f"{name} = {body}" for name, body in MEMBERS.items()), r"y_{n+1} = \dot{y}_n"]
+    assert check(formula, symbols, definitions=definitions).outcome == outcome
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\dot{q} = \frac{1}{2} \operatorname{quat}(0, v) q", Outcome.UNCHECKED),
+        (r"\dot{q}^* = -\frac{1}{2} q^* \operatorname{quat}(0, v)", Outcome.UNCHECKED),
+        (r"\frac{d}{dt}(f q) = f \dot{q}", Outcome.REFUTED),
+        (r"\dot{p} = \operatorname{quat}(0, v) p", Outcome.REFUTED),
+    ],
+)
+def test_a_quaternion_of_free_components_is_free(formula: str, outcome: Outcome) -> None:
+    symbols = {"v": "vector", "q": "hamilton quaternion", "p": "hamilton quaternion", **NUMBERS}
+    symbols |= {name: "scalar" for name in ("a", "b", "c", "d")}
+    q = r"\operatorname{quat}(a, \begin{bmatrix} b \\ c \\ d \end{bmatrix})"
+    p = r"\operatorname{quat}(a, \begin{bmatrix} b \\ c \\ c \end{bmatrix})"
+    definitions = [f"q = {q}", f"p = {p}"]
+    assert check(formula, symbols, definitions=definitions).outcome == outcome
+
+
 def test_what_a_definition_ties_is_no_law() -> None:
     definitions = {"k": r"\operatorname{vect}(\dot{R} R^T)"}
     symbols = {"R": "rotation", "a": "vector"}

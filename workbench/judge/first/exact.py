@@ -45,11 +45,10 @@ from workbench.judge.first.operators import (
     scaled,
 )
 from workbench.judge.first.quaternions import conjugate, hamilton
+from workbench.judge.first.turns import Turns
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parameters
-from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector
 from workbench.judge.subject.slopes import seeds
-from workbench.language.typed.construct import apply
 from workbench.language.typed.terms import (
     Apply,
     Block,
@@ -83,9 +82,10 @@ class ExactEngine:
             self._free.furnish_angle(angle)
         for symbol in inventory.orders:
             self._values[symbol] = self._furnished(symbol)
-        self._circles = list(inventory.circles.values())
-        for angle in self._circles:
-            self._free.furnish_circle(angle, partial(self._part_of, angle))
+        circles = list(inventory.circles.values())
+        self._turns = Turns(self.value, self._algebra, self._free, circles, definitions)
+        for angle in circles:
+            self._free.furnish_circle(angle, partial(self._turns.part_of, angle))
 
     def _furnished(self, symbol: Symbol) -> Matrix:
         if symbol.declaration.of:
@@ -261,58 +261,6 @@ class ExactEngine:
         rows = tuple(transpose(self.value(a))[0] for a in term.arguments)
         return ((det(rows),),)
 
-    def _sin(self, term: Apply) -> Matrix:
-        return ((self._circle(term.arguments[0])[1],),)
-
-    def _cos(self, term: Apply) -> Matrix:
-        return ((self._circle(term.arguments[0])[0],),)
-
-    def _circle(self, angle: Term) -> tuple[Entry, Entry]:
-        """(cos, sin) of an integer combination of free angles, dual parts by Eq. (72)."""
-        value = self.value(angle)[0][0]
-        cosine, sine = self.ring.one, self.ring.zero
-        circles = {circle: self._part_of(circle) for circle in self._circles}
-        for circle, count in self._free.multiples(self._part_of(angle), circles):
-            c, s = self._free.circle(circle, count)
-            cosine, sine = cosine * c - sine * s, sine * c + cosine * s
-        if isinstance(value, Dual):
-            return Dual(cosine, -value.du * sine), Dual(sine, value.du * cosine)
-        return cosine, sine
-
-    def _part_of(self, circle: Term) -> Polynomial:
-        """The value of ω t, ‖x‖, … or the part of it that has a sine and cosine of its own."""
-        ((value,),) = self.value(circle)
-        return self.ring.reduce(self._algebra.polynomial(real_part(value)))
-
-    def _exp(self, term: Apply) -> Matrix:
-        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: Rodrigues' formula; of any x̃ the same with
-        sin ‖x‖/‖x‖, and of quaternions without a scalar part the like."""
-        argument = term.arguments[0]
-        value = self.value(argument)
-        real = [self.ring.reduce(self._algebra.polynomial(real_part(e))) for row in value for e in row]
-        if term.type.dual and all(part == 0 for part in real):
-            return add(self._algebra.diagonal(1, len(value), len(value[0])), value)
-        turn = angle_and_axis(argument, self._definitions)
-        if turn is not None:
-            angle, axis = turn
-            cosine, sine = self._circle(angle)
-            return self._turned(term, cosine, scaled(sine, self.value(axis)), self.value(axis))
-        vector = turned_vector(argument, self._definitions)
-        if vector is None:
-            raise NotExact(NO_EXPONENT)
-        length = apply("norm", vector)
-        cosine, sine = self._circle(length)
-        with self.ring.removable():
-            shrunk = scaled(self._algebra.reciprocal(self.value(length)[0][0]), self.value(vector))
-        return self._turned(term, cosine, scaled(sine, shrunk), shrunk)
-
-    def _turned(self, term: Apply, cosine: Entry, turning: Matrix, axis: Matrix) -> Matrix:
-        if term.type.kind == "quaternion":
-            return ((cosine,), *turning)
-        twice = product(skew(flat(axis)), skew(flat(axis)))
-        turned = add(skew(flat(turning)), scaled(1 - cosine, twice))
-        return add(self._algebra.diagonal(1), turned)
-
     def _divergence(self, term: Apply) -> Matrix:
         gradient = self._gradient(term.arguments[0])
         return ((trace(gradient),),)
@@ -365,9 +313,9 @@ _HEADS = {
     "norm": ExactEngine._norm,
     "root": ExactEngine._root,
     "triple": ExactEngine._triple,
-    "sin": ExactEngine._sin,
-    "cos": ExactEngine._cos,
-    "exp": ExactEngine._exp,
+    "sin": lambda engine, term: ((engine._turns.circle(term.arguments[0])[1],),),
+    "cos": lambda engine, term: ((engine._turns.circle(term.arguments[0])[0],),),
+    "exp": lambda engine, term: engine._turns.exp(term),
     "partial": ExactEngine._partial,
     "total": ExactEngine._partial,
     "divergence": ExactEngine._divergence,

@@ -18,6 +18,7 @@ from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PRIME, PointSource, ResidueRing, sample
 from workbench.judge.subject.inventory import Lookup, NotExact, has_gradient
 from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.language.definitions import Definitions
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import Relation, Statement, Symbol
 
@@ -182,7 +183,8 @@ class Equation(Case):
     def _refute(self, residuals: list[Polynomial]) -> Verdict:
         relation = self.relation
         tied = self.assumptions.equations or any(
-            s.declaration.name in self.setting.bound or s.declaration.indices for s in self.inventory.orders
+            s.declaration.name in self.setting.bound or self._is_of_a_recurrence(s)
+            for s in self.inventory.orders
         )
         may_be_law = self.setting.laws and not tied
         law = law_for(relation, self.inventory, self.definitions) if may_be_law else None
@@ -205,6 +207,13 @@ class Equation(Case):
             )
         self._confirm(trial, residuals)
         return self.refuted(trial, relation)
+
+    def _is_of_a_recurrence(self, symbol: Symbol) -> bool:
+        """Whether other members of the symbol's family, or definitions, may say what it is."""
+        is_member = all(place.is_number for place in symbol.index)
+        return bool(symbol.declaration.indices) and not (
+            is_member and isinstance(self.definitions, Definitions) and not self.definitions.about(symbol)
+        )
 
     def _confirm(self, trial: Trial, residuals: list[Polynomial]) -> None:
         """The first engine must see the counterexample too, where it is a rational point."""

@@ -11,6 +11,8 @@ import numpy as np
 from workbench.judge.second.components import (
     Value,
     add,
+    cross,
+    dot,
     entry,
     leibniz,
     outer,
@@ -24,7 +26,7 @@ from workbench.judge.second.source import Source
 from workbench.judge.second.tangents import pushed
 from workbench.judge.subject.angles import NO_ANGLE, angle_parts
 from workbench.judge.subject.inventory import Lookup, NotExact
-from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector
+from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector, turning_and_moving
 from workbench.language.typed.construct import apply
 from workbench.language.typed.terms import Apply, Number, Symbol, Term, Zero
 
@@ -136,7 +138,10 @@ class Turns:
         return self._source.circle(angle, now)
 
     def exp(self, argument: Term, depth: int) -> Value:
-        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u."""
+        """Of a purely dual x: 1 + x. Of α ũ with a unit vector u: I cos α + ũ sin α + (1 − cos α) u ⊗ u. Of
+        [α ũ v; 0 0] that beside (u · v) u + sin α/α (v − (u · v) u) + (1 − cos α)/α u × v."""
+        if (parts := turning_and_moving(argument, self._definitions)) is not None:
+            return self._moved(*parts, depth)
         turn = angle_and_axis(argument, self._definitions)
         vector = None if turn is not None else turned_vector(argument, self._definitions)
         if turn is not None:
@@ -151,6 +156,29 @@ class Turns:
         if value.du is None or any(bool(x != 0) for jet in value.re for x in jet.ravel()):
             raise NotExact(NO_EXPONENT)
         return Value(self._engine.one(argument.type, depth).re, value.du)
+
+    def _moved(self, turning: Term, moving: Term, depth: int) -> Value:
+        turn = angle_and_axis(turning, self._definitions)
+        vector = None if turn is not None else turned_vector(turning, self._definitions)
+        if turn is None and vector is None:
+            raise NotExact(NO_EXPONENT)
+        angle = turn[0] if turn is not None else apply("norm", vector)
+        alpha, v = self._engine.value(angle, depth), self._engine.value(moving, depth)
+        if turn is not None:
+            axis = self._engine.value(turn[1], depth)
+        else:
+            axis = self._algebra.divide(self._engine.value(vector, depth), alpha)
+        cosine, sine = self.circle(angle, depth)
+        one = self._algebra.constant(1, 1, depth)
+        along = product_of(np.multiply, product_of(dot, axis, v), axis)
+        slope = self._algebra.divide(add(one, cosine.map(lambda x: -x)), alpha)
+        moved = add(along, product_of(np.multiply, slope, product_of(cross, axis, v)))
+        beside = add(v, along.map(lambda x: -x))
+        moved = add(moved, product_of(np.multiply, self._algebra.divide(sine, alpha), beside))
+        rotation = self._turned(turning, cosine, sine, axis)
+        joined = [np.column_stack([r, p]) for r, p in zip(rotation.re, moved.re, strict=True)]
+        last = self._algebra.diagonal(4, 1, depth).re
+        return Value([np.vstack([rows, unit[3:]]) for rows, unit in zip(joined, last, strict=True)])
 
     def _turned(self, argument: Term, cosine: Value, sine: Value, axis: Value) -> Value:
         """The rotation, or cos + u sin of a quaternion, about an axis of length 1."""

@@ -12,7 +12,7 @@ from fractions import Fraction
 from math import lcm
 
 from workbench.judge.subject import Lookup, NotExact, With
-from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector
+from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector, turning_and_moving
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, number, symbol
 from workbench.language.typed.names import Name
@@ -57,6 +57,8 @@ def angles_of(term: Apply, definitions: Lookup) -> dict[Term, Fraction]:
     (argument,) = term.arguments
     if term.head != "exp":
         return angle_parts(argument, definitions)
+    if (parts := turning_and_moving(argument, definitions)) is not None:
+        argument = parts[0]
     turn = angle_and_axis(argument, definitions)
     if turn is not None:
         return angle_parts(turn[0], definitions)

@@ -149,6 +149,7 @@ class _Survey:
             self.inventory.norms += 1
             self.inventory.reciprocals += 1
         elif term.head in ("sin", "cos", "exp"):
+            self.inventory.reciprocals += term.type.kind == "matrix"  # sin α/α
             for angle, part in angles_of(term, self.definitions).items():
                 if isinstance(angle, Symbol):
                     self.inventory.angles[angle] = None

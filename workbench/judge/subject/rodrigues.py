@@ -1,5 +1,5 @@
 """What the exponential is taken of: an angle times a unit vector, or any vector, as a skew tensor or as a
-quaternion without a scalar part."""
+quaternion without a scalar part, or as a skew tensor beside a velocity."""
 
 from __future__ import annotations
 
@@ -7,11 +7,13 @@ from fractions import Fraction
 
 from workbench.judge.subject import Lookup
 from workbench.language.typed.construct import apply, number
-from workbench.language.typed.shapes import filling
+from workbench.language.typed.shapes import filling, multiple
 from workbench.language.typed.terms import Apply, Block, IllFormed, Number, Symbol, Term
+from workbench.language.typed.types import TENSOR, VECTOR
 
 NO_EXPONENT = (
-    "exp of anything but a purely dual argument, a skew tensor or a quaternion without a scalar part"
+    "exp of anything but a purely dual argument, a skew tensor or a quaternion without a scalar part, or "
+    "[x̃ v; 0 0]"
 )
 
 
@@ -73,7 +75,7 @@ def turned_vector(term: Term, definitions: Lookup) -> Term | None:
         case Apply(head="neg" | "div" | "mul" | "add", arguments=arguments):
             places = [i for i, a in enumerate(arguments) if a.type.kind in ("tensor", "quaternion")]
             found = [turned_vector(arguments[i], definitions) for i in places]
-            if None in found or not (len(places) == 1 or term.head == "add"):
+            if not found or None in found or not (len(places) == 1 or term.head == "add"):
                 return None
             parts = list(arguments)
             for place, vector in zip(places, found, strict=True):
@@ -82,4 +84,28 @@ def turned_vector(term: Term, definitions: Lookup) -> Term | None:
                 return apply(term.head, *parts)
             except IllFormed:
                 return None
+    return None
+
+
+def turning_and_moving(term: Term, definitions: Lookup) -> tuple[Term, Term] | None:
+    """(X, v) of the 4×4 matrix [X v; 0 0] of a real tensor and a vector, and of its multiples and sums."""
+    if term.type.dual:
+        return None
+    match term:
+        case Symbol() if (body := definitions.lookup(term)) is not None:
+            return turning_and_moving(body, definitions)
+        case Block(entries=((turning, moving), lowest)) if turning.type == TENSOR and moving.type == VECTOR:
+            return (turning, moving) if all(multiple(each) == "zero" for each in lowest) else None
+        case Apply(head="neg" | "div" | "mul" | "add", arguments=arguments):
+            places = [i for i, a in enumerate(arguments) if a.type == term.type]
+            found = [turning_and_moving(arguments[i], definitions) for i in places]
+            if None in found or not (len(places) == 1 or term.head == "add"):
+                return None
+            made = []
+            for which in (0, 1):
+                parts = list(arguments)
+                for place, pair in zip(places, found, strict=True):
+                    parts[place] = pair[which]
+                made.append(apply(term.head, *parts))
+            return made[0], made[1]
     return None

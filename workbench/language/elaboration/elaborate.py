@@ -35,7 +35,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.signatures import agree
-from workbench.language.typed.terms import Apply, IllFormed, Integer, Number, Term, Zero
+from workbench.language.typed.terms import Apply, IllFormed, Integer, Number, Term, Unread, Zero
 
 _LONGEST_NUMBER = 100
 
@@ -129,6 +129,8 @@ class Elaborator(Scope):
             if self.table.has_quaternions and {a.type.kind for a in addends} == {"scalar", "vector"}:
                 return _parts_of_quaternion(addends)
             return construct.apply("add", *self.with_units(addends))
+        except Unread as fault:
+            raise Fault(str(fault), places[_first_that_differs(addends)]) from None
         except IllFormed as fault:
             raise Misfit(fault, places[_first_that_differs(addends)]) from None
 

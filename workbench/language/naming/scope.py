@@ -22,7 +22,17 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Apply, IllFormed, Power, Symbol, Term, Unread, Zero, is_rate
+from workbench.language.typed.terms import (
+    Apply,
+    IllFormed,
+    Power,
+    Symbol,
+    Term,
+    Unread,
+    Zero,
+    is_accented_symbol,
+    is_rate,
+)
 from workbench.language.typed.types import VECTOR, type_of_kind
 
 Result = TypeVar("Result")
@@ -110,6 +120,10 @@ class Scope(ABC):
             terms = {letter: self.term(part) for letter, part in places.items()}
             if entry.fits(terms):
                 return self.term(entry.filled(terms))
+            column = next((term for term in terms.values() if _is_other_column(term)), None)
+            if column is not None and isinstance(node, Bracket):
+                message = f"[notation] says what this is of others; of a {column.type} an entry can say it"
+                raise Fault(f"{entry.key}: {message}", node.at)
         return None
 
     def in_bracket(self, node: Node) -> Term | None:
@@ -151,7 +165,7 @@ class Scope(ABC):
             arguments = (arguments[0], column)
         if head == "exp" and arguments[0].type.kind == "vector":
             raise Fault("the exponential of a vector: of its skew tensor, or of a quaternion?", at)
-        if head == "exp" and arguments[0].type.is_square and arguments[0].type.rows > 3:
+        if head == "exp" and arguments[0].type.kind == "matrix" and arguments[0].type.rows != 4:
             raise Fault(f"the exponential of a {arguments[0].type} is not read", at)
         return self.build(at, construct.apply, head, *arguments)
 
@@ -237,3 +251,8 @@ class Scope(ABC):
 
     def known_variables(self) -> str:
         return f"integer variables known here: {', '.join(sorted(self.variables)) or 'none'}"
+
+
+def _is_other_column(term: Term) -> bool:
+    """Whether it is a symbol for a column that is no vector, and so no tensor or number in a bracket."""
+    return term.type.is_column and term.type.kind == "matrix" and is_accented_symbol(term)

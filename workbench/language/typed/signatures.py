@@ -7,10 +7,29 @@ from dataclasses import replace
 
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.shapes import filling, shaped, stretched
-from workbench.language.typed.terms import Block, Identity, IllFormed, Term, Unread, Zero
+from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Term, Unread, Zero
 from workbench.language.typed.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
 Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
+
+
+def _abbreviated(terms: Sequence[Term]) -> str | None:
+    """What authors leave out on purpose where sizes differ: the last of four, a second ^T."""
+    if {t.type.with_dual(False) for t in terms} == {VECTOR, Type(4, 1)}:
+        return "the column of four, with a 1 (a point) or a 0 (a direction) below the vector"
+    lengths = [t.type.rows for t in terms if t.type.is_column]
+    rows = [t for t in terms if not t.type.is_column]
+    if lengths and rows and all(sum(p.type.rows for p in _turned_row(row)) == lengths[0] for row in rows):
+        return "the column of these columns below each other"
+    return None
+
+
+def _turned_row(term: Term) -> tuple[Term, ...]:
+    """The columns beside each other in a bracket with ^T."""
+    match term:
+        case Apply(head="transpose", arguments=(Block(entries=(columns,)),)):
+            return columns if all(each.type.is_column for each in columns) else ()
+    return ()
 
 
 def agree(terms: Sequence[Term], what: str) -> tuple[Term, ...]:
@@ -23,7 +42,10 @@ def agree(terms: Sequence[Term], what: str) -> tuple[Term, ...]:
     if OPERATOR in types and types <= {OPERATOR, TENSOR}:
         shape = OPERATOR
     elif len(types) > 1:
-        raise IllFormed(f"{what} differ in type: " + " and ".join(dict.fromkeys(str(t.type) for t in firm)))
+        message = f"{what} differ in type: " + " and ".join(dict.fromkeys(str(t.type) for t in firm))
+        if (usual := _abbreviated(firm)) is not None:
+            raise Unread(f"{message}; is meant {usual}? a `reading` says it")
+        raise IllFormed(message)
     else:
         shape = (firm or units or terms)[0].type
     may_be_unit = shape.kind == "operator" or (shape.is_square and shape.kind != "scalar")
@@ -209,7 +231,8 @@ def part(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
 
 
 def exp(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
-    _expect(arguments, {"scalar", "tensor", "quaternion"})
+    if not arguments[0].type.is_square:
+        _expect(arguments, {"scalar", "tensor", "quaternion"})
     return arguments[0].type, weightless(arguments)
 
 

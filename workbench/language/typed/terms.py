@@ -23,7 +23,7 @@ class IllFormed(ValueError):
 
 
 class Unread(IllFormed):
-    """It fits, and has no term here: a claim with it is not ill-formed."""
+    """It has no term here, but a meaning elsewhere: a claim with it is not ill-formed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -268,10 +268,17 @@ class Definition:
 
 
 def column_of_symbols(term: Term | None) -> tuple[Symbol, ...]:
-    """The entries of a literal column of scalars that are symbols, no two alike; none for any other term."""
-    entries = term.children if isinstance(term, Block) and term.type.is_column else ()
-    symbols = tuple(entry for entry in entries if isinstance(entry, Symbol))
-    return symbols if len(set(symbols)) == len(entries) == (term.type.rows if term else 0) else ()
+    """The entries of a literal column of scalars, or of a quaternion written by its four numbers, that are
+    symbols, no two alike; none for any other term."""
+    match term:
+        case Apply(head="quaternion", arguments=(scalar, Block(entries=entries))):
+            parts = (scalar, *(entry for row in entries for entry in row))
+        case Block() if term.type.is_column:
+            parts = term.children
+        case _:
+            return ()
+    symbols = tuple(part for part in parts if isinstance(part, Symbol))
+    return symbols if len(set(symbols)) == len(parts) == term.type.rows else ()
 
 
 def is_rate(term: Term) -> bool:

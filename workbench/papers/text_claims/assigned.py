@@ -30,7 +30,7 @@ def assigned(
     """What the model says of each claim; what it says of none is a fault."""
     assigned: dict[str, list[Entry]] = {}
     for entry in model.entries:
-        found = [each for each in placed if _means(entry.at, each)]
+        found = [each for each in placed if means(entry.at, each)]
         if not found:
             model.faults.tell(_nowhere(entry, placed, displays))
         elif model.faults.past(partial(_fits, entry, found, placed), whole=True):
@@ -46,7 +46,7 @@ def _fits(entry: Entry, found: Sequence[Placed], placed: Sequence[Placed]) -> bo
     return True
 
 
-def _means(at: str | Display, placed: Placed) -> bool:
+def means(at: str | Display, placed: Placed) -> bool:
     if isinstance(at, Display):
         return placed.display is at
     step, display = placed.step, placed.display

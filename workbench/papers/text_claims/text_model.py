@@ -28,6 +28,7 @@ CLAIM_KEYS = (
     "corrected",
     "hypothesis",
     "assume",
+    "given",
     "orders",
     "skip",
     "unread",

@@ -18,7 +18,7 @@ from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, 
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.said import stated, terms_of, with_said
 from workbench.papers.text_claims.asides import asides_of
-from workbench.papers.text_claims.assigned import Placed, assigned, unknown_ids
+from workbench.papers.text_claims.assigned import Placed, assigned, means, unknown_ids
 from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.text_claims.text_model import Entry, TextModel
 from workbench.papers.text_claims.unsettled import with_unsettled
@@ -52,6 +52,13 @@ def text_paper(
         raise PaperError(text.path, None, None, "no displayed equation in it")
     entries = assigned(model, placed, text.displays)
     claims = [_usable_claim(each, entries.get(each.id, ()), model) for each in placed]
+    claims = [
+        model.faults.past(
+            partial(_with_given, claim, placed[: at + 1], entries.get(claim.id, ())), whole=True
+        )
+        or _unusable(claim)
+        for at, claim in enumerate(claims)
+    ]
     claims = [_with_asides(*each, text.inline) for each in zip(claims, placed, strict=True)]
     for fault in unknown_ids(entries, {claim.id for claim in claims}):
         faults.tell(fault)
@@ -68,6 +75,24 @@ def text_paper(
         faults=tuple(faults),
         warnings=tuple(text.warnings),
     )
+
+
+def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]) -> Claim:
+    """With the formulas before it that it is to follow from, read in its own notation; `placed` ends with it.
+    Raises PaperError."""
+    given: list[Formula] = []
+    for table in (entry.table for entry in entries):
+        for at in table.texts(("given",)):
+            found = [each for each in placed[:-1] if means(at, each)]
+            if not found:
+                raise table.error_at_value(("given",), f"given: no formula {at!r} before {claim.id}")
+            for latex in (each.step.spelled()[0] for each in found):
+                try:
+                    statement, _ = read_statement(latex, claim.notation, claim.orders, as_condition=True)
+                    given.append(Formula(latex, statement))
+                except (ReadError, IllFormedAt) as error:
+                    raise table.error_at_value(("given",), f"given: {at}: {error.message}") from None
+    return replace(claim, assume=(*claim.assume, *given)) if given else claim
 
 
 def _with_asides(claim: Claim, placed: Placed, inline: Sequence[Display]) -> Claim:
@@ -113,9 +138,12 @@ def _usable_claim(placed: Placed, entries: Sequence[Entry], model: TextModel) ->
     claim = model.faults.past(partial(_claim, placed, entries, model.guessed), whole=True)
     if claim is not None:
         return claim
-    bare = _claim(placed, (), model.guessed)
+    return _unusable(_claim(placed, (), model.guessed))
+
+
+def _unusable(claim: Claim) -> Claim:
     why = "what the model says of it cannot be used"
-    return replace(bare, printed=replace(bare.printed, statement=None, ill_formed=None, unread=why))
+    return replace(claim, printed=replace(claim.printed, statement=None, ill_formed=None, unread=why))
 
 
 def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> Claim:

@@ -88,11 +88,10 @@ def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
         for term in definition.body.walk()
         if isinstance(term, Symbol)
     }
-    arrays = {
-        declaration.name.letter: declaration
-        for declaration in claim.notation.symbols.symbols.values()
-        if declaration.type.kind != "scalar" and not declaration.introduced
-    }
+    declared = claim.notation.symbols.symbols.values()
+    others = (each for each in declared if each.type.kind != "scalar" and not each.introduced)
+    by_scripts = sorted(others, key=lambda each: len((*each.name.sub, *each.name.sup)), reverse=True)
+    arrays = {each.name.letter: each for each in by_scripts}
     for declaration in free:
         whole = arrays.get(declaration.name.letter)
         indices = "".join(re.sub(r"[\s{},]", "", part) for part in declaration.name.sub)

@@ -56,6 +56,18 @@ SPELLED = [
     ),
     (r"\sum \mathbf{F}^W = \sum M", [r"\mathbf{F}_{\Sigma}^W = M_{\Sigma}"]),
     (r"\sum m v = \sum_i F_i", [r"\sum m v = \sum_i F_i"]),
+    (r"v_i = w_i = u_i, \, i = 1,2,3", [r"v_i=w_i,i=\overline{1,3}", r"w_i=u_i,i=\overline{1,3}"]),
+    (r"v_i = w_i \quad (i = 0, 1)", [r"v_i = w_i,i=\overline{0,1}"]),
+    (r"v_i = w_i \text{ for } i = 1, \ldots, n", [r"v_i = w_i,i\geq1"]),
+    (
+        r"v_{ij} = w_i, \; i, j = 1,...,6, \quad u = z",
+        [r"v_{ij} = w_i,i=\overline{1,6},j=\overline{1,6}", "u = z"],
+    ),
+    (r"v_i = w_i, \quad i = 1, 3", [r"v_i=w_i,\quad i", r"w_i,\quad i=1, 3"]),
+    (r"v = w, \quad i = 1, 2", [r"v=w, \quad i", r"w, \quad i=1, 2"]),
+    (r"x_i = y_i, k = 1", ["x_i = y_i", "k = 1"]),
+    (r"{v = w = z}", ["v=w", "w=z"]),
+    (r"{v}_1 = w \& w = {z}", ["{v}_1 = w", "w = {z}"]),
     (r"x \in \R^3", [r"x \in\mathbb{R}^3"]),
     (r"\left[\frac{d}{dt}\right]_{S_0} x = y", [r"\frac{{}^{S_0}d}{dt} x = y"]),
     (

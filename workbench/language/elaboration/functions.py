@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.factors import Factor, Row
-from workbench.language.elaboration.letters import raised
 from workbench.language.elaboration.quotients import Rate, slope, value_of
+from workbench.language.elaboration.superscripts import raised
 from workbench.language.grammar.syntax import (
     Bracket,
     Fraction,

@@ -9,11 +9,12 @@ from workbench.language.elaboration.arguments import is_own_variable
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import infix
-from workbench.language.elaboration.letters import letter, raised
+from workbench.language.elaboration.letters import letter
 from workbench.language.elaboration.nablas import along, as_del, of_field, with_sign
 from workbench.language.elaboration.quotients import divided, quotient, rate
 from workbench.language.elaboration.spelled import spelled_out
 from workbench.language.elaboration.summations import summation
+from workbench.language.elaboration.superscripts import raised
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,

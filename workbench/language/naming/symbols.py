@@ -18,10 +18,9 @@ from workbench.language.naming.declarations import (
     read_declaration,
     read_key,
     refuse_builtin,
-    refuse_operation,
 )
 from workbench.language.naming.notations import Notation, Notations
-from workbench.language.naming.spelling import Named, Spelling
+from workbench.language.naming.spelling import Named, Spelling, refuse_operation
 from workbench.language.typed.construct import symbol
 from workbench.language.typed.errors import SpecError
 from workbench.language.typed.integers import Linear

@@ -76,6 +76,41 @@ def test_a_notation_is_what_it_means(spelt: str, meant: str) -> None:
     assert relation.left == relation.right
 
 
+QUATERNIONS = SymbolTable.build(
+    {"p": {"kind": "hamilton quaternion"}, "q": {"kind": "hamilton quaternion"}, "a": {"kind": "vector"}}
+    | {"s": {"kind": "scalar"}, "T": {"kind": "tensor"}}
+).with_notations(
+    {
+        r"x \cdot y": {"where": dict.fromkeys("xy", "quaternion"), "means": "x y"},
+        "x / y": {"where": dict.fromkeys("xy", "quaternion"), "means": "x y^{-1}"},
+        r"\operatorname{vect}(x)": {"where": {"x": "quaternion"}, "means": r"\operatorname{Vec} x"},
+    }
+)
+
+
+@pytest.mark.parametrize(
+    ("spelt", "meant"),
+    [
+        (r"p \cdot q \cdot p", "p q p"),
+        ("p / q", "p q^{-1}"),
+        (r"\text{vect}(p \cdot q) \cdot a", r"(\operatorname{Vec} (p q)) \cdot a"),
+        (r"p / s", r"\frac{p}{s}"),
+        (r"\operatorname{vect}(T)", r"\operatorname{vect} T"),
+    ],
+)
+def test_a_sign_or_a_word_of_the_reader_means_what_the_paper_says_of_these_kinds(
+    spelt: str, meant: str
+) -> None:
+    one, other = (read(f"{each} = {each}", QUATERNIONS)[0].left for each in (spelt, meant))
+    assert one == other
+
+
+@pytest.mark.parametrize("formula", [r"p \cdot a = p", "a / q = q", r"s \backslash q = q"])
+def test_of_other_kinds_it_says_nothing(formula: str) -> None:
+    with pytest.raises((ReadError, IllFormedAt)):
+        read(formula, QUATERNIONS)
+
+
 def test_the_backslash_is_a_sign_of_the_paper() -> None:
     entry = {r"x \backslash y": {"where": {"x": "tensor", "y": "vector"}, "means": r"x^{-1} y"}}
     (relation,) = read(r"T\ \backslash\ v = T^{-1} v", TABLE.with_notations(entry))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from workbench.language.elaboration.arguments import is_own_variable
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
-from workbench.language.elaboration.infixes import infix
+from workbench.language.elaboration.infixes import explained, infix
 from workbench.language.elaboration.letters import letter
 from workbench.language.elaboration.nablas import along, as_del, of_field, with_sign
 from workbench.language.elaboration.quotients import divided, quotient, rate
@@ -103,6 +103,8 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
     is_one = divisor.factor(0).end == len(below) and (len(below) < 3 or not divisor.open_head)
     if dividend[-1].open_head or not is_one:
         raise Fault("how far does / reach? write \\frac{…}{…}", solidus.at)
+    if (own := explained(scope, solidus, numerator, denominator)) is not None:
+        return own
     return divided(scope, (solidus.at, below[0].at), numerator, denominator)
 
 

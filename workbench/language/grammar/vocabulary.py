@@ -208,6 +208,11 @@ def goes_on(last: str, first: str, is_addend: bool) -> bool:
     return last in _JOINS | {"SIGN"} or first in _JOINS or (first == "SIGN" and is_addend)
 
 
+def is_upright(text: str, plain: str) -> bool:
+    """Whether \\mathrm{plain} is a letter or one of UPRIGHT."""
+    return text.startswith("\\mathrm") and (len(plain) == 1 or plain in UPRIGHT)
+
+
 def spellings(kind: str) -> frozenset[str]:
     """The commands and characters that become tokens of this kind."""
     commands = {f"\\{name}" for name, (each, _) in COMMANDS.items() if each == kind}

@@ -22,6 +22,7 @@ from workbench.language.grammar.syntax import (
     Group,
     Infix,
     Leaf,
+    Matrix,
     Node,
     Product,
     Scripted,
@@ -33,13 +34,11 @@ from workbench.language.grammar.syntax import (
     is_numeral,
 )
 from workbench.language.naming.scope import Scope
-from workbench.language.naming.spelling import Scripts
+from workbench.language.naming.spelling import Scripts, spell_label
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.operators import GRADIENTS, OF_TENSORS, word_of
-from workbench.language.typed.terms import (
-    Apply,
-    Term,
-)
+from workbench.language.typed.terms import Apply, Term
+from workbench.language.typed.types import VECTOR
 
 _DIFFERENTIATE = GRADIENTS | {"d/dt", "∇", "the operator"}
 
@@ -182,9 +181,19 @@ def _with_left_scripts(row: Row, place: int) -> Factor:
         found = rate(row.scope, following)
         if found is not None and found.frame is None:
             return derivative(row, place + 1, found._replace(frame=left.sup))
+    if isinstance(following, Matrix) and left.sup is not None and left.sub is None:
+        return Factor(_in_frame(row.scope, left.sup, following), left.at, place + 2, following)
     if not isinstance(following, Leaf | Styled | Accented | Scripted):
         raise Fault("left scripts must stand before a symbol", left.at)
     return _name(row, place + 1, following, Scripts(left.sub, left.sup))
+
+
+def _in_frame(scope: Scope, label: Node, column: Matrix) -> Term:
+    """{}^B [1; 2; 3], the vector with these components in B."""
+    term, turn = scope.term(column), scope.table.turns.get(spell_label(label) or "")
+    if turn is None or term.type != VECTOR:
+        raise Fault("the components in that frame, or the vector that has them?", label.at)
+    return scope.apply(label.at, "mul", turn, term)
 
 
 def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:

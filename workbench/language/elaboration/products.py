@@ -77,6 +77,8 @@ def _with_sign_behind(scope: Scope, item: Node, sign: Infix) -> Node:
 
 
 def _joined(scope: Scope, rows: Sequence[Row], signs: list[Infix]) -> Term:
+    if (of_dyad := _of_dyad(scope, rows, signs)) is not None:
+        return of_dyad
     operands = [row.term() for row in rows]
     for row, sign, operand in zip(rows, signs, operands[1:], strict=False):
         _refuse_reach(row, sign, operand)
@@ -84,6 +86,23 @@ def _joined(scope: Scope, rows: Sequence[Row], signs: list[Infix]) -> Term:
         inside = scope.apply(signs[0].at, "mul", *operands[0].children, operands.pop(1))
         operands[0] = scope.apply(signs.pop(0).at, "vect", inside)
     return infix(scope, operands, signs)
+
+
+def _of_dyad(scope: Scope, rows: Sequence[Row], signs: Sequence[Infix]) -> Term | None:
+    """a b · c of three vectors, a (b · c), which is the dyad a b applied to c, too; and a · b c."""
+    if [sign.operator for sign in signs] != ["·"] or scope.table.has_quaternions:
+        return None
+    (above, below), at = [row.factors() for row in rows], signs[0].at
+    kinds = [[factor.term.type.kind for factor in factors] for factors in (above, below)]
+    vectors = [[kind for kind in each if kind != "scalar"] for each in kinds]
+    _refuse_reach(rows[0], signs[0], below[0].term)
+    if vectors == [["vector"] * 2, ["vector"]] and kinds[0][-2:] == ["vector"] * 2:
+        inner = scope.apply(at, "dot", above[-1].term, rows[1].term())
+        return scope.apply(at, "mul", rows[0].multiply(above[:-1]), inner)
+    if vectors == [["vector"], ["vector"] * 2] and kinds[1][:2] == ["vector"] * 2:
+        inner = scope.apply(at, "dot", rows[0].term(), below[0].term)
+        return scope.apply(at, "mul", inner, rows[1].multiply(below[1:]))
+    return None
 
 
 def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix]) -> Term:

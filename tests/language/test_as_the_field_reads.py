@@ -398,3 +398,26 @@ def test_a_bracket_that_may_say_an_argument_is_asked_about() -> None:
 def test_the_exponential_of_a_vector_is_asked_about() -> None:
     with pytest.raises(ReadError, match="of its skew tensor, or of a quaternion"):
         read(r"T = e^{a}", TABLE)
+
+
+@pytest.mark.parametrize(
+    ("dyad", "meant"),
+    [
+        (r"a b \cdot c", r"a (b \cdot c)"),
+        (r"a \cdot b c", r"(a \cdot b) c"),
+        (r"2 s a b \cdot c", r"(2 s a) (b \cdot c)"),
+        (r"a \cdot b c s", r"(a \cdot b) (c s)"),
+        (r"a a \cdot \dot{a} \|a\|", r"a (a \cdot (\dot{a} \|a\|))"),
+    ],
+)
+def test_a_dyad_of_vectors_before_or_behind_a_dot(dyad: str, meant: str) -> None:
+    term = read_term(dyad, TABLE)
+    assert read_term(to_latex(term), TABLE) == term == read_term(meant, TABLE)
+
+
+@pytest.mark.parametrize(
+    "formula", [r"a b \times c", r"a b \cdot T", r"a b c \cdot u", r"a s b \cdot c", r"a b"]
+)
+def test_no_other_product_of_vectors_is_one(formula: str) -> None:
+    with pytest.raises((IllFormedAt, ReadError)):
+        read(f"{formula} = a", TABLE)

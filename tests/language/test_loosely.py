@@ -19,8 +19,6 @@ TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()}
 DYADS = [
     (r"S = a b", r"S = a \otimes b"),
     (r"S = a b + s c d - T", r"S = a \otimes b + s c \otimes d - T"),
-    (r"a \cdot b c = d", r"(b \otimes c)^T a = d"),
-    (r"d = a b \cdot c", r"d = (a \otimes b) c"),
     (r"a \cdot T = b", r"T^T a = b"),
     (r"a \cdot T \cdot b = s", r"(T^T a) \cdot b = s"),
     (r"T \times a = S", r"T \tilde{a} = S"),
@@ -34,6 +32,8 @@ ONES = [
     ("T - 2 = S", r"T - 2 \mathbf{I} = S"),
 ]
 BOTH = [(r"1 - a b = T", r"\mathbf{I} - a \otimes b = T")]
+#: Of three vectors there is one meaning only, with dyads and without.
+EVERYWHERE = [(r"a \cdot b c = d", r"(a \cdot b) c = d"), (r"d = s a b \cdot c", r"d = s a (b \cdot c)")]
 NEITHER = [
     "s = a b",
     "T = s",
@@ -58,6 +58,12 @@ def loosely(several: set[str]) -> SymbolTable:
 @pytest.mark.parametrize(("written", "means", "several"), LOOSE)
 def test_it_is_read_where_the_paper_says_so(written: str, means: str, several: set[str]) -> None:
     assert to_latex(read(written, loosely(several))[0]) == to_latex(read(means, TABLE)[0])
+
+
+@pytest.mark.parametrize("several", [set(), {"dyads"}])
+@pytest.mark.parametrize(("written", "means"), EVERYWHERE)
+def test_three_vectors_are_read_everywhere(written: str, means: str, several: set[str]) -> None:
+    assert read(written, loosely(several)) == read(means, TABLE)
 
 
 @pytest.mark.parametrize(("written", "means", "several"), LOOSE)

@@ -29,6 +29,8 @@ TABLE = SymbolTable.build(
         r"\mathds{1}_{3\times 3}": {"means": r"\mathbf{I}"},
         "[x]": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
         "[NB]": {"means": "T"},
+        "[NB]_{0a}": {"means": "2 T"},
+        "[NB]^*": {"means": "3 T"},
         r"\mathrm{c} x": {"where": {"x": "scalar"}, "means": r"\cos x"},
         "S(x)": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
         r"x \times": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
@@ -41,6 +43,13 @@ SAME = [
     (r"{{}_B\omega \,}_{IB}", r"{}_B\omega_{IB}"),
     (r"S(a + v) a", r"\operatorname{skew}(a + v) a"),
     (r"S(a)^T", r"\tilde{a}^T"),
+    (r"[a]_\times^2 v", r"(\tilde{a})^2 v"),
+    (r"{[a]}_{ \times}^{T}", r"\tilde{a}^T"),
+    (r"[a]_\times^{-T}", r"\tilde{a}^{-T}"),
+    (r"\frac{d}{dt}([a]_\times)", r"\dot{[a]_\times}"),
+    (r"[NB]_{0a}^T v", r"(2 T)^T v"),
+    (r"[NB]^* [NB]", r"3 T T"),
+    (r"\begin{bmatrix} T a & v \end{bmatrix}_{3 \times 2}", r"\begin{bmatrix} T a & v \end{bmatrix}"),
     (r"S(2 a)^2 v", r"(\operatorname{skew}(2 a))^2 v"),
     (r"(a \times) v", r"\tilde{a} v"),
     (r"(a \times v \times)^T", r"(a \times \tilde{v})^T"),
@@ -67,6 +76,52 @@ def test_a_notation_is_what_it_means(spelt: str, meant: str) -> None:
     assert relation.left == relation.right
 
 
+QUATERNIONS = SymbolTable.build(
+    {"p": {"kind": "hamilton quaternion"}, "q": {"kind": "hamilton quaternion"}, "a": {"kind": "vector"}}
+    | {"s": {"kind": "scalar"}, "T": {"kind": "tensor"}}
+).with_notations(
+    {
+        r"x \cdot y": {"where": dict.fromkeys("xy", "quaternion"), "means": "x y"},
+        "x / y": {"where": dict.fromkeys("xy", "quaternion"), "means": "x y^{-1}"},
+        r"\operatorname{vect}(x)": {"where": {"x": "quaternion"}, "means": r"\operatorname{Vec} x"},
+    }
+)
+
+
+@pytest.mark.parametrize(
+    ("spelt", "meant"),
+    [
+        (r"p \cdot q \cdot p", "p q p"),
+        ("p / q", "p q^{-1}"),
+        (r"\text{vect}(p \cdot q) \cdot a", r"(\operatorname{Vec} (p q)) \cdot a"),
+        (r"p / s", r"\frac{p}{s}"),
+        (r"\operatorname{vect}(T)", r"\operatorname{vect} T"),
+    ],
+)
+def test_a_sign_or_a_word_of_the_reader_means_what_the_paper_says_of_these_kinds(
+    spelt: str, meant: str
+) -> None:
+    one, other = (read(f"{each} = {each}", QUATERNIONS)[0].left for each in (spelt, meant))
+    assert one == other
+
+
+@pytest.mark.parametrize("formula", [r"p \cdot a = p", "a / q = q", r"s \backslash q = q"])
+def test_of_other_kinds_it_says_nothing(formula: str) -> None:
+    with pytest.raises((ReadError, IllFormedAt)):
+        read(formula, QUATERNIONS)
+
+
+def test_the_backslash_is_a_sign_of_the_paper() -> None:
+    entry = {r"x \backslash y": {"where": {"x": "tensor", "y": "vector"}, "means": r"x^{-1} y"}}
+    (relation,) = read(r"T\ \backslash\ v = T^{-1} v", TABLE.with_notations(entry))
+    assert relation.left == relation.right
+
+
+@pytest.mark.parametrize("written", ["{v = a}", r"{{v = a}}", r"v = a \& a = v", r"v = a \text{ \& } a = v"])
+def test_braces_around_a_formula_print_nothing_and_an_ampersand_is_and(written: str) -> None:
+    assert [str(each) for each in read(written, TABLE)][:1] == [str(read("v = a", TABLE)[0])]
+
+
 def test_a_declared_name_comes_first() -> None:
     (relation,) = read(r"\hat{n} \times a = v", TABLE)
     assert relation.left.type.kind == "vector"
@@ -85,6 +140,11 @@ def test_labels_are_read(formula: str) -> None:
         r"(T \times) a = v",
         r"(a \otimes) = T",
         r"S(a)_1 = T",
+        r"[a]_\times_\times = T",
+        r"[NB]_{0b} = T",
+        r"[a + v]_3 = a",
+        r"(T a)_{3 \times 2} = a",
+        r"a \backslash v = a",
         r"v^\vee = a",
         r"v / a = 1",
         r"(a \cdot v)^\wedge = T",
@@ -100,13 +160,15 @@ def test_what_is_not_explained_is_refused(formula: str) -> None:
     [
         {"x^\\wedge": {"where": {"x": "vector"}}},
         {"x^\\wedge": {"where": {"y": "vector"}, "means": "y"}},
+        {"[NB]^T": {"means": "1"}},
+        {"[NB]_0^{-1}": {"means": "1"}},
         {"x^\\wedge = y": {"where": {"x": "vector"}, "means": "x"}},
         {
             "x^\\wedge": {"where": {"x": "vector"}, "means": r"\tilde{x}"},
             "y^\\wedge": {"where": {"y": "vector"}, "means": "2 y"},
         },
     ],
-    ids=["no meaning", "no such letter", "no expression", "two for one"],
+    ids=["no meaning", "no such letter", "a transpose", "an inverse", "no expression", "two for one"],
 )
 def test_a_notation_that_cannot_be_used(specs) -> None:
     with pytest.raises(SpecError):

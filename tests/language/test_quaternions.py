@@ -183,3 +183,24 @@ def test_jacobi_for_twists() -> None:
 )  # fmt: skip
 def test_columns_of_four_beside_quaternions(formula: str, outcome: Outcome) -> None:
     assert check(formula, KINDS).outcome is outcome
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\|q\| = \sqrt{q \otimes q^*}", Outcome.PROVED),
+        (r"\sqrt{(p q)^* (p q)} = \|p\| \|q\|", Outcome.PROVED),
+        (r"\sqrt{q^* q} = \|q\|^2", Outcome.REFUTED),
+        (r"q q^* = \|q\|^2 = \begin{bmatrix} \|q\|^2 \\ \mathbf{0} \end{bmatrix}", Outcome.PROVED),
+        (r"\|q\|^2 = \begin{bmatrix} \|q\|^2 \\ v \end{bmatrix}", Outcome.REFUTED),
+    ],
+)
+def test_q_by_its_conjugate_is_a_number_and_a_number_a_column_of_four(formula: str, outcome: Outcome) -> None:
+    kinds = {name: KINDS[name] for name in ("p", "q", "v")}
+    assert check(formula, symbols=kinds).outcome is outcome
+
+
+@pytest.mark.parametrize("formula", [r"\sqrt{q p^*} = \|q\|", r"\sqrt{q} = q"])
+def test_the_root_of_a_quaternion_is_refused(formula: str) -> None:
+    with pytest.raises(ReadError, match="no number"):
+        read(formula, SymbolTable.build({name: {"kind": KINDS[name]} for name in ("p", "q")}))

@@ -56,6 +56,23 @@ SPELLED = [
     ),
     (r"\sum \mathbf{F}^W = \sum M", [r"\mathbf{F}_{\Sigma}^W = M_{\Sigma}"]),
     (r"\sum m v = \sum_i F_i", [r"\sum m v = \sum_i F_i"]),
+    (r"v_i = w_i = u_i, \, i = 1,2,3", [r"v_i=w_i,i=\overline{1,3}", r"w_i=u_i,i=\overline{1,3}"]),
+    (r"v_i = w_i \quad (i = 0, 1)", [r"v_i = w_i,i=\overline{0,1}"]),
+    (r"v_i = w_i \text{ for } i = 1, \ldots, n", [r"v_i = w_i,i\geq1"]),
+    (
+        r"v_{ij} = w_i, \; i, j = 1,...,6, \quad u = z",
+        [r"v_{ij} = w_i,i=\overline{1,6},j=\overline{1,6}", "u = z"],
+    ),
+    (r"v_i = w_i, \quad i = 1, 3", [r"v_i=w_i,\quad i", r"w_i,\quad i=1, 3"]),
+    (r"v = w, \quad i = 1, 2", [r"v=w, \quad i", r"w, \quad i=1, 2"]),
+    (r"x_i = y_i, k = 1", ["x_i = y_i", "k = 1"]),
+    (
+        r"\omega_{\cal{B}/\cal{N}} = {\cal B/N}",
+        [r"\omega_{\mathcal{B}/\mathcal{N}} = {\mathcal{B}/\mathcal{N}}"],
+    ),
+    (r"p_{0_j}^{'T} = x^{''} y^{'2}", [r"p_{0_j}'^{T} = x'' y^{'2}"]),
+    (r"{v = w = z}", ["v=w", "w=z"]),
+    (r"{v}_1 = w \& w = {z}", ["{v}_1 = w", "w = {z}"]),
     (r"x \in \R^3", [r"x \in\mathbb{R}^3"]),
     (r"\left[\frac{d}{dt}\right]_{S_0} x = y", [r"\frac{{}^{S_0}d}{dt} x = y"]),
     (
@@ -100,6 +117,13 @@ LETTERS = SymbolTable.build({letter: {"kind": "scalar"} for letter in "AELRTdeop
 def test_a_word_is_no_product_of_its_letters(word: str) -> None:
     with pytest.raises(ReadError, match=r"words in a formula|logarithms"):
         read(f"{word} x = x", LETTERS)
+
+
+@pytest.mark.parametrize("label", [r"\text{max}", r"\textrm{sensed}", r"B, \text{rel}", r"\text{rel}/N"])
+def test_words_in_a_script_are_labels(label: str) -> None:
+    table = SymbolTable.build({f"r_{{{label}}}": {"kind": "vector"}})
+    (relation,) = read(f"r_{{{label}}} = 2 r_{{{label}}}", table)
+    assert relation.left.type.kind == "vector"
 
 
 def test_letters_in_scripts_and_upright_differentials_are_no_words() -> None:

@@ -10,10 +10,12 @@ import pytest
 from click.testing import CliRunner
 
 from workbench.cli.commands import main
+from workbench.judge.verdict import Outcome
 from workbench.language.printing.authors import in_the_hand_of
 from workbench.language.printing.printer import to_latex
 from workbench.papers import PaperError, load_paper
 from workbench.papers.formulas import read_statement
+from workbench.verify.claims import judge_paper
 
 MODEL = r"""
 source = "p.md"
@@ -350,3 +352,49 @@ def test_places_that_cannot_be_used(tmp_path: Path, place: str, why: str) -> Non
     (tmp_path / "p.toml").write_text(f"{before}place = {place}\n{after.partition(chr(10))[2]}")
     with pytest.raises(PaperError, match=re.escape(why)):
         load_paper(tmp_path / "p.toml")
+
+
+GEOMETRIC = r"""
+source = "p.md"
+[frames]
+base = "N"
+names = ["B"]
+'\omega_{F/G}' = "angular velocity of F in G"
+axes = { B = ['b_x', 'b_y', 'b_z'], N = ['n_x', 'n_y', 'n_z'] }
+MORE
+[symbols]
+'x' = "scalar"
+'y' = "scalar"
+'w' = "vector"
+"""
+
+
+@pytest.mark.parametrize(
+    ("formula", "is_true"),
+    [
+        (r"{}^B\begin{bmatrix} x \\ y \\ 0 \end{bmatrix} = x b_x + y b_y", True),
+        (r"{}^N\begin{bmatrix} x \\ y \\ 0 \end{bmatrix} = x n_x + y n_y", True),
+        (r"{}^B\begin{bmatrix} x \\ y \\ 0 \end{bmatrix} = x b_y + y b_x", False),
+        (r"\frac{{}^N d}{dt} b_x = \omega_{B/N} \times {}^B\begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix}", True),
+        (r"\frac{{}^N d}{dt} b_x = {}^B\begin{bmatrix} 0 \\ 0 \\ 0 \end{bmatrix} + b_x", False),
+    ],
+)
+def test_a_column_with_a_frame_is_the_vector_with_these_components(
+    tmp_path: Path, formula: str, is_true: bool
+) -> None:
+    (tmp_path / "p.md").write_text(f"$$\n{formula}\n$$")
+    (tmp_path / "p.toml").write_text(GEOMETRIC.replace("MORE", ""))
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.outcome is (Outcome.PROVED if is_true else Outcome.REFUTED)
+
+
+@pytest.mark.parametrize(
+    "more",
+    ["'{}^F C^G' = \"rotation to F from G\"", "'{}^F v' = 'w resolved in F'"],
+    ids=["rotation", "resolved"],
+)
+def test_it_is_refused_where_a_paper_has_columns_of_components_too(tmp_path: Path, more: str) -> None:
+    (tmp_path / "p.md").write_text(r"$$ {}^B\begin{bmatrix} x \\ y \\ 0 \end{bmatrix} = x b_x + y b_y $$")
+    (tmp_path / "p.toml").write_text(GEOMETRIC.replace("MORE", more))
+    (claim,) = load_paper(tmp_path / "p.toml").claims
+    assert claim.printed.statement is None

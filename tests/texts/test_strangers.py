@@ -103,7 +103,7 @@ MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
     f"'{name}' = {{ kind = \"{kind}\" }}\n"
     for name, kind in {
         r"\mathbf{r}": "vector", r"\mathbf{s}": "vector", "r_1": "scalar", "r_2": "scalar", "r_3": "scalar",
-        r"\alpha": "scalar", "x": "scalar", "y": "scalar", "z": "scalar",
+        r"\mathbf{p}_i": "vector", r"\alpha": "scalar", "x": "scalar", "y": "scalar", "z": "scalar",
     }.items()
 )  # fmt: skip
 
@@ -124,6 +124,14 @@ OPEN = [
     (r"$$\mathbf{u} \cdot \mathbf{u} = x$$", None),
     (r"$$\mathbf{w} = \mathbf{s} \times \mathbf{r}$$", r"says what \mathbf{w} is"),
     (r"$$\mathbf{w} + x \mathbf{s} = \mathbf{s}$$", None),
+    (r"$$\mathbf{p}_j = x \mathbf{p}_i + x^2 \mathbf{p}_i$$", r"says what \mathbf{p}_{n} is"),
+    (r"$$\mathbf{p}_i \cdot \mathbf{p}_j = x (\mathbf{p}_i \cdot \mathbf{p}_j) + x$$", None),
+    (
+        r"$$x \mathbf{r} + y \mathbf{s} + x y \mathbf{r} \times \mathbf{s} = (1, 2, 3)$$",
+        "numbers of an example",
+    ),
+    (r"$$x \mathbf{r} + y \mathbf{s} + x y \mathbf{r} \times \mathbf{s} = \mathbf{0}$$", None),
+    (r"$$\mathbf{r} \cdot \mathbf{r} + x^2 - x \mathbf{r} \cdot \mathbf{r} = 2$$", None),
 ]
 DEFINED = (
     "[definitions]\n"

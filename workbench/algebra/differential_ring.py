@@ -178,6 +178,11 @@ class DifferentialRing:
             p = self.reduce(p)
         return p
 
+    @property
+    def reciprocals(self) -> Sequence[tuple[str, Polynomial]]:
+        """The generators that stand for 1/d, and d, in the order in which they were made."""
+        return self._reciprocals
+
     def at(self, p: Polynomial, values: dict[str, Fraction]) -> Fraction:
         """The value of p at a rational point; every generator of p must have a value."""
         used = {self.names[i] for i, degree in enumerate(p.degrees()) if degree > 0}

@@ -27,6 +27,7 @@ _FRAME_KEYS = ("base", "names", "axes", "dot", "orientation")
 _POINT_KEYS = ("names", "fixed", "place")
 #: How phrases begin that speak of points.
 _PLACES = ("to", "origin", "place")
+_OF_COMPONENTS = rf"resolved in|^(?:rotation|transform|{'|'.join(RESOLVED_IN_F)})"
 _RESOLVED = re.compile(r",? resolved in (?P<R>\w)$")
 
 
@@ -118,6 +119,9 @@ class _Reader:
         for at, (point, said) in enumerate(placed.items()):
             later = {label(other) for other in list(placed)[at:]}
             frames.define(frames.place(label(point)), self.placed(said, later))
+        phrases = [str(said) for entry in ("frames", "points") for said in self.entries[entry].values()]
+        has_components = any(re.search(_OF_COMPONENTS, said) for said in phrases)
+        turns = {} if has_components else {frame: frames.orientation(frame) for frame in frames.labels}
         dot = self.entries["frames"].get("dot")
         if dot is not None:
             self.known(label(str(dot)), frames.labels, "dot")
@@ -131,6 +135,7 @@ class _Reader:
         table = replace(
             self.table,
             frames=spins,
+            turns={frame: identity() if turn is None else turn for frame, turn in turns.items()},
             dot=None if dot is None else label(dot),
             defined={**self.table.defined, **defined},
             directions=None if self.table.directions is None else frozenset(frames.directions),

@@ -97,3 +97,30 @@ def test_the_root_of_a_dual_number(square):
 )  # fmt: skip
 def test_what_is_said_of_roots_of_dual_numbers(latex, outcome):
     assert check(latex, DUALS).outcome is outcome
+
+
+QUOTIENTS = {"a": "vector", "b": "vector", "s": "scalar"}
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        r"\|\frac{a}{s}\| = \|a\|",
+        r"\|\frac{a}{s} + b\| s = \|a + s b\|",
+        r"\frac{a}{\|\frac{a}{\|b\|} + b\|} = a",
+    ],
+)
+def test_what_is_false_of_the_norm_of_a_quotient_is_refuted(formula: str) -> None:
+    assert check(formula, symbols=QUOTIENTS).outcome is Outcome.REFUTED
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        r"\|\frac{a}{s}\|^2 s^2 = \|a\|^2",
+        r"\|\frac{a}{\|a\|}\| = 1",
+        r"\|\frac{a}{s^2 + 1}\| (s^2 + 1) = \|a\|",
+    ],
+)
+def test_what_is_true_of_it_is_not(formula: str) -> None:
+    assert check(formula, symbols=QUOTIENTS).outcome is not Outcome.REFUTED

@@ -44,13 +44,19 @@ class ExactAlgebra:
         return [square for _, square in self._norms]
 
     def at(self, p: Polynomial, values: dict[str, Fraction]) -> Fraction:
-        """The value of a polynomial at values of its generators, with those of its norms."""
+        """The value of a polynomial at values of its generators, with those of its norms and reciprocals."""
         places = {name: place for place, name in enumerate(self.ring.names)}
-        norms = {}
+        adjoined = {}
         for name, square in self._norms:
             if p.degrees()[places[name]] > 0:
-                norms[name] = _rational_root(self.at(square, values))
-        return self.ring.at(p, {**values, **norms})
+                adjoined[name] = _rational_root(self.at(square, values))
+        for name, denominator in self.ring.reciprocals:  # within a norm
+            if p.degrees()[places[name]] > 0:
+                below = self.at(denominator, values)
+                if below == 0:
+                    raise NotExact("a denominator that vanishes at a point")
+                adjoined[name] = 1 / below
+        return self.ring.at(p, {**values, **adjoined})
 
     def diagonal(self, value: int, rows: int = 3, columns: int | None = None) -> Matrix:
         """The matrix with the value on its diagonal and 0 elsewhere."""

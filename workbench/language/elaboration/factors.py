@@ -40,12 +40,15 @@ class Row:
         self.open_head = ""  # what ends the row with an argument that is not bracketed
 
     def term(self) -> Term:
+        return self.multiply(self.factors())
+
+    def factors(self) -> list[Factor]:
         factors, place = [], 0
         while place < len(self.items):
             factor = self.factor(place)
             factors.append(factor)
             place = factor.end
-        return self.multiply(factors)
+        return factors
 
     def multiply(self, factors: Sequence[Factor]) -> Term:
         result = factors[0].term

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.factors import Factor, Row
-from workbench.language.elaboration.letters import raised
 from workbench.language.elaboration.quotients import Rate, slope, value_of
+from workbench.language.elaboration.superscripts import raised
 from workbench.language.grammar.syntax import (
     Bracket,
     Fraction,
@@ -28,7 +28,7 @@ from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import OF_ANGLES, OF_TENSORS, word_of
-from workbench.language.typed.terms import IllFormed, Integer, Number, Term, is_rate
+from workbench.language.typed.terms import Apply, IllFormed, Integer, Number, Term, is_rate
 
 
 def function(row: Row, place: int) -> Factor:
@@ -36,8 +36,8 @@ def function(row: Row, place: int) -> Factor:
     item = row.items[place]
     leaf = item.nucleus if isinstance(item, Scripted) else item
     head = leaf.text
-    if is_own_word(leaf):
-        return _of_the_paper(row, item, leaf, place)
+    if (own := _of_the_paper(row, item, leaf, place)) is not None:
+        return own
     if (
         leaf.bare
         and leaf.name not in row.scope.table.bare_functions
@@ -67,7 +67,7 @@ def function(row: Row, place: int) -> Factor:
     return Factor(term, leaf.at, end, item)
 
 
-def _of_the_paper(row: Row, item: Node, leaf: Leaf, place: int) -> Factor:
+def _of_the_paper(row: Row, item: Node, leaf: Leaf, place: int) -> Factor | None:
     """\\operatorname{Exp}(x) and \\mathrm{Ad}_T, as [notation] explains them; what is raised is the value."""
     sup = item.sup if isinstance(item, Scripted) else None
     bare = leaf if item is leaf else replace(item, sup=None)
@@ -78,16 +78,33 @@ def _of_the_paper(row: Row, item: Node, leaf: Leaf, place: int) -> Factor:
     if behind and isinstance(behind[0], Bracket):
         tried.insert(0, (Product(leaf.at, (bare, behind[0])), place + 2))
     for node, end in tried:
-        if (term := row.scope.written(node)) is not None:
+        if (term := row.scope.spelt(node)) is not None:
             return Factor(term if sup is None else raised(row.scope, term, sup), leaf.at, end, item)
-    raise Fault(words_in_a_formula(f"\\operatorname{{{leaf.name}}}"), leaf.at)
+    if is_own_word(leaf):
+        raise Fault(words_in_a_formula(f"\\operatorname{{{leaf.name}}}"), leaf.at)
+    return None
 
 
 def _root(row: Row, leaf: Leaf, place: int) -> Factor:
     item = row.items[place + 1]
     if not isinstance(item, Group) or row.items[place] is not leaf:
         raise Fault("expected a square root, \\sqrt{x}", leaf.at)
-    return Factor(row.scope.apply(leaf.at, "root", row.scope.term(item)), leaf.at, place + 2, leaf)
+    term = row.scope.term(item)
+    if term.type.kind == "quaternion":
+        if not _is_norm_squared(term):
+            raise Fault("the root of a quaternion, which is no number", leaf.at)
+        term = row.scope.apply(leaf.at, "scalar part", term)
+    return Factor(row.scope.apply(leaf.at, "root", term), leaf.at, place + 2, leaf)
+
+
+def _is_norm_squared(term: Term) -> bool:
+    """q q^* or q^* q, which is a number."""
+    match term:
+        case Apply(head="mul", arguments=(one, Apply(head="conjugate", arguments=(other,)))):
+            return one == other
+        case Apply(head="mul", arguments=(Apply(head="conjugate", arguments=(one,)), other)):
+            return one == other
+    return False
 
 
 def _of_two(row: Row, leaf: Leaf, place: int) -> Factor:

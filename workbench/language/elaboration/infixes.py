@@ -16,8 +16,12 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
     result = operands[0]
     heads = set()
     for sign, operand in zip(signs, operands[1:], strict=True):
-        if sign.operator in OWN_SIGNS:
-            result = _own_sign(scope, sign, result, operand)
+        own = explained(scope, sign, result, operand)
+        if own is None and sign.operator in OWN_SIGNS:
+            what = f"{sign.operator} of a {result.type} and a {operand.type}"
+            raise Fault(f"{what}: {OWN_SIGNS[sign.operator]}", sign.at)
+        if own is not None:
+            result = own
             if result.type.kind != "quaternion":
                 heads.add("cross")
             if "cross" in heads and len([o for o in operands if o.type.kind != "scalar"]) > 2:
@@ -55,13 +59,13 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
     return scope.apply(at, head, left, right)
 
 
-def _own_sign(scope: Scope, sign: Infix, left: Term, right: Term) -> Term:
-    """a ∧ b, as the paper's [notation] explains it."""
+def explained(scope: Scope, sign: Infix, left: Term, right: Term) -> Term | None:
+    """a ∧ b, or p · q of quaternions, as the paper's [notation] explains it; None where it does not."""
     for entry in scope.table.notations.signs(sign.operator):
         terms = dict(zip(entry.sign[1:], (left, right), strict=True))
         if entry.fits(terms):
             return scope.term(entry.filled(terms))
-    raise Fault(f"{sign.operator} of a {left.type} and a {right.type}: {OWN_SIGNS[sign.operator]}", sign.at)
+    return None
 
 
 def _from_column(scope: Scope, at: int, term: Term) -> Term:

@@ -2,34 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
 from workbench.language.elaboration.spelled import subscripted_norm
+from workbench.language.elaboration.superscripts import (
+    is_transpose,
+    notated,
+    raised,
+    refuse_label,
+    refuse_other_order,
+    with_quotients,
+)
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
-    Fraction,
     Group,
-    Infix,
     Leaf,
+    Matrix,
     Node,
     Product,
     Scripted,
     Styled,
-    Sum,
     core,
 )
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.scope import Scope
-from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, linear, spell
-from workbench.language.naming.symbols import may_be_label
-from workbench.language.typed import construct, instances
+from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, spell
+from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit, Unranged
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term, Zero
+from workbench.language.typed.terms import Apply, IllFormed, Term, Zero
 from workbench.language.typed.types import CLOCK, TENSOR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
@@ -93,20 +97,36 @@ class _Lettering:
         only = scripts.sub if scripts == Scripts(sub=scripts.sub, sup=scripts.sup) else None
         if only is not None and (norm := subscripted_norm(self.scope, node, only)) is not None:
             return norm, scripts.sup
-        if scripts.sub is not None or scripts.left_sub is not None or scripts.left_sup is not None:
+        if scripts.left_sub is not None or scripts.left_sup is not None:
             raise Fault("a subscript on an expression; indices belong to symbols", node.at)
         entries = self.scope.table.notations.primes()
         if scripts.primes and not entries:
             raise Fault("a prime on an expression", node.at)
-        term = self.scope.term(node)
+        for sup in dict.fromkeys((scripts.sup, None)):  # [x]_\\times, also under a superscript
+            shape = Scripted(node.at, core(node), scripts.sub, sup)
+            if scripts.primes == 0 and (term := self.scope.spelt(shape)) is not None:
+                return term, scripts.sup if sup is None else None
+        term = self.scope.term(node) if scripts.sub is None else self.sized(node, scripts.sub)
         for _ in range(scripts.primes):
             term = notated(self.scope, node.at, entries, term, "the prime")
         return term, scripts.sup
 
+    def sized(self, node: Node, sub: Node) -> Term:
+        """What stands in a bracket or is a matrix, with its size below it."""
+        size, is_single = size_below(sub)
+        if size is None or is_single or not isinstance(core(node), Bracket | Matrix):
+            raise Fault("a subscript on an expression; indices belong to symbols", node.at)
+        term = self.scope.term(node)
+        if isinstance(term, Zero):
+            return construct.zero(size)
+        if term.type.with_dual(False) != size:
+            raise Fault(f"it is a {term.type}, and the size below it another", sub.at)
+        return term
+
     def scripted(self, node: Scripted, outer: Scripts, styles: tuple[str, ...]) -> Lettered:
         if node.sub is not None and outer.sub is not None:
             raise Fault("a second subscript", outer.sub.at)
-        if isinstance(node.nucleus, Bracket) and len(node.nucleus.parts) > 1 and _is_transpose(node.sup):
+        if isinstance(node.nucleus, Bracket) and len(node.nucleus.parts) > 1 and is_transpose(node.sup):
             return _column(self.scope, node.nucleus), outer.sup
         scripts = Scripts(
             outer.left_sub,
@@ -117,9 +137,9 @@ class _Lettering:
         )
         term, sup = self.read(node.nucleus, scripts, styles)
         if sup is not None and sup is node.sup:
-            _refuse_other_order(term, node.nucleus, sup)
+            refuse_other_order(term, node.nucleus, sup)
             if not isinstance(node.nucleus, Bracket):
-                _refuse_label(term, sup)
+                refuse_label(term, sup)
         if node.sup is None:
             return term, sup
         return (term if sup is None else raised(self.scope, term, sup)), outer.sup
@@ -197,7 +217,7 @@ class _Lettering:
             case "\\mathbf{D}":
                 return construct.time_operator()
         if name in EXPONENTIALS:
-            return self.scope.apply(scripts.sup.at, "exp", self.scope.term(_with_quotients(scripts.sup)))
+            return self.scope.apply(scripts.sup.at, "exp", self.scope.term(with_quotients(scripts.sup)))
         if self.scope.table.has_letter(name.base):
             what = "write the number of combinations as \\binom{n}{k}"
             raise Fault(f"{name} is a symbol too; {what}", at)
@@ -246,44 +266,6 @@ class _Lettering:
         return construct.counting("factorial", self.scope.integer(argument))
 
 
-def _refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
-    """\\dot{T}^{-1}: the inverse of the derivative, or the derivative of the inverse? Of a quaternion's
-    conjugate both are the same."""
-    inner = core(sup)
-    inverts = isinstance(inner, Sum) and [sign for sign, _, _ in inner.addends] == ["-"]
-    differs = inverts or (term.type.kind != "quaternion" and isinstance(inner, Leaf) and inner.text == "*")
-    if differs and _is_dotted(nucleus):
-        what = "inverse" if inverts else "adjugate"
-        message = f"the {what} of the derivative, or the derivative of the {what}?"
-        raise Fault(f"{message} bracket (\\dot{{x}}), or write \\frac{{d}}{{dt}}", sup.at)
-
-
-def _is_dotted(node: Node) -> bool:
-    match node:
-        case Accented(accent=accent, body=body):
-            return accent != "~" or _is_dotted(body)
-        case Styled(body=body) | Scripted(nucleus=body) | Group(parts=(body,)):
-            return _is_dotted(body)
-    return False
-
-
-def _refuse_label(term: Term, sup: Node) -> None:
-    inner = core(sup)
-    while isinstance(term, Derivative):
-        term = term.body
-    is_number = isinstance(inner, Leaf) and inner.kind == "NUMBER" and inner.text.isdigit()
-    if is_number and isinstance(term, Symbol) and may_be_label(term, int(inner.text)):
-        raise Fault(f"the power {inner.text}, or the label of a frame? bracket what the power is of", sup.at)
-
-
-def _is_transpose(sup: Node | None) -> bool:
-    """Whether it is the T of A^T or A^{\\mathrm{T}}."""
-    inner = core(sup)
-    if isinstance(inner, Styled) and inner.style in ("\\mathrm", "\\mathsf"):
-        inner = core(inner.body)
-    return isinstance(inner, Leaf) and inner.text == "T"
-
-
 def _column(scope: Scope, row: Bracket) -> Term:
     """(x, y, z)^T, a column; of rows they are the rows of a column transposed."""
     terms = [scope.term(part) for part in row.parts]
@@ -297,77 +279,3 @@ def _upright(term: Term) -> Term:
         return term
     is_transposed = isinstance(term, Apply) and term.head == "transpose"
     return term.arguments[0] if is_transposed else construct.apply("transpose", term)
-
-
-def _with_quotients(node: Node) -> Node:
-    """The exponent of e, where / is a quotient and no part of a label."""
-    match node:
-        case Group(parts=parts) | Bracket(parts=parts):
-            return replace(node, parts=tuple(map(_with_quotients, parts)))
-        case Sum(addends=addends):
-            return replace(node, addends=tuple((s, at, _with_quotients(each)) for s, at, each in addends))
-        case Product(items=items):
-            return replace(node, items=tuple(map(_with_quotients, items)))
-        case Leaf(kind="MARK", text="/"):
-            return Infix(node.at, "/")
-    return node
-
-
-def _halves(node: Node | None) -> int | None:
-    """k of x^{k/2} with an odd k; None for any other superscript."""
-    match core(node):
-        case Sum(addends=(("-", _, inner),)):
-            found = _halves(inner)
-            return None if found is None else -found
-        case Fraction(numerator=above, denominator=below):
-            parts = core(above), core(below)
-        case Product(items=(above, Leaf(kind="MARK", text="/"), below)):
-            parts = above, below
-        case _:
-            return None
-    texts = [part.text for part in parts if isinstance(part, Leaf)]
-    return int(texts[0]) if texts in (["1", "2"], ["3", "2"], ["5", "2"]) else None
-
-
-def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spelled: str) -> Term:
-    """The one of the entries that fits the term, applied to it. Raises Misfit."""
-    for entry in entries:
-        (letter_of,) = entry.formals
-        if entry.fits({letter_of: term}):
-            return scope.term(entry.filled({letter_of: term}))
-    known = ", ".join(kind for entry in entries for kind in entry.formals.values())
-    raise Misfit(IllFormed(f"{spelled} of a {term.type}; [notation] has it for: {known}"), at)
-
-
-def raised(scope: Scope, term: Term, sup: Node) -> Term:
-    """term^sup: transpose, adjugate, inverse, derivative of an order, or power."""
-    if own := [e for e in scope.table.notations.marks(sup) if str(term.type) in e.formals.values()]:
-        return notated(scope, sup.at, own, term, "the superscript")
-    inner = core(sup)
-    match inner:
-        case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
-            raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)
-        case _ if _is_transpose(inner):
-            return term if isinstance(term, Zero) else scope.apply(sup.at, "transpose", term)
-        case Sum(addends=(("-", _, below),)) if _is_transpose(below):
-            return raised(scope, scope.apply(sup.at, "inverse", term), below)
-        case Leaf(kind="MARK", text="*") if not (term.type.is_square or term.type.kind == "quaternion"):
-            raise Fault(f"* on a {term.type}; declare the symbol with it, or say it in [notation]", sup.at)
-        case Leaf(kind="MARK", text="*"):
-            return scope.apply(sup.at, "adjugate", term)
-        case Bracket(kind="(", parts=(order,)):
-            return scope.rate(sup.at, term, scope.integer(order), None)
-    if (halves := _halves(inner)) is not None:
-        root = scope.apply(sup.at, "root", term)
-        return scope.build(sup.at, instances.raised, root, Linear(halves))
-    exponent = linear(inner, scope.variables)
-    if exponent is None:
-        known = "an integer, -1, T, -T, *, or an order in round brackets"
-        raise Fault(f"expected {known} as superscript; {scope.known_variables()}", sup.at)
-    is_odd = exponent.is_number and exponent.constant % 2 and exponent.constant != 1
-    if is_odd and term.type.kind == "vector" and scope.table.has_quaternions:
-        raise Fault("an odd power of a vector: is it a quaternion? write (0, x)", sup.at)
-    if exponent.is_number and exponent.constant < 0:
-        base = term if exponent.constant == -1 else scope.build(sup.at, construct.power, term, -exponent)
-        return scope.apply(sup.at, "inverse", base)
-    return scope.build(sup.at, construct.power, term, exponent)

@@ -8,12 +8,13 @@ from dataclasses import replace
 from workbench.language.elaboration.arguments import is_own_variable
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
-from workbench.language.elaboration.infixes import infix
-from workbench.language.elaboration.letters import letter, raised
+from workbench.language.elaboration.infixes import explained, infix
+from workbench.language.elaboration.letters import letter
 from workbench.language.elaboration.nablas import along, as_del, of_field, with_sign
 from workbench.language.elaboration.quotients import divided, quotient, rate
 from workbench.language.elaboration.spelled import spelled_out
 from workbench.language.elaboration.summations import summation
+from workbench.language.elaboration.superscripts import raised
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -21,6 +22,7 @@ from workbench.language.grammar.syntax import (
     Group,
     Infix,
     Leaf,
+    Matrix,
     Node,
     Product,
     Scripted,
@@ -32,13 +34,11 @@ from workbench.language.grammar.syntax import (
     is_numeral,
 )
 from workbench.language.naming.scope import Scope
-from workbench.language.naming.spelling import Scripts
+from workbench.language.naming.spelling import Scripts, spell_label
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.operators import GRADIENTS, OF_TENSORS, word_of
-from workbench.language.typed.terms import (
-    Apply,
-    Term,
-)
+from workbench.language.typed.terms import Apply, Term
+from workbench.language.typed.types import VECTOR
 
 _DIFFERENTIATE = GRADIENTS | {"d/dt", "∇", "the operator"}
 
@@ -77,6 +77,8 @@ def _with_sign_behind(scope: Scope, item: Node, sign: Infix) -> Node:
 
 
 def _joined(scope: Scope, rows: Sequence[Row], signs: list[Infix]) -> Term:
+    if (of_dyad := _of_dyad(scope, rows, signs)) is not None:
+        return of_dyad
     operands = [row.term() for row in rows]
     for row, sign, operand in zip(rows, signs, operands[1:], strict=False):
         _refuse_reach(row, sign, operand)
@@ -84,6 +86,23 @@ def _joined(scope: Scope, rows: Sequence[Row], signs: list[Infix]) -> Term:
         inside = scope.apply(signs[0].at, "mul", *operands[0].children, operands.pop(1))
         operands[0] = scope.apply(signs.pop(0).at, "vect", inside)
     return infix(scope, operands, signs)
+
+
+def _of_dyad(scope: Scope, rows: Sequence[Row], signs: Sequence[Infix]) -> Term | None:
+    """a b · c of three vectors, a (b · c), which is the dyad a b applied to c, too; and a · b c."""
+    if [sign.operator for sign in signs] != ["·"] or scope.table.has_quaternions:
+        return None
+    (above, below), at = [row.factors() for row in rows], signs[0].at
+    kinds = [[factor.term.type.kind for factor in factors] for factors in (above, below)]
+    vectors = [[kind for kind in each if kind != "scalar"] for each in kinds]
+    _refuse_reach(rows[0], signs[0], below[0].term)
+    if vectors == [["vector"] * 2, ["vector"]] and kinds[0][-2:] == ["vector"] * 2:
+        inner = scope.apply(at, "dot", above[-1].term, rows[1].term())
+        return scope.apply(at, "mul", rows[0].multiply(above[:-1]), inner)
+    if vectors == [["vector"], ["vector"] * 2] and kinds[1][:2] == ["vector"] * 2:
+        inner = scope.apply(at, "dot", rows[0].term(), below[0].term)
+        return scope.apply(at, "mul", inner, rows[1].multiply(below[1:]))
+    return None
 
 
 def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix]) -> Term:
@@ -102,6 +121,8 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
     is_one = divisor.factor(0).end == len(below) and (len(below) < 3 or not divisor.open_head)
     if dividend[-1].open_head or not is_one:
         raise Fault("how far does / reach? write \\frac{…}{…}", solidus.at)
+    if (own := explained(scope, solidus, numerator, denominator)) is not None:
+        return own
     return divided(scope, (solidus.at, below[0].at), numerator, denominator)
 
 
@@ -179,9 +200,19 @@ def _with_left_scripts(row: Row, place: int) -> Factor:
         found = rate(row.scope, following)
         if found is not None and found.frame is None:
             return derivative(row, place + 1, found._replace(frame=left.sup))
+    if isinstance(following, Matrix) and left.sup is not None and left.sub is None:
+        return Factor(_in_frame(row.scope, left.sup, following), left.at, place + 2, following)
     if not isinstance(following, Leaf | Styled | Accented | Scripted):
         raise Fault("left scripts must stand before a symbol", left.at)
     return _name(row, place + 1, following, Scripts(left.sub, left.sup))
+
+
+def _in_frame(scope: Scope, label: Node, column: Matrix) -> Term:
+    """{}^B [1; 2; 3], the vector with these components in B."""
+    term, turn = scope.term(column), scope.table.turns.get(spell_label(label) or "")
+    if turn is None or term.type != VECTOR:
+        raise Fault("the components in that frame, or the vector that has them?", label.at)
+    return scope.apply(label.at, "mul", turn, term)
 
 
 def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:

@@ -34,7 +34,7 @@ from workbench.language.typed.terms import (
     Statement,
     Term,
 )
-from workbench.language.typed.types import type_of_kind
+from workbench.language.typed.types import SCALAR, Type, type_of_kind
 
 #: An index that may be any is tried with so many values; a formula has at most so many of them.
 GENERIC_VALUES, MOST_GENERIC = 3, 4
@@ -297,6 +297,8 @@ def _link(reader: Elaborator, sign: str, at: int, left: Term, right: Term) -> St
     if sign in ORIENTATIONS:
         product = reader.apply(at, ORIENTATIONS[sign], left, right)
         return reader.build(at, construct.relation, "=", product, construct.zero(product.type))
+    if reader.table.has_quaternions and {left.type, right.type} == {SCALAR, Type(4, 1)}:
+        left, right = construct.as_quaternion(left), construct.as_quaternion(right)
     return reader.build(at, construct.relation, sign, left, right)
 
 

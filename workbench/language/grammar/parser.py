@@ -69,7 +69,8 @@ class _Builder(Transformer):
         universal = isinstance(children[0], Token)
         parts = children[universal:]
         if len(parts) == 1 and not universal:
-            return parts[0]
+            inner = core(parts[0])
+            return inner if isinstance(inner, Chain) else parts[0]
         relations = tuple((str(sign), sign.start_pos) for sign in parts[1::2])
         return Chain(parts[0].at, tuple(parts[::2]), relations, universal)
 

@@ -22,9 +22,9 @@ from workbench.language.grammar.vocabulary import (
     NAMES,
     SIZES,
     SPACING,
-    UPRIGHT,
     UPRIGHT_NAMES,
     WORDS,
+    is_upright,
 )
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.operators import FUNCTIONS
@@ -44,7 +44,7 @@ _TOKEN = re.compile(
     | (?P<ring>\\overset\s*\{\s*\\circ\s*\})
     | \\(?:text|textrm|mbox)\s*\{(?P<prose>[A-Za-z,'’\s]+:\s*)\}
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
-      \{(?P<words>(?:arc|a)tan2|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
+      \{(?P<words>(?:arc|a)tan2|\s*\\&\s*|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
     | \\(?:text|textrm|mbox)\s*\{(?P<said>[^{}$]*)\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[A-Za-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
@@ -181,7 +181,7 @@ class Tokenizer:
             self.emit("FUNCTION", f"\\{plain}", at)
         elif (word := plain[:1].lower() + plain[1:]) in WORDS:
             self.joining(WORDS[word], word, at)
-        elif text.startswith("\\mathrm") and (len(plain) == 1 or plain in UPRIGHT or self.in_script()):
+        elif plain and not text.startswith("\\op") and (self.in_script() or is_upright(text, plain)):
             self.label(words.strip(" ,."), at)
         elif plain in EXPECTED:
             self.refused = self.refused or Fault(f"{text}: {EXPECTED[plain]}", at)

@@ -51,6 +51,8 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "odot": ("INFIX", "⊙"),
     "boxplus": ("INFIX", "⊞"),
     "boxminus": ("INFIX", "⊟"),
+    "backslash": ("INFIX", "∖"),
+    "setminus": ("INFIX", "∖"),
     "neq": ("RELATION", "≠"),
     "ne": ("RELATION", "≠"),
     "triangleq": ("RELATION", "="),
@@ -69,6 +71,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "mapsto": ("RELATION", "↦"),
     "mid": ("COMMA", "|"),
     "forall": ("FORALL", "∀"),
+    "&": ("AND", "and"),
     "Leftrightarrow": ("IMPLICATION", "⇔"),
     "Longleftrightarrow": ("IMPLICATION", "⇔"),
     "iff": ("IMPLICATION", "⇔"),
@@ -146,7 +149,7 @@ ORIENTATIONS = {"\\perp": "dot", "\\parallel": "cross"}
 #: Signs without a meaning of their own: a paper says in [notation] what they are.
 OWN_SIGNS = {
     "∧": "the vector product is written \\times, the skew tensor of x \\tilde{x}",
-    **dict.fromkeys("∨⊕⊖⊙⊞⊟*", "a sign that [notation] does not explain"),
+    **dict.fromkeys("∨⊕⊖⊙⊞⊟∖*", "a sign that [notation] does not explain"),
     ".": "a full stop inside a formula, which [notation] does not explain as a product",
 }
 
@@ -155,7 +158,7 @@ WORDS = {
     **dict.fromkeys(("where", "with", "for", "if", "when", "whenever", "given", "given that"), "GIVEN"),
     **dict.fromkeys(("provided", "provided that", "assuming", "assuming that", "such that"), "GIVEN"),
     "then": "THEN",
-    "and": "AND",
+    **dict.fromkeys(("and", "\\&"), "AND"),
     "for all": "FORALL",
     "for every": "FORALL",
     "for any": "FORALL",
@@ -203,6 +206,11 @@ def goes_on(last: str, first: str, is_addend: bool) -> bool:
     """Whether a line of a display that ends with a token of the kind `last` goes on in the next one, which
     begins with one of the kind `first`. is_addend: behind a sign, that line is the rest of a side."""
     return last in _JOINS | {"SIGN"} or first in _JOINS or (first == "SIGN" and is_addend)
+
+
+def is_upright(text: str, plain: str) -> bool:
+    """Whether \\mathrm{plain} is a letter or one of UPRIGHT."""
+    return text.startswith("\\mathrm") and (len(plain) == 1 or plain in UPRIGHT)
 
 
 def spellings(kind: str) -> frozenset[str]:

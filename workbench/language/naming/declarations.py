@@ -20,7 +20,6 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.naming.spelling import (
     INDEX_LETTERS,
-    TRANSPOSES,
     Named,
     Scripts,
     Spelling,
@@ -56,19 +55,6 @@ BUILTIN = {
     Name("\\partial"): "the sign of a partial derivative",
     Name("\\nabla"): "the sign of a gradient",
 }
-
-
-def refuse_operation(name: Name, key: str) -> None:
-    """A superscript that means something else cannot be part of a name."""
-    sup, meaning = "n".join(name.sup), None
-    if sup in TRANSPOSES:
-        meaning = "the transpose"
-    elif name.sup == ("", "") or sup.lstrip("-").isdigit():
-        meaning = "a power"
-    elif sup.startswith("(") and sup.endswith(")"):
-        meaning = "a derivative"
-    if meaning is not None:
-        raise SpecError(f"the superscript {sup} would be read as {meaning}; try ^{{[n]}}", key)
 
 
 def refuse_builtin(name: Name, type_: Type, key: str) -> None:

@@ -25,8 +25,10 @@ from workbench.language.grammar.syntax import (
     core,
     is_own_word,
 )
+from workbench.language.naming.spelling import refuse_operation, spell_label
 from workbench.language.typed.construct import zero
 from workbench.language.typed.errors import Fault, SpecError
+from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Term, Zero
 from workbench.language.typed.types import KINDS, type_of_kind
 
@@ -72,9 +74,12 @@ class Notation:
             kind = formals[letter].removeprefix("dual ")
             if type_of_kind(kind) is None and kind not in map(str, KINDS.values()):
                 raise SpecError(f"where: {letter} is {kind!r}; expected a kind such as vector", key)
-        if not formals and _letter(notation.pattern) is None and not isinstance(notation.pattern, Bracket):
+        if not formals and _letter(notation.pattern) is None and not notation.is_bracket:
             symbol = "a symbol: a letter or a number in its font, or what stands in a bracket"
             raise SpecError(f"a notation without arguments is {symbol}", key)
+        if not formals and notation.is_bracket and isinstance(notation.pattern, Scripted):
+            sup = notation.pattern.sup
+            refuse_operation(Name("", sup=(spell_label(sup) or "",) if sup else ()), key)
         return notation
 
     def fits(self, terms: Mapping[str, Term]) -> bool:
@@ -149,8 +154,13 @@ class Notation:
         return None
 
     @property
+    def is_bracket(self) -> bool:
+        """[Ad] and [Ad]^*, which are looked for as brackets."""
+        return isinstance(_without_scripts(self.pattern), Bracket)
+
+    @property
     def is_constant(self) -> bool:
-        return not self.formals and not isinstance(self.pattern, Bracket)
+        return not self.formals and not self.is_bracket
 
     def _is_formal(self, node: Node) -> bool:
         return isinstance(leaf := core(node), Leaf) and leaf.text in self.formals

@@ -19,7 +19,7 @@ from workbench.language.grammar.syntax import (
     core,
 )
 from workbench.language.grammar.vocabulary import CLOSING, written
-from workbench.language.typed.errors import Fault
+from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import SCRIPTS, Name
 
@@ -198,6 +198,19 @@ def bracketed(letters: Sequence[str]) -> Name:
     """The name [BN]."""
     ends_in_word = letters[0].startswith("\\") and letters[0][-1].isalpha()
     return Name(f"[{(' ' if ends_in_word else '').join(letters)}]")
+
+
+def refuse_operation(name: Name, key: str) -> None:
+    """A superscript that means something else cannot be part of a name."""
+    sup, meaning = "n".join(name.sup), None
+    if sup in TRANSPOSES:
+        meaning = "the transpose"
+    elif name.sup == ("", "") or sup.lstrip("-").isdigit():
+        meaning = "a power"
+    elif sup.startswith("(") and sup.endswith(")"):
+        meaning = "a derivative"
+    if meaning is not None:
+        raise SpecError(f"the superscript {sup} would be read as {meaning}; try ^{{[n]}}", key)
 
 
 def spell_label(node: Node) -> str | None:

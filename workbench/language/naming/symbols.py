@@ -18,10 +18,9 @@ from workbench.language.naming.declarations import (
     read_declaration,
     read_key,
     refuse_builtin,
-    refuse_operation,
 )
 from workbench.language.naming.notations import Notation, Notations
-from workbench.language.naming.spelling import Named, Spelling
+from workbench.language.naming.spelling import Named, Spelling, refuse_operation
 from workbench.language.typed.construct import symbol
 from workbench.language.typed.errors import SpecError
 from workbench.language.typed.integers import Linear
@@ -53,6 +52,8 @@ class SymbolTable:
     constants: Mapping[Name, Notation] = field(default_factory=dict)
     #: frame → its angular velocity seen from where \\dot differentiates
     frames: Mapping[str, Term] = field(default_factory=dict)
+    #: frame → its axes, in a paper that has no components of a vector apart from it
+    turns: Mapping[str, Term] = field(default_factory=dict)
     #: names in brackets that only say what a symbol depends on: f(q)
     arguments: frozenset[Name] = frozenset()
     #: which of these the definition of a name uses

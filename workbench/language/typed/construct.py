@@ -189,10 +189,10 @@ def _as_quaternions(terms: Sequence[Term]) -> tuple[Term, ...]:
     """The terms; beside a quaternion those that have a scalar and a vector part, made quaternions."""
     if not any(term.type.kind == "quaternion" for term in terms):
         return tuple(terms)
-    return tuple(map(_as_quaternion, terms))
+    return tuple(map(as_quaternion, terms))
 
 
-def _as_quaternion(term: Term) -> Term:
+def as_quaternion(term: Term) -> Term:
     """The quaternion of a column of four, of a scalar or a vector; anything else as it is."""
     if term.type.kind == "quaternion":
         return term
@@ -202,9 +202,9 @@ def _as_quaternion(term: Term) -> Term:
         return term
     match term:
         case Apply(head="neg" | "add" as head, arguments=addends):
-            return apply(head, *map(_as_quaternion, addends))
+            return apply(head, *map(as_quaternion, addends))
         case Apply(head="mul", arguments=(factor, column)) if column.type == term.type:
-            return apply("mul", factor, _as_quaternion(column))
+            return apply("mul", factor, as_quaternion(column))
     first, *rest = ([number(int(i == j)) if i == j else zero() for j in range(4)] for i in range(4))
     return apply("quaternion", apply("mul", block([first]), term), apply("mul", block(rest), term))
 

@@ -4,6 +4,7 @@ within typefaces, R(t)^T."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import dropwhile
 
 from workbench.papers.respell.between import net_sum, row_of_a_matrix, transposed_row, wide_space
 from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, braced, group, past, printed
@@ -117,15 +118,18 @@ def _nested_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | N
 
 
 def _prime(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """^{\\prime\\prime} as ''."""
+    """^{\\prime\\prime} as '', ^{'T} as '^{T}."""
     if tokens[place].text != "^":
         return None
     start = past(tokens, place + 1)
     end = behind(tokens, start)
-    primes = [token for token in tokens[start:end] if token.text not in ("{", "}", " ")]
-    if not primes or any(token.text != "\\prime" for token in primes):
+    inside = [token for token in tokens[start:end] if token.text not in ("{", "}", " ")]
+    rest = list(dropwhile(lambda token: token.text in ("\\prime", "'"), inside))
+    primes = inside[: len(inside) - len(rest)]
+    if not primes or (rest and [token.text for token in rest] not in (["T"], ["\\top"])):
         return None
-    return [token.standing_for("'") for token in primes], end
+    made = [token.standing_for("'") for token in primes]
+    return [*made, *([tokens[place], *braced(rest[0], rest)] if rest else [])], end
 
 
 def _of_time(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:

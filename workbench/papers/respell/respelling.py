@@ -74,7 +74,7 @@ def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Toke
     read stays as it is."""
     if len(tokens) > MOST_CHARACTERS:
         return list(tokens)
-    made = list(_respelled(list(with_nuclei(list(with_typefaces(as_read(tokens)))))))
+    made = list(_respelled(list(with_nuclei(as_read(list(with_typefaces(tokens)))))))
     if any(token.word in _OPERATORS for token in tokens):
         made = _tidied(made)
     return list(_with_words(made, words))

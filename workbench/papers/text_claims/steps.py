@@ -19,13 +19,15 @@ from workbench.papers.text_claims.alignment import (
     trimmed,
     with_depth,
 )
+from workbench.papers.text_claims.listed import is_range, with_listed
 from workbench.papers.texts import Display, Token, joined, spelled
 
 _CONDITIONS = frozenset(["<", ">", "\\le", "\\leq", "\\ge", "\\geq", "\\lt", "\\gt", "\\in", "\\neq", "\\ne"])
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
+_BETWEEN = WIDE | {",", ";", "\\&"}
 _SEPARATING = frozenset((
     "", "and", "where", "with", "for", "for all", "so", "so that", "thus", "hence", "therefore",
-    "and therefore",
+    "and therefore", "\\&",
 ))  # fmt: skip
 #: Words that some write as if they were a symbol.
 _UPRIGHT = frozenset({"and", "or", "if", "where"})
@@ -54,7 +56,7 @@ def steps_of(display: Display, words: Collection[str] = ()) -> list[list[Step]]:
 
 
 def _steps(line: Line) -> Iterator[Step]:
-    tokens = line.tokens
+    tokens = _without_braces(line.tokens)
     while tokens and tokens[0].text in IMPLICATIONS | {"="}:  # what goes on from before is judged by itself
         tokens = trimmed(tokens[1:])
     rows = list(line.rows)
@@ -67,6 +69,15 @@ def _steps(line: Line) -> Iterator[Step]:
                 rows.pop(0)
             assumed = tuple(tuple(piece) for piece in clause.assumed)
             yield Step(tuple(step), tuple(own), assumed, rows[0][1], rows[0][2])
+
+
+def _without_braces(tokens: list[Token]) -> list[Token]:
+    """{a = b} prints a = b."""
+    if not tokens or tokens[0].text != "{":
+        return tokens
+    inside, end = argument(tokens, 0)
+    is_formula = end == len(tokens) and any(token.text in RELATIONS for token in top(inside))
+    return _without_braces(trimmed(inside)) if is_formula else tokens
 
 
 @dataclass
@@ -82,7 +93,7 @@ def _clauses(tokens: list[Token]) -> list[_Clause]:
     """Each formula of a line with the conditions beside it. A line with a piece that relates nothing stays as
     it is: the reader knows more of lists than this does."""
     whole = [_Clause(tokens, [], [])]
-    pieces = list(_pieces(tokens))
+    pieces = list(with_listed(list(_pieces(tokens)), tokens))
     relations = [{token.text for token in top(piece) if token.text in RELATIONS} for piece in pieces]
     if _joins(tokens) or not all(relations):
         return whole
@@ -90,7 +101,7 @@ def _clauses(tokens: list[Token]) -> list[_Clause]:
     waiting = _Clause([], [], [])
     for piece, signs in zip(pieces, relations, strict=True):
         target = clauses[-1] if clauses else waiting
-        if signs - _CONDITIONS:
+        if signs - _CONDITIONS and not is_range(piece):
             clauses.append(_Clause(piece, waiting.ranges, waiting.assumed))
             waiting = _Clause([], [], [])
         elif signs <= _UNEQUAL:
@@ -130,7 +141,7 @@ def _pieces(tokens: list[Token]) -> Iterator[list[Token]]:
             continue
         behind_column = depth == 0 and token.text in EXPLICIT and _ends_a_column(tokens[:place])
         is_word = depth == 0 and _words(tokens, place) in _SEPARATING
-        if is_word or (depth == 0 and (token.text in (",", ";") or token.text in WIDE)) or behind_column:
+        if is_word or (depth == 0 and token.text in _BETWEEN) or behind_column:
             if is_word:
                 _, skip_to = argument(tokens, place + 1)
             if piece := trimmed(piece):

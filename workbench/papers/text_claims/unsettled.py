@@ -26,6 +26,7 @@ from workbench.papers.said import SAYS, terms_of
 from workbench.papers.texts import Display, Text
 
 _UNREAD = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
+_EXAMPLE = "gives the numbers of an example, which nothing defines; a definition makes it a claim"
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _NO_ADJUGATE = "^* is read as the adjugate, of which the text does not speak; [notation] can say what it is"
@@ -44,7 +45,11 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             open_columns = {each.name for each in symbols if _is_open(claim, each, symbols)}
             free = [each for each in symbols if each.name not in known - open_columns and not each.free]
             why = _of_unread(free, unread) or _of_components(free, claim) or _of_a_star(statement, text)
-            claim = replace(claim, unsettled=why, says=_solved_for(statement, free, _within(claim, symbols)))
+            within = _within(claim, symbols)
+            says = _solved_for(statement, free, within)
+            if says is None and (free or within - known - _declared_free(claim)):
+                says = _of_an_example(statement)
+            claim = replace(claim, unsettled=why, says=says)
         made.append(claim)
     return made
 
@@ -132,16 +137,31 @@ def _solved_for(statement: Statement, free: Sequence[Declaration], within: set[N
     """A symbol that nothing defines and that occurs in the statement once, and in no definition of it, in an
     equation or in one that is concluded: no identity has such a symbol, so that this says something of it. Of
     scalars with a side 0, any."""
-    names = Counter(each.name for each in free if each.name not in within)
+    names = {each.name for each in free} - within
+    written = Counter(
+        (term.declaration.name, term.index) for term in terms_of(statement) if _is_of(term, names)
+    )
     equations = [each for each in _concluded(statement) if each.operator in ("=", "≈")]
-    said = (term.declaration for each in equations for term in terms_of(each) if isinstance(term, Symbol))
+    said = (term for each in equations for term in terms_of(each) if _is_of(term, names))
     types = {each.left.type for each in equations}
     is_condition = all(each.type.kind == "scalar" for each in free) and any(
         _is_zero(each.left) or _is_zero(each.right) for each in equations
     )
-    unknown = [each for each in said if names[each.name] == 1 or (is_condition and each.name in names)]
+    once = (term for term in said if is_condition or written[term.declaration.name, term.index] == 1)
+    unknown = [term.declaration for term in once]
     first = min(unknown, key=lambda each: each.type not in types, default=None)
     return first and SAYS.format(first.name)
+
+
+def _of_an_example(statement: Statement) -> str | None:
+    """What free symbols make in an example, a matrix of numbers."""
+    equations = [each for each in _concluded(statement) if each.operator in ("=", "≈")]
+    is_example = any(_is_value(each.left) != _is_value(each.right) for each in equations)
+    return _EXAMPLE if is_example else None
+
+
+def _is_of(term: Term, names: set[Name]) -> bool:
+    return isinstance(term, Symbol) and term.declaration.name in names
 
 
 def _of_a_star(statement: Statement, text: Text) -> str | None:
@@ -159,6 +179,18 @@ def _concluded(statement: Statement) -> Iterator[Relation]:
     elif isinstance(statement, Conjunction):
         for part in statement.parts:
             yield from _concluded(part)
+
+
+def _declared_free(claim: Claim) -> set[Name]:
+    return {name for name, each in claim.notation.symbols.symbols.items() if each.free}
+
+
+def _is_value(term: Term) -> bool:
+    """Whether it is made of numbers alone, and a matrix that is more than 0 and the unit."""
+    parts = [] if term.type.rows == 1 == term.type.columns else list(term.walk())
+    return any(isinstance(part, Number) for part in parts) and not any(
+        isinstance(part, Symbol) for part in parts
+    )
 
 
 def _is_zero(term: Term) -> bool:

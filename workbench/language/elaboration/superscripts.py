@@ -1,0 +1,141 @@
+"""What stands above a term: transpose, inverse, power, an order of derivatives, what the paper says of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from workbench.language.grammar.syntax import (
+    Accented,
+    Bracket,
+    Fraction,
+    Group,
+    Infix,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    core,
+)
+from workbench.language.naming.notations import Notation
+from workbench.language.naming.scope import Scope
+from workbench.language.naming.spelling import linear
+from workbench.language.naming.symbols import may_be_label
+from workbench.language.typed import construct, instances
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import Derivative, IllFormed, Symbol, Term, Zero
+
+
+def refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
+    """\\dot{T}^{-1}: the inverse of the derivative, or the derivative of the inverse? Of a quaternion's
+    conjugate both are the same."""
+    inner = core(sup)
+    inverts = isinstance(inner, Sum) and [sign for sign, _, _ in inner.addends] == ["-"]
+    differs = inverts or (term.type.kind != "quaternion" and isinstance(inner, Leaf) and inner.text == "*")
+    if differs and _is_dotted(nucleus):
+        what = "inverse" if inverts else "adjugate"
+        message = f"the {what} of the derivative, or the derivative of the {what}?"
+        raise Fault(f"{message} bracket (\\dot{{x}}), or write \\frac{{d}}{{dt}}", sup.at)
+
+
+def _is_dotted(node: Node) -> bool:
+    match node:
+        case Accented(accent=accent, body=body):
+            return accent != "~" or _is_dotted(body)
+        case Styled(body=body) | Scripted(nucleus=body) | Group(parts=(body,)):
+            return _is_dotted(body)
+    return False
+
+
+def refuse_label(term: Term, sup: Node) -> None:
+    inner = core(sup)
+    while isinstance(term, Derivative):
+        term = term.body
+    is_number = isinstance(inner, Leaf) and inner.kind == "NUMBER" and inner.text.isdigit()
+    if is_number and isinstance(term, Symbol) and may_be_label(term, int(inner.text)):
+        raise Fault(f"the power {inner.text}, or the label of a frame? bracket what the power is of", sup.at)
+
+
+def is_transpose(sup: Node | None) -> bool:
+    """Whether it is the T of A^T or A^{\\mathrm{T}}."""
+    inner = core(sup)
+    if isinstance(inner, Styled) and inner.style in ("\\mathrm", "\\mathsf"):
+        inner = core(inner.body)
+    return isinstance(inner, Leaf) and inner.text == "T"
+
+
+def with_quotients(node: Node) -> Node:
+    """The exponent of e, where / is a quotient and no part of a label."""
+    match node:
+        case Group(parts=parts) | Bracket(parts=parts):
+            return replace(node, parts=tuple(map(with_quotients, parts)))
+        case Sum(addends=addends):
+            return replace(node, addends=tuple((s, at, with_quotients(each)) for s, at, each in addends))
+        case Product(items=items):
+            return replace(node, items=tuple(map(with_quotients, items)))
+        case Leaf(kind="MARK", text="/"):
+            return Infix(node.at, "/")
+    return node
+
+
+def _halves(node: Node | None) -> int | None:
+    """k of x^{k/2} with an odd k; None for any other superscript."""
+    match core(node):
+        case Sum(addends=(("-", _, inner),)):
+            found = _halves(inner)
+            return None if found is None else -found
+        case Fraction(numerator=above, denominator=below):
+            parts = core(above), core(below)
+        case Product(items=(above, Leaf(kind="MARK", text="/"), below)):
+            parts = above, below
+        case _:
+            return None
+    texts = [part.text for part in parts if isinstance(part, Leaf)]
+    return int(texts[0]) if texts in (["1", "2"], ["3", "2"], ["5", "2"]) else None
+
+
+def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spelled: str) -> Term:
+    """The one of the entries that fits the term, applied to it. Raises Misfit."""
+    for entry in entries:
+        (letter_of,) = entry.formals
+        if entry.fits({letter_of: term}):
+            return scope.term(entry.filled({letter_of: term}))
+    known = ", ".join(kind for entry in entries for kind in entry.formals.values())
+    raise Misfit(IllFormed(f"{spelled} of a {term.type}; [notation] has it for: {known}"), at)
+
+
+def raised(scope: Scope, term: Term, sup: Node) -> Term:
+    """term^sup: transpose, adjugate, inverse, derivative of an order, or power."""
+    if own := [e for e in scope.table.notations.marks(sup) if str(term.type) in e.formals.values()]:
+        return notated(scope, sup.at, own, term, "the superscript")
+    inner = core(sup)
+    match inner:
+        case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
+            raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)
+        case _ if is_transpose(inner):
+            return term if isinstance(term, Zero) else scope.apply(sup.at, "transpose", term)
+        case Sum(addends=(("-", _, below),)) if is_transpose(below):
+            return raised(scope, scope.apply(sup.at, "inverse", term), below)
+        case Leaf(kind="MARK", text="*") if not (term.type.is_square or term.type.kind == "quaternion"):
+            raise Fault(f"* on a {term.type}; declare the symbol with it, or say it in [notation]", sup.at)
+        case Leaf(kind="MARK", text="*"):
+            return scope.apply(sup.at, "adjugate", term)
+        case Bracket(kind="(", parts=(order,)):
+            return scope.rate(sup.at, term, scope.integer(order), None)
+    if (halves := _halves(inner)) is not None:
+        root = scope.apply(sup.at, "root", term)
+        return scope.build(sup.at, instances.raised, root, Linear(halves))
+    exponent = linear(inner, scope.variables)
+    if exponent is None:
+        known = "an integer, -1, T, -T, *, or an order in round brackets"
+        raise Fault(f"expected {known} as superscript; {scope.known_variables()}", sup.at)
+    is_odd = exponent.is_number and exponent.constant % 2 and exponent.constant != 1
+    if is_odd and term.type.kind == "vector" and scope.table.has_quaternions:
+        raise Fault("an odd power of a vector: is it a quaternion? write (0, x)", sup.at)
+    if exponent.is_number and exponent.constant < 0:
+        base = term if exponent.constant == -1 else scope.build(sup.at, construct.power, term, -exponent)
+        return scope.apply(sup.at, "inverse", base)
+    return scope.build(sup.at, construct.power, term, exponent)

@@ -99,7 +99,7 @@ class _Supposed:
         for place, value in self._values:
             group = _with_value(group, place, value)
         p = self._ring.normal(group[0][0])
-        return p.set_ring(by[0].ring).rem(by).set_ring(p.ring) if p and by else p
+        return p.set_ring(by[0].ring).rem(by).set_ring(p.ring) if by else p
 
     @cached_property
     def _basis(self) -> list[PolyElement]:

@@ -234,8 +234,7 @@ def _pointwise(sequent: Sequent, statement: Statement, letter: str, then: Proof)
     name, _ = read_key(letter)
     if name in sequent.scope.table.symbols:
         raise NotShown(f"{letter} is a symbol already; take a fresh letter")
-    dual = left.type.dual or right.type.dual
-    variable = Variable(Declaration(name, VECTOR.with_dual(dual), constant=True))
+    variable = Variable(Declaration(name, VECTOR, constant=True))  # tells dual sides apart, too
     vector = symbol(variable.declaration)
     if kind == "tensor":
         sides = apply("mul", left, vector), apply("mul", right, vector)

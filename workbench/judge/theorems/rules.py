@@ -324,9 +324,8 @@ def _instance(sequent: Sequent, use: Use):
                 goal = at_integer(body, integer, value)
             case Implies(antecedent, conclusion, always):
                 known = sequent.at_all_times() if always else sequent
-                same = [supposed for supposed in known.premises if _says(supposed.goal, antecedent, scope)]
-                lasting = lasting and (any(s.lasting for s in same) if same else known.lasts)
-                if not same:
+                lasting = lasting and known.lasts
+                if not any(_says(supposed.goal, antecedent, scope) for supposed in known.premises):
                     yield from obligations(known.of(antecedent), Kernel())
                 goal = conclusion
             case Both(parts):

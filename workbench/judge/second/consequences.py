@@ -34,7 +34,7 @@ def recheck(relation: Relation, inventory: Inventory, definitions: Lookup, assum
         for relations in (assumptions.equations, assumptions.nonzero)
     )
     zeros = [p for tops in supposed for p in tops if p]
-    elsewhere = [tops[0] if len(tops) == 1 else _square(ring, tops) for tops in apart]
+    elsewhere = [_square(ring, tops) for tops in apart]
     return _Supposed(ring, zeros, elsewhere).imply(ring.over_rationals(tops))
 
 

@@ -127,6 +127,7 @@ FALSE: dict[str, list[tuple[str, Proof]]] = {
         (r"\exists c \in V_3 : c = a \wedge \dot{c} = \dot{a}", Witness({"c": "a"})),
         (r"\forall c \in V_3 : \exists d \in V_3^\mathbb{R} : d = c \wedge \dot{d} = d", Witness({"d": "c"})),
         (r"\Big( a = b \Longrightarrow w = p \Big) \Rightarrow a = b \Rightarrow w = p", Follows("Y", Y=OF_0)),
+        (r"\Big( \forall Q \in SO_3^\mathbb{R} : Q a = Q b \Big) \Rightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0, {"Q": r"\mathbf{I}"}))),
         (r"T T^T = \mathbf{I} \wedge \det T = 1 \Rightarrow \dot{T} T^T = - T \dot{T}^T", TURNING),
         (r"h \dot{h} = 0 \Rightarrow \dot{h} = 0", Given(Cases("h = 0", Follows(r"\dot{Y}", Y=Use(-1))))),
         (r"\Big( h \neq 0 \Longrightarrow a = b \Big) \Longrightarrow h \dot{a} = h \dot{b}", Given(Cases("h = 0", Kernel((1,)), Follows(r"h \dot{Y}", Y=OF_0)))),
@@ -220,6 +221,7 @@ TRUE: list[tuple[str, Proof]] = [
     (r"\Big( \forall c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", Pointwise("d", Follows("Y", Y=Use(0, {"c": "d"})))),
     (r"\exists c \in V_3 : c = a", Witness({"c": "a + 0 b"})),
     (r"\forall c, d \in V_3 : c^2 + d^2 \geqslant 2 c \cdot d", Squares("c - d")),
+    (r"\Big( \forall Q \in SO_3^\mathbb{R} : Q a = Q b \Big) \Longrightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0, {"Q": r"\mathbf{I}"}))),
     (r"T T^T = \mathbf{I} \wedge \det T = 1 \Longrightarrow \dot{T} T^T = - T \dot{T}^T", TURNING),
     (r"a = b = w \wedge 2 p = w \Rightarrow w = 2 p", Follows("Y", Y=Use(0, part=2, back=True))),
 ]  # fmt: skip

@@ -307,9 +307,8 @@ def _instance(sequent: Sequent, use: Use):
                 for variable, term in read_members(scope, variables, taken).items():
                     own = [Atom(o.statement) for o in belongs("instance", sequent, variable, term)]
                     if own:
-                        moves = not variable.declaration.constant
-                        lasting = lasting and (moves or sequent.lasts)
-                        known = sequent.at_all_times() if moves else sequent
+                        known = sequent if variable.declaration.constant else sequent.at_all_times()
+                        lasting = lasting and known.lasts
                         by = use.members
                         by = by.get(str(variable.letter), Kernel()) if isinstance(by, Mapping) else by
                         yield from obligations(known.of(Both(tuple(own))), by)

@@ -152,6 +152,7 @@ FALSE: dict[str, list[tuple[str, Proof]]] = {
         (r"\exists X \in L(V_3, V_3) : X T = \mathbf{I}", Witness({"X": "T^{-1}"})),
     ],
     "a letter in use is no other's": [
+        (r"\forall m, n \geq 1 : y_{n-1} + a - y_{m-1} = a", Kernel()),
         (r"\forall m \geq 0 : y_m = a \Rightarrow \forall n \geq 0 : B_n = y_m", Given(Have(r"\forall k \geq 0 : B_k = y_m", Induction(Follows("Y", Y=Use(0, back=True)), Follows("Z + Y - y_k", Y=Use(-1, {"m": "k"}), Z=Use(0, back=True)), letter="m"), Follows("Y", Y=Use(-1, {"k": "n"}))))),
     ],
     "a letter in the base of a recurrence is bound with it": [

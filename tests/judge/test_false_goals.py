@@ -224,6 +224,8 @@ TRUE: list[tuple[str, Proof]] = [
     (r"\forall c, d \in V_3 : c^2 + d^2 \geqslant 2 c \cdot d", Squares("c - d")),
     (r"\Big( \forall Q \in SO_3^\mathbb{R} : Q a = Q b \Big) \Longrightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0, {"Q": r"\mathbf{I}"}))),
     (r"T T^T = \mathbf{I} \wedge \det T = 1 \Longrightarrow \dot{T} T^T = - T \dot{T}^T", TURNING),
+    (r"\Big( \forall c \in V_3 : \frac{d}{dt} (T c) = \frac{d}{dt} (U c) \Big) \Rightarrow \dot{T} = \dot{U}", Pointwise("d", Follows("Y", Y=Use(0, {"c": "d"})))),
+    (r"\Big( \forall k < 2 : a^{(k)} = b^{(k)} \Big) \Rightarrow \Big( a = b \Rightarrow 2 a = w \Big) \Rightarrow a = b \Rightarrow 2 b = w", Follows("Y + 2 Z - 2 a", Y=Use(1), Z=Use(2, back=True))),
     (r"a = b = w \wedge 2 p = w \Rightarrow w = 2 p", Follows("Y", Y=Use(0, part=2, back=True))),
 ]  # fmt: skip
 

@@ -213,6 +213,8 @@ def test_sums_by_leibniz(n):
         ("a = a", Kernel(), "same term"),
         # a sum of squares of dual numbers is no bound
         (r"\forall c \in \mathbb{R} : c \geqslant c", Squares(r"\varepsilon c"), "expected a real"),
+        (r"\forall c \in \mathbb{R} : c^2 \geqslant \varepsilon c", Squares("c"), "compares real scalars"),
+        (r"a = b \Rightarrow b = a", Follows("Y", Y=Use(1)), "there is no premise 1"),
         (r"\forall c \in \underline{V}_3 : c = \mathbf{0}", ByLength(), "no rule"),
     ],
 )

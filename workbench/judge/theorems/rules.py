@@ -234,7 +234,8 @@ def _pointwise(sequent: Sequent, statement: Statement, letter: str, then: Proof)
     name, _ = read_key(letter)
     if name in sequent.scope.table.symbols:
         raise NotShown(f"{letter} is a symbol already; take a fresh letter")
-    variable = Variable(Declaration(name, VECTOR, constant=True))  # tells dual sides apart, too
+    dual = left.type.dual or right.type.dual
+    variable = Variable(Declaration(name, VECTOR.with_dual(dual), constant=True))
     vector = symbol(variable.declaration)
     if kind == "tensor":
         sides = apply("mul", left, vector), apply("mul", right, vector)
@@ -290,7 +291,7 @@ def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator
 
 
 def _is_unequal(statement: Statement) -> bool:
-    return all(r.operator == "≠" for r in relations_of(statement)) and not hasattr(statement, "lasting")
+    return all(r.operator == "≠" for r in relations_of(statement))
 
 
 def _instance(sequent: Sequent, use: Use):

@@ -68,6 +68,8 @@ DEFINITIONS = {
     "S_{n+1}": "S_n + y_{n+1}",
     "H_0": r"\frac{1}{h} a",
     "H_{n+1}": r"\dot{H}_n",
+    "B_0": "a",
+    "B_{n+1}": "a + B_n - y_n",
 }
 
 
@@ -96,6 +98,13 @@ SAME = Have(
     r"2 a \cdot b = a \cdot b + a \cdot b", Kernel(), Follows(r"\frac{1}{h} - \frac{1}{h} + Y", Y=Use(-1))
 )
 DOT = r"\dot{X}"
+TURNING = Given(
+    Have(
+        r"\forall Q \in SO_3^\mathbb{R} : \dot{Q} Q^T = - Q \dot{Q}^T",
+        Kernel(),
+        Follows("Y", Y=Use(-1, {"Q": "T"})),
+    )
+)
 
 FALSE: dict[str, list[tuple[str, Proof]]] = {
     "what is so at one place says nothing of derivatives there": [
@@ -117,6 +126,11 @@ FALSE: dict[str, list[tuple[str, Proof]]] = {
         (r"\dot{a} = \mathbf{0}", Have(r"\exists c \in V_3 : c = a", Witness({"c": "a"}), Obtain(-1, Follows(r"\dot{Y}", Y=Use(-1, back=True))))),
         (r"\exists c \in V_3 : c = a \wedge \dot{c} = \dot{a}", Witness({"c": "a"})),
         (r"\forall c \in V_3 : \exists d \in V_3^\mathbb{R} : d = c \wedge \dot{d} = d", Witness({"d": "c"})),
+        (r"\Big( a = b \Longrightarrow w = p \Big) \Rightarrow a = b \Rightarrow w = p", Follows("Y", Y=OF_0)),
+        (r"\Big( \forall Q \in SO_3^\mathbb{R} : Q a = Q b \Big) \Rightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0, {"Q": r"\mathbf{I}"}))),
+        (r"T T^T = \mathbf{I} \wedge \det T = 1 \Rightarrow \dot{T} T^T = - T \dot{T}^T", TURNING),
+        (r"h \dot{h} = 0 \Rightarrow \dot{h} = 0", Given(Cases("h = 0", Follows(r"\dot{Y}", Y=Use(-1))))),
+        (r"\Big( h \neq 0 \Longrightarrow a = b \Big) \Longrightarrow h \dot{a} = h \dot{b}", Given(Cases("h = 0", Kernel((1,)), Follows(r"h \dot{Y}", Y=OF_0)))),
     ],
     "a map makes something of a value alone": [
         (r"\exists v \in V_3 \to V_3 : \Big( \forall c \in V_3 : v(c) = \mathbf{0} \Big) \wedge v(a) = \dot{a}", Witness({"v": DOT})),
@@ -136,6 +150,10 @@ FALSE: dict[str, list[tuple[str, Proof]]] = {
         (r"\forall n \geq 0 : \frac{n-5}{n-5} a^{(n)} = a^{(n)}", Kernel()),
         (r"\exists! k \in \mathbb{R} : k h = 1", Unique({"k": r"\frac{1}{h}"}, only=Follows(r"\frac{Y}{h}", Y=Use(-1)))),
         (r"\exists X \in L(V_3, V_3) : X T = \mathbf{I}", Witness({"X": "T^{-1}"})),
+    ],
+    "a letter in use is no other's": [
+        (r"\forall m, n \geq 1 : y_{n-1} + a - y_{m-1} = a", Kernel()),
+        (r"\forall m \geq 0 : y_m = a \Rightarrow \forall n \geq 0 : B_n = y_m", Given(Have(r"\forall k \geq 0 : B_k = y_m", Induction(Follows("Y", Y=Use(0, back=True)), Follows("Z + Y - y_k", Y=Use(-1, {"m": "k"}), Z=Use(0, back=True)), letter="m"), Follows("Y", Y=Use(-1, {"k": "n"}))))),
     ],
     "a letter in the base of a recurrence is bound with it": [
         (r"\Big( \forall a \in V_3^\mathbb{R} : \forall n \geq 0 : d_n \times a = \mathbf{0} \Big) \Rightarrow \forall c \in V_3^\mathbb{R} : d_0 \times c = \mathbf{0}", Given(Follows("Y", Y=Use(0, {"a": "c", "n": "0"})))),
@@ -163,6 +181,7 @@ FALSE: dict[str, list[tuple[str, Proof]]] = {
         (r"\forall n \geq 1 : \sum_{k=0}^{n} C_n^{k+1} a^{(k)} \times b^{(n-k)} = (a \times b)^{(n)}", Kernel()),
         (r"\forall n \geq 2 : \frac{d}{dt} \left(\sum_{k=0}^{n-3} C_{n-3}^k a^{(k)} \times b^{(n-3-k)}\right) = \sum_{k=0}^{n-2} C_{n-2}^k a^{(k)} \times b^{(n-2-k)}", Kernel()),
         (r"\Big( \forall n \geq 0 : a = \sum_{k=0}^{n} c_n y_k \Big) \Rightarrow \forall k \geq 0 : a = \sum_{l=0}^{k} c_l y_l", Given(Follows("Y", Y=Use(0, {"n": "k"})))),
+        (r"\forall n \geq 0 : y_n = y_0", Induction(step=Follows("Y", Y=Use(-1, {"m": "n+1"})), letter="m")),
     ],
     "a wrong base": [
         (r"\forall n \geq 0 : e_n = 3 \cdot 2^n h", Induction(step=Follows("2 Y", Y=Use(-1)))),
@@ -178,6 +197,10 @@ FALSE: dict[str, list[tuple[str, Proof]]] = {
         (r"\exists k \in \mathbb{R} : h = k \wedge k \neq 0", Witness({"k": "h"})),
         (r"\forall Q \in SO_3 : \exists c \in V_3 : Q = \exp \tilde{c}", Witness({"c": r"\operatorname{vect} Q"})),
         (r"\exists! X \in L(V_3, V_3) : X s = s", Unique({"X": r"\mathbf{I}"}, only=Pointwise("d", Follows("Y", Y=Use(-1))))),
+        (r"a = a + \varepsilon b", Pointwise("d")),
+        (r"a = b \Rightarrow a \neq b", Given(Follows("Y", Y=OF_0))),
+        (r"a = b \Rightarrow a \neq b", Given(Pointwise("d", Follows(r"d \cdot Y", Y=OF_0)))),
+        (r"h \frac{1}{h} = 1", Cases(r"h \neq 0")),
         (r"h^2 \geqslant 0 ; -h^2 \geqslant 0", Each(Squares("h"), Squares("h"))),
         (r"h^2 \geqslant 1", Squares("h")),
     ],
@@ -199,6 +222,11 @@ TRUE: list[tuple[str, Proof]] = [
     (r"\Big( \forall c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", Pointwise("d", Follows("Y", Y=Use(0, {"c": "d"})))),
     (r"\exists c \in V_3 : c = a", Witness({"c": "a + 0 b"})),
     (r"\forall c, d \in V_3 : c^2 + d^2 \geqslant 2 c \cdot d", Squares("c - d")),
+    (r"\Big( \forall Q \in SO_3^\mathbb{R} : Q a = Q b \Big) \Longrightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0, {"Q": r"\mathbf{I}"}))),
+    (r"T T^T = \mathbf{I} \wedge \det T = 1 \Longrightarrow \dot{T} T^T = - T \dot{T}^T", TURNING),
+    (r"\Big( \forall c \in V_3 : \frac{d}{dt} (T c) = \frac{d}{dt} (U c) \Big) \Rightarrow \dot{T} = \dot{U}", Pointwise("d", Follows("Y", Y=Use(0, {"c": "d"})))),
+    (r"\Big( \forall k < 2 : a^{(k)} = b^{(k)} \Big) \Rightarrow \Big( a = b \Rightarrow 2 a = w \Big) \Rightarrow a = b \Rightarrow 2 b = w", Follows("Y + 2 Z - 2 a", Y=Use(1), Z=Use(2, back=True))),
+    (r"a = b = w \wedge 2 p = w \Rightarrow w = 2 p", Follows("Y", Y=Use(0, part=2, back=True))),
 ]  # fmt: skip
 
 

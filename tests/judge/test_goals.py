@@ -213,6 +213,10 @@ def test_sums_by_leibniz(n):
         ("a = a", Kernel(), "same term"),
         # a sum of squares of dual numbers is no bound
         (r"\forall c \in \mathbb{R} : c \geqslant c", Squares(r"\varepsilon c"), "expected a real"),
+        (r"\forall c \in \mathbb{R} : c^2 \geqslant \varepsilon c", Squares("c"), "compares real scalars"),
+        (r"a = b \Rightarrow b = a", Follows("Y", Y=Use(1)), "there is no premise 1"),
+        (r"a = b = x \Rightarrow a = x", Follows("Y", Y=Use(0, part=2)), "no part 2"),
+        (r"\Big( \forall c \in V_3 : c = a \Big) \Rightarrow a \neq b", Contradicts(0), "no inequation"),
         (r"\forall c \in \underline{V}_3 : c = \mathbf{0}", ByLength(), "no rule"),
     ],
 )

@@ -139,6 +139,11 @@ def test_a_quaternion_of_free_components_is_free(formula: str, outcome: Outcome)
     assert check(formula, symbols, definitions=definitions).outcome == outcome
 
 
+def test_what_a_definition_names_is_still_in_a_law() -> None:
+    said = check(r"\dot{L} + \omega \times L = \mathbf{0}", SYMBOLS, definitions=[r"L = J \omega"])
+    assert said.outcome == Outcome.UNCHECKED and r"a law for \dot{\omega}," in said.verdict.reason
+
+
 def test_what_a_definition_ties_is_no_law() -> None:
     definitions = {"k": r"\operatorname{vect}(\dot{R} R^T)"}
     symbols = {"R": "rotation", "a": "vector"}

@@ -97,10 +97,10 @@ def product_of(f: Callable, a: Value, b: Value) -> Value:
 
 
 def add(a: Value, b: Value) -> Value:
-    re = [np.asarray(x + y, dtype=object) for x, y in zip(a.re, b.re, strict=True)]
+    re = [x + y for x, y in zip(a.re, b.re, strict=True)]
     if a.du is None or b.du is None:
         return Value(re, a.du if b.du is None else b.du)
-    return Value(re, [np.asarray(x + y, dtype=object) for x, y in zip(a.du, b.du, strict=True)])
+    return Value(re, [x + y for x, y in zip(a.du, b.du, strict=True)])
 
 
 def add_operators(a: OperatorValue, b: OperatorValue) -> OperatorValue:

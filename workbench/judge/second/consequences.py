@@ -34,7 +34,7 @@ def recheck(relation: Relation, inventory: Inventory, definitions: Lookup, assum
         for relations in (assumptions.equations, assumptions.nonzero)
     )
     zeros = [p for tops in supposed for p in tops if p]
-    elsewhere = [tops[0] if len(tops) == 1 else _square(ring, tops) for tops in apart]
+    elsewhere = [_square(ring, tops) for tops in apart]
     return _Supposed(ring, zeros, elsewhere).imply(ring.over_rationals(tops))
 
 
@@ -99,7 +99,7 @@ class _Supposed:
         for place, value in self._values:
             group = _with_value(group, place, value)
         p = self._ring.normal(group[0][0])
-        return p.set_ring(by[0].ring).rem(by).set_ring(p.ring) if p and by else p
+        return p.set_ring(by[0].ring).rem(by).set_ring(p.ring) if by else p
 
     @cached_property
     def _basis(self) -> list[PolyElement]:

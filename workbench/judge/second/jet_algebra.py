@@ -155,7 +155,7 @@ class JetAlgebra:
         for k, top in enumerate(a):
             for j, q in enumerate(quotient):
                 top = top - q * (b[k - j] * self.ring.constant(comb(k, j), 1))
-            quotient.append(np.asarray(divide(top, b[0]), dtype=object))
+            quotient.append(divide(top, b[0]))
         return quotient
 
     def norm(self, x: Value) -> Value:
@@ -174,7 +174,7 @@ class JetAlgebra:
         return Value(root, self._divide_jets(square.du, [2 * x for x in root]))
 
     def _root_jets(self, square: Jet) -> Jet:
-        norm: Jet = [np.asarray(self.ring.root(square[0][()]), dtype=object)]
+        norm: Jet = [self.ring.root(square[0][()])]
         for k in range(1, len(square)):
             rest = square[k]
             for j in range(1, k):

@@ -74,16 +74,12 @@ class JetEngine:
     def components(self, term: Term) -> list[Any]:
         """All components at the instant: an operator's coefficients by rising power of D, each in reading
         order, real parts before dual parts."""
-        is_operator = term.type.kind == "operator"
-        return flat_components(self.operator(term, 0) if is_operator else (self.value(term, 0),))
+        return flat_components(self.operator(term, 0))
 
     def differences(self, left: Term, right: Term) -> list[Any]:
         """left − right by components; a missing dual part or operator coefficient counts as zero."""
-        if "operator" in (left.type.kind, right.type.kind):
-            a, b = self.operator(left, 0), self.operator(right, 0)
-            minus = tuple(v.map(lambda x: -x) for v in b)
-            return flat_components(add_operators(a, minus))
-        return flat_components((add(self.value(left, 0), self.value(right, 0).map(lambda x: -x)),))
+        minus = tuple(v.map(lambda x: -x) for v in self.operator(right, 0))
+        return flat_components(add_operators(self.operator(left, 0), minus))
 
     def circle(self, angle: Term) -> tuple[Any, Any]:
         """(cos, sin) of a free angle at the instant."""
@@ -293,7 +289,8 @@ class JetEngine:
         width = left.type.columns
         if width != right.type.rows:
             type_ = apply("mul", left, right).type
-            b = b.map(lambda x: x.reshape((width, -1)))
+            beside = right.type.rows * right.type.columns // width
+            b = b.map(lambda x: x.reshape((width, beside)))
             if left.type.rows == 1:
                 a = a.map(lambda x: x.reshape((1, width)))
             return product_of(np.matmul, a, b).map(lambda x: x.reshape(array_shape(type_)))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from itertools import product
-from math import comb, factorial
+from math import comb, factorial, prod
 from typing import Any
 
 import numpy as np
@@ -138,7 +138,7 @@ def commuted(lowered: list[Jet]) -> Jet:
         total = lowered[0][j]
         for i in range(1, min(j, len(lowered) - 1) + 1):
             total = total + lowered[i][j - i] * ((-1) ** i * comb(j, i))
-        jet.append(np.asarray(total, dtype=object))
+        jet.append(total)
     return jet
 
 
@@ -160,7 +160,7 @@ def composed(
         [ring.constant(1, factorial(k)) * (x - (q0 if k == 0 else zero)) for k, x in enumerate(q)]
         for q, q0 in zip(coordinates, start, strict=True)
     ]
-    size = int(np.prod(shape, dtype=int))
+    size = prod(shape)
     total = [[zero for _ in range(length)] for _ in range(size)]
     powers: dict[tuple[int, ...], list[Any]] = {(): [ring.constant(1, 1)] + [zero] * (length - 1)}
     for degree, values in enumerate(slopes):
@@ -169,8 +169,7 @@ def composed(
             if place:
                 powers[place] = _multiplied(powers[place[:-1]], steps[place[-1]], zero)
         for (number, place), component in product(enumerate(places), range(size)):
-            repeated = [factorial(place.count(i)) for i in set(place)]
-            weight = ring.constant(1, int(np.prod(repeated, dtype=object)) if repeated else 1)
+            weight = ring.constant(1, prod(factorial(place.count(i)) for i in set(place)))
             value = values[number * size + component] * weight
             for k, power in enumerate(powers[place]):
                 total[component][k] = total[component][k] + power * value

@@ -111,7 +111,7 @@ class Turns:
         value = self._engine.value(angle, depth)
         step = value.re[0][()] - self._engine.origin.value(angle, 0).re[0][()]
         c, s = pushed(self._circle_now(angle), step, self._algebra.ring)
-        cosine, sine = [np.asarray(c, dtype=object)], [np.asarray(s, dtype=object)]
+        cosine, sine = [c], [s]
         rate = value.re[1:]
         for k in range(depth):
             cosine.append(-leibniz(np.multiply, sine, rate[: k + 1])[k])

@@ -291,7 +291,7 @@ def _follows(sequent: Sequent, statement: Statement, proof: Follows) -> Iterator
 
 
 def _is_unequal(statement: Statement) -> bool:
-    return all(r.operator == "≠" for r in relations_of(statement)) and not hasattr(statement, "lasting")
+    return all(r.operator == "≠" for r in relations_of(statement))
 
 
 def _instance(sequent: Sequent, use: Use):
@@ -308,9 +308,8 @@ def _instance(sequent: Sequent, use: Use):
                 for variable, term in read_members(scope, variables, taken).items():
                     own = [Atom(o.statement) for o in belongs("instance", sequent, variable, term)]
                     if own:
-                        moves = not variable.declaration.constant
-                        lasting = lasting and (moves or sequent.lasts)
-                        known = sequent.at_all_times() if moves else sequent
+                        known = sequent if variable.declaration.constant else sequent.at_all_times()
+                        lasting = lasting and known.lasts
                         by = use.members
                         by = by.get(str(variable.letter), Kernel()) if isinstance(by, Mapping) else by
                         yield from obligations(known.of(Both(tuple(own))), by)
@@ -325,9 +324,8 @@ def _instance(sequent: Sequent, use: Use):
                 goal = at_integer(body, integer, value)
             case Implies(antecedent, conclusion, always):
                 known = sequent.at_all_times() if always else sequent
-                same = [supposed for supposed in known.premises if _says(supposed.goal, antecedent, scope)]
-                lasting = lasting and (any(s.lasting for s in same) if same else known.lasts)
-                if not same:
+                lasting = lasting and known.lasts
+                if not any(_says(supposed.goal, antecedent, scope) for supposed in known.premises):
                     yield from obligations(known.of(antecedent), Kernel())
                 goal = conclusion
             case Both(parts):

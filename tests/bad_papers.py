@@ -216,7 +216,9 @@ SYMBOL_FAULTS = [
     ),
     BadPaper(
         "an ill-typed definition",
-        HEAD + "[definitions]\n'\\xi' = '\\omega«\\omega'\n" + GOOD_CLAIM,
+        HEAD
+        + "[conventions]\nproducts = 'matrices'\n[definitions]\n'\\xi' = '\\omega«\\omega'\n"
+        + GOOD_CLAIM,
         "juxtaposition",
     ),
     BadPaper(

@@ -22,7 +22,7 @@ EVERY_VERDICT = Path(__file__).parent / "papers" / "every_verdict.toml"
     [
         (r"a \times b = -b \times a", Outcome.PROVED),
         (r"a \times b = b \times a", Outcome.REFUTED),
-        (r"a b = b a", Outcome.ILL_FORMED),
+        (r"a = b a", Outcome.ILL_FORMED),
     ],
 )
 def test_outcomes(latex, outcome):
@@ -164,7 +164,7 @@ def test_a_place_in_a_paper_has_symbols_of_its_own():
             {"latex": "a = b", "definitions": ["K = a \\times c"]},
             "definitions: K: line 1, column 10: unknown symbol c",
         ),
-        ({"latex": "a = b", "definitions": ["K = a b"]}, "definitions: K: line 1, column 3: juxtaposition"),
+        ({"latex": "a = b", "definitions": ["K = a b"]}, "definitions: K: line 1, column 3: vectors beside"),
         (
             {"latex": "a = b", "definitions": ["K = a", "K = b"]},
             "definitions: K: this symbol is defined already",

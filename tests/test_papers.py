@@ -60,7 +60,7 @@ FAULTY = (
     ("symbols", "'\\alpha' = { kind = 'vektor' }«", "kind is 'vektor'"),
     ("symbols", "'\\beta' = { kind = 'vector', wieght = 1 }«", "wieght"),
     ("symbols", "'\\gamma' = { kind = 'vector', aliases = ['\\rho'] }«", "declared twice"),
-    ("definitions", "'\\delta' = '\\rho \\rho'«", "juxtaposition"),
+    ("definitions", "'\\delta' = '\\rho \\rho'«", "vectors beside"),
     ("definitions", "'\\eta' = '\\rho + \\nowhere'«", "\\nowhere"),
     ("notation", "'x^\\wedge' = { where = { x = 'vectr' }, means = 'x' }«", "vectr"),
     ("conventions", "gradient = 'up'«", "conventions"),
@@ -323,7 +323,7 @@ def test_the_keys_say_what_is_expected(keys, expected, paper_of):
 
 
 def test_ill_typed_as_printed_is_a_verdict_and_no_fault(paper_of):
-    paper = paper_of(claim(r"id = 'x'" "\n" r"printed = '\omega \omega = 0'"))
+    paper = paper_of(claim(r"id = 'x'" "\n" r"printed = '\omega = \omega \omega'"))
     assert "juxtaposition" in paper.claims[0].printed.ill_formed
 
 

@@ -80,6 +80,15 @@ def test_it_is_asked_about_where_the_paper_does_not(written: str, means: str, se
         assert not isinstance(caught.value, IllFormedAt)
 
 
+@pytest.mark.parametrize(("written", "means", "several"), LOOSE)
+def test_it_is_ill_formed_where_the_paper_says_that_it_is_not_meant(
+    written: str, means: str, several: set[str]
+) -> None:
+    with pytest.raises(IllFormedAt):
+        read(written, loosely({"matrices", "scalar"}))
+    assert read(means, loosely({"matrices", "scalar"})) == read(means, TABLE)
+
+
 @pytest.mark.parametrize("formula", NEITHER)
 @pytest.mark.parametrize("several", [set(), {"dyads"}, {"unit"}, {"dyads", "unit"}])
 def test_what_fits_in_no_reading_is_ill_formed(formula: str, several: set[str]) -> None:

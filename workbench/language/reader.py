@@ -90,11 +90,12 @@ def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterab
     return "an expression, which claims nothing"
 
 
-#: What is asked where nothing fits unless it is read so.
+#: What is asked where nothing fits unless it is read so, and what a paper says that does not mean it.
 _LOOSELY = {
     "dyads": 'vectors beside each other, x · T: \\cdot, or dyads? [conventions] products = "dyads" says so',
     "unit": 'is the number beside tensors one of unit tensors? [conventions] one = "unit" says so',
 }
+_STRICTLY = {"dyads": "matrices", "unit": "scalar"}
 
 
 def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable], Result]) -> Result:
@@ -114,6 +115,8 @@ def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable],
 def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> str | None:
     """What to ask of a formula that does not fit together as read, but does where it is read loosely."""
     for several in (("dyads",), ("unit",), ("dyads", "unit")):
+        if any(_STRICTLY[each] in table.loose for each in several):
+            continue
         with suppress(Fault, Misfit):
             make(replace(table, loose=table.loose.union(several)))
             return "; ".join(_LOOSELY[each] for each in several if each not in table.loose)

@@ -26,8 +26,8 @@ CONVENTIONS = {
     "quaternion": (HAMILTON,),
     "gradient": ("row", "column"),
     "points": ("homogeneous", "vectors"),
-    "products": ("dyads",),
-    "one": ("unit",),
+    "products": ("dyads", "matrices"),
+    "one": ("unit", "scalar"),
 }
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")

@@ -354,6 +354,22 @@ def test_places_that_cannot_be_used(tmp_path: Path, place: str, why: str) -> Non
         load_paper(tmp_path / "p.toml")
 
 
+@pytest.mark.parametrize(("body", "is_circle"), [("r^{OP} + b_x", True), ("y", True), ("l b_x", False)])
+def test_a_place_that_leads_back_to_itself_by_way_of_a_definition(
+    tmp_path: Path, body: str, is_circle: bool
+) -> None:
+    (tmp_path / "p.md").write_text("$$ r^{OP} = x $$")
+    model = re.sub(r"place = .*", "place = { P = ['O', 'x'] }", PENDULUM)
+    definitions = f"'x' = {{ kind = 'vector' }}\n[definitions]\n'y' = 'r^{{OP}} - b_x'\n'x' = '{body}'\n"
+    (tmp_path / "p.toml").write_text(model + definitions)
+    if is_circle:
+        with pytest.raises(PaperError, match="its definition leads back to it"):
+            load_paper(tmp_path / "p.toml")
+    else:
+        (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+        assert result.verdict.outcome is Outcome.PROVED
+
+
 GEOMETRIC = r"""
 source = "p.md"
 [frames]

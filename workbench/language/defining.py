@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from workbench.language.definitions import Definitions, solve
+from workbench.language.circles import entered
+from workbench.language.definitions import Definitions
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Bracket, Node, Product, Scripted, in_a_row
 from workbench.language.naming.declarations import key_spelling, refuse_builtin
@@ -15,9 +16,9 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, IllFormedAt, SpecError
-from workbench.language.typed.integers import Linear, as_linear
+from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
+from workbench.language.typed.terms import Definition, Identity, IllFormed, Zero
 from workbench.language.typed.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type
 
 #: How the weight of Φ_n may grow with n, in the order in which it is tried.
@@ -53,15 +54,7 @@ def read_definition(key: str, body: str, table: SymbolTable) -> tuple[Definition
         definition, table = _introduced(head, body, table)
     else:
         definition = _defined(head, declaration, _inside(head, table, declaration), body)
-    _refuse_circle(head, definition, table)
-    _refuse_overlap(head, definition, table)
-    name = definition.declaration.name
-    known = {**table.defined, name: (*table.defined.get(name, ()), definition.index)}
-    primitive = table.primitive.union(_primitives(definition, known))
-    names = {each.declaration.name for each in _symbols(definition.body)}
-    used = (table.arguments & names).union(*(table.depends.get(each, ()) for each in (name, *names)))
-    depends = {**table.depends, name: used}
-    return definition, replace(table, defined=known, primitive=primitive, depends=depends)
+    return definition, entered(key, definition, table)
 
 
 @dataclass(frozen=True)
@@ -284,83 +277,3 @@ class _Step:
         ((letter, _),) = place.coefficients
         shift = {letter: Linear.variable("@0") - place.constant}
         return None if weight is None else weight.substitute(shift)
-
-
-# members defined twice, and circles
-
-
-def _refuse_overlap(head: _Head, definition: Definition, table: SymbolTable) -> None:
-    """Of a_{n+1} and a_{n+2}, or K_{m,0} and K_{0,n}, either could define a₂, or K_{0,0}. A single member may
-    be defined apart."""
-    name = definition.declaration.name
-    if all(place.is_number for place in definition.index):
-        return
-    for other in table.defined.get(name, ()):
-        if all(place.is_number for place in other):
-            continue
-        common = [_common(one, two) for one, two in zip(definition.index, other, strict=True)]
-        if None not in common:
-            both, known = (name.shown(index) for index in (tuple(map(as_linear, common)), other))
-            raise SpecError(
-                f"defines {both}, and so does {known}; each member needs one definition",
-                head.key,
-            )
-
-
-def _common(one: Linear, other: Linear) -> int | None:
-    """The least number that both index places can be, letters being 0 or more; None if there is none."""
-    least = max(one.constant, other.constant)
-    is_open = [not place.is_number or place.constant == least for place in (one, other)]
-    return least if all(is_open) else None
-
-
-def _refuse_circle(head: _Head, definition: Definition, table: SymbolTable) -> None:
-    name = definition.declaration.name
-    for used, index in table.primitive:
-        if used == name and solve(definition.index, index) is not None:
-            raise SpecError("this symbol is used above its definition", head.key)
-    own = definition.index
-    members = [term.index for term in _symbols(definition.body) if term.declaration.name == name]
-    exact = [place for place in table.defined.get(name, ()) if all(i.is_number for i in place)]
-    descending = [m for m in members if m not in exact or not _may_be_base(m, own)]
-    if descending and not _all_lower(descending, own):
-        raise SpecError("its definition uses the symbol itself", head.key)
-
-
-def _may_be_base(member: tuple[Linear, ...], own: tuple[Linear, ...]) -> bool:
-    """Whether the member, defined by itself, comes before Φ_own or is the first of these: Φ₁ for Φ_{n+1}."""
-    return any(not place.is_number for place in own) and _is_before(member, own)
-
-
-def _is_before(member: tuple[Linear, ...], own: tuple[Linear, ...]) -> bool:
-    return all(_step(i, place) >= 0 for i, place in zip(member, own, strict=True))
-
-
-def _all_lower(members: Sequence[tuple[Linear, ...]], own: tuple[Linear, ...]) -> bool:
-    """Whether the members come before Φ_own in an order that ends: by one index, or by all together."""
-    by_one = any(all(_step(m[at], place) > 0 for m in members) for at, place in enumerate(own))
-    return by_one or all(
-        _is_before(m, own) and any(_step(i, p) > 0 for i, p in zip(m, own, strict=True)) for m in members
-    )
-
-
-def _step(used: Linear, own: Linear) -> int:
-    """How far the index used stands below that of the definition, at the least; -1 if that is unknown."""
-    step = own - used
-    grows = all(coefficient > 0 for _, coefficient in step.coefficients)
-    return step.constant if step.is_number or (grows and used.is_number) else -1
-
-
-def _primitives(
-    definition: Definition, defined: Mapping[Name, tuple[tuple[Linear, ...], ...]]
-) -> Iterator[Named]:
-    for term in _symbols(definition.body):
-        name = term.declaration.name
-        if name != definition.declaration.name and not any(
-            solve(member, term.index) is not None for member in defined.get(name, ())
-        ):
-            yield name, term.index
-
-
-def _symbols(term: Term) -> Iterator[Symbol]:
-    return (t for t in term.walk() if isinstance(t, Symbol))

@@ -48,8 +48,11 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     table = _spellings(files, table)
     table, definitions, turns = framed([*files, *scopes], table)
     made_by_frames = frozenset(definition.declaration.name for definition in definitions)
-    found, table = _definitions(list(_in_scope(files, scopes)), scopes, table)
+    entries = list(_in_scope(files, scopes))
+    found, table = _definitions(entries, scopes, table)
     definitions += found
+    if made_by_frames:
+        _refuse_circle(entries, found, Definitions(definitions))
     bound: dict[Symbol, str] = {}
     for file, keys in _keys(files, "motion"):
         bound |= bindings(file, table, [key for key in keys if key not in (ROBOT, CLAIMS)])
@@ -86,6 +89,19 @@ def _definitions(
     if refused:  # what is unknown may only follow from another fault
         raise min(refused, key=lambda error: "unknown symbol" in error.message)
     return found, table
+
+
+def _refuse_circle(
+    entries: Sequence[tuple[TomlFile, str, str]], found: Sequence[Definition], known: Definitions
+) -> None:
+    """Of what frames and points are said to be, which may name what is defined later. Raises PaperError."""
+    for definition in found:
+        parts = () if definition.index else known.reached(definition.body)
+        if any(isinstance(part, Symbol) and part.declaration == definition.declaration for part in parts):
+            name = str(definition.declaration.name)
+            file, key = next(((file, key) for file, key, _ in entries if key == name), entries[0][:2])
+            message = f"{name}: its definition leads back to it, by way of [frames] or [points]"
+            raise file.error_at_key(("definitions", key), message)
 
 
 def _spellings(files: Sequence[TomlFile], table: SymbolTable) -> SymbolTable:

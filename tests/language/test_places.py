@@ -84,3 +84,16 @@ def test_a_symbol_before_a_bracket_may_be_a_function_of_what_is_in_it(symbol: st
             read(f"{symbol}({inside}) = {symbol}", table)
     if inside == "w - r":
         assert read(rf"{symbol} [{inside}] = {symbol} w - {symbol} r", table)
+
+
+@pytest.mark.parametrize("symbol", ["s", "v", "A", r"\dot{v}", r"\ddot{s}"])
+@pytest.mark.parametrize("time", ["t + s", "s - t", "2 t", "-t", "t^2", r"\frac{t}{2}", "t - x_0"])
+def test_what_is_taken_at_another_time_is_no_product(symbol: str, time: str) -> None:
+    """x(t + h) = x(t) + h ẋ(t) was refuted, with x (t + h) a product."""
+    table = SymbolTable.build(
+        {"s": {"kind": "scalar"}, "v": {"kind": "vector"}, "A": {"kind": "tensor"}, "x_0": {"kind": "scalar"}}
+    )
+    with pytest.raises(ReadError, match="a function of what is in the bracket, or a product"):
+        read(f"{symbol}({time}) = {symbol}(t)", table)
+    (product,) = read(f"{symbol} [{time}] = {symbol} [{time}] + {symbol} - {symbol}", table)
+    assert read(to_latex(product), table) == (product,)

@@ -58,12 +58,20 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         return only_says
     if scope.is_time(part):
         return True
-    is_name = isinstance(part, Leaf | Styled | Accented | Scripted)
-    if is_accented_symbol(_without_sup(term) if is_name else term) and (is_name or term.type.is_square):
-        kinds = (term.type.kind, scope.term(part).type.kind)
-        if "scalar" in kinds and (is_name or kinds[0] != "scalar"):
-            raise Fault(_OR_A_PRODUCT, bracket.at)
+    if is_accented_symbol(_without_sup(term)) and _may_be_argument(scope, part, term):
+        raise Fault(_OR_A_PRODUCT, bracket.at)
     return False
+
+
+def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
+    """Whether it is a name or a number beside a scalar, a scalar behind a tensor, or a time, t - t_0."""
+    value, is_symbol = scope.term(part), is_accented_symbol(function)
+    if any(isinstance(each, Symbol) and each.declaration.clock for each in value.walk()):
+        return is_symbol
+    if isinstance(part, Leaf | Styled | Accented | Scripted):
+        return "scalar" in (function.type.kind, value.type.kind)
+    is_tensor = function.type.is_square and function.type.kind != "scalar"
+    return is_symbol and is_tensor and value.type.kind == "scalar"
 
 
 def _without_sup(term: Term) -> Term:

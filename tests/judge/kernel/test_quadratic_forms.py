@@ -19,6 +19,7 @@ from workbench.language.reader import read, read_term
 from workbench.language.typed.construct import apply, big_sum, derivative, power
 
 FREE = Definitions()
+THREE = SymbolTable.build({name: {"kind": "scalar"} for name in "xyz"})
 
 
 def number(term):
@@ -31,6 +32,14 @@ def symmetric(random, size, rank):
     """A symmetric matrix of whole numbers, of the rank or a lower one."""
     rows = [[random.randint(-2, 2) for _ in range(size)] for _ in range(rank)]
     return [[sum(row[i] * row[j] for row in rows) for j in range(size)] for i in range(size)]
+
+
+def test_each_unknown_is_put_in_its_own_place():
+    letters = r"x \in \mathbb{R}, y \in \mathbb{R}, z \in \mathbb{R}"
+    (said,) = read(rf"\min_{{{letters}}} (x^2 + 2 y + 4 z + 8) = 0", THREE)
+    varied = Varied.of(said, FREE, ())
+    assert [number(varied.at({place: 1})) for place in range(varied.count)] == [9, 10, 12]
+    assert number(varied.at({0: 3, 1: 5, 2: 7})) == 9 + 10 + 28 + 8
 
 
 @pytest.mark.parametrize("seed", [0, 3, 4, 5])

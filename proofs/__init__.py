@@ -18,7 +18,6 @@ from proofs.theorems import (
     manipulators,
     polynomials,
     reduced,
-    screws,
     triangular,
     twist,
 )
@@ -54,7 +53,6 @@ chapter = InstalledPaper(
         **adjugate.THEOREMS,
         **dual.THEOREMS,
         **dual_functions.THEOREMS,
-        **screws.THEOREMS,
         **invariants.THEOREMS,
         **lie_algebra.THEOREMS,
         **kinds_of_displacement.THEOREMS,

@@ -121,22 +121,19 @@ BAD_PAPERS = [
         "exclude each other",
     ),
     BadPaper(
-        "theorem and reading",
-        claim("id = 'x'\ntheorem = 't'\nstatement = 's'\n«reading = '\\omega = 0'"),
-        "exclude each other",
-    ),
-    BadPaper(
-        "theorem and assume",
-        claim("id = 'x'\ntheorem = 't'\nstatement = 's'\n«assume = ['\\omega = 0']"),
+        "goal and reading",
+        claim("id = 'x'\ngoal = '\\omega = 0'\nstatement = 's'\n«reading = '\\omega = 0'"),
         "exclude each other",
     ),
     BadPaper(
         "theorem that is not installed",
-        claim("id = 'x'\ntheorem = «'os.system'\nstatement = 's'"),
+        claim("id = 'x'\ngoal = '\\omega = 0'\nstatement = 's'\ntheorem = «'os.system'"),
         "no proof called 'os.system'",
     ),
     BadPaper(
-        "theorem without statement", HEAD + "«[[claim]]\nid='x'\ntheorem='t'\n", "missing key 'statement'"
+        "goal without statement",
+        HEAD + "«[[claim]]\nid='x'\ngoal = '\\omega = \\omega'\n",
+        "missing key 'statement'",
     ),
     BadPaper("only a statement", HEAD + "«[[claim]]\nid='x'\nstatement='s'\n", "missing key 'printed'"),
     # formulas

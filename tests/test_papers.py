@@ -10,6 +10,7 @@ from bad_papers import BAD_PAPERS, GOOD_CLAIM, HEAD, SYMBOL_FAULTS, BadPaper, cl
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from workbench.judge.theorems.proofs import Kernel, Proven
 from workbench.judge.verdict import Outcome
 from workbench.language.typed.names import Name
 from workbench.papers import InstalledPaper, Orders, PaperError, load_paper, merge
@@ -333,24 +334,18 @@ def test_unreadable_as_printed_is_a_verdict_only_beside_a_reading(paper_of):
 
 
 def test_theorems_come_from_the_installed_paper_alone(tmp_path, monkeypatch):
-    (path,) = write(
-        tmp_path,
-        p=f"{HEAD}[[claim]]\nid = 'T'\ntheorem = 'unique'\nargued = 'In words.'\nstatement = 'There is one.'\n",
-    )
-    paper = InstalledPaper((path,), {"unique": lambda: None})
+    told = "id = 'T'\ntheorem = 'unique'\nstatement = 'It is itself.'\ngoal = '\\omega = \\omega'"
+    (path,) = write(tmp_path, p=f"{HEAD}[[claim]]\n{told}\n")
+    paper = InstalledPaper((path,), {"unique": Proven(Kernel())})
     assert merge(paper.files, paper.theorems).claims[0].theorem == "unique"
     with pytest.raises(PaperError, match="none is installed for this file"):
         load_paper(path)
 
 
-@pytest.mark.parametrize("words", [r"\text{for every v}", r"\omega \neq \mathbf{0}"])
-def test_a_theorem_may_have_its_hypothesis_in_words(tmp_path, words):
-    claim = "id = 'T'\ntheorem = 'unique'\nargued = 'In words.'\nstatement = 'One.'"
-    text = f"{HEAD}[[claim]]\n{claim}\nhypothesis = '{words}'\n"
-    (path,) = write(tmp_path, p=text)
-    read = merge((path,), {"unique": lambda: None}).claims[0]
-    assert (read.hypothesis.latex, read.expected) == (words, Outcome.ARGUED)
-    assert (read.hypothesis.statement is None) == words.startswith(r"\text")
+@pytest.mark.parametrize("key", ["theorem = 'unique'", "argued = 'In words.'"])
+def test_a_proof_and_what_joins_it_need_a_goal(paper_of, key):
+    with pytest.raises(PaperError, match="expected a goal beside it"):
+        paper_of(claim(f"id = 'x'\n{key}\nstatement = 'One.'\nprinted = '\\omega = \\omega'"))
 
 
 def test_the_hypothesis_of_a_formula_is_a_formula(paper_of):

@@ -1,90 +1,37 @@
-"""Section 4: the ring of homogeneous matrices; the operators Pₙ, whether they are unique, where they begin.
-
-An operator of degree m acts term by term, Σ Aₖ Dᵏ x = Σ Aₖ x⁽ᵏ⁾. So what is shown of one term A Dᵏ, with a
-free A and a free y for x⁽ᵏ⁾, holds for the sum, of any degree.
-"""
+"""Section 4: products of polynomials in D; the operators Pₙ, whether they are unique, where they begin."""
 
 from __future__ import annotations
 
-from workbench.judge.theorems.arguments import Step, argue
-from workbench.judge.theorems.formula_steps import Letters
 from workbench.judge.theorems.proofs import (
     At,
     Broken,
     Each,
     False_,
     Follows,
+    Given,
     Have,
     Impossible,
     Induction,
     Kernel,
+    Pascal,
     Proven,
+    Termwise,
     Use,
     Witness,
 )
-from workbench.judge.verdict import Verdict
 
-_TENSOR, _VECTOR = {"kind": "tensor"}, {"kind": "vector"}
-
-
-def _homogeneous(tensor: str, vector: str) -> str:
-    return rf"\begin{{bmatrix}} {tensor} & {vector} \\ \mathbf{{0}} & 0 \end{{bmatrix}}"
-
-
-# A, B, C, Y: any elements of the ring (34). N has no tensor, L is [I c; 0 0], T the spatial twist Ψ₁.
-_RING = Letters(
-    {
-        r"\omega": _VECTOR,
-        **{letter: _TENSOR for letter in ("F", "G", "H", "K")},
-        **{letter: _VECTOR for letter in ("f", "g", "h", "k", "c", "v", "x")},
-    },
-    {
-        "A": _homogeneous("F", "f"),
-        "B": _homogeneous("G", "g"),
-        "C": _homogeneous("H", "h"),
-        "Y": _homogeneous("K", "k"),
-        "M": _homogeneous("G", "0"),
-        "N": _homogeneous("0 F", "c"),
-        "L": _homogeneous(r"\mathbf{I}", "c"),
-        "E": _homogeneous(r"\mathbf{I}", "0"),
-        "U": r"\begin{bmatrix} \mathbf{I} & 0 x \\ \mathbf{0} & 1 \end{bmatrix}",
-        "T": _homogeneous(r"\tilde{\omega}", "v"),
-        "Z": r"A T + B \dot{T}",
-    },
+_OF_TERMS = r"\mathsf{E}_m \mathsf{Y}^{(m)}"
+_BY_LEIBNIZ = r"\sum_{i=0}^{n} \binom{n}{i} \mathsf{E}_m^{(n-i)} \mathsf{Y}^{(m+i)}"
+_SUM = r"\sum_{m=0}^{q}"
+_PRODUCT = Have(
+    rf"\forall m, n \geq 0 : \frac{{d^n}}{{dt^n}} [{_OF_TERMS}] = {_BY_LEIBNIZ}",
+    Pascal(r"\mathsf{E}_m^{(j)} \mathsf{Y}^{(m+k)}"),
+    Have(
+        rf"\forall n, q \geq 0 : {_SUM} \frac{{d^n}}{{dt^n}} [{_OF_TERMS}] = {_SUM} {_BY_LEIBNIZ}",
+        Given(Termwise("l", Given(Follows("Y", Y=Use(0, {"m": "l", "n": "n"}))))),
+        Given(Termwise("m", Given(Follows(r"\mathsf{C}_m Y", Y=Use(-1, {"n": "m", "q": "q"}))))),
+    ),
 )
-
-
-def operators_are_a_ring() -> Verdict:
-    """(35) with D for X: sums are of this form, and products, by induction on the power of D on the left."""
-    return argue(
-        [
-            _RING.step(
-                "the derivative of a matrix of the ring is in the ring",
-                r"\dot{A} = " + _homogeneous(r"\dot{F}", r"\dot{f}"),
-                but_not=r"\dot{A} = " + _homogeneous(r"\dot{F}", "f"),
-            ),
-            _leibniz(),
-            _RING.step(
-                "so D (B Dʲ) = Ḃ Dʲ + B Dʲ⁺¹ goes on being of the form; twice, for example",
-                r"\frac{d^2}{dt^2} (B Y) = \ddot{B} Y + 2 \dot{B} \dot{Y} + B \ddot{Y}",
-                but_not=r"\frac{d^2}{dt^2} (B Y) = \ddot{B} Y + \dot{B} \dot{Y} + B \ddot{Y}",
-            ),
-            _RING.step(
-                "and A (B Dʲ) = (A B) Dʲ, with A B in the ring",
-                r"A (B Y) = \left( " + _homogeneous("F G", "F g") + r" \right) Y",
-                but_not=r"A (B Y) = \left( " + _homogeneous("G F", "F g") + r" \right) Y",
-            ),
-        ]
-    )
-
-
-def _leibniz() -> Step:
-    return _RING.step(
-        "D (A Dᵏ) = Ȧ Dᵏ + A Dᵏ⁺¹: of any Y",
-        r"\frac{d}{dt} (A Y) = \dot{A} Y + A \dot{Y}",
-        but_not=r"\frac{d}{dt} (A Y) = \dot{A} Y + Y \dot{A}",
-    )
-
 
 _FIELDS, _TENSORS_OF_39 = Use(-1), Use(-1, part=1)
 _NEXT = Each(
@@ -105,7 +52,7 @@ _P_N = Have(
 _AT_REST = {r"\omega": "0", r"\mathbf{v}": "0"}
 
 THEOREMS = {
-    "operators_are_a_ring": operators_are_a_ring,
+    "products_of_operator_polynomials": Proven(Each(Witness({"H": r"\dot{F}", "h": r"\dot{f}"}), _PRODUCT)),
     "homogeneous_matrices_are_a_ring": Proven(
         Each(
             Witness({"H": "F + G", "h": "f + g"}),

@@ -3,6 +3,7 @@
 import pytest
 
 from workbench.judge.kernel.judge import Judge
+from workbench.judge.subject.addends import spread
 from workbench.judge.theorems.goals import Scope
 from workbench.judge.theorems.proofs import (
     Each,
@@ -19,14 +20,19 @@ from workbench.judge.theorems.proofs import (
 from workbench.judge.theorems.prove import prove
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.tidy import is_same_sum, tidy
-from workbench.judge.verdict import Outcome
+from workbench.judge.verdict import SAME_TERM, Outcome
 from workbench.language.defining import read_definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_formula
+from workbench.language.typed.construct import apply, derivative
+from workbench.language.typed.instances import instantiate
+from workbench.language.typed.integers import Linear
+from workbench.language.typed.terms import BigSum
 
 SYMBOLS = {
     "a": "vector", "b": "vector", "x": "vector", "f": "scalar", "c_k": "vector", "T": "tensor", "U": "tensor",
     "R_k": "rotation", "P": "operator", "y": "vector", "Q_m": "tensor",
+    "M": "matrix 4×4", "N": "matrix 4×4",
 }  # fmt: skip
 DEFINITIONS = {
     "F_0(x)": r"\mathbf{I}",
@@ -110,6 +116,67 @@ class TestPascal:
         found = outcome(once, proof)
         assert found.outcome == Outcome.UNCHECKED and "may not be differentiated" in found.reason
         assert outcome(once.replace("Rightarrow", "Longrightarrow"), proof).outcome == Outcome.PROVED
+
+
+class TestDerivativesOfAnyOrder:
+    """Of sums of orders, of matrices of any size, and of sums."""
+
+    SHIFTED = r"\forall m, n \geq 0 : (M N^{(m)})^{(n)} = \sum_{i=0}^n C_n^i M^{(n-i)} N^{(m+i)}"
+    PASCAL = Pascal("M^{(j)} N^{(m+k)}")
+
+    def test_leibniz_of_matrices_with_two_orders(self):
+        found = outcome(self.SHIFTED, self.PASCAL)
+        assert (found.outcome, found.scope) == (Outcome.PROVED, "all m ≥ 0, n ≥ 0"), found.reason
+
+    @pytest.mark.parametrize(
+        ("old", "new"),
+        [
+            ("N^{(m+i)}", "N^{(i)}"),
+            ("N^{(m+i)}", "N^{(m+i+1)}"),
+            ("M^{(n-i)} N^{(m+i)}", "N^{(m+i)} M^{(n-i)}"),
+        ],
+    )
+    def test_no_other(self, old, new):
+        assert outcome(self.SHIFTED.replace(old, new), self.PASCAL).outcome != Outcome.PROVED
+
+    @pytest.mark.parametrize(
+        "goal",
+        [
+            r"\forall n, m \geq 0 : (N^{(m)})^{(n)} = N^{(n+m)}",
+            r"\forall n, m \geq 0 : \frac{d}{dt} N^{(n+m)} = N^{(n+m+1)}",
+            r"\forall n, m \geq 0 : \frac{d}{dt} (M N^{(n+m)}) = \dot{M} N^{(n+m)} + M N^{(n+m+1)}",
+            r"\forall n, q \geq 0 : T (\sum_{m=0}^{q} \sum_{k=0}^{n} C_n^k c_m) = \sum_{m=0}^{q} \sum_{k=0}^{n} C_n^k T c_m",
+            r"\forall n, q \geq 0 : (\sum_{m=0}^{q} c_m)^{(n)} = \sum_{m=0}^{q} c_m^{(n)}",
+        ],
+    )
+    def test_true_ones(self, goal):
+        found = outcome(goal, Kernel())
+        assert found.outcome == Outcome.PROVED or found.reason == SAME_TERM, found.reason
+
+    @pytest.mark.parametrize(
+        "goal",
+        [
+            r"\forall n, m \geq 0 : N^{(n+m)} = N^{(n)}",
+            r"\forall n, m \geq 0 : \frac{d}{dt} N^{(n+m)} = N^{(n+m)}",
+            r"\forall n, m \geq 0 : (M N)^{(n+m)} = M N^{(n+m)}",
+            r"\forall n, m \geq 0 : (M N^{(m)})^{(n)} = M N^{(n+m)}",
+            r"\forall n, q \geq 0 : T (\sum_{m=0}^{q} \sum_{k=0}^{n} C_n^k c_m) = \sum_{m=0}^{q} \sum_{k=0}^{n} T C_n^k c_k",
+            r"\forall n, q \geq 0 : (\sum_{m=0}^{q} c_m)^{(n)} = \sum_{m=0}^{q} c_m",
+            r"\forall n, q \geq 0 : (\sum_{m=0}^{q} c_m)^{(n)} = \sum_{m=0}^{q} c_m^{(q)}",
+            r"\forall m, q \geq 0 : (\sum_{n=0}^{q} c_n)^{(m)} = \sum_{n=0}^{q} c_n^{(n)}",
+        ],
+    )
+    def test_false_ones(self, goal):
+        assert outcome(goal, Kernel()).outcome != Outcome.PROVED
+
+    def test_what_a_sum_binds_is_not_brought_under_it(self):
+        where = scope().with_integer("n", 0).with_integer("q", 0)
+        total, other = where.term(r"\sum_{k=0}^{q} c_k"), where.term("c_n")
+        bound = instantiate(other, {"n": Linear.variable("k")})
+        for outer in (derivative(total, Linear.variable("k")), apply("cross", bound, total)):
+            assert spread(outer) == outer
+        for outer in (derivative(total, Linear.variable("n")), apply("cross", other, total)):
+            assert isinstance(spread(outer), BigSum)
 
 
 class TestTermwise:

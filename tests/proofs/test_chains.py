@@ -10,9 +10,12 @@ import pytest
 from tests.proofs import chain_poses, chain_words
 from tests.proofs.chain_expansions import (
     DRAKE_TOLERANCE,
-    expanded_tensors,
-    expanded_twists,
-    twists_of_chains,
+    relative_twists_in_drake,
+    relative_twists_on_poses,
+    tensors_in_words,
+    twists_in_drake,
+    twists_in_words,
+    twists_on_poses,
 )
 from tests.proofs.chain_words import (
     closed_form,
@@ -22,8 +25,6 @@ from tests.proofs.chain_words import (
     products_of_Phi,
     total_Phi,
 )
-from workbench.judge.theorems.arguments import argue
-from workbench.judge.verdict import Outcome
 from workbench.kinematics.cylindrical_chains import latex_2c, latex_3c
 from workbench.papers.load import find_paper
 
@@ -107,34 +108,45 @@ def test_drake_and_words_refuse_the_same_coefficient():
     assert min(worst) > 1e6 * DRAKE_TOLERANCE
 
 
-@pytest.mark.parametrize("expansion", [expanded_tensors, expanded_twists, twists_of_chains])
-def test_expansions_hold(expansion):
-    assert argue([expansion()]).outcome == Outcome.PROVED
+EXPANSIONS = (tensors_in_words, twists_in_words, twists_on_poses, twists_in_drake)
 
 
-@pytest.mark.parametrize("expansion", [expanded_tensors, expanded_twists, twists_of_chains])
-@pytest.mark.parametrize("damage", ["_own_Phi", "_Phi"])
-def test_expansions_notice_a_wrong_tensor(expansion, damage, monkeypatch):
-    """Φ₂ with ω̃² left out; it does not concern (119)."""
-    if damage == "_own_Phi":
-        right = chain_words._own_Phi
+@pytest.mark.parametrize("expansion", EXPANSIONS)
+def test_expansions_hold_with_multinomial_coefficients_and_no_others(expansion):
+    right, wrong = list(expansion(multinomial)), list(expansion(printed_multinomial))
+    assert right and all(right)
+    assert not all(wrong)
 
-        def wrong(body, order):
-            words = right(body, order)
-            return Counter({w: c for w, c in words.items() if w != ((body, 0), (body, 0))})
 
-        monkeypatch.setattr(chain_words, "_own_Phi", wrong)
-    else:
-        right = chain_poses._Phi
-        monkeypatch.setattr(
-            chain_poses,
-            "_Phi",
-            lambda rates, order: [
-                p if k != 2 else p - rates[0] @ rates[0] for k, p in enumerate(right(rates, order))
-            ],
-        )
-    outcome = argue([expansion()]).outcome
-    assert outcome == (Outcome.PROVED if expansion is twists_of_chains else Outcome.UNCHECKED)
+@pytest.mark.parametrize("sums", [relative_twists_on_poses, relative_twists_in_drake])
+def test_twists_add_up_once_they_are_turned_to_one_frame(sums):
+    turned, as_they_are = list(sums(turned=True)), list(sums(turned=False))
+    assert turned and all(turned)
+    assert not all(as_they_are)
+
+
+@pytest.mark.parametrize("expansion", [tensors_in_words, twists_in_words])
+def test_words_notice_a_wrong_tensor(expansion, monkeypatch):
+    """Φ₂ with ω̃² left out."""
+    right = chain_words._own_Phi
+
+    def wrong(body, order):
+        words = right(body, order)
+        return Counter({w: c for w, c in words.items() if w != ((body, 0), (body, 0))})
+
+    monkeypatch.setattr(chain_words, "_own_Phi", wrong)
+    assert not all(expansion(multinomial))
+
+
+@pytest.mark.parametrize("expansion", [twists_on_poses, twists_in_drake])
+def test_poses_notice_a_wrong_tensor(expansion, monkeypatch):
+    right = chain_poses._Phi
+
+    def wrong(rates, order):
+        return [p if k != 2 else p - rates[0] @ rates[0] for k, p in enumerate(right(rates, order))]
+
+    monkeypatch.setattr(chain_poses, "_Phi", wrong)
+    assert not all(expansion(multinomial))
 
 
 def test_the_claims_state_the_closed_forms_that_are_printed():

@@ -9,7 +9,7 @@ import pytest
 import proofs
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.theorems.goals import Scope
-from workbench.judge.theorems.proofs import Proven
+from workbench.judge.theorems.proofs import Kernel, Proven
 from workbench.judge.theorems.prove import prove
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.verdict import Outcome, Verdict
@@ -90,12 +90,27 @@ def test_another_goal_is_not_shown_by_the_proof(name, old, new):
     assert verdict(name, goal.replace(old, new, 1)).outcome == Outcome.UNCHECKED
 
 
-def test_an_argument_is_argued_and_never_proved():
-    paper = find_paper()
-    judge = PaperJudge(paper, motions=False)
+def test_what_joins_a_goal_in_prose_is_argued_and_never_proved():
+    judge = PaperJudge(find_paper(), motions=False)
     result = judge.result(CLAIMS["80.series"])
     judge.close()
     assert (result.verdict.outcome, result.passed) == (Outcome.ARGUED, True)
-    assert not any(
-        claim.expected == Outcome.PROVED for claim in paper.claims if claim.theorem and claim.goal is None
-    )
+    assert verdict("80.series", theorem=Proven(Kernel())).outcome == Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (r"= -\tilde{w} ", r"= \tilde{w} "),
+        (r"\tilde{w}^4 = -", r"\tilde{w}^4 = "),
+        (r"= \dot{p} \tilde{w} (", r"= \tilde{w} ("),
+        (r"\sin(p - p)", r"\sin(p)"),
+        (r"\dot{Y} = \dot{p}", r"\dot{Y} = 2 \dot{p}"),
+        (r"\dot{Y} = \dot{p} \tilde{w} Y", r"Y = Y"),
+    ],
+)
+def test_each_part_of_an_argued_goal_counts(old, new):
+    claim = CLAIMS["80.series"]
+    goal = claim.goal.latex.replace(r"\printed", claim.printed.latex)
+    assert old in goal
+    assert verdict(claim.id, goal.replace(old, new, 1), Proven(Kernel())).outcome != Outcome.PROVED

@@ -7,15 +7,16 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers
+from workbench.judge.theorems.proofs import Proven
 from workbench.judge.theorems.reading import read_goal
 from workbench.language.grammar.lines import Line, split_lines
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Conjunction, Statement
-from workbench.papers.formulas import WORDS, FormulaReader
+from workbench.papers.formulas import FormulaReader
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
-from workbench.papers.model import Claim, Formula, Notation, Stated, Theorem
+from workbench.papers.model import Claim, Formula, Notation, Stated
 from workbench.papers.orders import Orders
 from workbench.papers.toml.toml_file import TomlFile
 from workbench.papers.toml.toml_places import KeyPath
@@ -29,11 +30,8 @@ _ID = re.compile(r"[\w.+*'-]{1,80}")
 _HYPOTHESIS = re.compile(r"\\hypothesis\s*\\Rightarrow")
 _QUOTE = re.compile(r"“[^“”]+”")
 _CONTRADICTIONS = (
-    ("theorem", "reading"),
-    ("theorem", "assume"),
     ("goal", "reading"),
     ("goal", "formula"),
-    ("goal", "argued"),
     ("corrected", "hypothesis"),
     ("every_n", "theorem"),
     ("every_n", "goal"),
@@ -50,7 +48,7 @@ class ClaimTable:
     notation: Notation
     section: str | None
     owners: dict[str, str]
-    theorems: Mapping[str, Theorem]
+    theorems: Mapping[str, Proven]
 
     def claims(self) -> list[Claim]:
         toml = self.toml
@@ -83,8 +81,8 @@ class ClaimTable:
             file=toml.path,
             line=toml.places.of_key(self.path)[0],
         )
-        special = claim.theorem is not None or self._text("goal") is not None
-        claims = [self._theorem(claim)] if special else self._lines(claim)
+        self._refuse_without_goal()
+        claims = [self._goal_claim(claim)] if self._text("goal") is not None else self._lines(claim)
         self._required("id")
         for part in claims:
             self._refuse_used(part.id)
@@ -109,30 +107,29 @@ class ClaimTable:
             raise self.toml.error_at_value((*self.path, "printed"), "printed: expected one sentence, “…”")
         return None, text
 
-    def _theorem(self, claim: Claim) -> Claim:
+    def _refuse_without_goal(self) -> None:
+        for key in ("theorem", "argued"):
+            if self._text(key) is not None and self._text("goal") is None:
+                raise self.toml.error_at_key((*self.path, key), f"{key}: expected a goal beside it")
+
+    def _goal_claim(self, claim: Claim) -> Claim:
         self._required("statement")
         self._proof("theorem")
         reader = self._reader(claim)
         goal = self._goal(claim)
-        printed = self._said(
-            claim, set(claim.orders.variables if claim.orders else ()) | bound_integers(goal and goal.goal)
-        )
-        if goal is not None:
-            self._refuse_other_goal(goal, printed)
-        elif claim.theorem is not None and claim.argued is None:
-            message = "a theorem needs a goal, or else `argued`: why no rule ties its steps to one"
-            raise self.toml.error_at_key((*self.path, "theorem"), message)
+        integers = set(claim.orders.variables if claim.orders else ()) | bound_integers(goal.goal)
+        self._refuse_other_goal(goal, self._said(claim, integers))
+        hypothesis = self._text("hypothesis")
         return replace(
             claim,
             goal=goal,
-            said=() if goal else tuple(printed),
             corrected=reader.intended("corrected"),
-            hypothesis=self._condition(reader, goal),
+            hypothesis=None if hypothesis is None else Formula(hypothesis),
             assume=reader.intended_list("assume"),
         )
 
     def _said(self, claim: Claim, integers: Collection[str]) -> list[Statement]:
-        """What is printed beside a goal or an argument, which must make sense."""
+        """What is printed beside a goal, which must make sense."""
         try:
             lines = split_lines(claim.printed.latex) if claim.printed.latex else ()
             table = self.notation.symbols
@@ -140,10 +137,8 @@ class ClaimTable:
         except (ReadError, IllFormedAt) as error:
             raise self.toml.error_at_value((*self.path, "printed"), f"printed: {error}") from None
 
-    def _goal(self, claim: Claim) -> Stated | None:
-        text = self._text("goal")
-        if text is None:
-            return None
+    def _goal(self, claim: Claim) -> Stated:
+        text = self._required("goal")
         scope = Scope(self.notation.symbols, self.notation.definitions, {})
         hypothesis = self._text("hypothesis")
         if (hypothesis is None) != (_HYPOTHESIS.search(text) is None):
@@ -166,13 +161,6 @@ class ClaimTable:
             if statement not in parts:
                 message = f"goal: the printed formula {to_latex(statement)} is no part of it"
                 raise self.toml.error_at_value((*self.path, "goal"), message)
-
-    def _condition(self, reader: FormulaReader, goal: Stated | None) -> Formula | None:
-        """The hypothesis: read within its goal; of an argument, a formula or words, \\text{…}."""
-        text = self._text("hypothesis")
-        if text is not None and (goal is not None or WORDS.fullmatch(text)):
-            return Formula(text)
-        return reader.intended("hypothesis")
 
     def _lines(self, claim: Claim) -> list[Claim]:
         """The claim, or one claim for each line of its printed formula."""
@@ -236,7 +224,7 @@ class ClaimTable:
     def _refuse_contradictions(self) -> None:
         table = self.toml.value(self.path, dict)
         for one, other in _CONTRADICTIONS:
-            if one in table and other in table and not ("goal" in table and other == "assume"):
+            if one in table and other in table:
                 message = f"{other!r} and {one!r} exclude each other"
                 raise self.toml.error_at_key((*self.path, other), message)
 

@@ -12,11 +12,12 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from workbench.budget import Budget
+from workbench.judge.theorems.proofs import Proven
 from workbench.memory.store import Store
 from workbench.papers.faults import Faults
 from workbench.papers.installed import DEFAULT, installed, installed_names, name_of, paper_of
 from workbench.papers.kept import Kept
-from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError, Theorem
+from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError
 from workbench.papers.notation_files import NOTATION_KEYS, notation_chain
 from workbench.papers.sisters import claim_ids, sisters_of
 from workbench.papers.toml.toml_file import TomlFile
@@ -112,7 +113,7 @@ def find_paper(name: Path | str | None = None, store: Store | None = None) -> Pa
 
 def merge(
     paths: Sequence[Path],
-    theorems: Mapping[str, Theorem] | None = None,
+    theorems: Mapping[str, Proven] | None = None,
     faults: list[PaperError] | None = None,
     store: Store | None = None,
 ) -> Paper:
@@ -224,7 +225,7 @@ class _PaperFile:
     def read(
         self,
         owners: dict[str, str],
-        theorems: Mapping[str, Theorem],
+        theorems: Mapping[str, Proven],
         skipped: list[str],
         faults: Faults,
         kept: Kept,
@@ -248,7 +249,7 @@ class _PaperFile:
         return claims
 
     @staticmethod
-    def _is_as_before(before: _Read, owners: Mapping[str, str], theorems: Mapping[str, Theorem]) -> bool:
+    def _is_as_before(before: _Read, owners: Mapping[str, str], theorems: Mapping[str, Proven]) -> bool:
         named = {claim.theorem for claim in before.claims} - {None}
         return not before.owners.keys() & owners.keys() and named <= theorems.keys()
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import Budget
 from workbench.judge.verdict import Outcome
@@ -16,7 +16,6 @@ from workbench.papers.orders import Orders
 if TYPE_CHECKING:
     from workbench.judge.theorems.goals import Goal
     from workbench.judge.theorems.proofs import Proven
-    from workbench.judge.verdict import Verdict
     from workbench.language.definitions import Definitions
     from workbench.language.hand import Hand
     from workbench.language.naming.symbols import SymbolTable
@@ -24,9 +23,6 @@ if TYPE_CHECKING:
     from workbench.language.typed.terms import Definition, Relation, Statement, Symbol
     from workbench.papers.toml.toml_places import KeyPath
 
-
-#: A proof for the goal of the claim that names it; or an argument, which is its own statement.
-Theorem: TypeAlias = "Proven | Callable[[], Verdict]"
 
 #: What a fault can be.
 FAULTS = ("error", "misprint", "transcription", "wording", "hypothesis")
@@ -232,16 +228,15 @@ class Claim:
     """One `[[claim]]` of a paper file, or one line of it, or one step of a display in a text.
 
     printed: the formula that is judged, as printed, or, where `ours`, our formula for what is printed in
-    words. quote: a printed sentence.   said: the equations of an argued claim.   goal: what one identity
-    cannot say.   theorem: the name of its proof in the installed paper.   argued: why no rule ties that
-    proof to a goal.   every_n: the name of the proof that its right form, which is judged for some n, holds
-    for every n.   fault: what kind of fault the
-    claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps before it in
-    its chain, `skip` why its author leaves it out, `unread` why its model
-    expects no verdict, `states` the symbol that it may define, `guessed` its
-    symbols whose kinds nobody has confirmed, `rests` what earlier claims say of its symbols, `beside` what
-    its sentence and earlier ones suppose of them, `says` and `unsettled` why it may be true although it is
-    false for free symbols: it may say what one is, or the text says more of them than was read.
+    words. quote: a printed sentence.   goal: what one identity cannot say.   theorem: the name of its proof
+    in the installed paper.   argued: what joins the goal to the sentence, where no rule does.   every_n: the
+    name of the proof that its right form, which is judged for some n, holds for every n.   fault: what kind
+    of fault the claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps
+    before it in its chain, `skip` why its author leaves it out, `unread` why its model expects no verdict,
+    `states` the symbol that it may define, `guessed` its symbols whose kinds nobody has confirmed, `rests`
+    what earlier claims say of its symbols, `beside` what its sentence and earlier ones suppose of them,
+    `says` and `unsettled` why it may be true although it is false for free symbols: it may say what one is,
+    or the text says more of them than was read.
     """
 
     id: str
@@ -259,7 +254,6 @@ class Claim:
     statement: str | None = None
     ours: bool = False
     quote: str | None = None
-    said: tuple[Statement, ...] = ()
     goal: Stated | None = None
     theorem: str | None = None
     argued: str | None = None
@@ -334,7 +328,7 @@ class Paper:
     paths: tuple[Path, ...]
     notation: Notation
     claims: tuple[Claim, ...]
-    theorems: Mapping[str, Theorem] = field(default_factory=dict)
+    theorems: Mapping[str, Proven] = field(default_factory=dict)
     budget: Budget | None = None
     citation: Mapping[str, str] = field(default_factory=dict)
     faults: tuple[PaperError, ...] = ()
@@ -358,4 +352,4 @@ class InstalledPaper:
     and the theorems that they refer to."""
 
     files: tuple[Path, ...]
-    theorems: Mapping[str, Theorem] = field(default_factory=dict)
+    theorems: Mapping[str, Proven] = field(default_factory=dict)

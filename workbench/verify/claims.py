@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
 from workbench.judge.subject.assumptions import Unsatisfiable
+from workbench.judge.theorems.proofs import Proven
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.printing.authors import in_the_hand_of
-from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Theorem
+from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
 from workbench.papers.selection import select_claims
 from workbench.verify.keys import Keys, Memory
 from workbench.verify.meant import Meant, undisturbed
@@ -45,7 +46,7 @@ class ClaimJudge:
     def __init__(
         self,
         claims: Sequence[Claim],
-        theorems: Mapping[str, Theorem] = MappingProxyType({}),
+        theorems: Mapping[str, Proven] = MappingProxyType({}),
         second_engine: bool = True,
         motions: bool = True,
         budget: Budget | None = None,
@@ -147,7 +148,7 @@ class ClaimJudge:
             return self._verdict(claim, getattr(claim, form), claim.hypothesis if form == "reading" else None)
 
     def _printed(self, claim: Claim) -> Verdict:
-        if claim.goal is not None or claim.theorem is not None:
+        if claim.goal is not None:
             verdict = undisturbed(lambda: self._of_theorems.verdict(claim))
             return self._seen(verdict, claim, claim.printed, claim.hypothesis)
         if claim.skip is not None:

@@ -8,13 +8,13 @@ the paper's theorems.
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Iterable, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import asdict, fields, is_dataclass
 from functools import cache
 from typing import Any
 
+from workbench.judge.theorems.proofs import Proven
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
@@ -22,7 +22,7 @@ from workbench.language.typed.terms import Definition, Symbol, Term
 from workbench.language.typed.types import Declaration, Type
 from workbench.memory.ground import digest, ground
 from workbench.memory.store import Store
-from workbench.papers.model import Claim, Notation, Theorem
+from workbench.papers.model import Claim, Notation
 from workbench.verify.results import Proposed
 
 #: What a claim says of itself that no verdict depends on.
@@ -75,11 +75,9 @@ class Memory(Store):
 class Keys:
     """The keys of one paper's verdicts. options: what else they depend on."""
 
-    def __init__(self, theorems: Mapping[str, Theorem], options: Mapping[str, Any]) -> None:
-        modules = {sys.modules[theorem.__module__] for theorem in theorems.values()}
-        packages = sorted({module.__name__.split(".")[0] for module in modules} | {"workbench"})
-        self._proofs = {name: digest(repr(proof)) for name, proof in theorems.items() if not callable(proof)}
-        self._ground = digest(repr((ground(packages, _ENGINES), sorted(options.items()))))
+    def __init__(self, theorems: Mapping[str, Proven], options: Mapping[str, Any]) -> None:
+        self._proofs = {name: digest(repr(proof)) for name, proof in theorems.items()}
+        self._ground = digest(repr((ground(["workbench"], _ENGINES), sorted(options.items()))))
         self._reaches: dict[int, _Reach] = {}
         self._last: tuple[Claim, str] | None = None  # its forms are asked for one after the other
 

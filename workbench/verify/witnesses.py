@@ -134,7 +134,7 @@ class Witnesses:
 
 
 def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Saying]:
-    """The equations of a form of the claim: its own, or those of its goal, or those of its argument."""
+    """The equations of a form of the claim: its own, or those of its goal."""
     if form is claim.printed and claim.goal is not None:
         from workbench.judge.theorems.said import said
 
@@ -144,8 +144,8 @@ def _sayings(claim: Claim, form: Formula, under: Formula | None) -> Iterator[Say
     supposed = claim.supposed
     if under is not None and under.statement is not None:
         supposed = (*supposed, under.statement)
-    for statement in claim.said if form.statement is None else (form.statement,):
-        yield statement, supposed, claim.orders
+    if form.statement is not None:
+        yield form.statement, supposed, claim.orders
 
 
 def _of_motion(claim: Claim) -> bool:

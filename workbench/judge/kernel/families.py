@@ -230,7 +230,7 @@ def _is_numbered(term: Term) -> bool:
 
 
 def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> list[Linear]:
-    """The indices of all symbols that hold an integer variable, and the orders of derivatives that do."""
+    """The indices of all symbols that hold an integer variable, and the orders that hold just one."""
     indices = [
         index
         for term in _all_terms(statements)
@@ -239,7 +239,7 @@ def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> 
         for index in part.index
         if not index.is_number
     ]
-    return [*indices, *orders]
+    return [*indices, *(order for order in orders if len(order.coefficients) == 1)]
 
 
 def _shift(indices: Sequence[Linear]) -> dict[str, Linear]:

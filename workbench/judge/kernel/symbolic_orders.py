@@ -30,12 +30,14 @@ from workbench.language.typed.types import Declaration
 
 
 def symbolic_orders(terms: Iterable[Term]) -> list[Linear]:
-    """The orders of derivatives, not numbers, that occur in the terms. Raises NotExact for any but n + c."""
+    """The orders of derivatives, not numbers, that occur in the terms. Raises NotExact for any but n + c, and
+    sums of several such as k + m + c with c ≥ 0."""
     orders = []
     for term in terms:
         for part in term.walk():
             if isinstance(part, Derivative) and not part.order.is_number:
-                if len(part.order.coefficients) != 1 or part.order.coefficients[0][1] != 1:
+                coefficients = [coefficient for _, coefficient in part.order.coefficients]
+                if {*coefficients} != {1} or (len(coefficients) > 1 and part.order.constant < 0):
                     raise NotExact(f"a derivative of order {part.order}")
                 orders.append(part.order)
     return orders
@@ -46,6 +48,8 @@ def with_free_derivatives(term: Term) -> Term:
     replaced by what they stand for. Raises NotExact for the n-th derivative of a constant, which is 0 for
     n ≥ 1 only."""
     if isinstance(term, Derivative) and not term.order.is_number:
+        if isinstance(inner := term.body, Derivative):
+            return with_free_derivatives(derivative(inner.body, inner.order + term.order))
         return _differentiated(with_free_derivatives(term.body), term.order)
     return rebuild(term, [with_free_derivatives(child) for child in term.children])
 
@@ -84,7 +88,7 @@ def _differentiated(term: Term, order: Linear) -> Term:
 
 def _free(term: Term, order: Linear) -> Symbol:
     """The derivative of symbolic order of any function: of another function another one."""
-    if term.type.kind not in ("scalar", "vector", "tensor"):
+    if term.type.kind == "operator":
         raise NotExact(f"a {term.type} differentiated {order} times")
     weight = None if term.weight is None else term.weight + order
     uniform = all(part.declaration.uniform for part in term.walk() if isinstance(part, Symbol))

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Set
 
 from workbench.language.typed.construct import apply, big_sum, derivative, rebuild, relation, zero
-from workbench.language.typed.instances import instantiate
+from workbench.language.typed.instances import free_integers, instantiate
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import COMPONENTWISE, PRODUCTS
 from workbench.language.typed.terms import Apply, BigSum, Derivative, Relation, Term, Zero
@@ -60,25 +60,27 @@ def spread(term: Term) -> Term:
     term = term if unchanged else rebuild(term, children)
     if isinstance(term, BigSum):
         return term
-    if isinstance(term, Derivative) and term.order.is_number:
-        return _over(term.body, lambda part: _derived(part, term.order))
+    if isinstance(term, Derivative):
+        return _over(term.body, lambda part: _derived(part, term.order), frozenset(term.order.variables))
     if isinstance(term, Apply) and len(term.arguments) == 1 and term.head in COMPONENTWISE - {"neg"}:
         return _over(term.arguments[0], lambda part: apply(term.head, part))
     if isinstance(term, Apply) and term.head in PRODUCTS:
         left, right = term.arguments
         if has_sums(left) and not has_sums(right):
-            return _over(left, lambda part: apply(term.head, part, right))
+            return _over(left, lambda part: apply(term.head, part, right), free_integers(right))
         if has_sums(right) and not has_sums(left):
-            return _over(right, lambda part: apply(term.head, left, part))
+            return _over(right, lambda part: apply(term.head, left, part), free_integers(left))
     return term
 
 
-def _over(term: Term, linear) -> Term:
-    """linear(term), brought to the addends, and in sums to theirs."""
+def _over(term: Term, linear: Callable[[Term], Term], speaks_of: Set[str] = frozenset()) -> Term:
+    """linear(term), brought to the addends, and in sums to theirs, unless these bind what it speaks of."""
     total: Term | None = None
     for negative, addend in addends(term):
-        if isinstance(addend, BigSum):
-            new: Term = big_sum(addend.variables, addend.lower, addend.upper, linear(addend.body))
+        if isinstance(addend, BigSum) and speaks_of.isdisjoint(addend.variables):
+            body = addend.body
+            body = _over(body, linear, speaks_of) if has_sums(body) else linear(body)
+            new: Term = big_sum(addend.variables, addend.lower, addend.upper, body)
         else:
             new = linear(addend)
         new = apply("neg", new) if negative else new

@@ -159,7 +159,7 @@ def atoms(goal: Goal) -> Iterator[Statement]:
         yield from atoms(part)
 
 
-def bound_integers(goal: Goal | None) -> set[str]:
+def bound_integers(goal: Goal) -> set[str]:
     """The integers that the goal binds anywhere."""
     own = {goal.integer} if isinstance(goal, AllFrom | AllBelow) else set()
     return own.union(*map(bound_integers, inside(goal)))

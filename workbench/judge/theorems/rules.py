@@ -91,7 +91,7 @@ def obligations(sequent: Sequent, proof: Proof) -> Iterator[Obligation]:
             yield from _cases(sequent, text, equal, unequal)
         case AllFrom(integer, least, body), Induction():
             yield from _induction(sequent, integer, least, body, proof)
-        case AllFrom(), Pascal():
+        case AllFrom(body=Atom()), Pascal():
             for inner, own in pascal(sequent, goal, proof):
                 yield from obligations(inner, own)
         case AllFrom(integer, least, body), _:

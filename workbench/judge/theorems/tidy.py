@@ -77,7 +77,7 @@ def _product(left: Term, right: Term) -> Term:
             return apply("neg", _product(left, inner))
         case Apply(head="mul", arguments=(one, other)), _ if _associates(one, other, right):
             return _product(one, _product(other, right))
-        case _, Apply(head="mul", arguments=(scalar, rest)) if kinds[0] == "tensor":
+        case _, Apply(head="mul", arguments=(scalar, rest)) if kinds[0] in ("tensor", "matrix"):
             if scalar.type.kind == "scalar":
                 return _product(scalar, _product(left, rest))
     return apply("mul", left, right)

@@ -262,10 +262,26 @@ def test_refutations(goal, against):
         (r"\exists! c \in V_3 : c = a", TwoWitnesses({"c": "a"}, {"c": "b"})),
         (r"\forall n \geq 2 : F_n = F_{n+1}", At({"n": "1"}, False_())),
         (r"a = b \Rightarrow b = a", Broken(False_())),
+        # true under a premise that the judge of formulas cannot suppose
+        (r"\Big( \forall c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", False_()),
+        (r"\Big( 2 a = a + a \Rightarrow a = b \Big) \Rightarrow a = b", False_()),
+        (r"\Big( \exists c \in V_3 : c = a \wedge c = b \Big) \Rightarrow a = b", False_()),
+        (r"\Big( a \cdot b \geqslant a^2 + b^2 \Big) \Rightarrow a = b", False_()),
     ],
 )
 def test_what_is_no_refutation(goal, against):
     assert outcome(goal, against=against).outcome == Outcome.UNCHECKED
+
+
+def test_a_claim_is_not_refuted_without_what_it_supposes():
+    where = scope()
+    goal, assume = read_goal("b = a", where), [where.statement("a = b")]
+
+    def found(using):
+        proven = Proven(Kernel(using))
+        return prove(goal, where, Judge(where.definitions), proven, assume=assume).outcome
+
+    assert (found(None), found(())) == (Outcome.PROVED, Outcome.UNCHECKED)
 
 
 def test_cases_and_lemmas():

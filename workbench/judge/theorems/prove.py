@@ -41,7 +41,15 @@ from workbench.judge.theorems.proofs import (
     Witness,
 )
 from workbench.judge.theorems.rules import obligations
-from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent, relations_of
+from workbench.judge.theorems.sequents import (
+    FORMULA,
+    NotShown,
+    Obligation,
+    Premise,
+    Sequent,
+    relations_of,
+    supposed,
+)
 from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
 from workbench.language.printing.printer import to_latex
@@ -124,7 +132,7 @@ class _Prover:
                 continue
             verdict = self._judge(obligation)
             if verdict.outcome not in _SHOWN:
-                only = len(asked) == 1 and verdict.outcome == Outcome.REFUTED and isinstance(proof, Kernel)
+                only = len(asked) == 1 and verdict.outcome == Outcome.REFUTED and proof == Kernel()
                 if only and _only_for_all(sequent.goal):
                     return verdict
                 return _not_shown(obligation, verdict)
@@ -266,8 +274,9 @@ def _is_for_all(verdict: Verdict, used: Mapping[str, int]) -> bool:
 
 
 def _obligation(sequent: Sequent, statement: Statement) -> Obligation:
-    (one,) = list(obligations(sequent.of(Atom(statement)), Kernel()))[:1]
-    return replace(one, statement=statement)
+    """The statement under all premises: what fails where one of them is left out is no counterexample."""
+    every = tuple(range(len(sequent.premises)))
+    return Obligation(FORMULA, statement, sequent.scope, tuple(supposed(sequent, every)))
 
 
 def _with(verdict: Verdict, *others: Verdict) -> Verdict:

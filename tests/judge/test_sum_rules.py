@@ -256,6 +256,14 @@ def test_powers_of_operators():
             r"\sum_{k=1}^{n} Q_{k-1} T = (\sum_{k=1}^{n} Q_{k-1}) T",
             r"\sum_{k=0}^{n} Q_{k-1} T = (\sum_{k=0}^{n} Q_{k-1}) T",
         ),
+        (  # nor is Q_{-1} where the sums begin to have addends
+            r"\sum_{k=1}^{n} T Q_{k-1} = T (\sum_{k=1}^{n} Q_{k-1})",
+            r"\sum_{k=1}^{n} T Q_{k-2} = T (\sum_{k=1}^{n} Q_{k-2})",
+        ),
+        (
+            r"\sum_{k=n}^{2 n} T Q_k = T (\sum_{k=n}^{2 n} Q_k)",
+            r"\sum_{k=n-1}^{2 n} T Q_k = T (\sum_{k=n-1}^{2 n} Q_k)",
+        ),
         (
             r"\sum_{k=0}^{n} (f T)^{(k)} U = (\sum_{k=0}^{n} (f T)^{(k)}) U",
             r"\sum_{k=0}^{n} \frac{1}{f} T^{(k)} U = (\sum_{k=0}^{n} \frac{1}{f} T^{(k)}) U",

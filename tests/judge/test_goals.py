@@ -174,8 +174,8 @@ def test_sums_by_leibniz(n):
     ("goal", "proof", "why"),
     [
         # a witness that hangs on what is bound behind it
-        (r"\exists c \in V_3 : \forall s \in V_3 : c = s", Witness({"c": "s"}), "binds behind it"),
-        (r"\exists c \in V_3 : \forall s \in V_3 : c = x", Witness({"c": "x"}), "binds behind it"),
+        (r"\exists c \in V_3 : \forall s \in V_3 : c = s", Witness({"c": "s"}), "s is bound again"),
+        (r"\exists c \in V_3 : \forall s \in V_3 : c = x", Witness({"c": "x"}), "s is bound again"),
         # a premise at an instant says nothing of derivatives
         (r"a = b \Rightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0)), "may not be differentiated"),
         (
@@ -205,6 +205,19 @@ def test_sums_by_leibniz(n):
         (r"\exists Q \in SO_3 : Q = 2 R", Witness({"Q": "2 R"}), "refuted"),
         (r"\exists c \in S^2 : c = a", Witness({"c": "a"}), "refuted"),
         (r"\exists c \in V_3 : c = T", Witness({"c": "T"}), None),
+        (r"\exists c \in V_3 : 2 c = c + c", Witness({"c": "T"}), "what is given for it a tensor"),
+        (
+            r"\exists c \in V_3 : c^2 = (a \cdot b)^2",
+            Witness({"c": r"a \cdot b"}),
+            "given for it a scalar",
+        ),
+        (r"\exists P \in A(D) : P + P = 2 P", Witness({"P": "a"}), "what is given for it a vector"),
+        (
+            r"\exists c \in V_3 : c = a + \varepsilon b",
+            Witness({"c": r"a + \varepsilon b"}),
+            "it a dual vector",
+        ),
+        (r"\exists c \in V_3 : c = a", Witness({"c": "a", "d": "a"}), "does not bind d"),
         # below the range of a premise
         (
             r"\Big( \forall n \geq 2 : F_n = T \Big) \Rightarrow F_1 = T",
@@ -314,6 +327,17 @@ def test_a_hypothesis_suffices_and_is_needed(goal, bare, against, found):
     goals = [read_goal(text, where) for text in (goal, bare)]
     proven = Proven(Kernel(), against)
     assert prove(goals[0], where, Judge(where.definitions), proven, bare=goals[1]).outcome == found
+
+
+def test_what_holds_under_a_hypothesis_holds_for_its_integers():
+    where = scope()
+    goal, bare = (
+        read_goal(rf"\forall n \geq 2 : {text}", where)
+        for text in (r"a = b \Rightarrow F_n a = F_n b", "F_n a = F_n b")
+    )
+    proven = Proven(Given(Follows("F_n Y", Y=Use(0))), At({"n": "2"}, False_()))
+    found = prove(goal, where, Judge(where.definitions), proven, bare=bare)
+    assert (found.outcome, found.scope) == (Outcome.CONDITIONAL, "all n ≥ 2")
 
 
 def test_a_claim_is_not_refuted_without_what_it_supposes():

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from workbench.language.printing.printer import to_latex
-from workbench.language.typed.construct import apply, number, rebuild
-from workbench.language.typed.terms import Apply, Number, Relation, Term, Zero
+from workbench.language.typed.construct import apply, rebuild
+from workbench.language.typed.terms import Apply, Relation, Term, Zero
 
 
 def is_another_sign_of(control: Relation, equation: Relation) -> bool:
@@ -31,8 +31,6 @@ def _parts(term: Term) -> Iterator[Term]:
 def _unsigned(term: Term) -> Term:
     children = [_unsigned(child) for child in term.children]
     match term:
-        case Number(value=value):
-            return number(abs(value))
         case Apply(head="neg"):
             return children[0]
         case Apply(head="transpose") if isinstance(children[0], Apply) and children[0].head == "skew":

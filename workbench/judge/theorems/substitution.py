@@ -47,7 +47,7 @@ from workbench.language.typed.terms import (
 def is_constant(term: Term, definitions: Definitions) -> bool:
     """Whether nothing in the term depends on time."""
     return not any(
-        isinstance(part, TimeOperator) or (isinstance(part, Symbol) and not part.declaration.constant)
+        isinstance(part, Symbol) and not part.declaration.constant
         for part in expand(term, definitions).walk()
     )
 

@@ -71,6 +71,9 @@ DEFINITIONS = {
     "S_{n+1}": "S_n + y_{n+1}",
     "H_0": r"\frac{1}{h} a",
     "H_{n+1}": r"\dot{H}_n",
+    "u": "2 s",
+    "L_0": "a",
+    "L_{n+1}": "L_n + u",
     "B_0": "a",
     "B_{n+1}": "a + B_n - y_n",
 }
@@ -161,6 +164,7 @@ FALSE: dict[str, list[tuple[str, Proof]]] = {
     ],
     "a letter in the base of a recurrence is bound with it": [
         (r"\Big( \forall a \in V_3^\mathbb{R} : \forall n \geq 0 : d_n \times a = \mathbf{0} \Big) \Rightarrow \forall c \in V_3^\mathbb{R} : d_0 \times c = \mathbf{0}", Given(Follows("Y", Y=Use(0, {"a": "c", "n": "0"})))),
+        (r"\Big( \forall s \in V_3 : \forall n \geq 0 : L_n \times s = \mathbf{0} \Big) \Rightarrow \forall c \in V_3 : \forall n \geq 0 : L_n \times c = \mathbf{0}", Given(Follows("Y", Y=Use(0, {"s": "c", "n": "n"})))),
         (r"\forall c \in V_3^\mathbb{R} : c = d_0 \Rightarrow \forall a \in V_3^\mathbb{R} : a = c", Given(Follows("Y", Y=Use(0, back=True)))),
         (r"\forall n \geq 0 : y_n = d_n \Rightarrow \forall a \in V_3^\mathbb{R} : y_n = d_n", Given(Follows("Y", Y=OF_0))),
         (r"\forall n \geq 0 : \exists c \in V_3^\mathbb{R} : \forall a \in V_3^\mathbb{R} : c = d_n + \mathbf{0}", Witness({"c": "d_n"})),

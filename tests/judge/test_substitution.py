@@ -2,13 +2,16 @@
 
 import pytest
 
-from tests.judge.test_goals import outcome, scope
+from tests.judge.test_goals import SYMBOLS, outcome, scope
 from workbench.judge.theorems.goals import GoalError
 from workbench.judge.theorems.proofs import Follows, Given, Kernel, Use
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.sequents import integers_of
-from workbench.judge.theorems.substitution import Substitution, at_integer
+from workbench.judge.theorems.substitution import Substitution, at_integer, is_constant
 from workbench.judge.verdict import Outcome
+from workbench.language.defining import read_definitions
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.reader import read_term
 from workbench.language.typed.integers import Linear, as_linear
 
 #: Goals with a letter c ∈ V₃ at some place, that stands for itself as {}.
@@ -83,6 +86,8 @@ def test_what_moves_is_no_constant_under_a_derivative(place):
         (r"\forall s \in V_3 : c = s", {"c": "s"}, "s is bound again"),
         (r"\forall s \in V_3 : c = s", {"c": "x"}, "s is bound again"),  # x = a + T s
         (r"\exists e \in V_3 : a = b \Rightarrow \forall s \in V_3 : e = c", {"c": "x"}, "s is bound again"),
+        (r"\forall c \in V_3 : c = b", {"c": "2 s"}, "c is bound again"),
+        (r"\min_{c \in V_3} (s - c)^2 = 0", {"c": "2 s"}, "c varies where a term with it"),
         (r"\forall n \geq 1 : c = F_n b", {"c": "F_n a", "integers": ("n",)}, "n is bound again"),
         (r"\forall n < 3 : c = n b", {"c": "n a", "integers": ("n",)}, "n is bound again"),
         (r"\sum_{n=1}^{3} F_n c = b", {"c": "F_n a", "integers": ("n",)}, "n is summed over"),
@@ -138,3 +143,12 @@ def test_no_integer_is_bound_by_what_it_was_not_meant_for():
     for name, value in (("k", 2), ("n", Linear.variable("k")), ("n", Linear.variable("k") + 1)):
         with pytest.raises(GoalError, match="k is bound twice"):
             at_integer(goal, name, value)
+
+
+@pytest.mark.parametrize(
+    ("latex", "constant"), [("m", True), ("M_3", True), ("q(s)", True), ("w", False), ("q(a)", False)]
+)
+def test_what_constants_define_is_constant(latex, constant):
+    defined = {"m": "2 s", "w": "a + s", "M_0": "s", "M_{n+1}": "2 M_n", "q(z)": "2 z"}
+    definitions, table = read_definitions(defined, SymbolTable.build({**SYMBOLS, "z": {"kind": "vector"}}))
+    assert is_constant(read_term(latex, table, {}), definitions) == constant

@@ -72,7 +72,7 @@ class _Sums:
         return term if unchanged else rebuild(term, children)
 
     def _without(self, total: BigSum) -> Term:
-        if len(total.variables) != 1 or total.lower is None:
+        if total.lower is None:
             return self._free(total)
         leibniz = None if has_sums(total.body) else self._leibniz(total)
         if leibniz is not None:

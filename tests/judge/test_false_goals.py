@@ -187,6 +187,7 @@ FALSE: dict[str, list[tuple[str, Proof]]] = {
         (r"\forall n \geq 0 : \sum_{k=0}^{n} y_k = y_0 + y_1 + \sum_{k=2}^{n} y_k", Kernel()),
         (r"\forall n \geq 0 : \sum_{k=0}^{n} P y_k = P y_0 + P y_1 + \sum_{k=2}^{n} P y_k", Kernel()),
         (r"\forall n \geq 0 : \sum_{m=0}^{n} \sum_{k=0}^{m} P y_k = \sum_{m=0}^{n} \left( P y_0 + P y_1 + \sum_{k=2}^{m} P y_k \right)", Kernel()),
+        (r"\forall n \geq 0 : \sum_{k=n}^{5} P y_k = \sum_{k=n}^{6} P y_k - P y_6", Kernel()),
         (r"\forall n \geq 0 : \sum_{k=1}^{n-1} P y_k = \sum_{k=0}^{n} P y_k - P y_0 - P y_n", Kernel()),
         (r"\forall n \geq 0 : S_n = \sum_{k=1}^{n} y_k", Induction(step=Follows("Y + y_{n+1}", Y=Use(-1)))),
         (r"\forall n \geq 0 : S_n = \sum_{k=0}^{n+1} y_k", Induction(step=Follows("Y + y_{n+1}", Y=Use(-1)))),

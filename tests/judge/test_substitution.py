@@ -72,9 +72,10 @@ def test_what_moves_is_no_constant_where_something_is_said_of_all_times(place):
     assert put(rf"a = b \Rightarrow {said.replace('Longr', 'R')}", c="a")
 
 
+@pytest.mark.parametrize("rate", [r"\frac{d}{dt}[T c]", r"[(\mathbf{D} + T) c]"])
 @pytest.mark.parametrize("place", PLACES)
-def test_what_moves_is_no_constant_under_a_derivative(place):
-    said = r"a = b \Rightarrow " + place.replace("{}", r"\frac{d}{dt}[T c]")
+def test_what_moves_is_no_constant_under_a_derivative(place, rate):
+    said = r"a = b \Rightarrow " + place.replace("{}", rate)
     with pytest.raises(GoalError, match="constant under a derivative"):
         put(said, c="a")
     assert put(said, c="s") and put(said, kind=r"V_3^\mathbb{R}", c="a")

@@ -265,6 +265,14 @@ def test_powers_of_operators():
             r"\sum_{k=0}^{n} P c_k = \sum_{k=1}^{n+1} P c_k",
         ),
         (
+            r"\sum_{k=0}^{n} P c_k + \sum_{k=0}^{2 n} P c_k = \sum_{k=0}^{2 n} P c_k + \sum_{k=1}^{n+1} P c_{k-1}",
+            r"\sum_{k=0}^{n} P c_k + \sum_{k=0}^{2 n} P c_k = \sum_{k=0}^{2 n} P c_k + \sum_{k=0}^{2 n} P c_k",
+        ),
+        (
+            r"\sum_{k=n}^{2 n} P c_k + \sum_{k=0}^{2 n} P c_k = \sum_{k=0}^{2 n} P c_k + \sum_{k=n}^{2 n} P c_k",
+            r"\sum_{k=n}^{2 n} P c_k + \sum_{k=0}^{2 n} P c_k = \sum_{k=0}^{2 n} P c_k + \sum_{k=0}^{2 n} P c_k",
+        ),
+        (
             r"\sum_{k=0}^{n} P a^{(k)} = P a + \sum_{k=1}^{n} P a^{(k)}",
             r"\sum_{k=0}^{n} P a^{(k)} = P a^{(n)} + \sum_{k=1}^{n} P a^{(k)}",
         ),

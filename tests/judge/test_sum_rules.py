@@ -257,6 +257,18 @@ def test_powers_of_operators():
             r"\sum_{k=0}^{n} C_n^k ((k! a^{(n-k)}) \times b^{(k)}) = (a \times b)^{(n)}",
         ),
         (
+            r"\sum_{k=0}^{n} C_n^{n-k} f^{(k)} a^{(n-k)} = (f a)^{(n)}",
+            r"\sum_{k=0}^{n} C_{n+k}^k f^{(k)} a^{(n-k)} = (f a)^{(n)}",
+        ),
+        (
+            r"\sum_{k=n}^{2 n} C_n^{k-n} f^{(k-n)} a^{(2n-k)} = (f a)^{(n)}",
+            r"\sum_{k=n}^{2 n} C_n^{k-n} f^{(k-n)} a^{(2n-k)} = (f a)^{(2 n)}",
+        ),
+        (
+            r"\sum_{k=0}^{n} C_n^k C_{n+2}^2 f^{(k)} a^{(n-k)} = C_{n+2}^2 (f a)^{(n)}",
+            r"\sum_{k=0}^{n} C_n^k C_{n+2}^k f^{(k)} a^{(n-k)} = C_{n+2}^2 (f a)^{(n)}",
+        ),
+        (
             r"\sum_{k=0}^{n} C_n^k (k! a^{(k)}) \times b = (\sum_{k=0}^{n} C_n^k k! a^{(k)}) \times b",
             r"\sum_{k=0}^{n} C_n^k (k! a^{(k)}) \times b = (\sum_{k=0}^{n} C_n^k a^{(k)}) \times b",
         ),

@@ -1,4 +1,4 @@
-"""Which lines of the kernel and of the engines no test would miss: a sample of mutants by mutmut.
+"""Which lines of the judge no test would miss: a sample of mutants by mutmut.
 
     uv run --group mutation python tests/mutation.py --sample 400
 

@@ -18,6 +18,7 @@ from workbench.judge.theorems.proofs import (
     Impossible,
     Induction,
     Kernel,
+    Part,
     Pointwise,
     Proven,
     Squares,
@@ -140,6 +141,7 @@ def test_what_is_no_goal(goal):
             Given(Follows("Y + Z - f(2 a)", Y=Use(0, {"c": "2 a"}), Z=Use(0, {"c": "a"}))),
         ),
         (r"\forall c \in \mathbb{R} : c^2 \geqslant 0", Squares("c")),
+        (r"\forall n \geq 1 : F_n = T \Rightarrow a \times b = -b \times a", Kernel()),
     ],
 )
 def test_proofs(goal, proof):
@@ -172,8 +174,8 @@ def test_sums_by_leibniz(n):
     ("goal", "proof", "why"),
     [
         # a witness that hangs on what is bound behind it
-        (r"\exists c \in V_3 : \forall s \in V_3 : c = s", Witness({"c": "s"}), "binds behind it"),
-        (r"\exists c \in V_3 : \forall s \in V_3 : c = x", Witness({"c": "x"}), "binds behind it"),
+        (r"\exists c \in V_3 : \forall s \in V_3 : c = s", Witness({"c": "s"}), "s is bound again"),
+        (r"\exists c \in V_3 : \forall s \in V_3 : c = x", Witness({"c": "x"}), "s is bound again"),
         # a premise at an instant says nothing of derivatives
         (r"a = b \Rightarrow \dot{a} = \dot{b}", Follows(r"\dot{Y}", Y=Use(0)), "may not be differentiated"),
         (
@@ -203,6 +205,19 @@ def test_sums_by_leibniz(n):
         (r"\exists Q \in SO_3 : Q = 2 R", Witness({"Q": "2 R"}), "refuted"),
         (r"\exists c \in S^2 : c = a", Witness({"c": "a"}), "refuted"),
         (r"\exists c \in V_3 : c = T", Witness({"c": "T"}), None),
+        (r"\exists c \in V_3 : 2 c = c + c", Witness({"c": "T"}), "what is given for it a tensor"),
+        (
+            r"\exists c \in V_3 : c^2 = (a \cdot b)^2",
+            Witness({"c": r"a \cdot b"}),
+            "given for it a scalar",
+        ),
+        (r"\exists P \in A(D) : P + P = 2 P", Witness({"P": "a"}), "what is given for it a vector"),
+        (
+            r"\exists c \in V_3 : c = a + \varepsilon b",
+            Witness({"c": r"a + \varepsilon b"}),
+            "it a dual vector",
+        ),
+        (r"\exists c \in V_3 : c = a", Witness({"c": "a", "d": "a"}), "does not bind d"),
         # below the range of a premise
         (
             r"\Big( \forall n \geq 2 : F_n = T \Big) \Rightarrow F_1 = T",
@@ -211,6 +226,7 @@ def test_sums_by_leibniz(n):
         ),
         # nothing is tested
         ("a = a", Kernel(), "same term"),
+        (r"a \neq a \Rightarrow a = b", Kernel(), "premises contradict"),
         # a sum of squares of dual numbers is no bound
         (r"\forall c \in \mathbb{R} : c \geqslant c", Squares(r"\varepsilon c"), "expected a real"),
         (r"\forall c \in \mathbb{R} : c^2 \geqslant \varepsilon c", Squares("c"), "compares real scalars"),
@@ -246,6 +262,7 @@ def test_a_lasting_premise_may_be_differentiated():
         ),
         (r"\exists c \in V_3 : c = a \wedge c = b", Impossible(Follows("Y - Z + b", Y=Use(-1, back=True), Z=Use(-1, part=1, back=True)), so="a = b")),
         (r"\forall n \geq 1 : F_n = F_{n+1}", At({"n": "1"}, False_())),
+        (r"a \cdot b = 0 \Leftrightarrow a = \mathbf{0}", Part(0, False_())),
     ],
 )  # fmt: skip
 def test_refutations(goal, against):
@@ -262,10 +279,84 @@ def test_refutations(goal, against):
         (r"\exists! c \in V_3 : c = a", TwoWitnesses({"c": "a"}, {"c": "b"})),
         (r"\forall n \geq 2 : F_n = F_{n+1}", At({"n": "1"}, False_())),
         (r"a = b \Rightarrow b = a", Broken(False_())),
+        # true under a premise that the judge of formulas cannot suppose
+        (r"\Big( \forall c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", False_()),
+        (r"\Big( 2 a = a + a \Rightarrow a = b \Big) \Rightarrow a = b", False_()),
+        (r"\Big( \exists c \in V_3 : c = a \wedge c = b \Big) \Rightarrow a = b", False_()),
+        (r"\Big( a \cdot b \geqslant a^2 + b^2 \Big) \Rightarrow a = b", False_()),
+        # two are no reason against one; what is not shown, or holds, is no reason against any
+        (r"\exists c \in V_3 : c \times c = \mathbf{0}", TwoWitnesses({"c": "a"}, {"c": "b"})),
+        (r"\exists c \in V_3 : c = a", Impossible(Kernel())),
+        (r"\exists c \in V_3 : c = a", Impossible(Kernel(), so="a = b")),
+        (r"\exists c \in V_3 : c = a", Impossible(Kernel(), so="2 a = a + a")),
+        # no members of the set, and values that nothing binds
+        (r"\forall Q \in SO_3 : \det Q = 1", At({"Q": r"2 \mathbf{I}"}, False_())),
+        (r"\forall u \in S^2 : u^2 = 1", At({"u": "a"}, False_())),
+        (r"\forall n \geq 1 : F_n = F_{n+1}", At({"n": "1", "m": "1"}, False_())),
+        # the other way
+        (r"a \cdot b = 0 \Leftrightarrow a = \mathbf{0}", Part(1, False_())),
     ],
 )
 def test_what_is_no_refutation(goal, against):
     assert outcome(goal, against=against).outcome == Outcome.UNCHECKED
+
+
+@pytest.mark.parametrize(
+    ("goal", "found"),
+    [
+        (r"\forall c \in V_3 : 2 c = c + c = c", Outcome.REFUTED),
+        (r"a + b = b + a \wedge a \times b = b \times a", Outcome.UNCHECKED),
+        (r"\Big( \forall c \in V_3 : c \cdot a = c \cdot b \Big) \Rightarrow a = b", Outcome.UNCHECKED),
+    ],
+)
+def test_of_what_the_kernel_refutes_only_equations_for_all_are_refuted(goal, found):
+    assert outcome(goal, Kernel()).outcome == found
+
+
+@pytest.mark.parametrize(
+    ("goal", "bare", "against", "found"),
+    [
+        (r"a = b \Rightarrow b = a", "b = a", False_(), Outcome.CONDITIONAL),
+        (r"a = b \Rightarrow b = 2 a", "b = 2 a", False_(), Outcome.UNCHECKED),
+        (r"a = b \Rightarrow 2 b = a + b", "2 b = b + b", False_(), Outcome.UNCHECKED),
+        (r"a = b \Rightarrow b = a", "b = a", None, Outcome.UNCHECKED),
+    ],
+)
+def test_a_hypothesis_suffices_and_is_needed(goal, bare, against, found):
+    where = scope()
+    goals = [read_goal(text, where) for text in (goal, bare)]
+    proven = Proven(Kernel(), against)
+    assert prove(goals[0], where, Judge(where.definitions), proven, bare=goals[1]).outcome == found
+
+
+def test_what_holds_under_a_hypothesis_holds_for_its_integers():
+    where = scope()
+    goal, bare = (
+        read_goal(rf"\forall n \geq 2 : {text}", where)
+        for text in (r"a = b \Rightarrow F_n a = F_n b", "F_n a = F_n b")
+    )
+    proven = Proven(Given(Follows("F_n Y", Y=Use(0))), At({"n": "2"}, False_()))
+    found = prove(goal, where, Judge(where.definitions), proven, bare=bare)
+    assert (found.outcome, found.scope) == (Outcome.CONDITIONAL, "all n ≥ 2")
+
+
+def test_a_claim_is_not_refuted_without_what_it_supposes():
+    where = scope()
+    goal, assume = read_goal("b = a", where), [where.statement("a = b")]
+
+    def found(using):
+        proven = Proven(Kernel(using))
+        return prove(goal, where, Judge(where.definitions), proven, assume=assume).outcome
+
+    assert (found(None), found(())) == (Outcome.PROVED, Outcome.UNCHECKED)
+
+
+def test_what_is_supposed_at_an_instant_is_no_premise_for_all_times():
+    where = scope()
+    goal = read_goal(r"a = b \Longrightarrow \dot{a} = \dot{b}", where)
+    proven = Proven(against=Broken(False_(), Follows("Y", Y=Use(0))))
+    assume = [where.statement("a = b")]
+    assert prove(goal, where, Judge(where.definitions), proven, assume).outcome == Outcome.UNCHECKED
 
 
 def test_cases_and_lemmas():

@@ -210,6 +210,7 @@ def test_some_function_has_these_derivatives():
     [
         SOME_V.replace(r"v \in V_3^\mathbb{R}", r"v \in V_3") + rf"{BELOW} \wedge v^{{(n)}} = c",
         SOME_V.replace(r"\exists", r"\exists!") + rf"{BELOW} \wedge v^{{(n)}} = c",
+        SOME_V.replace("c \\in V_3", r"c \in \underline{V}_3") + rf"{BELOW} \wedge v^{{(n)}} = c",
         rf"{SOME_V} {BELOW} \wedge v^{{(n)}} = v",
         rf"{SOME_V} {BELOW} \wedge v^{{(n)}} \neq c",
         rf"{SOME_V} {BELOW} \wedge v^{{(n)}} = 2 c",

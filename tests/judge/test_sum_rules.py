@@ -17,7 +17,7 @@ from workbench.judge.theorems.proofs import (
     Termwise,
     Use,
 )
-from workbench.judge.theorems.prove import prove
+from workbench.judge.theorems.prove import SAME_ADDENDS, prove
 from workbench.judge.theorems.reading import read_goal
 from workbench.judge.theorems.tidy import is_same_sum, tidy
 from workbench.judge.verdict import SAME_TERM, Outcome
@@ -278,6 +278,12 @@ class TestFunctions:
         (r"T (f a) + b", r"b + f T a", True),
         (r"\mathbf{I} T a - (b - b)", r"T a", True),
         (r"\frac{d^3}{dt^3} (a + b)", r"a^{(3)} + b^{(3)}", True),
+        (r"T \mathbf{I} U a", r"T U a", True),
+        (r"f \mathbf{I} T", r"f T", True),
+        (r"-(T (-a)) + (-T) b", r"T a - T b", True),
+        (r"(T^T)^T \mathbf{I}^T", r"T", True),
+        (r"(f \mathbf{I}) a", r"\mathbf{I} a", False),
+        (r"(f T) a + \mathbf{I} b", r"T a + b", False),
         (r"(T U)^T a", r"T^T (U^T a)", False),
         (r"T (U a)", r"U (T a)", False),
         (r"(f T)^T a", r"T a", False),
@@ -290,6 +296,12 @@ def test_the_form_of_products(left, right, same):
     (said,) = read_formula(f"{left} = {right}", scope().table, {}).statements
     assert is_same_sum(tidy(said)) == same
     assert Judge(scope().definitions).judge(said).outcome == (Outcome.PROVED if same else Outcome.REFUTED)
+
+
+def test_without_integers_the_engines_say_what_holds():
+    """That the addends are the same is a reason where no engine has one."""
+    (said,) = outcome("P a + P b = P b + P a", Kernel()).evidence
+    assert len(said.figures["engines"]) > 1 and SAME_ADDENDS.method not in said.figures["engines"]
 
 
 def test_powers_of_operators():
@@ -312,8 +324,32 @@ def test_powers_of_operators():
             r"\sum_{k=0}^{n} C_n^k ((k! a^{(n-k)}) \times b^{(k)}) = (a \times b)^{(n)}",
         ),
         (
+            r"\sum_{k=0}^{n} C_n^{n-k} f^{(k)} a^{(n-k)} = (f a)^{(n)}",
+            r"\sum_{k=0}^{n} C_{n+k}^k f^{(k)} a^{(n-k)} = (f a)^{(n)}",
+        ),
+        (
+            r"\sum_{k=n}^{2 n} C_n^{k-n} f^{(k-n)} a^{(2n-k)} = (f a)^{(n)}",
+            r"\sum_{k=n}^{2 n} C_n^{k-n} f^{(k-n)} a^{(2n-k)} = (f a)^{(2 n)}",
+        ),
+        (
+            r"\sum_{k=0}^{n} C_n^k C_{n+2}^2 f^{(k)} a^{(n-k)} = C_{n+2}^2 (f a)^{(n)}",
+            r"\sum_{k=0}^{n} C_n^k C_{n+2}^k f^{(k)} a^{(n-k)} = C_{n+2}^2 (f a)^{(n)}",
+        ),
+        (
+            r"\sum_{k=0}^{n} C_n^k (k! a^{(k)}) \times b = (\sum_{k=0}^{n} C_n^k k! a^{(k)}) \times b",
+            r"\sum_{k=0}^{n} C_n^k (k! a^{(k)}) \times b = (\sum_{k=0}^{n} C_n^k a^{(k)}) \times b",
+        ),
+        (
             r"\sum_{k=0}^{n} P c_k = \sum_{k=1}^{n+1} P c_{k-1}",
             r"\sum_{k=0}^{n} P c_k = \sum_{k=1}^{n+1} P c_k",
+        ),
+        (
+            r"\sum_{k=0}^{n} P c_k + \sum_{k=0}^{2 n} P c_k = \sum_{k=0}^{2 n} P c_k + \sum_{k=1}^{n+1} P c_{k-1}",
+            r"\sum_{k=0}^{n} P c_k + \sum_{k=0}^{2 n} P c_k = \sum_{k=0}^{2 n} P c_k + \sum_{k=0}^{2 n} P c_k",
+        ),
+        (
+            r"\sum_{k=n}^{2 n} P c_k + \sum_{k=0}^{2 n} P c_k = \sum_{k=0}^{2 n} P c_k + \sum_{k=n}^{2 n} P c_k",
+            r"\sum_{k=n}^{2 n} P c_k + \sum_{k=0}^{2 n} P c_k = \sum_{k=0}^{2 n} P c_k + \sum_{k=0}^{2 n} P c_k",
         ),
         (
             r"\sum_{k=0}^{n} P a^{(k)} = P a + \sum_{k=1}^{n} P a^{(k)}",
@@ -322,6 +358,14 @@ def test_powers_of_operators():
         (  # Q_{m-1} is none at m = 0
             r"\sum_{k=1}^{n} Q_{k-1} T = (\sum_{k=1}^{n} Q_{k-1}) T",
             r"\sum_{k=0}^{n} Q_{k-1} T = (\sum_{k=0}^{n} Q_{k-1}) T",
+        ),
+        (  # nor is Q_{-1} where the sums begin to have addends
+            r"\sum_{k=1}^{n} T Q_{k-1} = T (\sum_{k=1}^{n} Q_{k-1})",
+            r"\sum_{k=1}^{n} T Q_{k-2} = T (\sum_{k=1}^{n} Q_{k-2})",
+        ),
+        (
+            r"\sum_{k=n}^{2 n} T Q_k = T (\sum_{k=n}^{2 n} Q_k)",
+            r"\sum_{k=n-1}^{2 n} T Q_k = T (\sum_{k=n-1}^{2 n} Q_k)",
         ),
         (
             r"\sum_{k=0}^{n} (f T)^{(k)} U = (\sum_{k=0}^{n} (f T)^{(k)}) U",

@@ -48,7 +48,7 @@ CHECKS = {
     "judge/theorems": (
         "which equations make a goal",
         "false goals and wrong proofs for every rule (test_goals, test_sum_rules); every goal and proof of the"
-        " chapter tampered with (tests/proofs/test_tampering)",
+        " chapter tampered with (tests/proofs/test_tampering); mutants",
     ),
     "algebra": ("the first engine's ring", "the second engine, on every proof; mutants"),
     "judge/first": ("the residual is 0", "the second engine, on every proof; mutants"),

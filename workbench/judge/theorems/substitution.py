@@ -47,7 +47,7 @@ from workbench.language.typed.terms import (
 def is_constant(term: Term, definitions: Definitions) -> bool:
     """Whether nothing in the term depends on time."""
     return not any(
-        isinstance(part, TimeOperator) or (isinstance(part, Symbol) and not part.declaration.constant)
+        isinstance(part, Symbol) and not part.declaration.constant
         for part in expand(term, definitions).walk()
     )
 
@@ -190,10 +190,8 @@ class Substitution:
                 return new
             if differentiated:
                 raise GoalError(f"{variable.name} is a map under a derivative")
-            argument = self._term(term.arguments[0], differentiated)
-            inner = Substitution({Variable(variable.argument): argument}, self.definitions)
-            inner.moving = set()
-            return inner._term(new, differentiated)
+            argument = self.as_written(term.arguments[0])
+            return Substitution({Variable(variable.argument): argument}, self.definitions).as_written(new)
         if isinstance(term, Derivative) or is_function(term, self.definitions):
             return rebuild(term, [self._term(child, True) for child in term.children])
         if isinstance(term, Apply) and term.head == "mul" and term.arguments[0].type.kind == "operator":
@@ -209,7 +207,7 @@ class Substitution:
 
 def _without_zeros(term: Term) -> Term:
     """0 for what is linear in a 0: also of an operator that is not known."""
-    is_linear = isinstance(term, Apply) and term.head in COMPONENTWISE and term.type.kind != "block"
+    is_linear = isinstance(term, Apply) and term.head in COMPONENTWISE
     return zero(term.type) if is_linear and any(isinstance(c, Zero) for c in term.children) else term
 
 

@@ -72,7 +72,7 @@ class _Sums:
         return term if unchanged else rebuild(term, children)
 
     def _without(self, total: BigSum) -> Term:
-        if len(total.variables) != 1 or total.lower is None:
+        if total.lower is None:
             return self._free(total)
         leibniz = None if has_sums(total.body) else self._leibniz(total)
         if leibniz is not None:
@@ -119,14 +119,12 @@ class _Sums:
         (k,) = total.variables
         factors = list(_factors(total.body))
         found = [f for f in factors if isinstance(f, Counting) and f.name == "binomial"]
-        if len(found) != 1:
+        if not found:
             return None
         top, chosen = found[0].arguments
         if chosen == top - Linear.variable(k):
             chosen = Linear.variable(k)
         offset = chosen - Linear.variable(k)
-        if k in top.variables or not offset.is_number:
-            return None
         result = _product(_divided(total.body, found[0]), k, top, offset)
         if result is None:
             return None

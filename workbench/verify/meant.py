@@ -80,7 +80,7 @@ class Meant:
     def _if_special(self, claim: Claim, said: Sequence[Definition]) -> str | None:
         from workbench.verify.special import special_case
 
-        found = undisturbed(lambda: special_case(claim, said, self._options))
+        found = special_case(claim, said, self._options)
         return found and f"holds for {found}; if the text means one, declare it so"
 
     def _is_known(self, said: Said, notation: Notation) -> bool:

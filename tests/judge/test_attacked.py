@@ -4,6 +4,7 @@ import pytest
 
 from workbench import check
 from workbench.judge.verdict import Outcome
+from workbench.language.typed.errors import ReadError
 from workbench.papers import PaperError, load_paper
 from workbench.verify.claims import judge_paper
 
@@ -165,3 +166,116 @@ class TestMapsAreDefinedEverywhere:
     )
     def test_with_all_that_is_in_their_domain(self, latex):
         assert check(latex, {"T": "tensor", "a": "vector"}).outcome == Outcome.DEFINITION
+
+
+QUATERNIONS = {
+    "q": "hamilton quaternion",
+    "a": "vector",
+    "u": {"kind": "vector", "unit": True},
+    r"\theta": "scalar",
+}
+
+
+class TestVectorsOfAPaperWithQuaternions:
+    """A vector may be a quaternion without a scalar part there: its square is −x·x then, its exponential one."""
+
+    @pytest.mark.parametrize(
+        "latex",
+        [
+            "u^2 = -1",
+            r"a^2 = -\|a\|^2",
+            r"(u \sin\theta)^2 = -\sin^2 \theta",
+            r"a^2 = -1 \text{ for } \|a\| = 1",
+            "u^4 - u^2 = 2",
+        ],
+    )
+    def test_what_holds_for_quaternions_is_not_refuted(self, latex):
+        found = check(latex, QUATERNIONS)
+        assert found.outcome == Outcome.UNCHECKED and "quaternions without" in found.verdict.reason
+        others = {name: kind for name, kind in QUATERNIONS.items() if name != "q"}
+        assert check(latex, others).outcome == Outcome.REFUTED
+
+    @pytest.mark.parametrize(
+        "latex", ["u^2 = -2", r"a^2 = \|a\|", r"a^2 = -1 \text{ for } \|a\| = 2", "a^4 = -1"]
+    )
+    def test_what_holds_for_neither_is(self, latex):
+        assert check(latex, QUATERNIONS).outcome == Outcome.REFUTED
+
+    @pytest.mark.parametrize("latex", [r"\exp(\theta u)", r"e^{\theta u}", r"\exp u"])
+    def test_the_exponential_is_asked_about_however_it_is_written(self, latex):
+        with pytest.raises(ReadError, match="of its skew tensor, or of a quaternion"):
+            check(rf"{latex} = \cos\theta + u \sin\theta", QUATERNIONS)
+
+
+class TestConditionsOnIndices:
+    """i = j beside a formula is its condition, and of members that do not meet it nothing is said."""
+
+    SYMBOLS = F | {"a_n": "vector", "b_n": "vector"}
+    AXES = (
+        r"b_1 = \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix}",
+        r"b_2 = \begin{bmatrix} 0 \\ 1 \\ 0 \end{bmatrix}",
+    )
+    BOTH = r", m = \overline{1,2}, n = \overline{1,2}"
+
+    @pytest.mark.parametrize(
+        "sign", ["= 0, m = n", r"= 0 \text{ if } m = n", "= 0, n = m = 1", "= 0, 1 = m = n"]
+    )
+    def test_what_holds_under_them_is_not_refuted(self, sign):
+        assert "holds for" in check(rf"a_m \times a_n {sign}", self.SYMBOLS).verdict.reason
+
+    @pytest.mark.parametrize(
+        ("latex", "holds"),
+        [
+            (r"b_m \cdot b_n = 0, m \neq n", True),
+            (r"b_m \cdot b_n = 1, m = n", True),
+            (r"b_m \cdot b_n = 1 \text{ if } m = n", True),
+            (r"b_m \cdot b_n = 0, m = n", False),
+            (r"b_m \cdot b_n = 1, m \neq n", False),
+            (r"b_m \cdot b_n = 0", False),
+        ],
+    )
+    def test_within_a_range(self, latex, holds):
+        found = check(latex + self.BOTH, self.SYMBOLS, definitions=self.AXES)
+        assert found.outcome == (Outcome.PROVED if holds else Outcome.REFUTED)
+
+    def test_where_none_meets_them_it_is_told(self):
+        with pytest.raises(PaperError, match="no values"):
+            check(r"s_n = 0, m \neq n, m = \overline{1,1}, n = \overline{1,1}", self.SYMBOLS)
+
+    def test_numbers_and_declared_symbols_are_claims(self):
+        assert check("f = f + 0, 1 = 2", F).outcome == Outcome.REFUTED
+        assert check("s_1 = s_1 + 0, f = m", F | {"m": "scalar"}).outcome == Outcome.REFUTED
+
+
+FIELDS = {
+    "q": {"kind": "scalar", "independent": True},
+    "p": {"kind": "scalar", "independent": True},
+    "f": {"kind": "scalar", "of": ["q", "p"]},
+    r"\rho": {"kind": "vector", "coordinate": True},
+    "F": {"kind": "scalar", "of": [r"\rho"]},
+    "W": {"kind": "vector", "of": [r"\rho"]},
+}
+
+
+@pytest.mark.parametrize(
+    ("premise", "true", "false"),
+    [
+        ("f = q p", r"\frac{\partial f}{\partial q} = p", r"\frac{\partial f}{\partial q} = q"),
+        ("f = q^2 p", r"\frac{\partial^2 f}{\partial q \partial p} = 2 q", r"\frac{\partial^2 f}{\partial q \partial p} = q"),
+        ("f = q p", r"\frac{\partial \dot{f}}{\partial \dot{q}} = p", r"\frac{\partial \dot{f}}{\partial \dot{q}} = q"),
+        ("f = q^2", r"\frac{d}{dt} \frac{\partial f}{\partial q} = 2 \dot{q}", r"\frac{d}{dt} \frac{\partial f}{\partial q} = \dot{q}"),
+        ("f = q p", r"\dot{f} + \frac{\partial f}{\partial q} = \dot{q} p + q \dot{p} + p", r"\dot{f} + \frac{\partial f}{\partial q} = p"),
+        (r"F = \rho^2", r"\nabla F = 2 \rho", r"\nabla F = \rho"),
+        (r"W = \rho", r"\nabla \cdot W = 3", r"\nabla \cdot W = 2"),
+        ("F = 0", r"\nabla F = 0", r"\nabla F = \rho"),
+    ],
+)  # fmt: skip
+def test_what_holds_where_its_premise_holds_everywhere_asks_which_is_meant(tmp_path, premise, true, false):
+    r"""\partial f/\partial q = p where f = q p: f is that function there, and not of that value at one place."""
+    (tmp_path / "n.toml").write_text('[conventions]\ngradient = "column"\n[symbols]\n')
+    asked, refuted = (
+        check(rf"{said} \text{{ where }} {premise}", FIELDS, notation=tmp_path / "n.toml")
+        for said in (true, false)
+    )
+    assert asked.outcome == Outcome.UNCHECKED and "at one place only" in asked.verdict.reason
+    assert refuted.outcome == Outcome.REFUTED

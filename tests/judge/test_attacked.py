@@ -279,3 +279,24 @@ def test_what_holds_where_its_premise_holds_everywhere_asks_which_is_meant(tmp_p
     )
     assert asked.outcome == Outcome.UNCHECKED and "at one place only" in asked.verdict.reason
     assert refuted.outcome == Outcome.REFUTED
+
+
+class TestMembersOfTwoDigits:
+    """R_{13} of a family R_n is its thirteenth member, or the one of 1 and 3, as relative rotations are written."""
+
+    ROTATIONS = F | {"R_n": "rotation"}
+
+    @pytest.mark.parametrize("latex", ["R_{13} = R_{12} R_{23}", "R_{12} = R_1 R_2", "s_{10} = s_1"])
+    def test_what_is_false_of_the_thirteenth_is_open(self, latex):
+        found = check(latex, self.ROTATIONS)
+        assert found.outcome == Outcome.UNCHECKED and "by two indices" in found.verdict.reason
+
+    def test_unless_it_is_said_which_one_it_is(self):
+        one = {f"R_{{{k}}}": {"kind": "rotation", "free": True} for k in (12, 13, 23)}
+        assert check("R_{13} = R_{12} R_{23}", self.ROTATIONS | one).outcome == Outcome.REFUTED
+        powers = ["s_0 = f", "s_{n+1} = f s_n"]
+        assert check("s_{12} = f^{12}", F, definitions=powers).outcome == Outcome.REFUTED
+        assert check("s_{12} = f^{13}", F, definitions=powers).outcome == Outcome.PROVED
+
+    def test_others_are_refuted(self):
+        assert check("R_3 = R_1 R_2", self.ROTATIONS).outcome == Outcome.REFUTED

@@ -300,3 +300,29 @@ class TestMembersOfTwoDigits:
 
     def test_others_are_refuted(self):
         assert check("R_3 = R_1 R_2", self.ROTATIONS).outcome == Outcome.REFUTED
+
+
+class TestLinesThatDefine:
+    SYMBOLS = F | {"g": "scalar", "h": "scalar", "a": "vector", "b": "vector", "R": "rotation"}
+
+    @pytest.mark.parametrize(
+        "lines",
+        [
+            [r"f &:= g", r"g &:= f", "f &= h"],
+            [r"f &:= g", r"g &:= h + f", "f &= h"],
+            [r"f &:= g", r"g &:= 2 h", r"h &:= f", "f &= s_1"],
+            [r"f &:= g, \quad h := g", "f &= h"],
+            [r"f &:= g := h", "f &= h"],
+            [r"f g &:= h", "f g &= h"],
+            [r"s_n &:= f^n", "s_2 &= f^2"],
+            [r"a &:= R b", r"R &:= \mathbf{I}", "a &= b"],
+        ],
+    )
+    def test_what_a_line_says_that_is_not_in_force_is_no_falsehood(self, lines):
+        found = check(r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}", self.SYMBOLS)
+        assert Outcome.REFUTED not in [each.outcome for each in found]
+        assert "a line before it says what" in found[-1].verdict.reason
+
+    def test_of_other_symbols_it_says_nothing(self):
+        found = check(r"\begin{aligned} f g &:= h \\ a &= b \end{aligned}", self.SYMBOLS)
+        assert found[1].outcome == Outcome.REFUTED

@@ -7,6 +7,7 @@ from workbench.judge.verdict import Outcome
 from workbench.language.typed.errors import ReadError
 from workbench.papers import PaperError, load_paper
 from workbench.verify.claims import judge_paper
+from workbench.verify.meant import undisturbed
 
 F = {"f": "scalar", "s_n": "scalar"}
 
@@ -326,3 +327,40 @@ class TestLinesThatDefine:
     def test_of_other_symbols_it_says_nothing(self):
         found = check(r"\begin{aligned} f g &:= h \\ a &= b \end{aligned}", self.SYMBOLS)
         assert found[1].outcome == Outcome.REFUTED
+
+
+class TestSinesWithinSines:
+    """The engines know no circle of what holds another one; each evaluated the other without an end."""
+
+    ANGLES = F | {r"\theta": "scalar", "a": "vector", "u": {"kind": "vector", "unit": True}}
+
+    @pytest.mark.parametrize(
+        "latex",
+        [
+            r"\cos^2(\cos\theta) + \sin^2(\cos\theta) = 1",
+            r"\cos(f \sin\theta) = f",
+            r"\sin\frac{\theta \sin\theta}{2} = f",
+            r"\sin(\|a\| \sin\|a\|) = f",
+            r"\exp(\sin\theta \tilde{u}) u = u",
+            r"\exp(\operatorname{skew}(\cos\theta a)) a = a",
+            r"\theta = \arccos(\cos(\cos\theta))",
+        ],
+    )
+    def test_are_unchecked(self, latex):
+        found = check(latex, self.ANGLES)
+        assert found.outcome == Outcome.UNCHECKED and "another one" in found.verdict.reason
+
+    def test_by_a_definition_too(self):
+        found = check(r"\cos h = f", self.ANGLES, definitions=[r"h = f \sin\theta"])
+        assert found.outcome == Outcome.UNCHECKED and "another one" in found.verdict.reason
+
+    def test_a_sine_in_a_dual_part_is_none(self):
+        latex = r"\cos(\theta + \varepsilon \sin\theta) = \cos\theta - \varepsilon \sin^2 \theta"
+        assert check(latex, self.ANGLES).outcome == Outcome.PROVED
+
+
+def test_what_nests_too_deep_for_the_engines_ends_no_file():
+    def judge():
+        raise RecursionError
+
+    assert undisturbed(judge).outcome == Outcome.UNCHECKED

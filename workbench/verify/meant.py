@@ -67,7 +67,7 @@ class Meant:
             from workbench.judge.kernel.judge import Judge
 
             known = Definitions([*claim.notation.definitions, *definitions.values()])
-            with suppress(Unsatisfiable, RecursionError):
+            with suppress(Unsatisfiable):
                 judge = Judge(known, **self._options)
                 under = undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
         shown = ", ".join(f"{said.name} ({said.place})" for said in rests)
@@ -91,7 +91,7 @@ class Meant:
         key = id(notation), said.place, said.name
         if key not in self._known:
             verdict = Verdict(Outcome.UNCHECKED)
-            with suppress(Unsatisfiable, RecursionError):
+            with suppress(Unsatisfiable):
                 judge = self._judge_of(notation)
                 verdict = undisturbed(
                     lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders)
@@ -119,14 +119,16 @@ class Meant:
 
 
 def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
-    """The verdict; where the engines disagree, a defect of the workbench that must not stop the other claims,
-    it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
+    """The verdict; where the engines disagree or find no end, a defect of the workbench that must not stop
+    the other claims, it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
     try:
         return judge()
     except NotExact as outside:
         return Verdict(Outcome.UNCHECKED, reason=str(outside))
     except EngineDisagreement as error:
         return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench, its engines disagree: {error}")
+    except RecursionError:
+        return Verdict(Outcome.UNCHECKED, reason="what it is made of nests too deep for the engines")
 
 
 def _of_two_indices(claim: Claim) -> str | None:

@@ -14,12 +14,13 @@ from workbench.language.definitions import Definitions
 from workbench.language.grammar.lines import Line, split_lines, whole_line
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.typed.names import Name
 from workbench.memory.store import Store, standard
 from workbench.papers import Claim, Formula, Notation, Orders, Paper
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
-from workbench.papers.said import introduced
+from workbench.papers.said import SAID_BEFORE, free_in, introduced, introduces, terms_of
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.report.kinds import VERDICTS
@@ -133,20 +134,27 @@ def check(
 def _claims(
     latex: Sequence[str], known: Notation, conditions: Sequence[str], orders: str | None
 ) -> list[Claim]:
-    """One for each line; a line that defines a symbol defines it for those after it."""
+    """One for each line; a line that defines a symbol defines it for those after it, and where one says
+    something else of a symbol with a sign of definition, those after it are no falsehoods."""
     given = None if orders is None else Orders.parse(orders)
     lines = split_lines(*latex)
-    claims = []
+    claims: list[Claim] = []
+    said: set[Name] = set()
     for number, line in enumerate(lines, start=1):
         formula, values = _formula(line, known, given)
+        terms = [] if formula.statement is None else terms_of(formula.statement)
+        names = said & {each.name for each in free_in(terms, known.definitions)}
+        before = SAID_BEFORE.format(min(names, key=str)) if names else None
         if (definition := introduced(formula, known)) is not None:
             known = replace(known, definitions=Definitions([*known.definitions, definition]))
+        else:
+            said |= introduces(formula, known)
         supposed = tuple(_formula(whole_line(text), known, values, "assume: ")[0] for text in conditions)
         for condition in supposed:
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
         name = "check" if len(lines) == 1 else f"check.{number}"
-        claims.append(Claim(name, formula, known, assume=supposed, orders=values))
+        claims.append(Claim(name, formula, known, assume=supposed, orders=values, unsettled=before))
     return claims
 
 

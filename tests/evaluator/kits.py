@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from evaluator.fields import DUAL_QUATERNIONS, DUAL_ROOTS, NABLA
 from evaluator.kit import Kit, lines
 from evaluator.rigid_motions import SCREWS, TWISTS
 
@@ -421,5 +422,5 @@ KITS = {
     "small": SMALL, "sums": SUMS, "exponentials": EXPONENTIALS, "jacobians": JACOBIANS, "twists": TWISTS,
     "screws": SCREWS,
     "quaternions": QUATERNIONS, "angles": ANGLES, "oriented": ORIENTED, "conditions": CONDITIONS, "slopes": SLOPES, "frames": FRAMES,
-    "homogeneous": HOMOGENEOUS,
+    "homogeneous": HOMOGENEOUS, "nabla": NABLA, "dual roots": DUAL_ROOTS, "dual quaternions": DUAL_QUATERNIONS,
 }  # fmt: skip

@@ -83,6 +83,7 @@ def _is_free(term: Term, table: SymbolTable) -> bool:
         own.constant,
         own.small,
         own.clock,
+        own.coordinate,
     )
     return not any((*flags, own.independent, own.of, own.name in table.defined))
 

@@ -71,7 +71,7 @@ T = '\begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}'
 """,
     lines(r"""
 e^{A \theta} = \begin{bmatrix} e^{\operatorname{skew}(u) \theta} & (\theta \mathbf{I} + (1 - \cos\theta) \operatorname{skew}(u) + (\theta - \sin\theta) \operatorname{skew}(u) \operatorname{skew}(u)) v \\ 0 & 1 \end{bmatrix}
-\exp(A \theta) \exp(A \phi) = \exp(A (\theta + \phi))
+\exp(A \theta) \exp(A \phi) = \exp(A [\theta + \phi])
 \exp(B) B = B \exp(B)
 \exp(B) \exp(-B) = \mathbf{I}_{4 \times 4}
 \exp(2 B) = \exp(B) \exp(B)

@@ -96,6 +96,7 @@ class World:
         self._known: dict[tuple[str, int | None], Matrix | Operator] = {}
         self._moved: int | None = None  # along which axis a place is moved, for div and curl
         self._pushed: tuple[str, int, int] | None = None  # name, order, component: moved by ε tᵏ/k!
+        self._stepped: tuple[str, int, mpf] | None = None  # name, component: moved by this number
         self._functions: dict[str, list[list[tuple[mpf, tuple[int, ...]]]]] = {}
         self._arguments: dict[str, Matrix] = {}
         self._smallness = mpf(1)
@@ -160,12 +161,13 @@ class World:
         name = _spelled(declaration.name, index)
         if self._own is not None and (value := self._own(self, name)) is not None:
             return value
-        if not symbol.arguments and not self._pushed and (name, self._moved) in self._known:
+        is_still = not (self._pushed or self._stepped)
+        if not symbol.arguments and is_still and (name, self._moved) in self._known:
             return self._known[name, self._moved]
         found = self._defined(symbol, name, index, at)
         if found is None:
             found = self._free(symbol, name)
-        if not symbol.arguments and not self._arguments and not self._pushed:
+        if not symbol.arguments and not self._arguments and is_still:
             self._known[name, self._moved] = found
         return found
 
@@ -211,6 +213,9 @@ class World:
             if symbol.declaration.small:
                 self._drawn[name] = scaled(self._drawn[name], self._smallness)
         found = self._drawn[name]
+        if self._stepped is not None and self._stepped[0] == name:
+            _, place, step = self._stepped
+            found = added(found, [[constant(step if i == place else 0)] for i in range(len(found))])
         if symbol.declaration.coordinate and self._moved is not None:
             step = [[constant(0, int(i == self._moved))] for i in range(3)]
             return added(found, step)
@@ -372,10 +377,12 @@ class World:
         while isinstance(by, Derivative):
             by, order = by.body, order + _integer(by.order, at)
         if self._pushed is not None or not isinstance(by, Symbol) or by.declaration.of:
-            raise NotRead("a partial derivative of a partial derivative, or by what is no symbol")
+            raise NotRead("a partial derivative by what is no symbol")
         name = _spelled(by.declaration.name, [_integer(i, at) for i in by.index])
         if self._defined(by, name, [_integer(i, at) for i in by.index], at) is not None:
             raise NotRead("a partial derivative by what is defined")
+        if any(isinstance(part, Apply) and part.head in ("partial", "total") for part in body.walk()):
+            return self._of_slopes(body, by, name, order, at)
         columns = []
         for component in range(by.type.rows):
             lower: list[Matrix] = []
@@ -388,9 +395,21 @@ class World:
                     moved = added(moved, product([[back]], known))
                 lower.append(moved)
             columns.append(lower[-1])
-        if by.type.rows == 1:
-            return columns[0]
-        return [[column[i][0] for column in columns] for i in range(len(columns[0]))]
+        return _side_by_side(columns)
+
+    def _of_slopes(self, body: Term, by: Symbol, name: str, order: int, at: Integers) -> Matrix:
+        """The partial derivative of partial derivatives, by their differences: (8 f(h) − f(2h) − …)/12h."""
+        if self._stepped is not None or order:
+            raise NotRead("a partial derivative of a higher order")
+        columns = []
+        for component in range(by.type.rows):
+            parts = []
+            for steps, weight in ((-2, 1), (-1, -8), (1, 8), (2, -1)):
+                self._stepped = (name, component, steps * NEAR)
+                parts.append(scaled(self.value(body, at), mpf(weight) / (12 * NEAR)))
+            self._stepped = None
+            columns.append(acted(parts, parts[0]))
+        return _side_by_side(columns)
 
     def _gradient(self, head: str, field: Term, at: Integers) -> Matrix:
         if self._moved is not None:
@@ -404,6 +423,12 @@ class World:
         if head == "divergence":
             return [[g[0][0] + g[1][1] + g[2][2]]]
         return [[g[2][1] - g[1][2]], [g[0][2] - g[2][0]], [g[1][0] - g[0][1]]]
+
+
+def _side_by_side(columns: list[Matrix]) -> Matrix:
+    if len(columns) == 1:
+        return columns[0]
+    return [[column[i][0] for column in columns] for i in range(len(columns[0]))]
 
 
 def _integer(value: Linear, at: Integers) -> int:

@@ -4,8 +4,10 @@ import pytest
 
 from workbench import check
 from workbench.judge.verdict import Outcome
+from workbench.language.typed.errors import ReadError
 from workbench.papers import PaperError, load_paper
 from workbench.verify.claims import judge_paper
+from workbench.verify.meant import undisturbed
 
 F = {"f": "scalar", "s_n": "scalar"}
 
@@ -165,3 +167,200 @@ class TestMapsAreDefinedEverywhere:
     )
     def test_with_all_that_is_in_their_domain(self, latex):
         assert check(latex, {"T": "tensor", "a": "vector"}).outcome == Outcome.DEFINITION
+
+
+QUATERNIONS = {
+    "q": "hamilton quaternion",
+    "a": "vector",
+    "u": {"kind": "vector", "unit": True},
+    r"\theta": "scalar",
+}
+
+
+class TestVectorsOfAPaperWithQuaternions:
+    """A vector may be a quaternion without a scalar part there: its square is −x·x then, its exponential one."""
+
+    @pytest.mark.parametrize(
+        "latex",
+        [
+            "u^2 = -1",
+            r"a^2 = -\|a\|^2",
+            r"(u \sin\theta)^2 = -\sin^2 \theta",
+            r"a^2 = -1 \text{ for } \|a\| = 1",
+            "u^4 - u^2 = 2",
+        ],
+    )
+    def test_what_holds_for_quaternions_is_not_refuted(self, latex):
+        found = check(latex, QUATERNIONS)
+        assert found.outcome == Outcome.UNCHECKED and "quaternions without" in found.verdict.reason
+        others = {name: kind for name, kind in QUATERNIONS.items() if name != "q"}
+        assert check(latex, others).outcome == Outcome.REFUTED
+
+    @pytest.mark.parametrize(
+        "latex", ["u^2 = -2", r"a^2 = \|a\|", r"a^2 = -1 \text{ for } \|a\| = 2", "a^4 = -1"]
+    )
+    def test_what_holds_for_neither_is(self, latex):
+        assert check(latex, QUATERNIONS).outcome == Outcome.REFUTED
+
+    @pytest.mark.parametrize("latex", [r"\exp(\theta u)", r"e^{\theta u}", r"\exp u"])
+    def test_the_exponential_is_asked_about_however_it_is_written(self, latex):
+        with pytest.raises(ReadError, match="of its skew tensor, or of a quaternion"):
+            check(rf"{latex} = \cos\theta + u \sin\theta", QUATERNIONS)
+
+
+class TestConditionsOnIndices:
+    """i = j beside a formula is its condition, and of members that do not meet it nothing is said."""
+
+    SYMBOLS = F | {"a_n": "vector", "b_n": "vector"}
+    AXES = (
+        r"b_1 = \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix}",
+        r"b_2 = \begin{bmatrix} 0 \\ 1 \\ 0 \end{bmatrix}",
+    )
+    BOTH = r", m = \overline{1,2}, n = \overline{1,2}"
+
+    @pytest.mark.parametrize(
+        "sign", ["= 0, m = n", r"= 0 \text{ if } m = n", "= 0, n = m = 1", "= 0, 1 = m = n"]
+    )
+    def test_what_holds_under_them_is_not_refuted(self, sign):
+        assert "holds for" in check(rf"a_m \times a_n {sign}", self.SYMBOLS).verdict.reason
+
+    @pytest.mark.parametrize(
+        ("latex", "holds"),
+        [
+            (r"b_m \cdot b_n = 0, m \neq n", True),
+            (r"b_m \cdot b_n = 1, m = n", True),
+            (r"b_m \cdot b_n = 1 \text{ if } m = n", True),
+            (r"b_m \cdot b_n = 0, m = n", False),
+            (r"b_m \cdot b_n = 1, m \neq n", False),
+            (r"b_m \cdot b_n = 0", False),
+        ],
+    )
+    def test_within_a_range(self, latex, holds):
+        found = check(latex + self.BOTH, self.SYMBOLS, definitions=self.AXES)
+        assert found.outcome == (Outcome.PROVED if holds else Outcome.REFUTED)
+
+    def test_where_none_meets_them_it_is_told(self):
+        with pytest.raises(PaperError, match="no values"):
+            check(r"s_n = 0, m \neq n, m = \overline{1,1}, n = \overline{1,1}", self.SYMBOLS)
+
+    def test_numbers_and_declared_symbols_are_claims(self):
+        assert check("f = f + 0, 1 = 2", F).outcome == Outcome.REFUTED
+        assert check("s_1 = s_1 + 0, f = m", F | {"m": "scalar"}).outcome == Outcome.REFUTED
+
+
+FIELDS = {
+    "q": {"kind": "scalar", "independent": True},
+    "p": {"kind": "scalar", "independent": True},
+    "f": {"kind": "scalar", "of": ["q", "p"]},
+    r"\rho": {"kind": "vector", "coordinate": True},
+    "F": {"kind": "scalar", "of": [r"\rho"]},
+    "W": {"kind": "vector", "of": [r"\rho"]},
+}
+
+
+@pytest.mark.parametrize(
+    ("premise", "true", "false"),
+    [
+        ("f = q p", r"\frac{\partial f}{\partial q} = p", r"\frac{\partial f}{\partial q} = q"),
+        ("f = q^2 p", r"\frac{\partial^2 f}{\partial q \partial p} = 2 q", r"\frac{\partial^2 f}{\partial q \partial p} = q"),
+        ("f = q p", r"\frac{\partial \dot{f}}{\partial \dot{q}} = p", r"\frac{\partial \dot{f}}{\partial \dot{q}} = q"),
+        ("f = q^2", r"\frac{d}{dt} \frac{\partial f}{\partial q} = 2 \dot{q}", r"\frac{d}{dt} \frac{\partial f}{\partial q} = \dot{q}"),
+        ("f = q p", r"\dot{f} + \frac{\partial f}{\partial q} = \dot{q} p + q \dot{p} + p", r"\dot{f} + \frac{\partial f}{\partial q} = p"),
+        (r"F = \rho^2", r"\nabla F = 2 \rho", r"\nabla F = \rho"),
+        (r"W = \rho", r"\nabla \cdot W = 3", r"\nabla \cdot W = 2"),
+        ("F = 0", r"\nabla F = 0", r"\nabla F = \rho"),
+    ],
+)  # fmt: skip
+def test_what_holds_where_its_premise_holds_everywhere_asks_which_is_meant(tmp_path, premise, true, false):
+    r"""\partial f/\partial q = p where f = q p: f is that function there, and not of that value at one place."""
+    (tmp_path / "n.toml").write_text('[conventions]\ngradient = "column"\n[symbols]\n')
+    asked, refuted = (
+        check(rf"{said} \text{{ where }} {premise}", FIELDS, notation=tmp_path / "n.toml")
+        for said in (true, false)
+    )
+    assert asked.outcome == Outcome.UNCHECKED and "at one place only" in asked.verdict.reason
+    assert refuted.outcome == Outcome.REFUTED
+
+
+class TestMembersOfTwoDigits:
+    """R_{13} of a family R_n is its thirteenth member, or the one of 1 and 3, as relative rotations are written."""
+
+    ROTATIONS = F | {"R_n": "rotation"}
+
+    @pytest.mark.parametrize("latex", ["R_{13} = R_{12} R_{23}", "R_{12} = R_1 R_2", "s_{10} = s_1"])
+    def test_what_is_false_of_the_thirteenth_is_open(self, latex):
+        found = check(latex, self.ROTATIONS)
+        assert found.outcome == Outcome.UNCHECKED and "by two indices" in found.verdict.reason
+
+    def test_unless_it_is_said_which_one_it_is(self):
+        one = {f"R_{{{k}}}": {"kind": "rotation", "free": True} for k in (12, 13, 23)}
+        assert check("R_{13} = R_{12} R_{23}", self.ROTATIONS | one).outcome == Outcome.REFUTED
+        powers = ["s_0 = f", "s_{n+1} = f s_n"]
+        assert check("s_{12} = f^{12}", F, definitions=powers).outcome == Outcome.REFUTED
+        assert check("s_{12} = f^{13}", F, definitions=powers).outcome == Outcome.PROVED
+
+    def test_others_are_refuted(self):
+        assert check("R_3 = R_1 R_2", self.ROTATIONS).outcome == Outcome.REFUTED
+
+
+class TestLinesThatDefine:
+    SYMBOLS = F | {"g": "scalar", "h": "scalar", "a": "vector", "b": "vector", "R": "rotation"}
+
+    @pytest.mark.parametrize(
+        "lines",
+        [
+            [r"f &:= g", r"g &:= f", "f &= h"],
+            [r"f &:= g", r"g &:= h + f", "f &= h"],
+            [r"f &:= g", r"g &:= 2 h", r"h &:= f", "f &= s_1"],
+            [r"f &:= g, \quad h := g", "f &= h"],
+            [r"f &:= g := h", "f &= h"],
+            [r"f g &:= h", "f g &= h"],
+            [r"s_n &:= f^n", "s_2 &= f^2"],
+            [r"a &:= R b", r"R &:= \mathbf{I}", "a &= b"],
+        ],
+    )
+    def test_what_a_line_says_that_is_not_in_force_is_no_falsehood(self, lines):
+        found = check(r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}", self.SYMBOLS)
+        assert Outcome.REFUTED not in [each.outcome for each in found]
+        assert "a line before it says what" in found[-1].verdict.reason
+
+    def test_of_other_symbols_it_says_nothing(self):
+        found = check(r"\begin{aligned} f g &:= h \\ a &= b \end{aligned}", self.SYMBOLS)
+        assert found[1].outcome == Outcome.REFUTED
+
+
+class TestSinesWithinSines:
+    """The engines know no circle of what holds another one; each evaluated the other without an end."""
+
+    ANGLES = F | {r"\theta": "scalar", "a": "vector", "u": {"kind": "vector", "unit": True}}
+
+    @pytest.mark.parametrize(
+        "latex",
+        [
+            r"\cos^2(\cos\theta) + \sin^2(\cos\theta) = 1",
+            r"\cos(f \sin\theta) = f",
+            r"\sin\frac{\theta \sin\theta}{2} = f",
+            r"\sin(\|a\| \sin\|a\|) = f",
+            r"\exp(\sin\theta \tilde{u}) u = u",
+            r"\exp(\operatorname{skew}(\cos\theta a)) a = a",
+            r"\theta = \arccos(\cos(\cos\theta))",
+        ],
+    )
+    def test_are_unchecked(self, latex):
+        found = check(latex, self.ANGLES)
+        assert found.outcome == Outcome.UNCHECKED and "another one" in found.verdict.reason
+
+    def test_by_a_definition_too(self):
+        found = check(r"\cos h = f", self.ANGLES, definitions=[r"h = f \sin\theta"])
+        assert found.outcome == Outcome.UNCHECKED and "another one" in found.verdict.reason
+
+    def test_a_sine_in_a_dual_part_is_none(self):
+        latex = r"\cos(\theta + \varepsilon \sin\theta) = \cos\theta - \varepsilon \sin^2 \theta"
+        assert check(latex, self.ANGLES).outcome == Outcome.PROVED
+
+
+def test_what_nests_too_deep_for_the_engines_ends_no_file():
+    def judge():
+        raise RecursionError
+
+    assert undisturbed(judge).outcome == Outcome.UNCHECKED

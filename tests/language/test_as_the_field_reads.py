@@ -421,3 +421,20 @@ def test_a_dyad_of_vectors_before_or_behind_a_dot(dyad: str, meant: str) -> None
 def test_no_other_product_of_vectors_is_one(formula: str) -> None:
     with pytest.raises((IllFormedAt, ReadError)):
         read(f"{formula} = a", TABLE)
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [r"\operatorname{tr} s T = 0", r"\det 2 T = 8 \det T", r"\operatorname{skew} s a = s \tilde{a}"],
+)
+def test_how_far_a_function_of_tensors_reaches_behind_a_number_is_asked(formula: str) -> None:
+    with pytest.raises(ReadError, match="how far does"):
+        read(formula, TABLE)
+
+
+@pytest.mark.parametrize("formula", [r"2 \times 3 s = 6 s", r"s \times \alpha = \alpha s"])
+def test_a_cross_between_numbers_is_asked_about(formula: str) -> None:
+    with pytest.raises(ReadError, match="product, write"):
+        read(formula, TABLE)
+    with pytest.raises(IllFormedAt):
+        read(r"s \times a = s a", TABLE)

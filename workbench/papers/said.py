@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from workbench.language.definitions import Definitions
+from workbench.language.definitions import Definitions, expand
 from workbench.language.grammar.vocabulary import COMMANDS
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import (
@@ -39,6 +39,7 @@ _ROUND = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 
 #: Why an equation with a symbol that nothing defines is not refuted.
 SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
+SAID_BEFORE = "a line before it says what {0} is; a definition of {0} makes it a claim"
 
 
 def terms_of(statement: Statement) -> Iterator[Term]:
@@ -82,21 +83,20 @@ def introduced(formula: Formula, notation: Notation) -> Definition | None:
     """The definition that x := … is of a free x of which nothing but its kind is declared."""
     match formula.statement:
         case Relation(operator="=", left=Symbol() as symbol, right=body) if introduces(formula, notation):
-            return _definition(symbol, body)
+            with_others = expand(body, notation.definitions)
+            return None if symbol in with_others.walk() else _definition(symbol, body)
     return None
 
 
-def introduces(formula: Formula, notation: Notation) -> bool:
-    """Whether it is written with a sign of definition, such as :=, and nothing says what some symbol to the
-    left of a sign is: then the formula does."""
+def introduces(formula: Formula, notation: Notation) -> set[Name]:
+    """The symbols to the left of a sign of definition, such as :=, of which nothing else says what they are:
+    then the formula does."""
+    if formula.statement is None or not _DEFINES.search(formula.latex):
+        return set()
     bound = {symbol.declaration.name for symbol in notation.motion}
-    return _DEFINES.search(formula.latex) is not None and any(
-        isinstance(part, Symbol)
-        and part.declaration.name not in bound
-        and _body(part, notation.definitions) is None
-        for left in _lefts(formula.statement)
-        for part in left.walk()
-    )
+    parts = (part for left in _lefts(formula.statement) for part in left.walk() if isinstance(part, Symbol))
+    free = (part for part in parts if _body(part, notation.definitions) is None)
+    return {part.declaration.name for part in free} - bound
 
 
 def _lefts(statement: Statement) -> Iterator[Term]:
@@ -125,7 +125,7 @@ def with_said(claims: Sequence[Claim]) -> list[Claim]:
             name = str(symbol.declaration.name)
             saying = Said(name, claim.id, definition, statement, claim.supposed, claim.orders)
             of = [symbol.declaration] if symbol.declaration.name not in notation.framed else []
-            for declaration in of or _free([symbol], notation.definitions):
+            for declaration in of or free_in([symbol], notation.definitions):
                 said.setdefault(declaration, []).append(saying)
     return made
 
@@ -136,7 +136,7 @@ def _rests(
     """What is said of the symbols in the statement, and of those in these definitions."""
     found: dict[tuple[str, str], Said] = {}
     seen: set[Declaration] = set()
-    waiting = _free(terms_of(statement), definitions)
+    waiting = free_in(terms_of(statement), definitions)
     while waiting:
         declaration = waiting.pop()
         if declaration in seen:
@@ -145,7 +145,7 @@ def _rests(
         for saying in said.get(declaration, ()):
             found[saying.place, saying.name] = saying
             if saying.definition is not None:
-                waiting |= _free([saying.definition.body], definitions)
+                waiting |= free_in([saying.definition.body], definitions)
     return tuple(found[key] for key in sorted(found))
 
 
@@ -161,7 +161,7 @@ def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, De
             continue
         if symbol.declaration.name in framed:
             bodies = (each.body for each in definitions if each.declaration.name in framed)
-            if _free([other], definitions) - _free(bodies, definitions):
+            if free_in([other], definitions) - free_in(bodies, definitions):
                 return symbol, None
         elif symbol.declaration.name not in known and not symbol.declaration.free:
             is_exact = statement.operator == "=" and not order
@@ -204,7 +204,7 @@ def _derived(term: Term) -> tuple[Symbol | None, object]:
     return None, 0
 
 
-def _free(terms: Iterable[Term], definitions: Definitions) -> set[Declaration]:
+def free_in(terms: Iterable[Term], definitions: Definitions) -> set[Declaration]:
     """The declarations of the symbols that nothing defines, in the terms and in what defines others."""
     found: set[Declaration] = set()
     seen: set[Symbol] = set()

@@ -10,6 +10,7 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.language.definitions import Definitions
+from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Definition, Relation, Symbol
 from workbench.papers.model import Claim, Notation, Said
 from workbench.papers.said import SAYS, introduces, terms_of
@@ -44,7 +45,9 @@ class Meant:
             return SAYS.format(claim.states)
         if introduces(claim.printed, claim.notation):
             return "says what stands left of its sign of definition, where something is free"
-        return None if claim.corrected is not None else claim.unsettled or self._left_open(claim)
+        if claim.corrected is not None:
+            return None
+        return _of_two_indices(claim) or claim.unsettled or self._left_open(claim)
 
     def _left_open(self, claim: Claim) -> str | None:
         """Why a refuted formula of a text may be true all the same: of what the text says of its symbols
@@ -64,7 +67,7 @@ class Meant:
             from workbench.judge.kernel.judge import Judge
 
             known = Definitions([*claim.notation.definitions, *definitions.values()])
-            with suppress(Unsatisfiable, RecursionError):
+            with suppress(Unsatisfiable):
                 judge = Judge(known, **self._options)
                 under = undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
         shown = ", ".join(f"{said.name} ({said.place})" for said in rests)
@@ -80,7 +83,7 @@ class Meant:
     def _if_special(self, claim: Claim, said: Sequence[Definition]) -> str | None:
         from workbench.verify.special import special_case
 
-        found = undisturbed(lambda: special_case(claim, said, self._options))
+        found = special_case(claim, said, self._options)
         return found and f"holds for {found}; if the text means one, declare it so"
 
     def _is_known(self, said: Said, notation: Notation) -> bool:
@@ -88,7 +91,7 @@ class Meant:
         key = id(notation), said.place, said.name
         if key not in self._known:
             verdict = Verdict(Outcome.UNCHECKED)
-            with suppress(Unsatisfiable, RecursionError):
+            with suppress(Unsatisfiable):
                 judge = self._judge_of(notation)
                 verdict = undisturbed(
                     lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders)
@@ -116,14 +119,28 @@ class Meant:
 
 
 def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
-    """The verdict; where the engines disagree, a defect of the workbench that must not stop the other claims,
-    it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
+    """The verdict; where the engines disagree or find no end, a defect of the workbench that must not stop
+    the other claims, it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
     try:
         return judge()
     except NotExact as outside:
         return Verdict(Outcome.UNCHECKED, reason=str(outside))
     except EngineDisagreement as error:
         return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench, its engines disagree: {error}")
+    except RecursionError:
+        return Verdict(Outcome.UNCHECKED, reason="what it is made of nests too deep for the engines")
+
+
+def _of_two_indices(claim: Claim) -> str | None:
+    """R_{12} of a family R_n, which nothing defines: its twelfth member, or that of 1 and 2?"""
+    symbols = (term for term in terms_of(claim.printed.statement) if isinstance(term, Symbol))
+    for symbol in symbols:
+        own, (number, *others) = symbol.declaration.name, symbol.index or (Linear(0),)
+        is_said = others or not number.is_number or claim.notation.symbols.defines(own, symbol.index)
+        if not is_said and int(number) > 9:
+            name = own.shown(symbol.index)
+            return f"{name}: by its number, or by two indices? a definition or `free = true` of it says so"
+    return None
 
 
 def _as_guessed(verdict: Verdict, names: Sequence[str]) -> str:

@@ -1,20 +1,22 @@
 """What a formula holds for that is false in general: a unit vector, a rotation, a constant. A text may say so
-in words, and its model leave it out."""
+in words, and its model leave it out. Or vectors that are quaternions without a scalar part: u² = −1."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
+from workbench.judge.kernel.families import mapped
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
-from workbench.judge.verdict import Outcome
+from workbench.judge.subject.inventory import NotExact
+from workbench.judge.verdict import EngineDisagreement, Outcome
 from workbench.language.definitions import Definitions, replaced
-from workbench.language.typed.construct import symbol
+from workbench.language.typed.construct import apply, rebuild, relation, symbol
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Definition, Derivative, IllFormed, Relation, Symbol, Term
+from workbench.language.typed.terms import Definition, Derivative, IllFormed, Power, Relation, Symbol, Term
 from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import terms_of
@@ -28,16 +30,18 @@ _FLAGS = {
 
 
 def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str, object]) -> str | None:
-    """What a symbol of the text's formula must be for it to hold: "a unit n". `said`: definitions that the
-    text gives."""
+    """What a symbol of the formula must be for it to hold: "a unit n". `said`: definitions that the text
+    gives."""
     statement = claim.printed.statement
+    if claim.notation.symbols.has_quaternions and _holds(claim, _of_quaternions, said, options):
+        return "vectors that are quaternions without a scalar part"
     if claim.span is None or not isinstance(statement, Relation):
         return None
     for flag, declarations in _candidates(claim, said):
         special = {each.name: replace(each, **{flag: True}) for each in declarations}
-        if _holds(claim, special, said, options):
+        if _holds(claim, _with(special), said, options):
             for name, declaration in special.items():
-                if len(special) > 1 and _holds(claim, {name: declaration}, said, options):
+                if len(special) > 1 and _holds(claim, _with({name: declaration}), said, options):
                     special = {name: declaration}
                     break
             names = ", ".join(str(name) for name in special)
@@ -82,23 +86,31 @@ def _candidates(claim: Claim, said: Sequence[Definition]) -> Iterator[tuple[str,
 
 def _holds(
     claim: Claim,
-    special: Mapping[Name, Declaration],
+    meaning: Callable[[Term], Term],
     said: Sequence[Definition],
     options: Mapping[str, object],
 ) -> bool:
-    statement = claim.printed.statement
-    with suppress(Unsatisfiable, RecursionError, IllFormed):
-        known = [*claim.notation.definitions]
-        known += [replace(each, body=_with(each.body, special)) for each in said]
-        meant = replace(statement, left=_with(statement.left, special), right=_with(statement.right, special))
-        verdict = Judge(Definitions(known), **options).judge(meant, claim.supposed, orders=claim.orders)
-        return verdict.outcome is Outcome.PROVED
+    """Whether it does if all of its terms, and those of what the text says, have the meaning."""
+    with suppress(Unsatisfiable, RecursionError, IllFormed, NotExact, EngineDisagreement):
+        known = [replace(each, body=meaning(each.body)) for each in said]
+        judge = Judge(Definitions([*claim.notation.definitions, *known]), **options)
+        meant = mapped(
+            claim.printed.statement, lambda r: relation(r.operator, meaning(r.left), meaning(r.right))
+        )
+        return judge.judge(meant, claim.supposed, orders=claim.orders).outcome is Outcome.PROVED
     return False
 
 
-def _with(term: Term, special: Mapping[Name, Declaration]) -> Term:
+def _of_quaternions(term: Term) -> Term:
+    """x² = −x·x for each square of a vector."""
+    made = rebuild(term, [_of_quaternions(child) for child in term.children]) if term.children else term
+    is_square = isinstance(term, Power) and term.base.type.kind == "vector" and term.exponent.is_number
+    return apply("neg", made) if is_square and term.exponent.constant % 4 == 2 else made
+
+
+def _with(special: Mapping[Name, Declaration]) -> Callable[[Term], Term]:
     def given(own: Symbol) -> Term | None:
         declared = special.get(own.declaration.name)
         return None if declared is None else symbol(declared, own.index)
 
-    return replaced(term, given)
+    return lambda term: replaced(term, given)

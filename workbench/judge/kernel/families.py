@@ -81,9 +81,10 @@ def judge_family(
     verdict = _family(judge, statement, assume, hypothesis, orders)
     if verdict.outcome is Outcome.REFUTED and orders.generic:
         apart = ranges_apart(orders, statement, list(_terms(statement)), judge.definitions)
-        found = [_instances(judge, statement, assume, hypothesis, values) for values in apart]
-        if found and all(each.outcome is Outcome.REFUTED for each in found):
-            return found[0]
+        with suppress(Unsatisfiable):
+            found = [_instances(judge, statement, assume, hypothesis, values) for values in apart]
+            if found and all(each.outcome is Outcome.REFUTED for each in found):
+                return found[0]
         return _open(orders, _WHY_OPEN)
     is_open = verdict.scope is not None and not verdict.scope.startswith("all")
     return _open(orders, f"holds for {orders}") if is_open and (orders.generic or orders.endless) else verdict
@@ -162,11 +163,11 @@ def _for_all(
         scope = _scope(judge, statements, shift, statement, orders)
         if scope is None:
             return None
-        expanded = tuple(_mapped(s, partial(_expanded, judge)) for s in statements)
+        expanded = tuple(mapped(s, partial(_expanded, judge)) for s in statements)
         _refuse_hidden_coordinate(judge, expanded)
         if derivatives := symbolic_orders(_all_terms(expanded)):
             expanded = _shifted(expanded, _shift(_indices(expanded, derivatives)))
-            statements = tuple(_mapped(s, freed) for s in expanded)
+            statements = tuple(mapped(s, freed) for s in expanded)
             method = "the n-th derivatives and the n-th members are free functions"
         shifted, *others = statements
         supposed = tuple(others[: len(assume)])
@@ -266,17 +267,25 @@ def _instances(
     hypothesis: Statement | None,
     orders: OrderRanges,
 ) -> Verdict:
-    """The worst verdict over the range, and of equal ones the first; a member that is refuted ends it."""
-    worst, place, count = None, "", 0
+    """The worst verdict over the range, and of equal ones the first; a member that is refuted ends it. Of one
+    whose condition, such as i ≠ j, nothing meets, nothing is claimed. Raises Unsatisfiable if that is all."""
+    worst, place, count, is_idle, impossible = None, "", 0, False, None
     for values in orders.assignments():
-        current = _instance_for(judge, statement, assume, hypothesis, values)
+        try:
+            current = _instance_for(judge, statement, assume, hypothesis, values)
+        except Unsatisfiable as found:
+            impossible = found
+            continue
         if current.reason == SAME_TERM:
+            is_idle = True
             continue
         count += 1
         if worst is None or WORST_FIRST.index(current.outcome) < WORST_FIRST.index(worst.outcome):
             worst, place = current, _shown(values)
         if current.outcome == Outcome.REFUTED:
             break
+    if worst is None and impossible is not None and not is_idle:
+        raise impossible
     if worst is None:
         return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
     if worst.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
@@ -338,15 +347,16 @@ def _expanded(judge: InstanceJudge, statement: Relation) -> Relation:
     return relation(statement.operator, left, right)
 
 
-def _mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Statement:
+def mapped(statement: Statement, of: Callable[[Relation], Relation]) -> Statement:
+    """The statement with each of its relations put to what `of` makes of it."""
     match statement:
         case Relation():
             return of(statement)
         case Equivalence() | Implication():
-            return type(statement)(_mapped(statement.left, of), _mapped(statement.right, of))
+            return type(statement)(mapped(statement.left, of), mapped(statement.right, of))
         case Extremum() | Naming():
             raise NotExact("a minimum, a set or a map for all n at once")
-    return Conjunction(tuple(_mapped(part, of) for part in statement.parts))
+    return Conjunction(tuple(mapped(part, of) for part in statement.parts))
 
 
 def _terms(statement: Statement) -> Iterator[Term]:

@@ -14,9 +14,9 @@ from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import WORST_FIRST, judge_family
 from workbench.judge.kernel.inequation import judge_inequation
 from workbench.judge.kernel.premises import put_in
-from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
+from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of, sides_of
 from workbench.judge.subject.exponentials import holds_exponentials, without_exponentials
-from workbench.judge.subject.inventory import NotExact
+from workbench.judge.subject.inventory import NotExact, has_gradient
 from workbench.judge.subject.small import to_first_order
 from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
 from workbench.language.printing.printer import to_latex
@@ -26,6 +26,7 @@ from workbench.language.typed.terms import (
     Conjunction,
     Equivalence,
     Extremum,
+    IllFormed,
     Implication,
     Naming,
     Relation,
@@ -202,16 +203,16 @@ class Judge(Setting):
             defined = self._judge(_difference(said), (*assume, premise))
             return turned if defined.outcome is Outcome.PROVED else _together([turned, defined])
         verdict = self._judge(claim, (*assume, premise))
-        lasting = (
-            derivatives_of(premise, claim, self.definitions) if verdict.outcome == Outcome.REFUTED else ()
-        )
-        if not lasting:
+        if verdict.outcome is not Outcome.REFUTED:
             return verdict
-        with suppress(Unsatisfiable, NotExact):
+        with suppress(Unsatisfiable, NotExact, IllFormed):
+            if not (lasting := derivatives_of(premise, claim, self.definitions)):
+                return verdict
             again = self._judge(claim, (*assume, premise, *lasting))
             if again.outcome == Outcome.REFUTED:
                 return again
-        reason = "false if the condition holds at one instant only; if it lasts, state its derivatives too"
+        where = "place only; if everywhere" if has_gradient(sides_of(claim)) else "instant only; if it lasts"
+        reason = f"false if the condition holds at one {where}, state its derivatives too"
         return Verdict(Outcome.UNCHECKED, reason=reason)
 
 

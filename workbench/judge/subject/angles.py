@@ -11,7 +11,7 @@ from dataclasses import replace
 from fractions import Fraction
 from math import lcm
 
-from workbench.judge.subject import Lookup, NotExact, With
+from workbench.judge.subject import Lookup, NotExact, With, reached
 from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector, turning_and_moving
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, number, symbol
@@ -21,6 +21,7 @@ from workbench.language.typed.terms import Apply, DualUnit, Number, Power, Symbo
 #: A sum of products of scalars: the sorted factors of each → its coefficient.
 Sum = dict[tuple[Term, ...], Fraction]
 
+_ROUND = frozenset({"sin", "cos", "exp"})
 NO_ANGLE = "the sine or cosine of anything but a rational combination of angles"
 
 
@@ -37,7 +38,7 @@ def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
 
 def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
     """The angle as a rational combination of free scalars and of other terms, each a product, a norm, ….
-    Raises NotExact where a number stands in it."""
+    Raises NotExact where a number stands in it, or a sine: the engines have no circle of what has one."""
     parts: dict[Term, Fraction] = {}
     for factors, coefficient in sum_of_products(angle, definitions).items():
         if not factors:
@@ -48,6 +49,8 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
             term = factors[0]
             for factor in factors[1:]:
                 term = apply("mul", term, factor)
+            if any(isinstance(p, Apply) and p.head in _ROUND for p in reached(term, definitions)):
+                raise NotExact("a sine or cosine of what holds another one")
             parts[term] = coefficient
     return parts
 
@@ -79,7 +82,7 @@ def round_terms(terms: Iterable[Term], definitions: Lookup, seen: set[Term]) -> 
         if term in seen:
             continue
         seen.add(term)
-        if isinstance(term, Apply) and term.head in ("sin", "cos", "exp"):
+        if isinstance(term, Apply) and term.head in _ROUND:
             yield term
         body = definitions.lookup(term) if isinstance(term, Symbol) else None
         yield from round_terms(term.children if body is None else (body, *term.children), definitions, seen)

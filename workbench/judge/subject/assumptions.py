@@ -7,12 +7,24 @@ assumed to vanish, too.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
+from workbench.judge.subject import reached
 from workbench.judge.subject.inventory import Lookup, NotExact, take_inventory
-from workbench.language.typed.construct import derivative
+from workbench.language.typed.construct import apply, derivative
 from workbench.language.typed.construct import relation as equated
-from workbench.language.typed.terms import Conjunction, Extremum, Naming, Relation, Statement, Term
+from workbench.language.typed.operators import GRADIENTS, PARTIALS
+from workbench.language.typed.terms import (
+    Apply,
+    Conjunction,
+    Derivative,
+    Extremum,
+    Naming,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
 
 
 class Unsatisfiable(ValueError):
@@ -31,18 +43,52 @@ class Assumptions:
 def derivatives_of(premise: Statement, claim: Statement, definitions: Lookup) -> tuple[Relation, ...]:
     """The derivatives of the premise's equations, as far as the claim differentiates what they speak of.
 
-    f = 1 says nothing of ḟ at one instant, and ḟ = 0 if it lasts.
+    f = 1 says nothing of ḟ at one instant, and ḟ = 0 if it lasts; so with ∂f/∂q at one place and everywhere.
     """
-    orders = take_inventory(sides_of(claim), definitions).orders
+    sides = list(sides_of(claim))
+    orders = take_inventory(sides, definitions).orders
     found = []
     for relation in _relations(premise):
-        sides = (relation.left, relation.right)
         if relation.operator == "≠" or relation.left.type.kind == "operator":
             continue
-        own = take_inventory(sides, definitions).orders
+        own = take_inventory((relation.left, relation.right), definitions).orders
         more = max((orders.get(symbol, 0) - order for symbol, order in own.items()), default=0)
-        found += [equated("=", *(derivative(side, k) for side in sides)) for k in range(1, more + 1)]
+        slopes = _slopes(relation, sides, definitions) if any(each.declaration.of for each in own) else []
+        found += slopes
+        for k in range(1, more + 1):
+            found += [_each_side(each, lambda side, k=k: derivative(side, k)) for each in (relation, *slopes)]
     return tuple(found)
+
+
+def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> list[Relation]:
+    """Its partial derivatives by all that these sides are differentiated by, of the orders that occur."""
+    parts = [part for side in sides for part in reached(side, definitions)]
+    by = {part.arguments[1] for part in parts if isinstance(part, Apply) and part.head in PARTIALS}
+    if any(isinstance(part, Apply) and part.head in GRADIENTS for part in parts):
+        symbols = (part for part in parts if isinstance(part, Symbol))
+        by |= {
+            each for part in symbols for each in (part, *part.declaration.of) if each.declaration.coordinate
+        }
+    by |= {part.body for part in by if isinstance(part, Derivative)}  # ∂ḟ/∂q̇ = ∂f/∂q
+    found, relations = [], [relation]
+    for _ in range(max((_depth(side, definitions) for side in sides), default=0)):
+        relations = [
+            _each_side(r, lambda side, x=x: apply("partial", side, x)) for r in relations for x in by
+        ]
+        found += relations
+    return found
+
+
+def _depth(term: Term, definitions: Lookup) -> int:
+    """How many slopes are taken of each other in it."""
+    body = definitions.lookup(term) if isinstance(term, Symbol) else None
+    inside = term.children if body is None else (body,)
+    is_slope = isinstance(term, Apply) and term.head in GRADIENTS | PARTIALS
+    return is_slope + max((_depth(part, definitions) for part in inside), default=0)
+
+
+def _each_side(relation: Relation, of: Callable[[Term], Term]) -> Relation:
+    return equated("=", of(relation.left), of(relation.right))
 
 
 def sides_of(statement: Statement) -> Iterator[Term]:

@@ -136,6 +136,8 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
                 break
             run.append(following)
             end = following.end
+        if first.term.type.kind == "scalar" and end < len(row.items):
+            raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
         return row.multiply(run), end
     numeric = isinstance(first.term, Number | Integer) and head in OF_ANGLES | {"exp"}
     if numeric and end < len(row.items):

@@ -52,6 +52,8 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
         return scope.apply(at, "mul", left, scope.apply(at, "skew", right))
     if head == "mul" and kinds == ("vector", "tensor") and has_dyads:
         return scope.apply(at, "mul", scope.apply(at, "transpose", right), left)
+    if head == "cross" and set(kinds) == {"scalar"}:
+        raise Fault("× of two numbers: if it is their product, write \\cdot", at)
     if head == "cross" and "quaternion" in kinds:
         raise Fault("× of quaternions: their product, or that of their vector parts?", at)
     if head == "outer" and (left.type.is_square or right.type.is_square) and "scalar" not in kinds:

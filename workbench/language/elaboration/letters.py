@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
+from workbench.language.elaboration.quotients import value_of
 from workbench.language.elaboration.spelled import subscripted_norm
 from workbench.language.elaboration.superscripts import (
     is_transpose,
@@ -217,7 +218,8 @@ class _Lettering:
             case "\\mathbf{D}":
                 return construct.time_operator()
         if name in EXPONENTIALS:
-            return self.scope.apply(scripts.sup.at, "exp", self.scope.term(with_quotients(scripts.sup)))
+            exponent = self.scope.term(with_quotients(scripts.sup))
+            return self.scope.build(scripts.sup.at, value_of, "exp", exponent)
         if self.scope.table.has_letter(name.base):
             what = "write the number of combinations as \\binom{n}{k}"
             raise Fault(f"{name} is a symbol too; {what}", at)

@@ -137,6 +137,10 @@ def divided(scope: Scope, places: tuple[int, int], numerator: Term, denominator:
 
 def value_of(head: str, argument: Term) -> Term:
     """The function's value; tan, cot, sec and csc are quotients of sines and cosines."""
+    if head == "exp" and argument.type.kind == "vector":
+        raise Unread("the exponential of a vector: of its skew tensor, or of a quaternion?")
+    if head == "exp" and argument.type.kind == "matrix" and argument.type.rows != 4:
+        raise Unread(f"the exponential of a {argument.type} is not read")
     if head == "re" and argument.type.kind == "quaternion":
         if argument.type.dual:
             raise Unread("Re of a dual quaternion: its real part, or its scalar part?")

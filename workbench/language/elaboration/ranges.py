@@ -126,6 +126,16 @@ def is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> boo
     return _bar(value) is not None or (is_value and is_variable)
 
 
+def qualifies(clause: Node, table: SymbolTable, integers: frozenset[str]) -> bool:
+    """Whether the clause is a condition of the equation beside it: f ≠ 0, or i = j of integers."""
+    if not isinstance(clause, Chain):
+        return False
+    numbers = [side for side in clause.sides if isinstance(side, Leaf) and side.text.isdigit()]
+    names = {_index_name(side, table) for side in clause.sides if side not in numbers}
+    of_integers = names <= integers | INDEX_LETTERS and not any(name in table for name in names)
+    return (bool(names) and of_integers) or all(sign == "≠" for sign, _ in clause.relations)
+
+
 def _index_name(node: Node, table: SymbolTable) -> str | None:
     """The integer variable that a range is about. One in bold is that in light type, if bold is no symbol."""
     match node:

@@ -13,6 +13,7 @@ from workbench.language.elaboration.ranges import (
     Range,
     is_range,
     member_claims,
+    qualifies,
     ranges_of,
     refuse_alone,
     require_member,
@@ -150,7 +151,7 @@ class _Row:
             raise Fault(message, clauses[0].at)
         row._take(row.claims, clauses, table, integers)
         if not as_condition:
-            row._bind()
+            row._bind(table, integers)
         return row
 
     def _take(
@@ -180,9 +181,9 @@ class _Row:
                 members.append(clause)
         refuse_alone(members)
 
-    def _bind(self) -> None:
-        """Beside an equation, f ≠ 0 is its condition; with "and" the two are claimed together."""
-        own = [c for c in self.claims if c in self.joined or not _is_inequation(c)]
+    def _bind(self, table: SymbolTable, integers: frozenset[str]) -> None:
+        """Beside an equation, f ≠ 0 and i = j are its conditions; with "and" the two are claimed together."""
+        own = [c for c in self.claims if c in self.joined or not qualifies(c, table, integers)]
         if not own:
             return
         first, last = self.claims.index(own[0]), self.claims.index(own[-1])
@@ -215,10 +216,6 @@ class _Row:
             raise Fault(message, self.conditions[0].at)
         premise = _together([_condition(reader, condition) for condition in self.conditions])
         return [Implication(premise, statement) for statement in claimed]
-
-
-def _is_inequation(clause: Node) -> bool:
-    return isinstance(clause, Chain) and all(sign == "≠" for sign, _ in clause.relations)
 
 
 def _condition(reader: Elaborator, node: Node) -> Statement:

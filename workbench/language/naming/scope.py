@@ -163,10 +163,6 @@ class Scope(ABC):
             if self.table.keeps_points and column is not arguments[1]:
                 return construct.apply("mul", _FIRST_THREE, construct.apply("mul", arguments[0], column))
             arguments = (arguments[0], column)
-        if head == "exp" and arguments[0].type.kind == "vector":
-            raise Fault("the exponential of a vector: of its skew tensor, or of a quaternion?", at)
-        if head == "exp" and arguments[0].type.kind == "matrix" and arguments[0].type.rows != 4:
-            raise Fault(f"the exponential of a {arguments[0].type} is not read", at)
         return self.build(at, construct.apply, head, *arguments)
 
     def _refuse_pure(self, at: int, left: Term, right: Term) -> None:

@@ -22,6 +22,7 @@ from workbench.language.typed.terms import Apply, DualUnit, Number, Power, Symbo
 Sum = dict[tuple[Term, ...], Fraction]
 
 NO_ANGLE = "the sine or cosine of anything but a rational combination of angles"
+NESTED = "a sine, cosine or exponential within a sine or cosine"
 
 
 def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
@@ -49,6 +50,8 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
             for factor in factors[1:]:
                 term = apply("mul", term, factor)
             parts[term] = coefficient
+    if next(round_terms(parts, definitions, set()), None) is not None:
+        raise NotExact(NESTED)
     return parts
 
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from workbench.language.definitions import Definitions
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import key_spelling
-from workbench.language.naming.spelling import Spelling, bracketed, in_bracket, spell_label
+from workbench.language.naming.spelling import Spelling, in_bracket, spell_label, under_accent
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
 from workbench.language.typed.construct import apply, block, identity, number, relation
@@ -283,8 +283,9 @@ def _unit(place: int) -> Term:
 def _spelled(key: str) -> tuple[set[Any], Callable[[Mapping[str, str]], Name]]:
     """What stands in a spelling, and its name with other letters: of [BN], too."""
     spelling = _spelling(key)
-    if (letters := in_bracket(parse(key).lines[0][0])) is not None:
-        return set(letters), lambda given: bracketed([given.get(letter, letter) for letter in letters])
+    node = parse(key).lines[0][0]
+    if (pair := in_bracket(node) or under_accent(node)) is not None:
+        return set(pair.labels), lambda given: pair.exchanged(given).name
     texts = {piece for _, pieces in spelling.scripts for piece in pieces} | {spelling.letter.letter}
     return texts, lambda given: spelling.exchanged(given).exact
 

@@ -21,7 +21,7 @@ from workbench.language.grammar.syntax import (
 from workbench.language.grammar.vocabulary import CLOSING, written
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import SCRIPTS, Name
+from workbench.language.typed.names import ACCENTS, SCRIPTS, Name
 
 #: Indices, orders and exponents beyond this are refused.
 LARGEST_INTEGER = 1000
@@ -175,29 +175,58 @@ def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spellin
     return Spelling(primed, tuple(found))
 
 
-def in_bracket(node: Node) -> tuple[str, ...] | None:
-    """The letters of [BN], a matrix that is named by its two frames; of [BN(t)], too."""
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Two labels that name what goes from one to the other: [BN], a matrix of two frames, and \\vec{AB}.
+
+    styles: those over both; none for [BN].
+    """
+
+    labels: tuple[str, ...]
+    styles: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> Name:
+        first = self.labels[0]
+        ends_in_word = first.startswith("\\") and first[-1].isalpha()
+        both = (" " if ends_in_word else "").join(self.labels)
+        return Name.styled(self.styles, both) if self.styles else Name(f"[{both}]")
+
+    def exchanged(self, texts: Mapping[str, str]) -> Pair:
+        """The same with other labels."""
+        return replace(self, labels=tuple(texts.get(label, label) for label in self.labels))
+
+
+def in_bracket(node: Node) -> Pair | None:
+    """[BN], and [BN(t)]."""
     match node:
         case Bracket(kind="[", parts=(part,)) if isinstance(inner := core(part), Product):
             *letters, last = inner.items
             is_of_time = isinstance(last, Bracket) and _spell_script(last, ()) == ["(", "t", ")"]
-            spelled = [_spell_script(each, ()) for each in ([*letters] if is_of_time else inner.items)]
-            is_name = len(spelled) == 2 and all(map(_is_label, inner.items[:2]))
-            return tuple("".join(map(str, pieces)) for pieces in spelled) if is_name else None
+            return _pair(letters if is_of_time else inner.items)
     return None
 
 
+def under_accent(node: Node, styles: tuple[str, ...] = ()) -> Pair | None:
+    """\\vec{AB}; or AB, which stands under these styles."""
+    inner = core(node)
+    if isinstance(inner, Styled):
+        return under_accent(inner.body, (*styles, inner.style))
+    return _pair(inner.items, styles) if isinstance(inner, Product) and ACCENTS & {*styles} else None
+
+
+def _pair(nodes: Sequence[Node], styles: tuple[str, ...] = ()) -> Pair | None:
+    spelled = [_spell_script(each, ()) for each in nodes]
+    if len(spelled) != 2 or not all(map(_is_label, nodes)):
+        return None
+    return Pair(tuple("".join(map(str, pieces)) for pieces in spelled), styles)
+
+
 def _is_label(node: Node) -> bool:
-    inner = node.nucleus if isinstance(node, Scripted) and not (node.sup or node.primes) else node
+    inner = node.nucleus if isinstance(node, Scripted) and not node.sup else node
     while isinstance(inner, Styled):
         inner = core(inner.body)
     return isinstance(inner, Leaf) and inner.kind == "LETTER"
-
-
-def bracketed(letters: Sequence[str]) -> Name:
-    """The name [BN]."""
-    ends_in_word = letters[0].startswith("\\") and letters[0][-1].isalpha()
-    return Name(f"[{(' ' if ends_in_word else '').join(letters)}]")
 
 
 def refuse_operation(name: Name, key: str) -> None:

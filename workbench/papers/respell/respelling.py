@@ -43,7 +43,6 @@ _RENAMED = {
     "vu": "\\hat",
     "cross": "\\times",
     "vdot": "\\cdot",
-    "overrightarrow": "\\vec",
     "mathbfup": "\\mathbf",
     "lbrace": "\\{",
     "rbrace": "\\}",

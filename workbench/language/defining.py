@@ -116,7 +116,8 @@ def _formal(node: Node, table: SymbolTable, key: str) -> Declaration:
 def _labels(head: _Head, body: str, table: SymbolTable) -> frozenset[str]:
     """The letters in the places of indices, if the body speaks of none of them and no member is known."""
     own, places = head.own
-    is_spoken_of = any(re.search(rf"(?<![\\A-Za-z]){letter}(?![A-Za-z])", body) for letter in head.variables)
+    alone = r"(?<![\\A-Za-z])%s(?![A-Za-z]|\s*_)"  # p_1 is another symbol
+    is_spoken_of = any(re.search(alone % letter, body) for letter in head.variables)
     has_members = any(own.index_of(name) is not None for name in table.symbols)
     is_step = any(place.constant for place in places)
     return frozenset() if is_spoken_of or has_members or is_step or head.formals else head.variables

@@ -21,14 +21,16 @@ from workbench.papers.toml.toml_file import TomlFile
 
 HAMILTON = "hamilton, scalar first"
 #: What each convention may be. points: what a transform makes of one, the column of four or the vector of its
-#: first three; products: vectors beside each other; one: a number beside tensors.
+#: first three; products: vectors beside each other; one: a number beside tensors; powers: \\sin(x)^2.
 CONVENTIONS = {
     "quaternion": (HAMILTON,),
     "gradient": ("row", "column"),
     "points": ("homogeneous", "vectors"),
     "products": ("dyads", "matrices"),
     "one": ("unit", "scalar"),
+    "powers": ("values",),
 }
+_LOOSE = ("products", "one", "powers")
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
 
@@ -42,7 +44,7 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
         gradient=_convention(files, "gradient"),
         directions=frozenset() if _convention(files, "points") else None,
         keeps_points=_convention(files, "points") == "vectors",
-        loose=frozenset(found for key in ("products", "one") if (found := _convention(files, key))),
+        loose=frozenset(found for key in _LOOSE if (found := _convention(files, key))),
         bare_functions=frozenset(n for file in files for n in file.texts(("conventions", "functions"))),
     )
     table = _spellings(files, table)

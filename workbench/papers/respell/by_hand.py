@@ -95,7 +95,8 @@ def _label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     if tokens[place].text not in FACES or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
         return None
     end = behind(tokens, place + 1)
-    inside = [token for token in tokens[place + 2 : end - 1] if token.text not in ("{", "}", " ", "\\cal")]
+    dropped = ("{", "}", " ", tokens[place].text, "\\cal")
+    inside = [token for token in tokens[place + 2 : end - 1] if token.text not in dropped]
     if [token.text for token in inside[1::2]] != ["/"] or len(inside) != 3:
         return None
     face = tokens[place]

@@ -312,3 +312,18 @@ def test_what_an_equation_says_of_its_unknowns_leaves_open_what_follows_from_it(
     assert outcomes(tmp_path, used, model) == ["refuted"]
     assert outcomes(tmp_path, f"{assumed}\n\n{used}", model) == ["unchecked"] * 2
     assert outcomes(tmp_path, f"{used}\n\n{assumed}", model) == ["refuted", "unchecked"]
+
+
+def test_a_letter_that_is_a_symbol_is_a_label_of_what_a_definition_names_too(tmp_path: Path) -> None:
+    model = "[symbols]\nj = 'scalar'\nJ_{v_j} = 'vector'\nJ_{w_j} = 'vector'\n"
+    model = model.replace("J_{v_j}", "'J_{v_j}'").replace("J_{w_j}", "'J_{w_j}'")
+    model += r"[definitions]" "\n" r"J_j = '\begin{pmatrix} J_{v_j} \\ J_{w_j} \end{pmatrix}'" "\n"
+    blocks = r"$$ J_j = \begin{pmatrix} J_{%s_j} \\ J_{%s_j} \end{pmatrix} $$"
+    text = "\n\n".join([blocks % ("v", "w"), blocks % ("w", "v")])
+    assert outcomes(tmp_path, text, model) == ["definition", "refuted"]
+
+
+def test_an_argument_that_depends_on_the_time_is_the_same_place(tmp_path: Path) -> None:
+    model = "[conventions]\narguments = ['q']\n[symbols]\nq = 'scalar'\np = 'scalar'\nR = 'rotation'\n"
+    text = "$$ R(q(t)) R(q)^T = \\mathbf{I} $$\n\n$$ R(p(t)) R^T = \\mathbf{I} $$"
+    assert outcomes(tmp_path, text, model) == ["proved", "unchecked"]

@@ -114,7 +114,10 @@ def _formal(node: Node, table: SymbolTable, key: str) -> Declaration:
 
 
 def _labels(head: _Head, body: str, table: SymbolTable) -> frozenset[str]:
-    """The letters in the places of indices, if the body speaks of none of them and no member is known."""
+    """The letters in the places of indices that are symbols; or all, if the body speaks of none of them and
+    no member is known."""
+    if symbols := {letter for letter in head.variables if Name(letter) in table.symbols}:
+        return frozenset(symbols)
     own, places = head.own
     alone = r"(?<![\\A-Za-z])%s(?![A-Za-z]|\s*_)"  # p_1 is another symbol
     is_spoken_of = any(re.search(alone % letter, body) for letter in head.variables)

@@ -4,7 +4,7 @@ a bracket, since f(x) and f(y) are two values."""
 from __future__ import annotations
 
 from workbench.language.grammar.latex import latex_of
-from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Scripted, Styled
+from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled
 from workbench.language.naming.declarations import key_spelling
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Spelling
@@ -93,7 +93,7 @@ def _is_no_place(scope: Scope, bracket: Bracket, function: Symbol) -> bool:
 
 def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     """Raises Fault where a symbol is taken at another place in the formula, or by its definition."""
-    parts = [part for part in bracket.parts if not scope.is_time(part)]
+    parts = [_without_time(scope, part) for part in bracket.parts if not scope.is_time(part)]
     place = tuple(map(latex_of, parts))
     inside = set().union(*map(_names, parts))
     inside = inside.union(*(scope.table.depends.get(name, ()) for name in inside))
@@ -109,7 +109,16 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
 
 def is_argument(scope: Scope, part: Node) -> bool:
     """Whether the paper says that f(x) is f, which depends on x; f(\\dot{x}) is f then, too."""
-    return bool(scope.table.arguments) and not scope.table.arguments.isdisjoint(_names(part))
+    known = scope.table.arguments
+    return bool(known) and not known.isdisjoint(_names(_without_time(scope, part)))
+
+
+def _without_time(scope: Scope, part: Node) -> Node:
+    """q of q(t)."""
+    match part:
+        case Product(items=(argument, Bracket(kind="(", parts=(time,)))) if scope.is_time(time):
+            return argument
+    return part
 
 
 def _names(part: Node) -> set[Name]:

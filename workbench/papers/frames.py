@@ -15,7 +15,7 @@ from workbench.language.naming.declarations import key_spelling
 from workbench.language.naming.spelling import Spelling, in_bracket, spell_label, under_accent
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.typed.construct import apply, block, identity, number, relation
+from workbench.language.typed.construct import apply, block, identity, number, relation, zero
 from workbench.language.typed.errors import Fault, ReadError, SpecError
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Conjunction, Definition, IllFormed, Term
@@ -169,7 +169,8 @@ class _Reader:
         if not isinstance(said, list) or len(said) != 2 or not all(isinstance(text, str) for text in said):
             raise SpecError("expected another point and the vector from there", "place")
         self.known(label(said[0]), self.frames.points, "place")
-        if label(said[0]) in later:
+        start, unknown = self.frames.place(label(said[0])), [self.frames.place(point) for point in later]
+        if any(part in unknown for part in start.walk()):
             raise SpecError(f"that of {said[0]} is to be given before", "place")
         table = self.table
         for declaration in self.frames.axes:
@@ -181,7 +182,7 @@ class _Reader:
             raise SpecError(str(error), "place") from None
         if shift.type != VECTOR:
             raise SpecError(f"expected a vector, got a {shift.type}", "place")
-        return plus(self.frames.place(label(said[0])), shift)
+        return plus(start, shift)
 
     def known(self, name: str, names: Sequence[str], key: str) -> None:
         if name not in names:
@@ -222,11 +223,12 @@ class _Reader:
         for chosen in product(*choices):
             given = dict(zip(names, chosen, strict=True))
             arguments = {role: given[letter] for letter, role in letters.items()}
-            if len(letters) > 1 and len(set(arguments.values())) < 2:
-                continue  # {}^A ω^A
+            is_zero = len(letters) > 1 and len(set(arguments.values())) < 2  # {}^A ω^A
+            if is_zero and type_ is not VECTOR:
+                continue
             name = named(given)
-            body = make(self.frames, **arguments)
-            if where is not None:
+            body = zero(VECTOR) if is_zero else make(self.frames, **arguments)
+            if where is not None and not is_zero:
                 body = self.frames.resolved(given[where], body)
             if name not in self.table.symbols:
                 self.frames.defined(name, type_, body)

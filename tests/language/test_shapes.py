@@ -236,3 +236,17 @@ def test_numbers_in_a_column_are_no_blocks() -> None:
 def test_a_row_of_a_zero_transposed_is_one_row(formula: str, outcome: Outcome) -> None:
     symbols = {"T": "tensor", "S": "tensor", "a": "vector", "b": "vector"}
     assert check(formula, symbols=symbols).outcome is outcome
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\begin{bmatrix} T & -1 \\ 1 & 0 \end{bmatrix} \begin{bmatrix} a \\ b \end{bmatrix} = \begin{bmatrix} T a - b \\ a \end{bmatrix}", Outcome.PROVED),
+        (r"\begin{bmatrix} -1 & 0 \\ T & 1 \end{bmatrix} \begin{bmatrix} a \\ b \end{bmatrix} = \begin{bmatrix} a \\ T a + b \end{bmatrix}", Outcome.REFUTED),
+        (r"\begin{bmatrix} T & a \\ 0 & -1 \end{bmatrix} \begin{bmatrix} b \\ 1 \end{bmatrix} = \begin{bmatrix} T b + a \\ -1 \end{bmatrix}", Outcome.PROVED),
+        (r"\begin{bmatrix} T & -2 \\ 1 & 0 \end{bmatrix} \begin{bmatrix} a \\ b \end{bmatrix} = a", Outcome.ILL_FORMED),
+    ],
+)  # fmt: skip
+def test_minus_one_beside_a_square_block_is_a_block(formula: str, outcome: Outcome) -> None:
+    symbols = {"T": "tensor", "a": "vector", "b": "vector"}
+    assert check(formula, symbols=symbols).outcome is outcome

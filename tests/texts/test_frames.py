@@ -475,3 +475,27 @@ def test_an_origin_that_rests_on_its_own_frame_is_refused(tmp_path: Path, fixed:
     (tmp_path / "p.md").write_text("$$ L = L $$")
     with pytest.raises(PaperError, match=r"is to be given before|is fixed, too"):
         load_paper(tmp_path / "p.toml")
+
+
+TWO_FIGURES = """
+source = "p.md"
+[frames]
+base = "0"
+names = ["1", "2", "12", "e"]
+dot = "0"
+'R_{FG}' = "rotation to F from G"
+'T_{FG}' = "transform to F from G"
+"""
+
+
+def test_two_figures_are_two_frames(tmp_path: Path) -> None:
+    true = [
+        r"R_{02} = R_{01} R_{12}",
+        r"T_{0e} = T_{01} T_{12} T_{2e}",
+        r"R_{01} = R_{10}^T",
+        r"T_{21} = T_{12}^{-1}",
+    ]
+    false = [r"R_{02} = R_{12} R_{01}", r"R_{0e} = R_{e0}"]
+    unread = [r"R_{0 12} = R_{0112}", r"R_{012} = R_{01}"]
+    found = verdicts(tmp_path, true + false + unread, TWO_FIGURES)
+    assert found == ["proved"] * len(true) + ["refuted"] * len(false) + ["unchecked"] * 2

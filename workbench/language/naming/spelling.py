@@ -133,9 +133,9 @@ class Spelling:
         return replace(self.letter, **made) if made else self.letter, tuple(index)
 
     def exchanged(self, texts: Mapping[str, str]) -> Spelling:
-        """The same with other letters and labels."""
+        """The same with other letters and labels: of T_{FG}, T_{0e} and T_{01}."""
         scripts = (
-            (field, tuple(texts.get(p, p) if isinstance(p, str) else p for p in pieces))
+            (field, _with_figures_together([texts.get(p, p) if isinstance(p, str) else p for p in pieces]))
             for field, pieces in self.scripts
         )
         letter = texts.get(self.letter.letter, self.letter.letter)
@@ -159,6 +159,16 @@ class Spelling:
 
     def __str__(self) -> str:
         return str(self.exact)
+
+
+def _with_figures_together(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+    """0 and 1 beside each other as they are written, 01."""
+    figures = [isinstance(piece, str) and piece.isdigit() and len(piece) == 1 for piece in pieces]
+    apart = (
+        figures[max(place - 1, 0)] and figures[min(place + 1, len(pieces) - 1)]
+        for place in range(len(pieces))
+    )
+    return tuple(piece for piece, between in zip(pieces, apart, strict=True) if piece != " " or not between)
 
 
 def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spelling | None:

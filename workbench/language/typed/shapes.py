@@ -65,7 +65,7 @@ def shaped(term: Term, type_: Type) -> Term:
 
 
 def with_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
-    """A 1 beside, above or below a square block is the unit tensor: [1 0; T 1]."""
+    """A 1 or −1 beside, above or below a square block is one of the unit tensor: [1 0; T -1]."""
     blocks = [[each.type.rows > 1 and each.type.is_square for each in row] for row in entries]
     high = [any(row) for row in blocks]
     wide = [any(column) for column in zip(*blocks, strict=True)]
@@ -76,7 +76,13 @@ def with_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
 
 
 def _unit(entry: Term) -> Term:
-    return Identity(TENSOR, entry.weight) if isinstance(entry, Number) and entry.value == 1 else entry
+    unit = Identity(TENSOR, entry.weight)
+    match entry:
+        case Number(value=1):
+            return unit
+        case Number(value=-1) | Apply(head="neg", arguments=(Number(value=1),)):
+            return Apply(TENSOR, entry.weight, "neg", (unit,))
+    return entry
 
 
 def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[int, ...]]:

@@ -175,6 +175,12 @@ PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
         "FG",
         lambda f, F, G: f.rate(F, minus(f.origin(G), f.origin(F))),
     ),
+    (
+        r"acceleration of the origin of (?P<G>\w) in (?P<F>\w)",
+        VECTOR,
+        "FG",
+        lambda f, F, G: f.rate(F, f.rate(F, minus(f.origin(G), f.origin(F)))),
+    ),
     (r"acceleration of (?P<P>\w) in (?P<F>\w)", VECTOR, "F", lambda f, P, F: f.rate(F, f.velocity(P, F))),
 )
 

@@ -57,6 +57,13 @@ def require_rotations(turns: Sequence[Turn], definitions: Definitions) -> None:
             )
 
 
+def frame_labels(files: Sequence[TomlFile]) -> frozenset[str]:
+    """The labels of frames and points in [frames] and [points], as far as these are lists of texts."""
+    found = [file.value((table, "names"), list, []) for file in files for table in ("frames", "points")]
+    bases = [file.value(("frames", "base"), str, "") for file in files]
+    return frozenset(label for labels in (*found, bases) for label in labels if isinstance(label, str))
+
+
 def framed(files: Sequence[TomlFile], table: SymbolTable) -> tuple[SymbolTable, list[Definition], list[Turn]]:
     """The table with what [frames] and [points] declare, its definitions, and what gives orientations.
     Raises PaperError."""
@@ -119,10 +126,15 @@ class _Reader:
         for at, (point, said) in enumerate(placed.items()):
             later = {label(other) for other in list(placed)[at:]}
             frames.define(frames.place(label(point)), self.placed(said, later))
-        phrases = [str(said) for entry in ("frames", "points") for said in self.entries[entry].values()]
+        phrases = [
+            str(said)
+            for table in self.entries.values()
+            for key, said in table.items()
+            if key not in (*_FRAME_KEYS, *_POINT_KEYS)
+        ]
         has_components = any(re.search(_OF_COMPONENTS, said) for said in phrases)
         turns = {} if has_components else {frame: frames.orientation(frame) for frame in frames.labels}
-        dot = self.entries["frames"].get("dot")
+        dot = self.entries["frames"].get("dot", frames.base if self.are_columns(phrases) else None)
         if dot is not None:
             self.known(label(str(dot)), frames.labels, "dot")
         for declaration in frames.declarations.values():
@@ -141,6 +153,16 @@ class _Reader:
             directions=None if self.table.directions is None else frozenset(frames.directions),
         )
         return table, frames.definitions
+
+    def are_columns(self, phrases: Sequence[str]) -> bool:
+        """Whether all vectors are columns of components, whose dot needs no frame."""
+        known = [
+            phrase
+            for phrase in phrases
+            if any(re.fullmatch(p, _RESOLVED.sub("", phrase)) for p, *_ in PHRASES)
+        ]
+        resolved = [phrase for phrase in phrases if re.search(_OF_COMPONENTS, phrase)]
+        return known == resolved == phrases and "axes" not in self.entries["frames"] and bool(phrases)
 
     def orientation(self, frame: str, said: Any, later: Collection[str]) -> Term:
         """Q of a frame, in columns of the base, where the text says what it is: a matrix, the frame that a

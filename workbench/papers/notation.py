@@ -13,7 +13,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Definition, Symbol
-from workbench.papers.frames import framed, require_rotations
+from workbench.papers.frames import frame_labels, framed, require_rotations
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot
 from workbench.papers.ties import ties
@@ -145,7 +145,7 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable
                 spec = {**spec, "kind": spec["kind"].replace("quaternion", "hamilton quaternion")}
             specs[key], owners[key] = spec, file
     try:
-        return SymbolTable.build(specs)
+        return SymbolTable.build(specs, frame_labels((*files, *scopes)))
     except SpecError as error:
         raise owners[error.key].error_at_key(("symbols", error.key), str(error)) from None
 

@@ -51,13 +51,14 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     (part,) = bracket.parts
     if term.type.kind == "operator":
         return isinstance(part, Styled) and isinstance(scope.term(part), TimeOperator)
+    if scope.is_time(part):
+        return True
     if is_argument(scope, part):
-        only_says = term.type.kind != "scalar" or scope.term(part).type.kind != "scalar"
+        is_product = not isinstance(function, Symbol) or function.declaration.constant
+        only_says = not is_product or {term.type.kind, scope.term(part).type.kind} != {"scalar"}
         if only_says:
             _take_place(scope, bracket, term)
         return only_says
-    if scope.is_time(part):
-        return True
     if is_accented_symbol(_without_sup(term)) and _may_be_argument(scope, part, term):
         raise Fault(_OR_A_PRODUCT, bracket.at)
     return False

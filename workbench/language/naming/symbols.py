@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cached_property
@@ -75,12 +75,13 @@ class SymbolTable:
     names_close: bool = True
 
     @staticmethod
-    def build(specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
+    def build(specs: Mapping[str, Mapping[str, Any]], labels: Collection[str] = ()) -> SymbolTable:
         """The table of a paper's [symbols]: LaTeX key → {kind, weight, constant, unit, coordinate,
-        uniform, of, aliases, note}. Raises SpecError."""
+        uniform, of, aliases, note}. The letters in `labels`, such as those of frames, are no indices. Raises
+        SpecError."""
         symbols: dict[Name, Declaration] = {}
         functions: dict[Name, Sequence[str]] = {}
-        letters = INDEX_LETTERS.intersection(specs)
+        letters = INDEX_LETTERS.intersection((*specs, *labels))
         for key, spec in specs.items():
             name, index = read_key(key)
             declared = read_declaration(key, name, index, spec)

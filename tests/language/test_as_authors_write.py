@@ -52,6 +52,8 @@ SAME = [
     (r"\lfloor v \rfloor_\times w", r"\tilde{v} w"),
     (r"[v \times] w", r"\tilde{v} w"),
     (r"\textrm{so we find: } x + y", "x + y"),
+    (r"[I_{3\times3}] v + \mathbb{I}_{3 \times 3} w", r"\mathbf{I} v + \mathbf{I} w"),
+    (r"\sum_{i}^{3} x", r"\sum_{i=1}^{3} x"),
     (
         r"\left[\arraycolsep=2pt \begin{array}{c} x \\ y \end{array}\right] \enskip z",
         r"\begin{bmatrix} x \\ y \end{bmatrix} z",

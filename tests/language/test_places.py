@@ -97,3 +97,13 @@ def test_what_is_taken_at_another_time_is_no_product(symbol: str, time: str) -> 
         read(f"{symbol}({time}) = {symbol}(t)", table)
     (product,) = read(f"{symbol} [{time}] = {symbol} [{time}] + {symbol} - {symbol}", table)
     assert read(to_latex(product), table) == (product,)
+
+
+@pytest.mark.parametrize(("formula", "read_as"), [("s(Q) = s", "s = s"), ("c(q) = q c", "c q = q c")])
+def test_of_two_scalars_one_that_is_constant_is_a_factor(formula: str, read_as: str) -> None:
+    kinds = {"s": "scalar", "q": "scalar", "c": {"kind": "scalar", "constant": True}}
+    specs = {name: {"kind": kind} if isinstance(kind, str) else kind for name, kind in kinds.items()}
+    table = replace(SymbolTable.build(specs), arguments=frozenset({Name("q"), Name("t")}))
+    for variable in "qt" if "Q" in formula else "q":
+        (said,) = read(formula.replace("Q", variable), table)
+        assert to_latex(said) == read_as

@@ -222,3 +222,31 @@ def test_a_zero_in_a_column_is_as_high_as_the_other_side_needs(formula: str, hol
 def test_numbers_in_a_column_are_no_blocks() -> None:
     with pytest.raises(IllFormedAt, match="differ in type"):
         read(r"\begin{bmatrix} x \\ y \end{bmatrix} = \begin{bmatrix} 0 \\ 1 \\ 2 \\ 3 \end{bmatrix}", TABLE)
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\begin{bmatrix} T & a \\ \mathbf{0}^T & 1 \end{bmatrix} \begin{bmatrix} S \\ \mathbf{0}^T \end{bmatrix} = \begin{bmatrix} T S \\ \mathbf{0}_{1 \times 3} \end{bmatrix}", Outcome.PROVED),
+        (r"\begin{bmatrix} T \\ -\mathbf{0}^T \end{bmatrix} = \begin{bmatrix} T \\ \mathbf{0}_{3 \times 3} \end{bmatrix}", Outcome.ILL_FORMED),
+        (r"\begin{bmatrix} T & S & a \\ \mathbf{0}^T & \mathbf{0}^T & 1 \end{bmatrix} \begin{bmatrix} a \\ b \\ 1 \end{bmatrix} = \begin{bmatrix} T a + S b + a \\ 1 \end{bmatrix}", Outcome.PROVED),
+        (r"(a \times a)^T = \mathbf{0}^T", Outcome.PROVED),
+    ],
+)  # fmt: skip
+def test_a_row_of_a_zero_transposed_is_one_row(formula: str, outcome: Outcome) -> None:
+    symbols = {"T": "tensor", "S": "tensor", "a": "vector", "b": "vector"}
+    assert check(formula, symbols=symbols).outcome is outcome
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\begin{bmatrix} T & -1 \\ 1 & 0 \end{bmatrix} \begin{bmatrix} a \\ b \end{bmatrix} = \begin{bmatrix} T a - b \\ a \end{bmatrix}", Outcome.PROVED),
+        (r"\begin{bmatrix} -1 & 0 \\ T & 1 \end{bmatrix} \begin{bmatrix} a \\ b \end{bmatrix} = \begin{bmatrix} a \\ T a + b \end{bmatrix}", Outcome.REFUTED),
+        (r"\begin{bmatrix} T & a \\ 0 & -1 \end{bmatrix} \begin{bmatrix} b \\ 1 \end{bmatrix} = \begin{bmatrix} T b + a \\ -1 \end{bmatrix}", Outcome.PROVED),
+        (r"\begin{bmatrix} T & -2 \\ 1 & 0 \end{bmatrix} \begin{bmatrix} a \\ b \end{bmatrix} = a", Outcome.ILL_FORMED),
+    ],
+)  # fmt: skip
+def test_minus_one_beside_a_square_block_is_a_block(formula: str, outcome: Outcome) -> None:
+    symbols = {"T": "tensor", "a": "vector", "b": "vector"}
+    assert check(formula, symbols=symbols).outcome is outcome

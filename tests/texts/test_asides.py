@@ -87,3 +87,21 @@ def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
     (tmp_path / "p.toml").write_text(model)
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
     assert result.verdict.outcome == Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("sentence", "outcome"),
+    [
+        ("For parallel axes we have", Outcome.UNCHECKED),
+        ("When the two vectors coincide,", Outcome.UNCHECKED),
+        ("In the special case of no slip,", Outcome.UNCHECKED),
+        ("If we differentiate this, we have", Outcome.REFUTED),
+        ("The axes may be parallel. For any motion", Outcome.REFUTED),
+        ("For example, whatever they are:", Outcome.REFUTED),
+    ],
+)
+def test_a_case_that_words_set_apart_keeps_from_a_refutation(
+    tmp_path: Path, sentence: str, outcome: Outcome
+) -> None:
+    assert verdicts(tmp_path, sentence + r" \[ a \cdot b = f + a \cdot b - f + a \cdot a \]") == [outcome]
+    assert verdicts(tmp_path, sentence + r" \[ a \cdot b = b \cdot a \]") == [Outcome.PROVED]

@@ -414,3 +414,88 @@ def test_it_is_refused_where_a_paper_has_columns_of_components_too(tmp_path: Pat
     (tmp_path / "p.toml").write_text(GEOMETRIC.replace("MORE", more))
     (claim,) = load_paper(tmp_path / "p.toml").claims
     assert claim.printed.statement is None
+
+
+ARM = r"""
+source = "p.md"
+[symbols]
+'L' = { kind = "scalar", constant = true }
+'\alpha' = "scalar"
+'\beta' = "scalar"
+[frames]
+base = "0"
+names = ["1", "2", "e"]
+dot = "0"
+'{}^F_GR' = "rotation to F from G"
+'{}^F\omega_G' = "angular velocity of G in 0, resolved in F"
+'{}^F v_G' = "velocity of the origin of G in 0, resolved in F"
+'{}^F P_G' = "origin of G in F"
+axes = { 1 = ['\hat{x}_1', '\hat{y}_1', '\hat{z}_1'], 2 = ['\hat{x}_2', '\hat{y}_2', '\hat{z}_2'] }
+[frames.orientation]
+1 = '\begin{bmatrix} \cos\alpha & -\sin\alpha & 0 \\ \sin\alpha & \cos\alpha & 0 \\ 0 & 0 & 1 \end{bmatrix}'
+2 = ["1", '\begin{bmatrix} \cos\beta & -\sin\beta & 0 \\ \sin\beta & \cos\beta & 0 \\ 0 & 0 & 1 \end{bmatrix}']
+e = ["2", '\begin{bmatrix} 1 & 0 & 0 \\ 0 & 1 & 0 \\ 0 & 0 & 1 \end{bmatrix}']
+[points]
+names = ["U", "V", "E"]
+fixed = { U = ["0", "1"], V = "2", E = "e" }
+place = { V = ["U", 'L \hat{x}_1'], E = ["V", '2 L \hat{x}_2'] }
+"""
+
+
+def test_the_origins_of_the_frames_of_an_arm_stand_where_the_model_says(tmp_path: Path) -> None:
+    true = [
+        r"{}^2_0R = {}^2_1R {}^1_0R",
+        r"{}^0\omega_0 + {}^1\omega_0 = 0",
+        r"{}^1\omega_1 = {}^1_0R {}^0\omega_0 + \begin{bmatrix} 0 \\ 0 \\ \dot\alpha \end{bmatrix}",
+        r"{}^1 P_2 = \begin{bmatrix} L \\ 0 \\ 0 \end{bmatrix}",
+        r"{}^1 v_1 = 0",
+        r"{}^2 v_2 = {}^2_1R ({}^1v_1 + {}^1\omega_1 \times {}^1P_2)",
+        r"{}^2 v_2 = \begin{bmatrix} L \dot\alpha \sin\beta \\ L \dot\alpha \cos\beta \\ 0 \end{bmatrix}",
+        r"{}^2 v_e = {}^2 v_2 + {}^2\omega_2 \times {}^2 P_e",
+        r"{}^0 v_e = \frac{d}{dt}({}^0 P_e)",
+    ]
+    false = [
+        r"{}^2 v_2 = \begin{bmatrix} L \dot\alpha \sin\beta \\ -L \dot\alpha \cos\beta \\ 0 \end{bmatrix}",
+        r"{}^2 v_e = {}^2 v_2 - {}^2\omega_2 \times {}^2 P_e",
+    ]
+    assert verdicts(tmp_path, true + false, ARM) == ["proved"] * len(true) + ["refuted"] * len(false)
+
+
+@pytest.mark.parametrize(
+    ("fixed", "place"),
+    [
+        ('U = "2", V = "2"', r"""V = ["U", 'L \hat{x}_1']"""),
+        ('U = "1", V = "2", E = "2"', r"""U = ["E", 'L \hat{x}_1'], V = ["U", 'L \hat{x}_2']"""),
+        ('V = "2", U = ["2", "1"], E = ["1", "e"]', r"""V = ["E", 'L \hat{x}_1']"""),
+    ],
+)
+def test_an_origin_that_rests_on_its_own_frame_is_refused(tmp_path: Path, fixed: str, place: str) -> None:
+    model = re.sub(r"fixed = .*", lambda _: f"fixed = {{ {fixed} }}", ARM)
+    (tmp_path / "p.toml").write_text(re.sub(r"place = .*", lambda _: f"place = {{ {place} }}", model))
+    (tmp_path / "p.md").write_text("$$ L = L $$")
+    with pytest.raises(PaperError, match=r"is to be given before|is fixed, too"):
+        load_paper(tmp_path / "p.toml")
+
+
+TWO_FIGURES = """
+source = "p.md"
+[frames]
+base = "0"
+names = ["1", "2", "12", "e"]
+dot = "0"
+'R_{FG}' = "rotation to F from G"
+'T_{FG}' = "transform to F from G"
+"""
+
+
+def test_two_figures_are_two_frames(tmp_path: Path) -> None:
+    true = [
+        r"R_{02} = R_{01} R_{12}",
+        r"T_{0e} = T_{01} T_{12} T_{2e}",
+        r"R_{01} = R_{10}^T",
+        r"T_{21} = T_{12}^{-1}",
+    ]
+    false = [r"R_{02} = R_{12} R_{01}", r"R_{0e} = R_{e0}"]
+    unread = [r"R_{0 12} = R_{0112}", r"R_{012} = R_{01}"]
+    found = verdicts(tmp_path, true + false + unread, TWO_FIGURES)
+    assert found == ["proved"] * len(true) + ["refuted"] * len(false) + ["unchecked"] * 2

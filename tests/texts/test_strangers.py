@@ -19,9 +19,11 @@ SPELLED = {
     r"\alpha^{\prime}_1 = x^{\prime\prime}": r"\alpha'_1 = x''",
     r"A = \mathbf{R}(t)^T S {(t)^T}": r"A = \mathbf{R}^T S ^T",
     r"m_{\text{\text{sc}}} = J_{\textit{7}}": r"m_{\text{sc}} = J_{\text{7}}",
+    r"\omega_{\mathcal{E}_{\textit{i}}/N} = x_{\textit{in}}": r"\omega_{\mathcal{E}_{i}/N} = x_{\text{in}}",
     r"x \buildrel\Delta\over= \varOmega y": r"x := \mathit{\Omega}y",
     r"A = \left[ {\begin{array}{*{20}{c}} 0&1 \end{array}} \right]": r"A = \left[ \begin{array}{c} 0&1 \end{array} \right]",
     r"x = {a + b \over c}": r"x = \frac{a + b }{ c}",
+    r"\bf{J}_{\omega} = [\bf{\hat{s}}] \rm{v}": r"\mathbf{J}_{\omega} = [\mathbf{\hat{s}}] \mathrm{v}",
     r"\leftexp{B}{\omega} = y": r"{}^{B} {\omega} = y",
     r"a = \omega_\mathcal{{B}/\cal{N}}": r"a = \omega_{\mathcal{B}/\mathcal{N}}",
     r"\pd[2]{f}{x} = \od{y}{t}": r"\frac{\partial^{2} f}{\partial x^{2}} = \frac{d y}{d t}",
@@ -277,3 +279,52 @@ def test_formulas_that_another_one_is_to_follow_from(tmp_path: Path) -> None:
         (tmp_path / "p.toml").write_text(model.format(at, given))
         (fault,) = load_paper(tmp_path / "p.toml").faults
         assert "given: no formula" in str(fault)
+
+
+def outcomes(folder: Path, text: str, model: str) -> list[str]:
+    (folder / "p.md").write_text(text)
+    (folder / "p.toml").write_text('source = "p.md"\n' + model)
+    return [str(result.verdict.outcome) for result in judge_paper(load_paper(folder / "p.toml"))]
+
+
+POWERS = r"$$ \sin(x)^2 + \cos(x)^2 = 1 $$" "\n\n" r"$$ \sin(2x)^2 = 4\sin(x)^2\cos(x) $$"
+
+
+@pytest.mark.parametrize(
+    ("conventions", "expected"),
+    [("", ["unchecked"] * 2), ("[conventions]\npowers = 'values'\n", ["proved", "refuted"])],
+)
+def test_a_paper_says_what_a_power_behind_the_bracket_of_a_sine_is_of(
+    tmp_path: Path, conventions: str, expected: list[str]
+) -> None:
+    assert outcomes(tmp_path, POWERS, f"{conventions}[symbols]\nx = 'scalar'\n") == expected
+
+
+def test_letters_that_are_symbols_are_labels_of_several_names(tmp_path: Path) -> None:
+    model = "[symbols]\ni = 'scalar'\nj = 'scalar'\nr_i = 'vector'\nr_j = 'vector'\n"
+    model += "p_l = 'vector'\n[definitions]\nd_p = '2 p_1 + r_i - r_j'\n"
+    text = "$$ d_p = r_i - r_j + 2 p_1 $$\n\n$$ r_i = r_j $$\n\n$$ d_p = r_j - r_i $$"
+    assert outcomes(tmp_path, text, model) == ["proved", "unchecked", "refuted"]
+
+
+def test_what_an_equation_says_of_its_unknowns_leaves_open_what_follows_from_it(tmp_path: Path) -> None:
+    model = "[symbols]\nA = 'scalar'\nB = 'scalar'\nT = 'tensor'\nu = 'vector'\n"
+    assumed, used = r"$$ T = A \mathbf{I} + B T^2 $$", r"$$ T u - A u + A B u = B T T u + A B u $$"
+    assert outcomes(tmp_path, used, model) == ["refuted"]
+    assert outcomes(tmp_path, f"{assumed}\n\n{used}", model) == ["unchecked"] * 2
+    assert outcomes(tmp_path, f"{used}\n\n{assumed}", model) == ["refuted", "unchecked"]
+
+
+def test_a_letter_that_is_a_symbol_is_a_label_of_what_a_definition_names_too(tmp_path: Path) -> None:
+    model = "[symbols]\nj = 'scalar'\nJ_{v_j} = 'vector'\nJ_{w_j} = 'vector'\n"
+    model = model.replace("J_{v_j}", "'J_{v_j}'").replace("J_{w_j}", "'J_{w_j}'")
+    model += r"[definitions]" "\n" r"J_j = '\begin{pmatrix} J_{v_j} \\ J_{w_j} \end{pmatrix}'" "\n"
+    blocks = r"$$ J_j = \begin{pmatrix} J_{%s_j} \\ J_{%s_j} \end{pmatrix} $$"
+    text = "\n\n".join([blocks % ("v", "w"), blocks % ("w", "v")])
+    assert outcomes(tmp_path, text, model) == ["definition", "refuted"]
+
+
+def test_an_argument_that_depends_on_the_time_is_the_same_place(tmp_path: Path) -> None:
+    model = "[conventions]\narguments = ['q']\n[symbols]\nq = 'scalar'\np = 'scalar'\nR = 'rotation'\n"
+    text = "$$ R(q(t)) R(q)^T = \\mathbf{I} $$\n\n$$ R(p(t)) R^T = \\mathbf{I} $$"
+    assert outcomes(tmp_path, text, model) == ["proved", "unchecked"]

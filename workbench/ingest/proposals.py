@@ -77,6 +77,9 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
         yield _conventions("products", '"dyads"', 'the text says "dyad"', question, re.compile(""))
     ones = re.compile(r"(?<![\d.])1(?![\d.])")
     yield _conventions("one", '"unit"', "a number beside tensors", "Is 1 the unit tensor?", ones)
+    powers = re.compile(r"(?:sin|cos|tan)\s*(?:\\left\s*)?\([^()]*\)\s*\^")
+    question = r"Is \sin(x)^2 the power of the sine?"
+    yield _conventions("powers", '"values"', "a power behind a bracket", question, powers)
     yield from frames(together)
     question = r"Is \hat{x} the skew tensor of x?"
     hat = _notation(

@@ -98,7 +98,8 @@ def _head(key: str, table: SymbolTable, labels: Collection[str] = ()) -> _Head:
     for place in own[1]:
         if len(place.coefficients) != 1 or place.coefficients[0][1] != 1:
             raise SpecError(f"the index {place}; expected a number, or one letter plus a number", key)
-    if len({name for place in own[1] for name in place.variables}) != len(own[1]):
+    letters = [name for place in own[1] for name in place.variables]
+    if any(letters.count(name) > 1 for name in {*letters}.difference(table.frames)):
         raise SpecError("each index place needs a letter of its own", key)
     return _Head(key, (*spelling.candidates(), own), formals)
 
@@ -114,9 +115,15 @@ def _formal(node: Node, table: SymbolTable, key: str) -> Declaration:
 
 
 def _labels(head: _Head, body: str, table: SymbolTable) -> frozenset[str]:
-    """The letters in the places of indices, if the body speaks of none of them and no member is known."""
+    """The letters in the places of indices that are symbols or frames; or all, if the body speaks of none of
+    them and no member is known."""
+    if found := {
+        letter for letter in head.variables if Name(letter) in table.symbols or letter in table.frames
+    }:
+        return frozenset(found)
     own, places = head.own
-    is_spoken_of = any(re.search(rf"(?<![\\A-Za-z]){letter}(?![A-Za-z])", body) for letter in head.variables)
+    alone = r"(?<![\\A-Za-z])%s(?![A-Za-z]|\s*_)"  # p_1 is another symbol
+    is_spoken_of = any(re.search(alone % letter, body) for letter in head.variables)
     has_members = any(own.index_of(name) is not None for name in table.symbols)
     is_step = any(place.constant for place in places)
     return frozenset() if is_spoken_of or has_members or is_step or head.formals else head.variables

@@ -25,7 +25,10 @@ class Hand:
 
     def __init__(self, table: SymbolTable) -> None:
         self._table = table
-        entries = (*table.notations.entries, *map(_derivative_in, table.frames))
+        entries = (
+            *table.notations.entries,
+            *(_derivative_in(frame) for frame in table.frames if frame != table.dot),
+        )
         meanings = ((entry, _meaning(entry, table)) for entry in entries)
         known = [(entry, meaning) for entry, meaning in meanings if meaning is not None]
         self._entries = sorted(known, key=lambda pair: -sum(1 for _ in pair[1].walk()))

@@ -87,8 +87,9 @@ class Frames:
             self.places[point] = plus(self.origin(frame), turned(self.orientation(frame), offset))
 
     def put(self, point: str) -> None:
-        """The place of a point that is given; `define` says later what it is."""
-        if point in self.places:
+        """The place of a point that is given, and of the frame that has its origin there; `define` says later
+        what it is."""
+        if point in self.places and self.places[point] not in self.origins.values():
             raise SpecError(f"{point} is fixed, too", "place")
         self.place(point)
 
@@ -173,6 +174,12 @@ PHRASES: tuple[tuple[str, Type, str, Callable[..., Term]], ...] = (
         VECTOR,
         "FG",
         lambda f, F, G: f.rate(F, minus(f.origin(G), f.origin(F))),
+    ),
+    (
+        r"acceleration of the origin of (?P<G>\w) in (?P<F>\w)",
+        VECTOR,
+        "FG",
+        lambda f, F, G: f.rate(F, f.rate(F, minus(f.origin(G), f.origin(F)))),
     ),
     (r"acceleration of (?P<P>\w) in (?P<F>\w)", VECTOR, "F", lambda f, P, F: f.rate(F, f.velocity(P, F))),
 )

@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 from workbench.language.definitions import Definitions
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import key_spelling
-from workbench.language.naming.spelling import Spelling, bracketed, in_bracket, spell_label
+from workbench.language.naming.spelling import Spelling, in_bracket, spell_label, under_accent
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.typed.construct import apply, block, identity, number, relation
+from workbench.language.typed.construct import apply, block, identity, number, relation, zero
 from workbench.language.typed.errors import Fault, ReadError, SpecError
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Conjunction, Definition, IllFormed, Term
@@ -55,6 +55,13 @@ def require_rotations(turns: Sequence[Turn], definitions: Definitions) -> None:
             raise turn.file.error_at_key(
                 ("frames", "orientation"), f"orientation: that of {turn.frame} {why}"
             )
+
+
+def frame_labels(files: Sequence[TomlFile]) -> frozenset[str]:
+    """The labels of frames and points in [frames] and [points], as far as these are lists of texts."""
+    found = [file.value((table, "names"), list, []) for file in files for table in ("frames", "points")]
+    bases = [file.value(("frames", "base"), str, "") for file in files]
+    return frozenset(label for labels in (*found, bases) for label in labels if isinstance(label, str))
 
 
 def framed(files: Sequence[TomlFile], table: SymbolTable) -> tuple[SymbolTable, list[Definition], list[Turn]]:
@@ -119,10 +126,15 @@ class _Reader:
         for at, (point, said) in enumerate(placed.items()):
             later = {label(other) for other in list(placed)[at:]}
             frames.define(frames.place(label(point)), self.placed(said, later))
-        phrases = [str(said) for entry in ("frames", "points") for said in self.entries[entry].values()]
+        phrases = [
+            str(said)
+            for table in self.entries.values()
+            for key, said in table.items()
+            if key not in (*_FRAME_KEYS, *_POINT_KEYS)
+        ]
         has_components = any(re.search(_OF_COMPONENTS, said) for said in phrases)
         turns = {} if has_components else {frame: frames.orientation(frame) for frame in frames.labels}
-        dot = self.entries["frames"].get("dot")
+        dot = self.entries["frames"].get("dot", frames.base if self.are_columns(phrases) else None)
         if dot is not None:
             self.known(label(str(dot)), frames.labels, "dot")
         for declaration in frames.declarations.values():
@@ -141,6 +153,16 @@ class _Reader:
             directions=None if self.table.directions is None else frozenset(frames.directions),
         )
         return table, frames.definitions
+
+    def are_columns(self, phrases: Sequence[str]) -> bool:
+        """Whether all vectors are columns of components, whose dot needs no frame."""
+        known = [
+            phrase
+            for phrase in phrases
+            if any(re.fullmatch(p, _RESOLVED.sub("", phrase)) for p, *_ in PHRASES)
+        ]
+        resolved = [phrase for phrase in phrases if re.search(_OF_COMPONENTS, phrase)]
+        return known == resolved == phrases and "axes" not in self.entries["frames"] and bool(phrases)
 
     def orientation(self, frame: str, said: Any, later: Collection[str]) -> Term:
         """Q of a frame, in columns of the base, where the text says what it is: a matrix, the frame that a
@@ -169,7 +191,8 @@ class _Reader:
         if not isinstance(said, list) or len(said) != 2 or not all(isinstance(text, str) for text in said):
             raise SpecError("expected another point and the vector from there", "place")
         self.known(label(said[0]), self.frames.points, "place")
-        if label(said[0]) in later:
+        start, unknown = self.frames.place(label(said[0])), [self.frames.place(point) for point in later]
+        if any(part in unknown for part in start.walk()):
             raise SpecError(f"that of {said[0]} is to be given before", "place")
         table = self.table
         for declaration in self.frames.axes:
@@ -181,7 +204,7 @@ class _Reader:
             raise SpecError(str(error), "place") from None
         if shift.type != VECTOR:
             raise SpecError(f"expected a vector, got a {shift.type}", "place")
-        return plus(self.frames.place(label(said[0])), shift)
+        return plus(start, shift)
 
     def known(self, name: str, names: Sequence[str], key: str) -> None:
         if name not in names:
@@ -222,11 +245,12 @@ class _Reader:
         for chosen in product(*choices):
             given = dict(zip(names, chosen, strict=True))
             arguments = {role: given[letter] for letter, role in letters.items()}
-            if len(letters) > 1 and len(set(arguments.values())) < 2:
-                continue  # {}^A ω^A
+            is_zero = len(letters) > 1 and len(set(arguments.values())) < 2  # {}^A ω^A
+            if is_zero and type_ is not VECTOR:
+                continue
             name = named(given)
-            body = make(self.frames, **arguments)
-            if where is not None:
+            body = zero(VECTOR) if is_zero else make(self.frames, **arguments)
+            if where is not None and not is_zero:
                 body = self.frames.resolved(given[where], body)
             if name not in self.table.symbols:
                 self.frames.defined(name, type_, body)
@@ -283,8 +307,9 @@ def _unit(place: int) -> Term:
 def _spelled(key: str) -> tuple[set[Any], Callable[[Mapping[str, str]], Name]]:
     """What stands in a spelling, and its name with other letters: of [BN], too."""
     spelling = _spelling(key)
-    if (letters := in_bracket(parse(key).lines[0][0])) is not None:
-        return set(letters), lambda given: bracketed([given.get(letter, letter) for letter in letters])
+    node = parse(key).lines[0][0]
+    if (pair := in_bracket(node) or under_accent(node)) is not None:
+        return set(pair.labels), lambda given: pair.exchanged(given).name
     texts = {piece for _, pieces in spelling.scripts for piece in pieces} | {spelling.letter.letter}
     return texts, lambda given: spelling.exchanged(given).exact
 

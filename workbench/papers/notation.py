@@ -13,7 +13,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Definition, Symbol
-from workbench.papers.frames import framed, require_rotations
+from workbench.papers.frames import frame_labels, framed, require_rotations
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot
 from workbench.papers.ties import ties
@@ -21,14 +21,16 @@ from workbench.papers.toml.toml_file import TomlFile
 
 HAMILTON = "hamilton, scalar first"
 #: What each convention may be. points: what a transform makes of one, the column of four or the vector of its
-#: first three; products: vectors beside each other; one: a number beside tensors.
+#: first three; products: vectors beside each other; one: a number beside tensors; powers: \\sin(x)^2.
 CONVENTIONS = {
     "quaternion": (HAMILTON,),
     "gradient": ("row", "column"),
     "points": ("homogeneous", "vectors"),
     "products": ("dyads", "matrices"),
     "one": ("unit", "scalar"),
+    "powers": ("values",),
 }
+_LOOSE = ("products", "one", "powers")
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
 
@@ -42,7 +44,7 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
         gradient=_convention(files, "gradient"),
         directions=frozenset() if _convention(files, "points") else None,
         keeps_points=_convention(files, "points") == "vectors",
-        loose=frozenset(found for key in ("products", "one") if (found := _convention(files, key))),
+        loose=frozenset(found for key in _LOOSE if (found := _convention(files, key))),
         bare_functions=frozenset(n for file in files for n in file.texts(("conventions", "functions"))),
     )
     table = _spellings(files, table)
@@ -143,7 +145,7 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable
                 spec = {**spec, "kind": spec["kind"].replace("quaternion", "hamilton quaternion")}
             specs[key], owners[key] = spec, file
     try:
-        return SymbolTable.build(specs)
+        return SymbolTable.build(specs, frame_labels((*files, *scopes)))
     except SpecError as error:
         raise owners[error.key].error_at_key(("symbols", error.key), str(error)) from None
 

@@ -111,7 +111,8 @@ def _lefts(statement: Statement) -> Iterator[Term]:
 
 
 def with_said(claims: Sequence[Claim]) -> list[Claim]:
-    """The claims, each with what earlier ones say of the symbols that it uses."""
+    """The claims, each with what earlier ones say of the symbols that it uses: also those that hold one once
+    (`says`), of which no identity speaks."""
     said: dict[Declaration, list[Said]] = {}
     made = []
     for claim in claims:
@@ -120,13 +121,16 @@ def with_said(claims: Sequence[Claim]) -> list[Claim]:
             made.append(claim)
             continue
         made.append(replace(claim, rests=_rests(statement, notation.definitions, said)))
+        free = free_in(terms_of(statement), notation.definitions)
+        about, definition = {each for each in free if SAYS.format(each.name) == claim.says}, None
         if (found := _stated(statement, notation)) is not None:
             symbol, definition = found
-            name = str(symbol.declaration.name)
+            is_framed = symbol.declaration.name in notation.framed
+            about = free_in([symbol], notation.definitions) if is_framed else {symbol.declaration}
+        for declaration in about:
+            name = str(symbol.declaration.name if found else declaration.name)
             saying = Said(name, claim.id, definition, statement, claim.supposed, claim.orders)
-            of = [symbol.declaration] if symbol.declaration.name not in notation.framed else []
-            for declaration in of or free_in([symbol], notation.definitions):
-                said.setdefault(declaration, []).append(saying)
+            said.setdefault(declaration, []).append(saying)
     return made
 
 

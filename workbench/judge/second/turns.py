@@ -92,6 +92,8 @@ class Turns:
 
     def _part_of_circle(self, angle: Term, factor: Fraction, depth: int) -> tuple[Value, Value]:
         """cos and sin of factor · ω t and the like, from those of the part that has a circle of its own."""
+        if isinstance(angle, Symbol) and factor.denominator == 1:
+            return self._repeated(self._free_circle(angle, depth), int(factor), depth)
         for part in self._source.circles():
             own = angle_parts(part, self._definitions)
             if list(own) == [angle] and (factor / own[angle]).denominator == 1:

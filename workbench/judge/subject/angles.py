@@ -23,6 +23,7 @@ Sum = dict[tuple[Term, ...], Fraction]
 
 _ROUND = frozenset({"sin", "cos", "exp"})
 NO_ANGLE = "the sine or cosine of anything but a rational combination of angles"
+NESTED = "a sine, cosine or exponential within a sine or cosine"
 
 
 def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
@@ -52,6 +53,8 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
             if any(isinstance(p, Apply) and p.head in _ROUND for p in reached(term, definitions)):
                 raise NotExact("a sine or cosine of what holds another one")
             parts[term] = coefficient
+    if next(round_terms(parts, definitions, set()), None) is not None:
+        raise NotExact(NESTED)
     return parts
 
 

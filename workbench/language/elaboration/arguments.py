@@ -4,7 +4,7 @@ a bracket, since f(x) and f(y) are two values."""
 from __future__ import annotations
 
 from workbench.language.grammar.latex import latex_of
-from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Scripted, Styled
+from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled
 from workbench.language.naming.declarations import key_spelling
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Spelling
@@ -51,13 +51,14 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     (part,) = bracket.parts
     if term.type.kind == "operator":
         return isinstance(part, Styled) and isinstance(scope.term(part), TimeOperator)
+    if scope.is_time(part):
+        return True
     if is_argument(scope, part):
-        only_says = term.type.kind != "scalar" or scope.term(part).type.kind != "scalar"
+        is_product = not isinstance(function, Symbol) or function.declaration.constant
+        only_says = not is_product or {term.type.kind, scope.term(part).type.kind} != {"scalar"}
         if only_says:
             _take_place(scope, bracket, term)
         return only_says
-    if scope.is_time(part):
-        return True
     if is_accented_symbol(_without_sup(term)) and _may_be_argument(scope, part, term):
         raise Fault(_OR_A_PRODUCT, bracket.at)
     return False
@@ -93,7 +94,7 @@ def _is_no_place(scope: Scope, bracket: Bracket, function: Symbol) -> bool:
 
 def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     """Raises Fault where a symbol is taken at another place in the formula, or by its definition."""
-    parts = [part for part in bracket.parts if not scope.is_time(part)]
+    parts = [_without_time(scope, part) for part in bracket.parts if not scope.is_time(part)]
     place = tuple(map(latex_of, parts))
     inside = set().union(*map(_names, parts))
     inside = inside.union(*(scope.table.depends.get(name, ()) for name in inside))
@@ -109,7 +110,16 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
 
 def is_argument(scope: Scope, part: Node) -> bool:
     """Whether the paper says that f(x) is f, which depends on x; f(\\dot{x}) is f then, too."""
-    return bool(scope.table.arguments) and not scope.table.arguments.isdisjoint(_names(part))
+    known = scope.table.arguments
+    return bool(known) and not known.isdisjoint(_names(_without_time(scope, part)))
+
+
+def _without_time(scope: Scope, part: Node) -> Node:
+    """q of q(t)."""
+    match part:
+        case Product(items=(argument, Bracket(kind="(", parts=(time,)))) if scope.is_time(time):
+            return argument
+    return part
 
 
 def _names(part: Node) -> set[Name]:

@@ -53,7 +53,11 @@ def function(row: Row, place: int) -> Factor:
         return _root(row, leaf, place)
     if head == "det" and item is leaf and (found := of_vectors(row.scope, row.items[place + 1])):
         return Factor(found, leaf.at, place + 2, item)
-    argument, end = _argument(row, head, leaf, place + 1)
+    behind = row.items[place + 1]
+    if item is leaf and _is_power_of_value(row, head, behind):
+        item, argument, end = replace(behind, nucleus=leaf), row.scope.term(behind.nucleus), place + 2
+    else:
+        argument, end = _argument(row, head, leaf, place + 1)
     if head == "skew" and argument.type.kind == "tensor":
         head = "antisymmetric"
     term = row.scope.build(leaf.at, value_of, head, argument)
@@ -65,6 +69,12 @@ def function(row: Row, place: int) -> Factor:
             raise Fault("an inverse function or an inverse value? bracket the value", item.at)
         term = row.scope.build(item.at, construct.power, term, exponent)
     return Factor(term, leaf.at, end, item)
+
+
+def _is_power_of_value(row: Row, head: str, behind: Node) -> bool:
+    """\\sin(x)^2, where the paper says that it is (\\sin x)^2."""
+    is_power = isinstance(behind, Scripted) and isinstance(behind.nucleus, Bracket) and behind.sup is not None
+    return is_power and head in OF_ANGLES and "values" in row.scope.table.loose
 
 
 def _of_the_paper(row: Row, item: Node, leaf: Leaf, place: int) -> Factor | None:

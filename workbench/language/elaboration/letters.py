@@ -29,7 +29,7 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.scope import Scope
-from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, spell
+from workbench.language.naming.spelling import INDEX_LETTERS, Scripts, spell, under_accent
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit, Unranged
 from workbench.language.typed.integers import Linear
@@ -94,7 +94,7 @@ class _Lettering:
             case Group(parts=(Product(items=(Scripted(nucleus=Group(parts=())) as left, body)),)):
                 return self.read(body, replace(scripts, left_sub=left.sub, left_sup=left.sup), styles)
         if styles:
-            raise Fault(f"{styles[-1]} of more than one symbol", node.at)
+            return self.of_a_pair(node, styles), scripts.sup
         only = scripts.sub if scripts == Scripts(sub=scripts.sub, sup=scripts.sup) else None
         if only is not None and (norm := subscripted_norm(self.scope, node, only)) is not None:
             return norm, scripts.sup
@@ -111,6 +111,15 @@ class _Lettering:
         for _ in range(scripts.primes):
             term = notated(self.scope, node.at, entries, term, "the prime")
         return term, scripts.sup
+
+    def of_a_pair(self, node: Node, styles: tuple[str, ...]) -> Term:
+        """\\vec{AB}, which must be declared."""
+        pair = under_accent(node, styles)
+        declared = None if pair is None else self.scope.table.symbols.get(pair.name)
+        if declared is None:
+            hint = "" if pair is None else f"; {pair.name} may be declared as one"
+            raise Fault(f"{styles[-1]} of more than one symbol{hint}", node.at)
+        return self.scope.build(node.at, construct.symbol, declared)
 
     def sized(self, node: Node, sub: Node) -> Term:
         """What stands in a bracket or is a matrix, with its size below it."""

@@ -7,6 +7,7 @@ from collections.abc import Collection
 from dataclasses import dataclass, replace
 
 from workbench.language.grammar.syntax import Infix, Leaf, Node, Product, Scripted, core
+from workbench.language.naming.declarations import UNIT
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.spelling import Scripts, spell, variable_name
 from workbench.language.naming.symbols import SymbolTable
@@ -14,7 +15,9 @@ from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.types import CLOCK, Declaration, Type
 
-_UNITS = frozenset((Name("I", ("\\mathbf",)), Name("I", ("\\underline", "\\mathbf"))))
+_UNITS = frozenset((UNIT, Name("I", ("\\underline", "\\mathbf"))))
+_FONTS = ((), ("\\boldsymbol",), ("\\mathrm",), ("\\mathbb",), ("\\mathit",), ("\\mathsf",), ("\\mathcal",))
+_ANY_FONT = frozenset(Name("I", styles) for styles in _FONTS)
 _PLAIN = frozenset((Name("\\varepsilon"), Name("D", ("\\mathbf",)), CLOCK.name))
 #: e^x and C_n^k.
 EXPONENTIALS = frozenset((Name("e"), Name("e", ("\\mathrm",))))
@@ -85,7 +88,9 @@ def _built_in(letter: Name, scripts: Scripts) -> Meaning | None:
     if scripts.left_sub is not None or scripts.left_sup is not None or scripts.primes:
         return None
     sub, sup = scripts.sub, scripts.sup
-    size, _ = size_below(sub)
+    size, is_single = size_below(sub)
+    if letter in _ANY_FONT and size and size.is_square and not is_single:
+        return Meaning(UNIT, sup)  # I_{3 \times 3}
     if (sub is None and letter in _PLAIN | _UNITS) or (size and size.is_square and letter in _UNITS):
         return Meaning(letter, sup)
     if sup is not None and letter in (EXPONENTIALS if sub is None else _COMBINATIONS):

@@ -32,7 +32,7 @@ def summation(scope: Scope, node: Summation, body: Callable[[], Term]) -> Term:
         names, start, end = _bounds(scope, node, *lower.sides)
     with scope.bound(names, node.at):
         term = body()
-    if over_all and over_all not in free_integers(term):
+    if over_all and node.upper is None and over_all not in free_integers(term):
         raise Fault(expected, node.at)
     return scope.build(node.at, construct.big_sum, names, start, end, term)
 

@@ -26,7 +26,7 @@ from workbench.language.naming.symbols import may_be_label
 from workbench.language.typed import construct, instances
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Derivative, IllFormed, Symbol, Term, Zero
+from workbench.language.typed.terms import Derivative, IllFormed, Symbol, Term
 
 
 def refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
@@ -116,7 +116,7 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
         case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
             raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)
         case _ if is_transpose(inner):
-            return term if isinstance(term, Zero) else scope.apply(sup.at, "transpose", term)
+            return scope.apply(sup.at, "transpose", term)
         case Sum(addends=(("-", _, below),)) if is_transpose(below):
             return raised(scope, scope.apply(sup.at, "inverse", term), below)
         case Leaf(kind="MARK", text="*") if not (term.type.is_square or term.type.kind == "quaternion"):

@@ -25,6 +25,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "nabla": ("LETTER", "\\nabla"),
     "bm": ("STYLE", "\\boldsymbol"),
     "widehat": ("STYLE", "\\hat"),
+    "overrightarrow": ("STYLE", "\\vec"),
     "dot": ("ACCENT", "1"),
     "ddot": ("ACCENT", "2"),
     "dddot": ("ACCENT", "3"),

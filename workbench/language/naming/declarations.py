@@ -23,11 +23,11 @@ from workbench.language.naming.spelling import (
     Named,
     Scripts,
     Spelling,
-    bracketed,
     in_bracket,
     linear,
     prefixed,
     spell,
+    under_accent,
 )
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.integers import Linear
@@ -84,8 +84,8 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
     """The spelling of a declared name, where index letters count as integers, save those in `labels`. Raises
     SpecError."""
     left_sub = left_sup = None
-    if (letters := in_bracket(node)) is not None:
-        return Spelling(bracketed(letters), ())
+    if (pair := in_bracket(node) or under_accent(node)) is not None:
+        return Spelling(pair.name, ())
     match node:
         case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
             left_sub, left_sup, node = left.sub, left.sup, core(right)

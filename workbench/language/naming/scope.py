@@ -12,7 +12,6 @@ from workbench.language.grammar.syntax import Accented, Bracket, Group, Leaf, No
 from workbench.language.naming.notations import is_shape
 from workbench.language.naming.spelling import (
     Named,
-    bracketed,
     in_bracket,
     linear,
     linear_or_none,
@@ -132,16 +131,16 @@ class Scope(ABC):
         match node:
             case Bracket(kind="[", parts=(Accented(accent="1" | "2" as dots, body=body),)):
                 within, order = replace(node, parts=(body,)), int(dots)
-        letters = in_bracket(within)
-        if letters is None:
+        pair = in_bracket(within)
+        if pair is None:
             return None
-        if (declared := self.table.symbols.get(bracketed(letters))) is not None:
+        if (declared := self.table.symbols.get(pair.name)) is not None:
             term = self.build(node.at, construct.symbol, declared)
             return self.rate(node.at, term, Linear(order), None) if order else term
-        if all(letter in self.table.frames for letter in letters):
-            name, phrase = bracketed(letters), f"rotation to {letters[0]} from {letters[1]}"
+        if all(label in self.table.frames for label in pair.labels):
+            phrase = f"rotation to {pair.labels[0]} from {pair.labels[1]}"
             message = "a product of two symbols, or the matrix of two frames? [frames] says the latter"
-            raise Fault(f"{name}: {message}: '{name}' = \"{phrase}\"", node.at)
+            raise Fault(f"{pair.name}: {message}: '{pair.name}' = \"{phrase}\"", node.at)
         return None
 
     def build(self, at: int, make: Callable[..., Result], *arguments) -> Result:

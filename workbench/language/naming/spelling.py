@@ -21,7 +21,7 @@ from workbench.language.grammar.syntax import (
 from workbench.language.grammar.vocabulary import CLOSING, written
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import SCRIPTS, Name
+from workbench.language.typed.names import ACCENTS, SCRIPTS, Name
 
 #: Indices, orders and exponents beyond this are refused.
 LARGEST_INTEGER = 1000
@@ -133,9 +133,9 @@ class Spelling:
         return replace(self.letter, **made) if made else self.letter, tuple(index)
 
     def exchanged(self, texts: Mapping[str, str]) -> Spelling:
-        """The same with other letters and labels."""
+        """The same with other letters and labels: of T_{FG}, T_{0e} and T_{01}."""
         scripts = (
-            (field, tuple(texts.get(p, p) if isinstance(p, str) else p for p in pieces))
+            (field, _with_figures_together([texts.get(p, p) if isinstance(p, str) else p for p in pieces]))
             for field, pieces in self.scripts
         )
         letter = texts.get(self.letter.letter, self.letter.letter)
@@ -161,6 +161,16 @@ class Spelling:
         return str(self.exact)
 
 
+def _with_figures_together(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+    """0 and 1 beside each other as they are written, 01."""
+    figures = [isinstance(piece, str) and piece.isdigit() and len(piece) == 1 for piece in pieces]
+    apart = (
+        figures[max(place - 1, 0)] and figures[min(place + 1, len(pieces) - 1)]
+        for place in range(len(pieces))
+    )
+    return tuple(piece for piece, between in zip(pieces, apart, strict=True) if piece != " " or not between)
+
+
 def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spelling | None:
     """The spelling of a letter with what surrounds it; None if it is no name."""
     found = []
@@ -175,29 +185,58 @@ def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spellin
     return Spelling(primed, tuple(found))
 
 
-def in_bracket(node: Node) -> tuple[str, ...] | None:
-    """The letters of [BN], a matrix that is named by its two frames; of [BN(t)], too."""
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Two labels that name what goes from one to the other: [BN], a matrix of two frames, and \\vec{AB}.
+
+    styles: those over both; none for [BN].
+    """
+
+    labels: tuple[str, ...]
+    styles: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> Name:
+        first = self.labels[0]
+        ends_in_word = first.startswith("\\") and first[-1].isalpha()
+        both = (" " if ends_in_word else "").join(self.labels)
+        return Name.styled(self.styles, both) if self.styles else Name(f"[{both}]")
+
+    def exchanged(self, texts: Mapping[str, str]) -> Pair:
+        """The same with other labels."""
+        return replace(self, labels=tuple(texts.get(label, label) for label in self.labels))
+
+
+def in_bracket(node: Node) -> Pair | None:
+    """[BN], and [BN(t)]."""
     match node:
         case Bracket(kind="[", parts=(part,)) if isinstance(inner := core(part), Product):
             *letters, last = inner.items
             is_of_time = isinstance(last, Bracket) and _spell_script(last, ()) == ["(", "t", ")"]
-            spelled = [_spell_script(each, ()) for each in ([*letters] if is_of_time else inner.items)]
-            is_name = len(spelled) == 2 and all(map(_is_label, inner.items[:2]))
-            return tuple("".join(map(str, pieces)) for pieces in spelled) if is_name else None
+            return _pair(letters if is_of_time else inner.items)
     return None
 
 
+def under_accent(node: Node, styles: tuple[str, ...] = ()) -> Pair | None:
+    """\\vec{AB}; or AB, which stands under these styles."""
+    inner = core(node)
+    if isinstance(inner, Styled):
+        return under_accent(inner.body, (*styles, inner.style))
+    return _pair(inner.items, styles) if isinstance(inner, Product) and ACCENTS & {*styles} else None
+
+
+def _pair(nodes: Sequence[Node], styles: tuple[str, ...] = ()) -> Pair | None:
+    spelled = [_spell_script(each, ()) for each in nodes]
+    if len(spelled) != 2 or not all(map(_is_label, nodes)):
+        return None
+    return Pair(tuple("".join(map(str, pieces)) for pieces in spelled), styles)
+
+
 def _is_label(node: Node) -> bool:
-    inner = node.nucleus if isinstance(node, Scripted) and not (node.sup or node.primes) else node
+    inner = node.nucleus if isinstance(node, Scripted) and not node.sup else node
     while isinstance(inner, Styled):
         inner = core(inner.body)
     return isinstance(inner, Leaf) and inner.kind == "LETTER"
-
-
-def bracketed(letters: Sequence[str]) -> Name:
-    """The name [BN]."""
-    ends_in_word = letters[0].startswith("\\") and letters[0][-1].isalpha()
-    return Name(f"[{(' ' if ends_in_word else '').join(letters)}]")
 
 
 def refuse_operation(name: Name, key: str) -> None:

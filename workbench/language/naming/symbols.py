@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cached_property
@@ -20,7 +20,7 @@ from workbench.language.naming.declarations import (
     refuse_builtin,
 )
 from workbench.language.naming.notations import Notation, Notations
-from workbench.language.naming.spelling import Named, Spelling, refuse_operation
+from workbench.language.naming.spelling import INDEX_LETTERS, Named, Spelling, refuse_operation
 from workbench.language.typed.construct import symbol
 from workbench.language.typed.errors import SpecError
 from workbench.language.typed.integers import Linear
@@ -68,17 +68,20 @@ class SymbolTable:
     directions: frozenset[Name] | None = None
     #: whether T p of a point p is the moved point itself, R p + t
     keeps_points: bool = False
-    #: what is read loosely: "dyads", where x y is x ⊗ y and x · T is Tᵀ x; "unit", where 1 may be that tensor
+    #: what is read loosely: "dyads", where x y is x ⊗ y and x · T is Tᵀ x; "unit", where 1 may be a tensor;
+    #: "values", where \\sin(x)^2 is (\\sin x)^2
     loose: frozenset[str] = frozenset()
     #: whether what it says of an unknown symbol names those that are close
     names_close: bool = True
 
     @staticmethod
-    def build(specs: Mapping[str, Mapping[str, Any]]) -> SymbolTable:
+    def build(specs: Mapping[str, Mapping[str, Any]], labels: Collection[str] = ()) -> SymbolTable:
         """The table of a paper's [symbols]: LaTeX key → {kind, weight, constant, unit, coordinate,
-        uniform, of, aliases, note}. Raises SpecError."""
+        uniform, of, aliases, note}. The letters in `labels`, such as those of frames, are no indices. Raises
+        SpecError."""
         symbols: dict[Name, Declaration] = {}
         functions: dict[Name, Sequence[str]] = {}
+        letters = INDEX_LETTERS.intersection((*specs, *labels))
         for key, spec in specs.items():
             name, index = read_key(key)
             declared = read_declaration(key, name, index, spec)
@@ -91,12 +94,13 @@ class SymbolTable:
                 if places != index:
                     raise SpecError(f"the indices of {alias} differ from those of {key}", key)
                 if other in symbols:
+                    if read_key(alias, letters)[0] != other:
+                        continue  # T_n beside T_m and symbols m and n
                     raise SpecError(f"{alias} is declared twice", key)
                 refuse_operation(other, key)
                 if other != UNIT:
                     refuse_builtin(other, declared.type, key)
                 symbols[other] = declared
-        letters = frozenset(name.letter for name in symbols if name == Name(name.letter))
         for key, spec in specs.items():
             name, index = read_key(key, letters)
             if name not in symbols:  # T_m beside a symbol m

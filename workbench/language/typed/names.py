@@ -32,6 +32,9 @@ _OUTERMOST_FIRST = (
     "\\tilde",
 )
 
+#: Marks over a letter, which may stand over two that are one name: \\vec{AB}.
+ACCENTS = frozenset(_OUTERMOST_FIRST).difference(PREFIXES)
+
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Name:

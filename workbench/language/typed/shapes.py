@@ -18,7 +18,7 @@ def multiple(term: Term) -> Literal["zero", "identity"] | None:
             return "zero"
         case Identity():
             return "identity"
-        case Apply(head="neg" | "div"):
+        case Apply(head="neg" | "div" | "transpose"):
             return multiple(term.arguments[0])
         case Apply(head="mul", arguments=(left, right)):
             if left.type.kind == "scalar":
@@ -38,6 +38,8 @@ def filling(term: Term) -> Literal["zero", "identity"] | None:
     """What a term without a shape of its own is a multiple of; None for a term that has a shape, such as
     the zero 𝟎_{3×3}."""
     found = multiple(term)
+    if isinstance(term, Apply) and term.head == "transpose":
+        term = term.arguments[0]
     return None if found == "zero" and term.type.kind not in ("scalar", "vector") else found
 
 
@@ -51,6 +53,8 @@ def shaped(term: Term, type_: Type) -> Term:
             raise IllFormed("the unit tensor in a place of one row and one column")
         case Zero() | Identity():
             return replace(term, type=type_.with_dual(False))
+        case Apply(head="transpose", arguments=(turned,)):
+            return shaped(turned, type_)
         case Apply(head="mul", arguments=(left, right)) if left.type.kind == "scalar":
             arguments = (left, shaped(right, type_))
         case Apply(head="add"):
@@ -61,7 +65,7 @@ def shaped(term: Term, type_: Type) -> Term:
 
 
 def with_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
-    """A 1 beside, above or below a square block is the unit tensor: [1 0; T 1]."""
+    """A 1 or −1 beside, above or below a square block is one of the unit tensor: [1 0; T -1]."""
     blocks = [[each.type.rows > 1 and each.type.is_square for each in row] for row in entries]
     high = [any(row) for row in blocks]
     wide = [any(column) for column in zip(*blocks, strict=True)]
@@ -72,7 +76,13 @@ def with_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
 
 
 def _unit(entry: Term) -> Term:
-    return Identity(TENSOR, entry.weight) if isinstance(entry, Number) and entry.value == 1 else entry
+    unit = Identity(TENSOR, entry.weight)
+    match entry:
+        case Number(value=1):
+            return unit
+        case Number(value=-1) | Apply(head="neg", arguments=(Number(value=1),)):
+            return Apply(TENSOR, entry.weight, "neg", (unit,))
+    return entry
 
 
 def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[int, ...]]:

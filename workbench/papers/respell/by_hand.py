@@ -95,7 +95,8 @@ def _label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     if tokens[place].text not in FACES or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
         return None
     end = behind(tokens, place + 1)
-    inside = [token for token in tokens[place + 2 : end - 1] if token.text not in ("{", "}", " ", "\\cal")]
+    dropped = ("{", "}", " ", tokens[place].text, "\\cal")
+    inside = [token for token in tokens[place + 2 : end - 1] if token.text not in dropped]
     if [token.text for token in inside[1::2]] != ["/"] or len(inside) != 3:
         return None
     face = tokens[place]
@@ -107,10 +108,17 @@ def _label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     return [*made, face.standing_for("}")], end
 
 
+def _holds_one(tokens: list[Token], place: int) -> bool:
+    return [token.text for token in tokens[place : place + 3 : 2]] == ["{", "}"]
+
+
 def _nested_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\text{\\text{sc}} as \\text{sc}; \\textit{sc} too, which is a label as well."""
+    """\\text{\\text{sc}} as \\text{sc}; \\textit{sc} too, which is a label as well;
+    \\textit{i} as i."""
     if tokens[place].text in ("\\textit", "\\textsf", "\\textup", "\\textnormal", "\\textsl", "\\texttt"):
-        return [tokens[place].standing_for("\\text")], place + 1
+        letter = tokens[place + 2 : place + 3] if _holds_one(tokens, place + 1) else []
+        is_italic = letter and tokens[place].text == "\\textit" and letter[0].text.isalpha()
+        return (letter, place + 4) if is_italic else ([tokens[place].standing_for("\\text")], place + 1)
     if tokens[place].text not in TEXTS or place + 2 >= len(tokens) or tokens[place + 1].text != "{":
         return None
     inner = tokens[place + 2].text in TEXTS and behind(tokens, place + 3) == behind(tokens, place + 1) - 1

@@ -27,16 +27,20 @@ _SWITCHES = {
 
 
 def with_typefaces(tokens: Sequence[Token]) -> Iterator[Token]:
-    """{\\rm v} as \\mathrm{v}."""
+    """{\\rm v} as \\mathrm{v}, and so \\bf{v}, of which authors mean no more."""
     skip_to = -1
     for place, token in enumerate(tokens):
         if place < skip_to:
             continue
         after = _past_spaces(tokens, place + 1)
-        switch = _SWITCHES.get(tokens[after].text) if token.text == "{" and after < len(tokens) else None
-        if switch is not None:
-            yield tokens[after].standing_for(switch)
-            skip_to = _past_spaces(tokens, after + 1)
+        following = _text(tokens, after)
+        if token.text in _SWITCHES and following == "{":
+            yield token.standing_for(_SWITCHES[token.text])
+            continue
+        inside = _past_spaces(tokens, after + 1)
+        if token.text == "{" and following in _SWITCHES and _text(tokens, inside) != "{":
+            yield tokens[after].standing_for(_SWITCHES[following])
+            skip_to = inside
         yield token
 
 
@@ -77,6 +81,10 @@ def _behind_group(tokens: Sequence[Token], place: int) -> int:
         if depth == 0:
             return end + 1
     return len(tokens)
+
+
+def _text(tokens: Sequence[Token], place: int) -> str:
+    return tokens[place].text if place < len(tokens) else ""
 
 
 def _past_spaces(tokens: Sequence[Token], place: int) -> int:

@@ -104,5 +104,7 @@ def _label_behind(tokens: list[Token], end: int, closing: list[str]) -> tuple[li
 def _is_label(label: list[Token]) -> bool:
     """Whether it names a frame, and is no power or condition."""
     texts = [text for text in printed(label) if text not in ("{", "}")]
+    if texts[:1] in (["\\times"], ["\\wedge"], ["\\vee"]):
+        return False  # [\dot{x}]_\times
     is_word = len(texts) > 2 and all(text.isalpha() for text in texts)
     return bool(texts) and (texts[0].startswith("\\") or texts[0].isupper() or is_word) and "=" not in texts

@@ -43,7 +43,6 @@ _RENAMED = {
     "vu": "\\hat",
     "cross": "\\times",
     "vdot": "\\cdot",
-    "overrightarrow": "\\vec",
     "mathbfup": "\\mathbf",
     "lbrace": "\\{",
     "rbrace": "\\}",
@@ -132,13 +131,19 @@ def _with_words(tokens: list[Token], words: Collection[str]) -> Iterator[Token]:
     while place < len(tokens):
         word = next((word for word in words if _spells(tokens[place : place + len(word)], word)), None)
         is_inverse = any(_spells(tokens[max(0, place - len(arc)) : place], arc) for arc in ("arc", "a"))
-        if word is None or is_inverse:
+        if word is None or is_inverse or _is_upright(tokens, place):
             yield tokens[place]
             place += 1
             continue
         first, last = tokens[place], tokens[place + len(word) - 1]
         yield Token(f"\\{word}", first.source, first.start, last.end, first.call)
         place += len(word)
+
+
+def _is_upright(tokens: Sequence[Token], place: int) -> bool:
+    """Whether what stands there is what \\text{cos} holds, which is read as that function."""
+    before = [token for token in tokens[:place][-2:] if token.text != " "]
+    return len(before) == 2 and before[1].text == "{" and before[0].word in (*_TEXTS, "operatorname")
 
 
 def _spells(tokens: Sequence[Token], word: str) -> bool:

@@ -1,10 +1,12 @@
-"""The conditions that a text states in its sentences: “suppose that $f \\neq 0$”, “for $m > 0$”.
+"""The conditions that a text states in its sentences: “suppose that $f \\neq 0$”, “for $m > 0$”, “for
+parallel axes”.
 
 Nothing is proved by them. They keep a formula that is false without them from being said to be false.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
@@ -18,7 +20,7 @@ from workbench.papers.model import Aside, Notation
 from workbench.papers.said import terms_of
 from workbench.papers.text_claims.steps import steps_of
 from workbench.papers.texts import Display, spelled
-from workbench.papers.texts.prose import sentence_around
+from workbench.papers.texts.prose import sentence_around, sentence_before
 
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
 _ORDERS = {
@@ -27,6 +29,13 @@ _ORDERS = {
     **dict.fromkeys(("\\geq", "\\ge", "\\geqslant"), "≥"),
     **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
 }
+#: A case that words set apart.
+_SPECIAL = re.compile(
+    r"\b(?:special|particular|limiting|degenerate) case\b|"
+    r"\b(?:for|at|if|when|where|in the case)\b[^.,;:]*\b(?:degrees?|zero|parallel|perpendicular|orthogonal"
+    r"|aligned|coincid\w+|pure|planar|small|constant|stationary|at rest|identity|the same|vanish\w*)\b",
+    re.IGNORECASE,
+)
 _TURNED = str.maketrans("<>≤≥", "><≥≤")
 
 
@@ -38,6 +47,8 @@ def asides_of(
     own = _symbols(statement)
     first, last = sentence_around(display.source.text, display.start, display.end)
     found = []
+    if case := _SPECIAL.search(sentence_before(display.source.text, display.start)):
+        found.append(Aside(case.group(), display.source.place(display.start)[0], None, seen=False))
     for formula in inline:
         if formula.source.path != display.source.path or formula.start >= last or not formula.rows:
             continue

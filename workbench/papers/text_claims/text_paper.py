@@ -69,7 +69,7 @@ def text_paper(
         doi,
         paths,
         notations[0][1],
-        tuple(with_unsettled(with_said(claims), text)),
+        tuple(with_said(with_unsettled(claims, text))),
         citation=citation or {},
         text=text,
         faults=tuple(faults),

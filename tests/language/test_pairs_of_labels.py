@@ -1,0 +1,72 @@
+"""Two labels under an arrow or a line are one name, if it is declared: \\vec{AB}."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
+from workbench.language.reader import read_term
+from workbench.language.typed.errors import ReadError
+from workbench.papers import load_paper
+from workbench.verify.claims import judge_paper
+
+SYMBOLS = {
+    r"\overrightarrow{OA}": "vector",
+    r"\vec{OB'}": "vector",
+    r"\vec{O_1 O_2}": "vector",
+    r"\overline{A B}": "scalar",
+    r"\hat{\mathbf{AB}}": "vector",
+    r"\vec{\alpha B}": "vector",
+    "a": "vector",
+    "b": "vector",
+}
+
+
+@pytest.mark.parametrize("name", SYMBOLS)
+def test_what_is_printed_is_read_as_the_same(name: str) -> None:
+    table = SymbolTable.build({key: {"kind": kind} for key, kind in SYMBOLS.items()})
+    term = read_term(name, table)
+    assert read_term(to_latex(term), table) == term
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\overrightarrow{OA} \times \vec{OB'} = -\vec{OB'} \times \vec{OA}", Outcome.PROVED),
+        (r"\overrightarrow{OA} \times \vec{OB'} = \vec{OB'} \times \vec{OA}", Outcome.REFUTED),
+        (r"\frac{d}{dt} (\overline{AB} \vec{O_1O_2}) = \dot{\overline{AB}} \vec{O_1O_2} + \overline{AB} \dot{\vec{O_1 O_2}}", Outcome.PROVED),
+        (r"\vec{OA}^2 = \vec{OA} \cdot \vec{OA}", Outcome.PROVED),
+    ],
+)  # fmt: skip
+def test_verdicts(formula: str, outcome: Outcome) -> None:
+    assert check(formula, symbols=SYMBOLS).outcome is outcome
+
+
+@pytest.mark.parametrize(
+    "formula", [r"\vec{AO} = a", r"\vec{OAB} = a", r"\vec{OB} = a", r"\overline{OA} = a"]
+)
+def test_others_are_no_names(formula: str) -> None:
+    with pytest.raises(ReadError, match="of more than one symbol"):
+        check(formula, symbols=SYMBOLS)
+
+
+def test_points_in_turn(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text(
+        "\n\n".join(
+            f"$$ {each} $$"
+            for each in (
+                r"\overrightarrow{AC} = \overrightarrow{AB} + \overrightarrow{BC}",
+                r"\overrightarrow{AB} = -\overrightarrow{BA}",
+                r"\overrightarrow{AB} = \overrightarrow{BA}",
+            )
+        )
+    )
+    points = '[points]\nnames = ["A", "B", "C"]\n\'\\overrightarrow{PO}\' = "to O from P"\n'
+    (tmp_path / "p.toml").write_text('source = "p.md"\n[frames]\nbase = "N"\ndot = "N"\n' + points)
+    found = [result.verdict.outcome for result in judge_paper(load_paper(tmp_path / "p.toml"))]
+    assert found == [Outcome.PROVED, Outcome.PROVED, Outcome.REFUTED]

@@ -51,7 +51,7 @@ VERDICTS = {
         ),
         Kind("refuted", "✗", "refuted", "a counterexample shows that it is false", "red", *_RED),
         Kind("ill-formed", "G", "ill-formed", "types or time weights do not fit", "magenta", *_AMBER),
-        Kind("argued", "A", "argued", "what joins its proved goal to the sentence is prose", "yellow", *_OLIVE),
+        Kind("argued", "A", "argued", "what joins its goal to the sentence is prose", "yellow", *_OLIVE),
         Kind("probable", "≈", "probable", "random points only: not proved", "yellow", *_BLUE),
         Kind("unchecked", "?", "not checked", "never counted as passed", "dim", *_WHITE),
     )

@@ -40,6 +40,8 @@ DEFINITIONS = {
     "G_0(x, y)": r"\mathbf{I}",
     "G_{n+1}(x, y)": r"\dot{G}_n(x, y) - \tilde{x} G_n(x, y) + G_n(x, y) \tilde{x} + G_n(x, y) \tilde{y}",
     "q(x)": r"\dot{x}",
+    "z_0": "1",
+    "z_{n+1}": "2 z_n^2",
     "s_0": "c_0",
     "s_{m+1}": "s_m + c_{m+1}",
     "Q_0": r"\mathbf{I}",
@@ -103,10 +105,24 @@ class TestPascal:
             (r"\forall n \geq 0 : f = \sum_{k=0}^n C_n^k f", Pascal("f", step="Y Y")),  # not additive
             (r"\forall n \geq 0 : f = \sum_{k=0}^n C_n^k f", Pascal("f", step="2 Y")),
             (r"\forall n \geq 0 : (T a)^{(n)} = T^{(n)} a", Pascal(r"T^{(j)} a^{(k)}")),  # no sum
+            (LEIBNIZ.replace("(T a)", "(2 T a)"), Pascal(r"T^{(j)} a^{(k)}")),  # begins with another
+            (LEIBNIZ, Pascal(r"T^{(n)} a^{(k)}")),  # no integer there
+            (r"\forall n \geq 0 : z_n = \sum_{k=0}^n C_n^k 1", Pascal("1", step="2 Y^2")),  # not additive
+            (LEIBNIZ.replace("n", "j"), Pascal(r"T^{(j)} a^{(k)}")),  # j is bound already
+            (rf"\forall k \geq 0 : {LEIBNIZ.replace('k', 'l')}", Pascal(r"T^{(j)} a^{(k)}")),
         ],
     )  # fmt: skip
     def test_a_wrong_term_or_step_shows_nothing(self, goal, proof):
         assert outcome(goal, proof).outcome == Outcome.UNCHECKED
+
+    def test_the_letters_of_a_step_are_no_symbols(self):
+        table = SymbolTable.build(
+            {name: {"kind": kind} for name, kind in (SYMBOLS | {"Z": "vector"}).items()}
+        )
+        definitions, table = read_definitions(DEFINITIONS, table)
+        where = Scope(table, definitions, {})
+        found = prove(read_goal(LEIBNIZ, where), where, Judge(definitions), Proven(PROOFS[LEIBNIZ]))
+        assert found.outcome == Outcome.UNCHECKED and "Y or Z is a symbol already" in found.reason
 
     def test_premises_at_an_instant_do_not_last(self):
         once = rf"T a = b \Rightarrow {LEIBNIZ.replace('(T a)', 'b')}"
@@ -210,6 +226,40 @@ class TestTermwise:
         proof = Given(Termwise("k", Follows("Y c_k", Y=Use(0, {"n": "k"}))))
         assert outcome(self.PREMISE + goal, proof).outcome == Outcome.UNCHECKED
 
+    ALIKE = r"\Big( \forall m \geq 1 : a^{(m)} = b^{(m)} \Big) \Rightarrow \forall n \geq 0 : "
+
+    @pytest.mark.parametrize(
+        ("order", "value", "other"), [("k", "k", r"\sum_{k=1}^n"), ("n-k", "j", r"\sum_{k=0}^{n-1}")]
+    )
+    def test_each_addend_is_looked_at(self, order, value, other):
+        """For k = 0, and for k = n, the premise says nothing."""
+        goal = rf"\sum_{{k=0}}^n a^{{({order})}} = \sum_{{k=0}}^n b^{{({order})}}"
+        proof = Given(Termwise("k", Follows("Y", Y=Use(0, {"m": value}))))
+        later = Given(Termwise("k", Follows("Y", Y=Use(0, {"m": value if value == "k" else "j+1"}))))
+        assert outcome(self.ALIKE + goal, proof).outcome == Outcome.UNCHECKED
+        shorter = goal.replace(r"\sum_{k=0}^n", other)
+        if value == "j":
+            shorter = shorter.replace(r"\sum_{k=0}^{n-1}", r"\sum_{k=0}^{n}").replace("(n-k)", "(n-k+1)")
+        assert outcome(self.ALIKE + shorter, later).outcome == Outcome.PROVED
+
+    @pytest.mark.parametrize(
+        ("goal", "why"),
+        [
+            (r"\sum_{k=0}^{2n} F_k(a) c_k = \sum_{k=0}^{2n} F_k(b) c_k", "expected sums to n"),
+            (r"\sum_{k=-1}^n F_{k+1}(a) a = \sum_{k=-1}^n F_{k+1}(b) a", "begin with a number"),
+            (r"\sum_{k=n}^{n+1} F_k(a) c_k = \sum_{k=n}^{n+1} F_k(b) c_k", "begin with a number"),
+            (r"\sum_{k=0}^n F_k(a) c_k = F_n(b) c_n", "one sum on either side"),
+        ],
+    )
+    def test_what_is_no_sum_to_n(self, goal, why):
+        found = outcome(self.PREMISE + goal, Given(Termwise("k", Follows("Y c_k", Y=Use(0, {"n": "k"})))))
+        assert found.outcome == Outcome.UNCHECKED and why in found.reason
+
+    def test_its_letter_is_no_other(self):
+        goal = self.PREMISE + r"\sum_{k=0}^n F_k(a) c_k = \sum_{k=0}^n F_k(b) c_k"
+        found = outcome(goal, Given(Termwise("n", Follows("Y c_n", Y=Use(0, {"n": "n"})))))
+        assert found.outcome == Outcome.UNCHECKED and "n is an integer already" in found.reason
+
 
 class TestChains:
     """Sums and products over m bodies by recursion."""
@@ -282,6 +332,8 @@ class TestFunctions:
         (r"f \mathbf{I} T", r"f T", True),
         (r"-(T (-a)) + (-T) b", r"T a - T b", True),
         (r"(T^T)^T \mathbf{I}^T", r"T", True),
+        (r"T + f \mathbf{I}", r"f \mathbf{I} + T", True),
+        (r"T + \mathbf{I} f", r"\mathbf{I} f + T", True),
         (r"(f \mathbf{I}) a", r"\mathbf{I} a", False),
         (r"(f T) a + \mathbf{I} b", r"T a + b", False),
         (r"(T U)^T a", r"T^T (U^T a)", False),

@@ -64,8 +64,7 @@ def _since(equation: Relation, judge: InstanceJudge) -> Mapping[str, int] | None
     start = exceptions(judge).start(rewritten(sides, judge.definitions))
     free = frozenset().union(*map(free_integers, sides))
     lowest = _lower_bounds(sides, judge.definitions)
-    bound = {name for name in start if name not in free or name in lowest}
-    if any(start[name] > lowest.get(name, 0) for name in bound):
+    if any(start[name] > lowest[name] for name in start.keys() & lowest.keys()):
         return None
     return {name: value for name, value in start.items() if name in free}
 

@@ -34,6 +34,7 @@ from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.defining import read_definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.terms import Conjunction
 
 SYMBOLS = {
     "a": {"kind": "vector"},
@@ -147,6 +148,14 @@ def test_what_is_no_goal(goal):
 def test_proofs(goal, proof):
     found = outcome(goal, proof)
     assert found.outcome == Outcome.PROVED, found.reason
+
+
+@pytest.mark.parametrize("between", [", ", r", \quad ", r" \\ ", r" \text{ and } "])
+def test_formulas_beside_each_other_are_all_said(between):
+    where = scope()
+    parts = where.statement("a = b"), where.statement("T a = x")
+    assert where.statement(f"a = b{between}T a = x") == Conjunction(parts)
+    assert outcome(rf"a = b \Rightarrow a = b{between}T a = x", Kernel()).outcome == Outcome.UNCHECKED
 
 
 def test_the_scope_is_that_of_the_goal():

@@ -81,6 +81,11 @@ def test_others(latex, expected):
     assert verdict(latex).outcome == expected
 
 
+def test_what_is_not_decided_of_a_set_is_told():
+    found = verdict(r"so(3) = \{ \tilde{x} \mid x \in V_3 \}")
+    assert found.reason == "whether all members of so(3) are so is not decided"
+
+
 def test_a_map_on_two_lines():
     latex = r"\begin{aligned} f : V_3 &\to \mathbb{R} \\ f(x) &= x^2 \end{aligned}"
     assert verdict(latex).outcome == Outcome.DEFINITION

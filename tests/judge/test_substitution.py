@@ -118,6 +118,13 @@ def test_what_definitions_use_of_a_letter_is_written_out():
     assert put("x = b", letter="e", e="3 s") == read_goal("x = b", scope())
 
 
+@pytest.mark.parametrize("place", PLACES)
+def test_an_integer_stands_where_its_letter_stood(place):
+    where = scope().with_integer("n", 1)
+    of_n, of_4 = (read_goal("a = b ; " + place.replace("{}", f"F_{n} a"), where) for n in ("n", "4"))
+    assert at_integer(of_n, "n", 4) == of_4 != of_n
+
+
 @pytest.mark.parametrize(
     ("goal", "integers"),
     [

@@ -388,6 +388,10 @@ def test_powers_of_operators():
             r"\sum_{k=0}^{n} C_n^k C_{n+2}^k f^{(k)} a^{(n-k)} = C_{n+2}^2 (f a)^{(n)}",
         ),
         (
+            r"\sum_{k=0}^{n} C_n^k [T^{(k)}]^T a^{(n-k)} = (T^T a)^{(n)}",
+            r"\sum_{k=0}^{n} C_n^k [T^{(k)}]^T a^{(n-k)} = (T a)^{(n)}",
+        ),
+        (
             r"\sum_{k=0}^{n} C_{2n}^k f^{(k)} a^{(2n-k)} = \sum_{k=1}^{n+1} C_{2n}^{k-1} f^{(k-1)} a^{(2n-k+1)}",
             r"\sum_{k=0}^{n} C_{2n}^k f^{(k)} a^{(2n-k)} = (f a)^{(2n)}",
         ),

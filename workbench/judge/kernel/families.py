@@ -155,7 +155,7 @@ def _for_all(
     does not hold in it, or where some definition is not in force for all of `orders`."""
     statements = (statement, *assume, *([] if hypothesis is None else [hypothesis]))
     if any(map(has_sums, _all_terms(statements))):
-        return judge_addends(judge, statement) if len(statements) == 1 else None
+        return judge_addends(judge, statement)  # holds without what is supposed
     try:
         shift = _shift(_indices(statements))
         statements = _shifted(statements, shift)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from workbench.language.naming.symbols import SymbolTable
@@ -10,6 +12,7 @@ from workbench.language.reader import read, read_formula, read_term
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Symbol
+from workbench.papers import load_notation
 
 KINDS = {
     "a": "vector",
@@ -438,3 +441,29 @@ def test_a_cross_between_numbers_is_asked_about(formula: str) -> None:
         read(formula, TABLE)
     with pytest.raises(IllFormedAt):
         read(r"s \times a = s a", TABLE)
+
+
+@pytest.mark.parametrize(
+    ("bare", "bold"),
+    [
+        (r"0 \times a = 0", r"\mathbf{0} \times a = 0"),
+        (r"a \otimes 0 = 0", r"a \otimes \mathbf{0} = 0"),
+        (r"(a, 0, b) = 0", r"(a, \mathbf{0}, b) = 0"),
+        (r"\tilde{0} = 0", r"\widetilde{\mathbf{0}} = 0"),
+    ],
+)
+def test_a_bare_zero_among_vectors_is_one(bare: str, bold: str) -> None:
+    assert read(bare, TABLE) == read(bold, TABLE)
+    with pytest.raises(IllFormedAt):
+        read(r"s \otimes a = 0", TABLE)
+
+
+@pytest.mark.parametrize("formula", ["H 0 = a", "H (H 0) = 0", "s = s + a \\cdot (H 0)"])
+def test_what_a_transform_makes_of_a_bare_zero_is_asked(tmp_path: Path, formula: str) -> None:
+    """The origin goes to the translation, and no point to the zero."""
+    symbols = "".join(f"{name} = {{ kind = '{KINDS.get(name, 'transform')}' }}\n" for name in "Has")
+    (tmp_path / "n.toml").write_text(f"[conventions]\npoints = 'vectors'\n[symbols]\n{symbols}")
+    table = load_notation(tmp_path / "n.toml").symbols
+    with pytest.raises(ReadError, match="a point or a direction"):
+        read(formula, table)
+    assert read("H a = a", table) and read("H^{-1} H = \\mathbf{I}_{4 \\times 4}", table)

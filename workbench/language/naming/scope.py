@@ -39,6 +39,7 @@ Result = TypeVar("Result")
 #: How deep terms may nest; a longer product than this counts as nesting too.
 DEEPEST_TERM = 120
 #: [I 0]: the first three of four.
+_WHICH = "a point or a direction? write the column of four"
 _FIRST_THREE = construct.block([[construct.identity(), construct.zero(VECTOR)]])
 
 
@@ -158,6 +159,8 @@ class Scope(ABC):
             if "dyads" in self.table.loose and {each.type.kind for each in arguments} == {"vector"}:
                 head = "outer"
         if head == "mul" and arguments[0].type == type_of_kind("transform"):
+            if isinstance(arguments[1], Zero) and self.table.directions is not None:
+                raise Fault(_WHICH, at)
             column = self.as_point(arguments[1], at)
             if self.table.keeps_points and column is not arguments[1]:
                 return construct.apply("mul", _FIRST_THREE, construct.apply("mul", arguments[0], column))
@@ -180,7 +183,7 @@ class Scope(ABC):
         own = term.declaration if isinstance(term, Symbol) else None
         is_moved = isinstance(term, Apply) and term.children[0] == _FIRST_THREE
         if not is_moved and (own is None or own.unit or own.name in self.table.directions):
-            raise Fault("a point or a direction? write the column of four", at)
+            raise Fault(_WHICH, at)
         return construct.block([[term], [construct.number(1)]])
 
     @contextmanager

@@ -147,6 +147,10 @@ def _block_weight(entries: Sequence[Sequence[Term]]) -> Weight:
     return weights.pop() if len(weights) == 1 else None
 
 
+#: Their arguments are vectors, and so is a bare 0 among them.
+_OF_VECTORS = frozenset({"cross", "outer", "triple", "skew"})
+
+
 def relation(operator: Literal["=", "≠", "≈"], left: Term, right: Term) -> Relation:
     """A relation of two terms of one kind and weight; a bare 0 or I takes the other side's type."""
     left, right = agree(_as_quaternions((left, right)), "the two sides")
@@ -159,6 +163,8 @@ def apply(head: str, *arguments: Term) -> Term:
         arguments = agree(_as_quaternions(arguments), "the addends")
     if head == "quaternion":
         arguments = _with_shapes(arguments, (SCALAR, VECTOR))
+    if head in _OF_VECTORS:
+        arguments = tuple(zero(VECTOR) if a == zero() else a for a in arguments)
     if head == "mul" and not any(filling(a) == "zero" or a.type.kind == "scalar" for a in arguments):
         is_product = any(a.type.kind == "quaternion" for a in arguments)
         arguments = _as_quaternions(arguments) if is_product else arguments

@@ -328,3 +328,29 @@ def test_an_argument_that_depends_on_the_time_is_the_same_place(tmp_path: Path) 
     model = "[conventions]\narguments = ['q']\n[symbols]\nq = 'scalar'\np = 'scalar'\nR = 'rotation'\n"
     text = "$$ R(q(t)) R(q)^T = \\mathbf{I} $$\n\n$$ R(p(t)) R^T = \\mathbf{I} $$"
     assert outcomes(tmp_path, text, model) == ["proved", "unchecked"]
+
+
+CHAIN = {
+    "md": "$$ a = b + b $$\n$$ = 2 b $$\n\n$$ = 3 b $$\n",
+    "tex": r"\begin{document}\[ a = b + b \] \[ = 2 b \]\begin{equation} = 3 b \end{equation}\end{document}",
+    "rst": "Text\n\n.. math:: a = b + b\n\n.. math::\n\n   = 2 b\n\n.. math:: = 3 b\n",
+}
+
+
+@pytest.mark.parametrize("ending", CHAIN)
+def test_a_display_that_begins_with_a_sign_goes_on_with_the_one_before(tmp_path: Path, ending: str) -> None:
+    model = "[symbols]\na = 'scalar'\nb = 'scalar'\n"
+
+    def judged(text: str) -> list[str]:
+        (tmp_path / f"p.{ending}").write_text(text)
+        (tmp_path / "p.toml").write_text(f'source = "p.{ending}"\n{model}')
+        return [str(result.verdict.outcome) for result in judge_paper(load_paper(tmp_path / "p.toml"))]
+
+    chain = CHAIN[ending]
+    assert judged(chain) == ["unchecked", "proved", "refuted"]
+    assert judged(chain.replace("b + b", "b + b.")) == ["unchecked", "refuted"]
+
+
+def test_a_display_behind_a_sentence_begins_anew(tmp_path: Path) -> None:
+    text = "$$ a = b + b $$\n\nwhich is\n\n$$ = 2 b $$"
+    assert outcomes(tmp_path, text, "[symbols]\na = 'scalar'\nb = 'scalar'\n") == ["unchecked"] * 2

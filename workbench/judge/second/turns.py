@@ -24,7 +24,7 @@ from workbench.judge.second.components import (
 from workbench.judge.second.jet_algebra import JetAlgebra
 from workbench.judge.second.source import Source
 from workbench.judge.second.tangents import pushed
-from workbench.judge.subject.angles import NO_ANGLE, angle_parts
+from workbench.judge.subject.angles import NO_ANGLE, angle_parts, is_free_angle
 from workbench.judge.subject.inventory import Lookup, NotExact
 from workbench.judge.subject.rodrigues import NO_EXPONENT, angle_and_axis, turned_vector, turning_and_moving
 from workbench.language.typed.construct import apply
@@ -61,7 +61,7 @@ class Turns:
                 body = self._definitions.lookup(angle)
                 if body is not None:
                     return self.circle(body, depth, factor)
-                if factor.denominator == 1:
+                if factor.denominator == 1 and is_free_angle(angle):
                     return self._repeated(self._free_circle(angle, depth), int(factor), depth)
             case Apply(head="re", arguments=(inner,)):
                 cosine, sine = self.circle(inner, depth, factor)
@@ -92,12 +92,12 @@ class Turns:
 
     def _part_of_circle(self, angle: Term, factor: Fraction, depth: int) -> tuple[Value, Value]:
         """cos and sin of factor · ω t and the like, from those of the part that has a circle of its own."""
-        if isinstance(angle, Symbol) and factor.denominator == 1:
-            return self._repeated(self._free_circle(angle, depth), int(factor), depth)
         for part in self._source.circles():
             own = angle_parts(part, self._definitions)
             if list(own) == [angle] and (factor / own[angle]).denominator == 1:
                 return self._repeated(self._free_circle(part, depth), int(factor / own[angle]), depth)
+        if isinstance(angle, Symbol) and factor.denominator == 1:
+            return self._repeated(self._free_circle(angle, depth), int(factor), depth)
         raise NotExact(NO_ANGLE)
 
     def _repeated(self, once: tuple[Value, Value], count: int, depth: int) -> tuple[Value, Value]:

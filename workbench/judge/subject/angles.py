@@ -31,10 +31,16 @@ def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
     denominators: dict[Symbol, int] = {}
     for argument in round_terms(terms, definitions, set()):
         for angle, part in _parts(argument, definitions):
-            if isinstance(angle, Symbol) and part.denominator > 1:
+            if is_free_angle(angle) and part.denominator > 1:
                 denominators[angle] = lcm(denominators.get(angle, 1), part.denominator)
     multiples = {a: _multiple(a, size) for a, size in denominators.items()}
     return With(definitions, multiples) if multiples else definitions
+
+
+def is_free_angle(angle: Term) -> bool:
+    """Whether it is a symbol other than the time: the rate of t/2 is known, as that of ω t is, so that no other
+    symbol can stand for it."""
+    return isinstance(angle, Symbol) and not angle.declaration.clock
 
 
 def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:

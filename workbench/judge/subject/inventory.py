@@ -11,7 +11,7 @@ from fractions import Fraction
 from math import lcm
 
 from workbench.judge.subject import Lookup, NotExact, reached
-from workbench.judge.subject.angles import angles_of
+from workbench.judge.subject.angles import angles_of, is_free_angle
 from workbench.judge.subject.slopes import require_known_dependence, seeds
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, derivative, number
@@ -151,7 +151,7 @@ class _Survey:
         elif term.head in ("sin", "cos", "exp"):
             self.inventory.reciprocals += term.type.kind == "matrix"  # sin α/α
             for angle, part in angles_of(term, self.definitions).items():
-                if isinstance(angle, Symbol):
+                if is_free_angle(angle):
                     self.inventory.angles[angle] = None
                 else:
                     self._circle(angle, part)
@@ -159,6 +159,10 @@ class _Survey:
     def _circle(self, angle: Term, part: Fraction) -> None:
         self._sizes[angle] = lcm(self._sizes.get(angle, 1), part.denominator)
         size = number(Fraction(1, self._sizes[angle]))
+        if size.value == 1 and isinstance(angle, Symbol):
+            self.inventory.angles[angle] = None
+            return
+        self.inventory.angles.pop(angle, None)
         self.inventory.circles[angle] = angle if size.value == 1 else apply("mul", size, angle)
         if angle not in self._known:
             self.orders(angle)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.shapes import filling, shaped, stretched
-from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Term, Unread, Zero
+from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Symbol, Term, Unread, Zero
 from workbench.language.typed.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
 Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
@@ -188,10 +188,12 @@ def times(factor: int) -> Callable[[tuple[Term, ...]], Weight]:
 
 
 def weightless(arguments: tuple[Term, ...]) -> Weight:
+    """None where the time stands in it: in \\sin 2t a rate is left out, of which the derivative tells."""
     weight = arguments[0].weight
     if weight is not None and weight != Linear(0):
         raise IllFormed(f"the argument of a transcendental function has weight {weight}, expected 0")
-    return Linear(0)
+    has_time = any(isinstance(part, Symbol) and part.declaration.clock for part in arguments[0].walk())
+    return None if has_time else Linear(0)
 
 
 def transpose(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:

@@ -11,7 +11,7 @@ from workbench.papers.model import PaperError
 from workbench.papers.texts.delimiters import Found, within
 from workbench.papers.texts.markdown import markdown
 from workbench.papers.texts.restructured import restructured
-from workbench.papers.texts.tex.displays import CLOSING, INLINE
+from workbench.papers.texts.tex.displays import CLOSING, INLINE, add
 from workbench.papers.texts.tex.document import TexReader, Text
 from workbench.papers.texts.tex.macros import named
 from workbench.papers.texts.tex.state import Names
@@ -98,7 +98,7 @@ def _read_found(reader: TexReader, found: Found) -> None:
             number = reader.counters.number("equation")
         rows = (replace(first, labels=(*first.labels, found.label), number=number), *rows[1:])
         reader.labels.setdefault(found.label, number)
-    reader.displays.append(replace(display, start=found.start, end=found.end, rows=rows))
+    add(reader.displays, replace(display, start=found.start, end=found.end, rows=rows))
 
 
 def _text(path: Path, reader: TexReader) -> Text:

@@ -97,6 +97,26 @@ class _Row:
     marks: set[str] = field(default_factory=set)
 
 
+def add(displays: list[Display], display: Display) -> None:
+    """One more display, or more rows of the last one, where it begins with = and nothing stands between."""
+    first = next((token.text for row in display.rows for token in row.tokens if token.text.strip()), "")
+    last = displays[-1] if displays and first == "=" and displays[-1].source is display.source else None
+    if (
+        last is None
+        or last.latex.rstrip().endswith(".")
+        or display.source.text[last.end : display.start].strip()
+    ):
+        displays.append(display)
+        return
+    displays[-1] = replace(
+        last,
+        end=display.end,
+        rows=last.rows + display.rows,
+        opaque=last.opaque | display.opaque,
+        warnings=last.warnings + display.warnings,
+    )
+
+
 class DisplayReader(Expander):
     """An expander that counts equations."""
 

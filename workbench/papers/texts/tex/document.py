@@ -7,7 +7,7 @@ from pathlib import Path
 
 from workbench.papers.model import PaperError
 from workbench.papers.texts.prose import plain
-from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, read_display
+from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, add, read_display
 from workbench.papers.texts.tex.files import Directive, FileReader
 from workbench.papers.texts.tex.numbering import SECTIONS
 from workbench.papers.texts.tex.state import Macro, Names
@@ -88,7 +88,7 @@ class TexReader(FileReader):
 
     def _display(self, token: Token, environment: str) -> None:
         self.counters.begin()
-        self.displays.append(read_display(self, token, environment))
+        add(self.displays, read_display(self, token, environment))
         self.counters.end()
 
     def _is_end(self, token: Token) -> bool:

@@ -26,6 +26,7 @@ KINDS = {
     "w": "vector",
     "R": "rotation",
     r"R_{\text{3-2-1}}": "rotation",
+    r"v_\mathcal{B}": "vector",
     r"R_{\text{3-1-3}}": "rotation",
 }
 TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()}).with_notations(
@@ -55,7 +56,9 @@ SAME = [
     (r"[v \times] w", r"\tilde{v} w"),
     (r"\textrm{so we find: } x + y", "x + y"),
     (r"[I_{3\times3}] v + \mathbb{I}_{3 \times 3} w", r"\mathbf{I} v + \mathbf{I} w"),
-    (r"R_\text{3-2-1} v", "R_{321} v"),
+    (r"[R]_\text{3-2-1} v", "R_{321} v"),
+    (r"R_{\text{3-1-3}}^T (v)_\mathcal{B}", r"R_{313}^T v_{\mathcal{B}}"),
+    (r"\left(\tilde{v}\right)_{\mathcal{B}} [R]_{\text{3-1-3}}^T", r"\tilde{v}_{\mathcal{B}} R_{313}^T"),
     (r"\sum_{i}^{3} x", r"\sum_{i=1}^{3} x"),
     (
         r"\left[\arraycolsep=2pt \begin{array}{c} x \\ y \end{array}\right] \enskip z",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
@@ -33,7 +34,7 @@ from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit, Unranged
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, IllFormed, Term, Zero
+from workbench.language.typed.terms import Apply, IllFormed, Symbol, Term, Zero
 from workbench.language.typed.types import CLOCK, TENSOR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
@@ -106,10 +107,24 @@ class _Lettering:
             shape = Scripted(node.at, core(node), scripts.sub, sup)
             if scripts.primes == 0 and (term := self.scope.spelt(shape)) is not None:
                 return term, scripts.sup if sup is None else None
+        if (found := self.labelled(core(node), scripts)) is not None:
+            return found
         term = self.scope.term(node) if scripts.sub is None else self.sized(node, scripts.sub)
         for _ in range(scripts.primes):
             term = notated(self.scope, node.at, entries, term, "the prime")
         return term, scripts.sup
+
+    def labelled(self, node: Node, scripts: Scripts) -> Lettered | None:
+        """(x)_B and [C]_B, where x_B and C_B are symbols."""
+        match node:
+            case Bracket(
+                kind="(" | "[", parts=(Leaf(kind="LETTER") | Styled() | Accented(accent="~") as inner,)
+            ) if scripts.sub is not None:
+                with suppress(Fault):
+                    term, sup = self.read(inner, scripts, ())
+                    symbols = (each for each in term.walk() if isinstance(each, Symbol))
+                    return (term, sup) if all(not each.index for each in symbols) else None
+        return None
 
     def of_a_pair(self, node: Node, styles: tuple[str, ...]) -> Term:
         """\\vec{AB}, which must be declared."""

@@ -25,6 +25,7 @@ from workbench.language.grammar.syntax import (
     Product,
     Scripted,
     Styled,
+    both_below,
     core,
 )
 from workbench.language.naming.notations import Notation
@@ -148,14 +149,12 @@ class _Lettering:
         return term
 
     def scripted(self, node: Scripted, outer: Scripts, styles: tuple[str, ...]) -> Lettered:
-        if node.sub is not None and outer.sub is not None:
-            raise Fault("a second subscript", outer.sub.at)
         if isinstance(node.nucleus, Bracket) and len(node.nucleus.parts) > 1 and is_transpose(node.sup):
             return _column(self.scope, node.nucleus), outer.sup
         scripts = Scripts(
             outer.left_sub,
             outer.left_sup,
-            node.sub if node.sub is not None else outer.sub,
+            both_below(node.sub, outer.sub),
             node.sup if node.sup is not None else outer.sup,
             node.primes + outer.primes,
         )

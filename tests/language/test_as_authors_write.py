@@ -25,6 +25,13 @@ KINDS = {
     "v": "vector",
     "w": "vector",
     "R": "rotation",
+    r"R_{\text{3-2-1}}": "rotation",
+    r"v_\mathcal{B}": "vector",
+    r"{x_D}_0": "scalar",
+    r"\vec{v_a}_b": "vector",
+    r"R_{i \to b}": "rotation",
+    r"R_{b \to i}": "rotation",
+    r"R_{\text{3-1-3}}": "rotation",
 }
 TABLE = SymbolTable.build({name: {"kind": kind} for name, kind in KINDS.items()}).with_notations(
     {
@@ -53,6 +60,11 @@ SAME = [
     (r"[v \times] w", r"\tilde{v} w"),
     (r"\textrm{so we find: } x + y", "x + y"),
     (r"[I_{3\times3}] v + \mathbb{I}_{3 \times 3} w", r"\mathbf{I} v + \mathbf{I} w"),
+    (r"[R]_\text{3-2-1} v", "R_{321} v"),
+    (r"{x_D}_0 \vec{v_a}_b", r"x_{D,0} \vec{v}_{a,b}"),
+    (r"R_{i \rightarrow b} v", r"R_{i\to b} v"),
+    (r"R_{\text{3-1-3}}^T (v)_\mathcal{B}", r"R_{313}^T v_{\mathcal{B}}"),
+    (r"\left(\tilde{v}\right)_{\mathcal{B}} [R]_{\text{3-1-3}}^T", r"\tilde{v}_{\mathcal{B}} R_{313}^T"),
     (r"\sum_{i}^{3} x", r"\sum_{i=1}^{3} x"),
     (
         r"\left[\arraycolsep=2pt \begin{array}{c} x \\ y \end{array}\right] \enskip z",

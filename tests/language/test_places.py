@@ -11,7 +11,7 @@ from workbench.language.defining import read_definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read
-from workbench.language.typed.errors import ReadError
+from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.names import Name
 
 LETTERS = ("x", "y", "z")
@@ -107,3 +107,16 @@ def test_of_two_scalars_one_that_is_constant_is_a_factor(formula: str, read_as: 
     for variable in "qt" if "Q" in formula else "q":
         (said,) = read(formula.replace("Q", variable), table)
         assert to_latex(said) == read_as
+
+
+@pytest.mark.parametrize("formula", ["A(x) v = f", "[A(x)] v = f", r"\dot{A}(x) v = f", r"f + s v(x) = g"])
+def test_where_only_what_it_depends_on_fits_the_bracket_is_asked_about(formula: str) -> None:
+    for table in (
+        replace(TABLE, arguments=frozenset()),
+        replace(TABLE, arguments=frozenset(map(Name, "yz"))),
+    ):
+        with pytest.raises(ReadError, match="or a product"):
+            read(formula, table)
+    with pytest.raises(IllFormedAt, match="juxtaposition"):
+        read("A(x) v y = f", TABLE)
+    assert to_latex(*read("A(x) = f", replace(TABLE, arguments=frozenset()))) == "A x = f"

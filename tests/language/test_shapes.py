@@ -250,3 +250,13 @@ def test_a_row_of_a_zero_transposed_is_one_row(formula: str, outcome: Outcome) -
 def test_minus_one_beside_a_square_block_is_a_block(formula: str, outcome: Outcome) -> None:
     symbols = {"T": "tensor", "a": "vector", "b": "vector"}
     assert check(formula, symbols=symbols).outcome is outcome
+
+
+@pytest.mark.parametrize("numbers", [r"0.5 \\ 0 \\ -1", r"2 \\ 1 \\ 0"])
+def test_a_column_of_nothing_but_numbers_has_units_of_some_kind(numbers: str) -> None:
+    table = SymbolTable.build({"w": {"kind": "vector", "weight": 1}, "s": {"kind": "scalar", "weight": 0}})
+    column = rf"\begin{{bmatrix}} {numbers} \end{{bmatrix}}"
+    assert read(rf"\dot{{w}} = {column}", table)
+    for formula in (rf"\dot{{w}} = s {column}", rf"w = \dot{{w}} + {column}", r"\dot{w} = w"):
+        with pytest.raises(IllFormedAt, match="weight"):
+            read(formula, table)

@@ -37,6 +37,8 @@ fixed = { O = "N", Q = "B" }
 """
 TRUE = [
     r"\frac{{}^A d x}{dt} = \frac{{}^B d x}{dt} + {}^A\omega^B \times x",
+    r"\frac{{}^A d x}{dt} = \frac{dx}{dt_B} - \frac{d r^{P/O}}{dt_A} + \frac{d}{dt_A} r^{P/O} + {}^A\omega^B \times x",
+    r"\frac{{}^\mathcal{A} d x}{dt} - \frac{{}^{\mathcal{B}} d}{dt} x = {}^A\omega^B \times x",
     r"{}^N\omega^B = {}^N\omega^A + {}^A\omega^B",
     r"{}^A\omega^B = -{}^B\omega^A",
     r"{}^N R_B = {}^N R_A {}^A R_B",

@@ -9,6 +9,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TypeVar
 
+from workbench.language.elaboration.arguments import OR_A_PRODUCT
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import Range, names_a_set
 from workbench.language.elaboration.statements import Reading, reading_of, term_of
@@ -94,8 +95,9 @@ def unclaimed(error: ReadError, latex: str, table: SymbolTable, integers: Iterab
 _LOOSELY = {
     "dyads": 'vectors beside each other, x · T: \\cdot, or dyads? [conventions] products = "dyads" says so',
     "unit": 'is the number beside tensors one of unit tensors? [conventions] one = "unit" says so',
+    "arguments": OR_A_PRODUCT,
 }
-_STRICTLY = {"dyads": "matrices", "unit": "scalar"}
+_STRICTLY = {"dyads": "matrices", "unit": "scalar", "arguments": ""}
 
 
 def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable], Result]) -> Result:
@@ -114,7 +116,7 @@ def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable],
 
 def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> str | None:
     """What to ask of a formula that does not fit together as read, but does where it is read loosely."""
-    for several in (("dyads",), ("unit",), ("dyads", "unit")):
+    for several in (("dyads",), ("unit",), ("arguments",), ("dyads", "unit")):
         if any(_STRICTLY[each] in table.loose for each in several):
             continue
         with suppress(Fault, Misfit):

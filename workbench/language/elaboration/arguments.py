@@ -20,7 +20,7 @@ from workbench.language.typed.terms import (
     is_accented_symbol,
 )
 
-_OR_A_PRODUCT = (
+OR_A_PRODUCT = (
     "a function of what is in the bracket, or a product?"
     " [conventions] arguments says the former, square brackets the latter"
 )
@@ -39,12 +39,14 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         if _is_no_place(scope, bracket, function):
             return False  # u (∇·v)
         raise Fault("a function at another place than its argument; a product needs no bracket", bracket.at)
+    if "arguments" in scope.table.loose and bracket.parts and is_accented_symbol(_without_sup(term)):
+        return all(map(_is_name, bracket.parts))
     if len(bracket.parts) > 1:
         only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
         if only_says:
             _take_place(scope, bracket, term)
         elif is_accented_symbol(_without_sup(term)) and not _has_tensor(scope, bracket):
-            raise Fault(_OR_A_PRODUCT, bracket.at)
+            raise Fault(OR_A_PRODUCT, bracket.at)
         return only_says
     if not bracket.parts:
         return False
@@ -60,7 +62,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
             _take_place(scope, bracket, term)
         return only_says
     if is_accented_symbol(_without_sup(term)) and _may_be_argument(scope, part, term):
-        raise Fault(_OR_A_PRODUCT, bracket.at)
+        raise Fault(OR_A_PRODUCT, bracket.at)
     return False
 
 
@@ -69,10 +71,14 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
     value, is_symbol = scope.term(part), is_accented_symbol(function)
     if any(isinstance(each, Symbol) and each.declaration.clock for each in value.walk()):
         return is_symbol
-    if isinstance(part, Leaf | Styled | Accented | Scripted):
+    if _is_name(part):
         return "scalar" in (function.type.kind, value.type.kind)
     is_tensor = function.type.is_square and function.type.kind != "scalar"
     return is_symbol and is_tensor and value.type.kind == "scalar"
+
+
+def _is_name(part: Node) -> bool:
+    return isinstance(part, Leaf | Styled | Accented | Scripted)
 
 
 def _without_sup(term: Term) -> Term:

@@ -6,13 +6,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from workbench.language.grammar.syntax import (
-    Accented,
     Bracket,
     Fraction,
     Leaf,
     Node,
     Scripted,
-    Styled,
     is_numeral,
 )
 from workbench.language.naming.scope import Scope
@@ -68,20 +66,12 @@ class Row:
         return result
 
     def _product(self, result: Term, factors: Sequence[Factor]) -> Term:
-        """Raises Misfit; Fault where one of the factors may only say what the one before it depends on."""
         *others, last, this = (factor.term.type for factor in factors)
         if last.kind == this.kind == "vector" and result.type.kind == "tensor":
             raise Fault("three vectors beside each other; write (a b) \\cdot c", factors[-1].at)
         if last.kind == this.kind == "quaternion" and any(other.columns == 4 for other in others):
             raise Fault("a matrix before a product of quaternions: bracket one of them", factors[-1].at)
-        try:
-            return self.scope.apply(factors[-1].at, "mul", result, factors[-1].term)
-        except Misfit:
-            for factor in factors[1:]:
-                if isinstance(factor.node, Bracket) and all(map(_is_name, factor.node.parts)):
-                    what = "a function of what is in the bracket? [conventions] arguments says it"
-                    raise Fault(what, factor.at) from None
-            raise
+        return self.scope.apply(factors[-1].at, "mul", result, factors[-1].term)
 
     def operand(self, factor: Factor, more: Sequence[Factor]) -> None:
         """An operator acts on the factor; refused where it may act on more than that."""
@@ -104,10 +94,6 @@ class Row:
 def _is_integer(factor: Factor) -> bool:
     literal = isinstance(factor.node, Leaf) and isinstance(factor.term, Number)
     return literal and factor.term.value.denominator == 1
-
-
-def _is_name(node: Node) -> bool:
-    return isinstance(node, Leaf | Styled | Accented | Scripted) and not is_numeral(node)
 
 
 def _is_bare(node: Node) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
@@ -25,6 +26,7 @@ from workbench.language.grammar.syntax import (
     Product,
     Scripted,
     Styled,
+    both_below,
     core,
 )
 from workbench.language.naming.notations import Notation
@@ -34,7 +36,7 @@ from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit, Unranged
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, IllFormed, Term, Zero
+from workbench.language.typed.terms import Apply, IllFormed, Symbol, Term, Zero
 from workbench.language.typed.types import CLOCK, TENSOR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
@@ -107,10 +109,24 @@ class _Lettering:
             shape = Scripted(node.at, core(node), scripts.sub, sup)
             if scripts.primes == 0 and (term := self.scope.spelt(shape)) is not None:
                 return term, scripts.sup if sup is None else None
+        if (found := self.labelled(core(node), scripts)) is not None:
+            return found
         term = self.scope.term(node) if scripts.sub is None else self.sized(node, scripts.sub)
         for _ in range(scripts.primes):
             term = notated(self.scope, node.at, entries, term, "the prime")
         return term, scripts.sup
+
+    def labelled(self, node: Node, scripts: Scripts) -> Lettered | None:
+        """(x)_B and [C]_B, where x_B and C_B are symbols."""
+        match node:
+            case Bracket(
+                kind="(" | "[", parts=(Leaf(kind="LETTER") | Styled() | Accented(accent="~") as inner,)
+            ) if scripts.sub is not None:
+                with suppress(Fault):
+                    term, sup = self.read(inner, scripts, ())
+                    symbols = (each for each in term.walk() if isinstance(each, Symbol))
+                    return (term, sup) if all(not each.index for each in symbols) else None
+        return None
 
     def of_a_pair(self, node: Node, styles: tuple[str, ...]) -> Term:
         """\\vec{AB}, which must be declared."""
@@ -134,14 +150,12 @@ class _Lettering:
         return term
 
     def scripted(self, node: Scripted, outer: Scripts, styles: tuple[str, ...]) -> Lettered:
-        if node.sub is not None and outer.sub is not None:
-            raise Fault("a second subscript", outer.sub.at)
         if isinstance(node.nucleus, Bracket) and len(node.nucleus.parts) > 1 and is_transpose(node.sup):
             return _column(self.scope, node.nucleus), outer.sup
         scripts = Scripts(
             outer.left_sub,
             outer.left_sup,
-            node.sub if node.sub is not None else outer.sub,
+            both_below(node.sub, outer.sub),
             node.sup if node.sup is not None else outer.sup,
             node.primes + outer.primes,
         )

@@ -229,7 +229,9 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
         return Factor(value, item.at, place + 1, item)
     term, sup, takes_bracket = letter(scope, item, scripts, bracket)
     end = place + 1
-    if takes_bracket or (bracket is not None and is_own_variable(scope, bracket, term)):
+    is_labelled = isinstance(following, Scripted) and following.sub is not None  # R (x)_B
+    may_say = bracket is not None and not is_labelled
+    if takes_bracket or (may_say and is_own_variable(scope, bracket, term)):
         if isinstance(following, Scripted) and sup is not None:
             raise Fault("scripts on the argument of a function; bracket the whole", following.at)
         term = _behind(scope, term, following)

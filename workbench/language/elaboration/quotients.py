@@ -19,6 +19,7 @@ from workbench.language.grammar.syntax import (
     in_a_row,
 )
 from workbench.language.naming.scope import Scope
+from workbench.language.naming.spelling import spell_label
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
@@ -51,6 +52,8 @@ def rate(scope: Scope, fraction: Fraction) -> Rate | None:
     """
     above, below = _factors(fraction.numerator), _factors(fraction.denominator)
     frame, above = _frame(above)
+    if frame is None and len(below) == 2 and (label := _frame_of_time(scope, below[1])) is not None:
+        frame, below = label, (below[0], below[1].nucleus)
     upper, lower = _letter(above[0]), _letter(below[0])
     if _PARTIAL in (upper.text, lower.text):
         return _partial(fraction, upper, above, below, frame)
@@ -117,6 +120,16 @@ def _frame(above: tuple[Node, ...]) -> tuple[Node | None, tuple[Node, ...]]:
         ):
             return frame, (d, *rest)
     return None, above
+
+
+def _frame_of_time(scope: Scope, time: Node) -> Node | None:
+    """The frame B of \\frac{dx}{dt_B}, where t_B is no symbol."""
+    match time:
+        case Scripted(nucleus=Leaf(text="t") as letter, sub=label, sup=None, primes=0, factorial=False):
+            name = spell_label(label) if label is not None else None
+            is_symbol = scope.table.symbols.get(Name(letter.text, sub=(name or "",))) is not None
+            return label if name in scope.table.frames and not is_symbol else None
+    return None
 
 
 def quotient(scope: Scope, fraction: Fraction) -> Term:

@@ -64,6 +64,14 @@ def core(node: Node | None) -> Node | None:
     return node
 
 
+def both_below(inner: Node | None, outer: Node | None) -> Node | None:
+    """The subscript of {x_a}_b, as of x_{a,b}."""
+    if inner is None or outer is None:
+        return outer if inner is None else inner
+    parts = (part for sub in (inner, outer) for part in (sub.parts if isinstance(sub, Group) else (sub,)))
+    return Group(inner.at, tuple(parts))
+
+
 def is_left_script(node: Node | None) -> bool:
     """Whether the node is {}_a^b, which the letter behind it carries on its left."""
     return isinstance(node, Scripted) and isinstance(node.nucleus, Group) and not node.nucleus.parts

@@ -44,7 +44,7 @@ _TOKEN = re.compile(
     | (?P<ring>\\overset\s*\{\s*\\circ\s*\})
     | \\(?:text|textrm|mbox)\s*\{(?P<prose>[A-Za-z,'’\s]+:\s*)\}
     | \\(?:text|mathrm|operatorname\*?|textrm|mbox)\s*
-      \{(?P<words>(?:arc|a)tan2|\s*\\&\s*|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
+      \{(?P<words>(?:arc|a)tan2|[1-3](?:-[1-3])+|\s*\\&\s*|[A-Za-z][A-Za-z.,\s]+|\s+[A-Za-z.,\s]*|[.,;])\}
     | \\(?:text|textrm|mbox)\s*\{(?P<said>[^{}$]*)\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[A-Za-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
@@ -175,7 +175,8 @@ class Tokenizer:
         plain = " ".join(words.replace(",", " ").split()).rstrip(".")
         is_script = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
         is_label = is_script or [token.type for token in self.out[-2:]] == ["SUB", "LBRACE"]
-        if is_label and plain[-1:].isalpha() and not (plain in FUNCTIONS and not is_script):
+        is_name = plain[-1:].isalpha() or plain[:1].isdecimal()  # 3-2-1
+        if is_label and is_name and not (plain in FUNCTIONS and not is_script):
             self.label(words.strip(" ,."), at, braced=is_script)
         elif plain in FUNCTIONS:
             self.emit("FUNCTION", f"\\{plain}", at)
@@ -206,10 +207,12 @@ class Tokenizer:
             self.emit(kind, {"IMPLICATION": "⇔", "FORALL": "∀"}.get(kind, word), at)
 
     def label(self, letters: str, at: int, braced: bool = False) -> None:
-        """Upright letters, with the commas between words; as a script that stands without braces they need
-        some."""
+        """Upright letters, with the commas between words, or the figures of 3-2-1; as a script that stands
+        without braces they need some."""
         if braced:
             self.emit("LBRACE", "{", at)
+        if letters[:1].isdecimal():
+            self.emit("NUMBER", letters.replace("-", ""), at)
         for i, letter in enumerate(letters):
             if letter == ",":
                 self.emit("COMMA", ",", at + i)

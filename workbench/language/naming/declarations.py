@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from workbench.language.grammar.parser import parse
@@ -15,6 +16,7 @@ from workbench.language.grammar.syntax import (
     Product,
     Scripted,
     as_letter,
+    both_below,
     core,
     unstyled,
 )
@@ -93,8 +95,8 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
             node = prefixed(mark, right) or node
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
     styles, letter = unstyled(scripted.nucleus)
-    if isinstance(letter, Scripted) and not (scripted.sub or scripted.sup or scripted.primes):
-        scripted = letter  # \vec{a_{cm}} is \vec{a}_{cm}
+    if isinstance(letter, Scripted) and not (scripted.sup or scripted.primes):
+        scripted = replace(letter, sub=both_below(letter.sub, scripted.sub))  # \vec{a_{cm}}
         inner, letter = unstyled(letter.nucleus)
         styles = (*styles, *inner)
     if isinstance(letter, Accented) and letter.accent == "~":

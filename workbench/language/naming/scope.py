@@ -8,7 +8,18 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import TypeVar
 
-from workbench.language.grammar.syntax import Accented, Bracket, Group, Leaf, Node, Product, Scripted, Sum
+from workbench.language.grammar.syntax import (
+    Accented,
+    Bracket,
+    Group,
+    Leaf,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    core,
+)
 from workbench.language.naming.notations import is_shape
 from workbench.language.naming.spelling import (
     Named,
@@ -99,8 +110,11 @@ class Scope(ABC):
         return self.apply(at, "transpose", slope) if is_column else slope
 
     def frame(self, label: Node) -> Term:
-        """The angular velocity of the frame of that label."""
-        name = spell_label(label) or ""
+        """The angular velocity of the frame of that label; \\mathcal{B} is B, where nothing else is."""
+        name, plain = spell_label(label) or "", core(label)
+        while name not in self.table.frames and isinstance(plain, Styled):
+            plain = core(plain.body)
+            name = spell_label(plain) or ""
         if name not in self.table.frames:
             known = ", ".join(self.table.frames) or "none"
             raise Fault(f"a derivative in the frame {name}? frames declared in [frames]: {known}", label.at)

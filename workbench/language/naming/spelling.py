@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
+    Chain,
     Group,
     Infix,
     Leaf,
@@ -294,6 +295,8 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
             return None if inner is None or linear_or_none(node.nucleus, variables) else [*inner, "}"]
         case Infix(operator=operator):
             return [written("INFIX", operator)]
+        case Chain(sides=sides, relations=(("→", _),)):  # from a frame to another
+            return _spell_list(sides, "\\to ", ())
     return None
 
 

@@ -51,10 +51,15 @@ def agree(terms: Sequence[Term], what: str) -> tuple[Term, ...]:
     may_be_unit = shape.kind == "operator" or (shape.is_square and shape.kind != "scalar")
     if units and not may_be_unit:
         raise IllFormed(f"{what} differ in type: the unit tensor and {shape}")
-    weights = dict.fromkeys(t.weight for t in terms if t.weight is not None)
+    weights = dict.fromkeys(t.weight for t in terms if t.weight is not None and not _is_example(t))
     if len(weights) > 1:
         raise IllFormed(f"{what} differ in weight (power of 1/time): " + " and ".join(map(str, weights)))
     return tuple(_in_shape(t, shape) for t in terms)
+
+
+def _is_example(term: Term) -> bool:
+    """Whether it is a matrix of nothing but numbers: values in units of some kind."""
+    return isinstance(term, Block) and not any(isinstance(each, Symbol) for each in term.walk())
 
 
 def _in_shape(term: Term, shape: Type) -> Term:

@@ -107,6 +107,13 @@ SAME = Have(
     r"2 a \cdot b = a \cdot b + a \cdot b", Kernel(), Follows(r"\frac{1}{h} - \frac{1}{h} + Y", Y=Use(-1))
 )
 DOT = r"\dot{X}"
+RATES = Each(Follows("Y", Y=OF_0), Follows(r"\dot{Y}", Y=OF_0))
+DIVIDED = Follows(
+    r"\dot{Y} - H \dot{c} - K c + c - (h - H) \dot{a} - (\dot{h} - K) a",
+    Y=Use(-1),
+    H=Use(0),
+    K=Use(0, part=1),
+)
 TURNING = Given(
     Have(
         r"\forall Q \in SO_3^\mathbb{R} : \dot{Q} Q^T = - Q \dot{Q}^T",
@@ -131,6 +138,10 @@ FALSE: dict[str, list[tuple[str, Proof]]] = {
     "what is so at one instant says nothing of derivatives there": [
         (r"a = b \Rightarrow \forall n \geq 0 : a^{(n)} = b^{(n)}", Induction(Follows("Y", Y=OF_0), Follows(r"\dot{Y}", Y=Use(-1)))),
         (r"\forall n \geq 0 : a = b \Rightarrow a^{(n)} = b^{(n)}", Follows("Y^{(n)}", Y=OF_0)),
+        (r"a = b \Leftrightarrow a = b \wedge \dot{a} = \dot{b}", Ways(RATES, Follows("Y", Y=OF_0))),
+        (r"a = b \wedge \dot{a} = \dot{b} \Leftrightarrow a = b", Ways(Follows("Y", Y=OF_0), RATES)),
+        (r"\dot{a} \neq \dot{b} \Rightarrow a \neq b", Given(Contradicts(0, Follows(r"\dot{Y}", Y=Use(-1))))),
+        (r"h = 0 \wedge \dot{h} = 1 \Rightarrow \exists! c \in V_3^\mathbb{R} : h c = h a", Given(Unique({"c": "a"}, only=DIVIDED))),
         (r"\forall n \geq 0 : a = b \Rightarrow V_n(a) = V_n(b)", Follows("V_n(Y)", Y=OF_0)),
         (r"\forall c \in V_3 : c = a \Rightarrow \dot{a} = \mathbf{0}", Follows(r"\dot{Y}", Y=Use(0, back=True))),
         (r"\dot{a} = \mathbf{0}", Have(r"\exists c \in V_3 : c = a", Witness({"c": "a"}), Obtain(-1, Follows(r"\dot{Y}", Y=Use(-1, back=True))))),

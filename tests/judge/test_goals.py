@@ -360,6 +360,18 @@ def test_a_claim_is_not_refuted_without_what_it_supposes():
     assert (found(None), found(())) == (Outcome.PROVED, Outcome.UNCHECKED)
 
 
+def test_what_stands_against_a_claim_meets_what_it_supposes():
+    where = scope()
+    goal, assume = read_goal("b = a", where), [where.statement("a = b")]
+    judge = Judge(where.definitions)
+    against = Proven(against=False_())
+    assert prove(goal, where, judge, against, assume).outcome == Outcome.UNCHECKED
+    assert prove(goal, where, judge, against).outcome == Outcome.REFUTED
+    narrower = read_goal(r"a = 2 b \Rightarrow b = a", where)
+    both = Proven(Kernel(), False_())
+    assert prove(narrower, where, judge, both, assume, bare=goal).outcome == Outcome.UNCHECKED
+
+
 def test_what_is_supposed_at_an_instant_is_no_premise_for_all_times():
     where = scope()
     goal = read_goal(r"a = b \Longrightarrow \dot{a} = \dot{b}", where)

@@ -28,3 +28,9 @@ def test_they_turn_alike_and_their_opposites_do_not(one, other):
         more = judged(f"{function}({one}) = {function}(2 ({other}))").outcome
         assert more not in (Outcome.PROVED, Outcome.CONDITIONAL)
     assert judged(rf"\sin({one}) = -\sin({other})").outcome not in (Outcome.PROVED, Outcome.CONDITIONAL)
+
+
+@pytest.mark.parametrize("formula", [r"\sin(f \alpha) = \sin(2 \alpha)", r"\cos(f \alpha) = \cos(2 \alpha)"])
+def test_an_angle_in_a_product_is_the_angle_beside_it(formula):
+    """For f = 2 they are the same; no point has α = 0 in one of them and another α in the other."""
+    assert judged(rf"{formula} \text{{ for }} f = 2").outcome != Outcome.REFUTED

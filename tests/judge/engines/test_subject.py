@@ -8,6 +8,7 @@ import pytest
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject import NotExact
 from workbench.judge.subject.angles import angles_of, sum_of_products, with_parts_of_angles
+from workbench.judge.subject.divisions import never_divides
 from workbench.judge.subject.exponentials import without_exponentials
 from workbench.judge.subject.inventory import take_inventory
 from workbench.judge.subject.parameters import parts
@@ -101,6 +102,26 @@ def test_two_terms_have_what_either_has_and_definitions_what_is_written(one):
         mine, others = INVENTORIES[one], INVENTORIES[other]
         assert orders == {s: max(mine[0].get(s, 0), others[0].get(s, 0)) for s in {**mine[0], **others[0]}}
         assert all(max(a, b) <= n <= a + b for n, a, b in zip(counts, mine[2:], others[2:], strict=True))
+
+
+@pytest.mark.parametrize(
+    ("latex", "never"),
+    [
+        ("f^n", True),
+        ("f^{n+1}", True),
+        ("f^{n-1}", False),
+        ("f^{1-n}", False),
+        ("f^{-1}", False),
+        (r"\frac{f}{g}", False),
+        (r"\|a\|", False),
+        ("T^{-1}", False),
+        (r"\mathbf{D}^{n}", True),
+        (r"T a \cdot b", True),
+        (r"\sin f", True),
+    ],
+)
+def test_what_never_divides(latex, never):
+    assert never_divides(read_term(latex, TABLE, {"n": 0})) == never
 
 
 @pytest.mark.parametrize(

@@ -489,3 +489,12 @@ def test_a_scalar_of_what_is_declared_an_argument_is_no_product(
     assert read(function, table) == read(alone, table)
     with pytest.raises(ReadError, match="or a product"):
         read(function.replace(r"(\alpha)", r"(\beta)").replace(r"[\alpha]", r"(\beta)"), table)
+
+
+@pytest.mark.parametrize(
+    "formula", [r"s^2 = s s \qquad (2)", r"(2.1) \quad s^2 = s s", r"s^2 = (s + 0) \quad [A.3b]."]
+)
+def test_the_number_of_a_formula_is_no_factor(formula: str) -> None:
+    with pytest.raises(ReadError, match="the number of the formula"):
+        read(formula, TABLE)
+    assert read(r"s^2 = s (2 s - s) \quad", TABLE) and read(r"s = 2 \quad [s]", TABLE)

@@ -467,3 +467,34 @@ def test_what_a_transform_makes_of_a_bare_zero_is_asked(tmp_path: Path, formula:
     with pytest.raises(ReadError, match="a point or a direction"):
         read(formula, table)
     assert read("H a = a", table) and read("H^{-1} H = \\mathbf{I}_{4 \\times 4}", table)
+
+
+@pytest.mark.parametrize(
+    ("function", "alone"),
+    [
+        (r"s(\alpha) = 0", "s = 0"),
+        (r"s^2(\alpha) = s(\alpha)^2", "s^2 = s^2"),
+        (r"a(\alpha) s(\alpha) = a", "a s = a"),
+        (r"\dot{s}(\alpha) = \sin(\alpha) s(\alpha)", r"\dot{s} = (\sin\alpha) s"),
+        (r"s[\alpha] = \beta", r"s \alpha = \beta"),
+    ],
+)
+def test_a_scalar_of_what_is_declared_an_argument_is_no_product(
+    tmp_path: Path, function: str, alone: str
+) -> None:
+    (tmp_path / "n.toml").write_text("[conventions]\narguments = ['\\alpha']\n")
+    table = load_notation(tmp_path / "n.toml").symbols.with_specs(
+        {name: {"kind": kind} for name, kind in KINDS.items()}
+    )
+    assert read(function, table) == read(alone, table)
+    with pytest.raises(ReadError, match="or a product"):
+        read(function.replace(r"(\alpha)", r"(\beta)").replace(r"[\alpha]", r"(\beta)"), table)
+
+
+@pytest.mark.parametrize(
+    "formula", [r"s^2 = s s \qquad (2)", r"(2.1) \quad s^2 = s s", r"s^2 = (s + 0) \quad [A.3b]."]
+)
+def test_the_number_of_a_formula_is_no_factor(formula: str) -> None:
+    with pytest.raises(ReadError, match="the number of the formula"):
+        read(formula, TABLE)
+    assert read(r"s^2 = s (2 s - s) \quad", TABLE) and read(r"s = 2 \quad [s]", TABLE)

@@ -73,6 +73,20 @@ SPELLED = [
     (r"p_{0_j}^{'T} = x^{''} y^{'2}", [r"p_{0_j}'^{T} = x'' y^{'2}"]),
     (r"{v = w = z}", ["v=w", "w=z"]),
     (r"{v}_1 = w \& w = {z}", ["{v}_1 = w", "w = {z}"]),
+    *(
+        (rf"x = y {behind}", ["x = y"])
+        for behind in (
+            r"\qquad (2)",
+            r"\quad [2.1]",
+            r"\hfill (A.4b)",
+            r"\hspace{2cm} (12)",
+            r", \quad\text{(2)}",
+            r".\qquad (3)",
+        )
+    ),
+    (r"(2) \qquad x = y", ["x = y"]),
+    (r"x = y \; (2)", [r"x = y \; (2)"]),
+    (r"x = y \quad z (2)", [r"x = y \quad z (2)"]),
     (r"x \in \R^3", [r"x \in\mathbb{R}^3"]),
     (r"\left[\frac{d}{dt}\right]_{S_0} x = y", [r"\frac{{}^{S_0}d}{dt} x = y"]),
     (

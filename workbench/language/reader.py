@@ -15,6 +15,7 @@ from workbench.language.elaboration.ranges import Range, names_a_set
 from workbench.language.elaboration.statements import Reading, reading_of, term_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Lines, Node
+from workbench.language.grammar.vocabulary import BY_HAND
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.errors import ALONE, SAYS_NOTHING, Fault, IllFormedAt, Misfit, ReadError, place
 from workbench.language.typed.terms import Statement, Term
@@ -101,6 +102,8 @@ _STRICTLY = {"dyads": "matrices", "unit": "scalar", "arguments": ""}
 
 
 def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable], Result]) -> Result:
+    if (number := BY_HAND.search(latex)) is not None:
+        raise ReadError("the number of the formula, or a factor? leave it out", *place(latex, number.start()))
     try:
         return make(parse(latex), table)
     except Fault as fault:

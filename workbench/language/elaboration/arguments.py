@@ -56,7 +56,8 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     if scope.is_time(part):
         return True
     if is_argument(scope, part):
-        is_product = not isinstance(function, Symbol) or function.declaration.constant
+        own = _without_sup(function)
+        is_product = not isinstance(own, Symbol) or own.declaration.constant
         only_says = not is_product or {term.type.kind, scope.term(part).type.kind} != {"scalar"}
         if only_says:
             _take_place(scope, bracket, term)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from workbench.language.typed.operators import TEX_FUNCTIONS
 
 _LETTERS = """
@@ -15,6 +17,13 @@ _FONTS = (
 _STYLES = f"{_FONTS} underline overline bar vec hat check breve mathring"
 _LABELS = "dagger ddagger flat natural sharp bullet diamond"
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
+#: (2.1), [3] or (A.4b), as the number of a formula is printed; the length of a space may stand before it.
+NUMBER = re.compile(
+    r"(?:\{[^{}]*\})?\s*(?:\\(?:text|mathrm|textrm|mbox)\s*\{\s*)?"
+    r"[(\[]\s*(?:[A-Z]\.?)?\d[\d.\-–]*\s*[a-z]?'?\s*[)\]]\s*\}?[\s.,;]*"
+)
+BY_HAND = re.compile(rf"^{NUMBER.pattern}\\q?quad(?![A-Za-z])|\\q?quad\s*{NUMBER.pattern}$")
+
 _SPACING = "enskip quad qquad displaystyle textstyle limits nolimits nonumber notag , ; : ! >"
 
 COMMANDS: dict[str, tuple[str, str]] = {

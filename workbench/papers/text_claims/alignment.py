@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from workbench.language.grammar.vocabulary import LINES, goes_on, spellings
+from workbench.language.grammar.vocabulary import LINES, NUMBER, goes_on, spellings
 from workbench.papers.respell import argument, respelled
 from workbench.papers.texts import Display, Token, joined
 
@@ -36,6 +36,7 @@ _SPACES = frozenset(
 #: Spaces that the author asks for.
 EXPLICIT = frozenset({"\\ ", "\\\n", "~", "\\;"})
 WIDE = frozenset({"\\quad", "\\qquad", "\\hspace"})
+_FAR = WIDE | {"\\hfill"}
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
 _ENDS = frozenset({".", ",", ";"})
 
@@ -55,7 +56,7 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
     in_column: dict[int, Line] = {}
     several = len(display.rows) > 1
     for row in display.rows:
-        tokens = respelled(row.tokens, words)
+        tokens = respelled(_without_number(row.tokens), words)
         inner = None if several else _inside(tokens)
         for piece in [tokens] if inner is None else _split(inner, "\\\\"):
             for column, (cell, opens) in enumerate(_columns(_with_implications(piece))):
@@ -71,6 +72,18 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
                     made.append(line)
                     in_column[column] = line
     return made
+
+
+def _without_number(tokens: Sequence[Token]) -> list[Token]:
+    """Without the number that an author sets himself, behind a wide space at the end or before one."""
+    spaces = [
+        place for place, (token, depth) in enumerate(with_depth(tokens)) if token.text in _FAR and not depth
+    ]
+    if spaces and NUMBER.fullmatch(joined(tokens[spaces[-1] + 1 :])):
+        return list(tokens[: spaces[-1]])
+    if spaces and NUMBER.fullmatch(joined(tokens[: spaces[0]])):
+        return list(tokens[spaces[0] + 1 :])
+    return list(tokens)
 
 
 def _with_implications(tokens: list[Token]) -> list[Token]:

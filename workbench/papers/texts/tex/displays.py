@@ -277,7 +277,7 @@ class _Body:
             case "\\ref" | "\\eqref" | "\\cref" | "\\Cref" | "\\autoref":
                 reader.star()
                 self._keep(token.standing_for(f"\\text{{{reader.word()}}}"))
-            case "\\hline" | "\\hfill" | "\\hfil" | "\\noindent":
+            case "\\hline" | "\\hfil" | "\\noindent":
                 return True
             case text if text in _MARKS:
                 row.marks.add(text)

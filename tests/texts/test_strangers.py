@@ -398,3 +398,18 @@ a = "vector"
     ]
     found = outcomes(tmp_path, "\n\n".join(f"$$ {each} $$" for each in formulas), model)
     assert found == ["proved", "refuted", "proved", "proved", "refuted"]
+
+
+@pytest.mark.parametrize(("kind", "expected"), [("scalar", ["proved", "refuted"]), ("dual scalar", None)])
+def test_epsilon_is_a_symbol_where_it_is_declared_and_nothing_is_dual(
+    tmp_path: Path, kind: str, expected: list[str] | None
+) -> None:
+    text = r"$$ q q^* = \eta^2 + \varepsilon^T \varepsilon $$" "\n\n" r"$$ q + q^* = 2 \eta + \varepsilon $$"
+    model = "[conventions]\nquaternion = 'hamilton, scalar first'\n"
+    model += f"[symbols]\n'\\varepsilon' = 'vector'\n'\\eta' = '{kind}'\n[definitions]\n"
+    model += r"'q' = '\operatorname{quat}(\eta, \varepsilon)'"
+    if expected is None:
+        with pytest.raises(PaperError, match="is the dual unit"):
+            outcomes(tmp_path, text, model)
+    else:
+        assert outcomes(tmp_path, text, model) == expected

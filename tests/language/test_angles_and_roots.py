@@ -92,3 +92,10 @@ def test_the_time_in_an_angle_goes_on_at_one(formula: str, outcome: Outcome, rat
         "u": {"kind": "vector", "unit": True, "constant": True},
     }
     assert check(formula.replace("{0}", rate), symbols=symbols).outcome is outcome
+
+
+def test_the_rate_of_a_constant_is_nothing_to_differentiate_by() -> None:
+    formula = r"\frac{\partial}{\partial\dot\theta} (\dot\theta \cos\theta) = \cos\theta"
+    with pytest.raises(ReadError, match="by the rate of a constant"):
+        check(formula, symbols={r"\theta": {"kind": "scalar", "constant": True}})
+    assert check(formula, symbols={r"\theta": "scalar"}).outcome is Outcome.PROVED

@@ -63,7 +63,7 @@ def test_a_name_with_a_meaning_is_neither_declared_nor_defined(name: str) -> Non
     for entries in ({name: TENSOR}, {"A": {"kind": "tensor", "aliases": [name]}}):
         if name != r"\mathbf{I}":
             with pytest.raises(SpecError, match=meaning):
-                SymbolTable.build(entries)
+                SymbolTable.build({**entries, "u": {"kind": "dual vector"}})
     with pytest.raises(SpecError, match=meaning):
         read_definition(name, r"2 \alpha", table())
 

@@ -24,6 +24,9 @@ SPELLED = {
     r"A = \left[ {\begin{array}{*{20}{c}} 0&1 \end{array}} \right]": r"A = \left[ \begin{array}{c} 0&1 \end{array} \right]",
     r"x = {a + b \over c}": r"x = \frac{a + b }{ c}",
     r"\bf{J}_{\omega} = [\bf{\hat{s}}] \rm{v}": r"\mathbf{J}_{\omega} = [\mathbf{\hat{s}}] \mathrm{v}",
+    r"a^{\mkern-1pt \top \mkern -1.5 mu} b\space = {\rm\bf I} c": r"a^{\top} b= \mathbf{I} c",
+    r"A = \begin{bmatrix} 1 \\\\ 2 \\ \\ 3 \end{bmatrix}": r"A = \begin{bmatrix} 1 \\ 2 \\ 3 \end{bmatrix}",
+    r"\text{the angle $\theta \in S$:} x = y": r"\text{the angle :} x = y",
     r"\leftexp{B}{\omega} = y": r"{}^{B} {\omega} = y",
     r"a = \omega_\mathcal{{B}/\cal{N}}": r"a = \omega_{\mathcal{B}/\mathcal{N}}",
     r"\pd[2]{f}{x} = \od{y}{t}": r"\frac{\partial^{2} f}{\partial x^{2}} = \frac{d y}{d t}",
@@ -354,3 +357,59 @@ def test_a_display_that_begins_with_a_sign_goes_on_with_the_one_before(tmp_path:
 def test_a_display_behind_a_sentence_begins_anew(tmp_path: Path) -> None:
     text = "$$ a = b + b $$\n\nwhich is\n\n$$ = 2 b $$"
     assert outcomes(tmp_path, text, "[symbols]\na = 'scalar'\nb = 'scalar'\n") == ["unchecked"] * 2
+
+
+@pytest.mark.parametrize(
+    "words", [r"\text{for } y = 1", r"\quad \text{for $y = 1$}", r"\text{ for all } y = 1"]
+)
+def test_an_equation_behind_for_is_the_condition_of_the_formula(tmp_path: Path, words: str) -> None:
+    model = "[symbols]\nx = { kind = 'scalar', free = true }\ny = { kind = 'scalar', free = true }\n"
+    formulas = [r"x y = x y^2", r"x y = x y^2 = x", r"x y = 2 x y^2"]
+    text = "\n\n".join(f"$$ {formula} {words} $$" for formula in formulas)
+    assert outcomes(tmp_path, text, model) == ["proved", "proved", "proved", "refuted"]
+    not_equal = r"$$ \frac{x y}{y} = x \quad \text{for $y \neq 0$} $$"
+    assert outcomes(tmp_path, not_equal, model) == ["proved"]
+
+
+def test_the_columns_of_an_align_may_begin_with_an_empty_pair(tmp_path: Path) -> None:
+    rows = r"&& a &= 2 b - b \\ \Rightarrow && a + b + a &= b + 2 a \\ && b + a &= a"
+    text = rf"$$ \begin{{align*}} {rows} \end{{align*}} $$"
+    model = "[symbols]\na = { kind = 'vector', free = true }\nb = { kind = 'vector', free = true }\n"
+    assert outcomes(tmp_path, text, model) == ["refuted", "proved", "refuted"]
+
+
+def test_a_notation_may_hold_a_range_and_a_kind_by_its_size(tmp_path: Path) -> None:
+    model = """[conventions]
+quaternion = "hamilton, scalar first"
+[notation]
+'[q]_{1:3}' = { where = { q = "quaternion" }, means = '\\operatorname{Vec}(q)' }
+'S(x)' = { where = { x = "matrix 3×1" }, means = '\\operatorname{skew}(x)' }
+'S(r)' = { where = { r = "matrix 1×3" }, means = '\\operatorname{skew}(r^T)' }
+[symbols]
+q = "quaternion"
+a = "vector"
+"""
+    formulas = [
+        r"[q \circ q]_{1:3} = 2 (\operatorname{Sc} q) [q]_{1:3}",
+        r"[q \circ q]_{1:3} = (\operatorname{Sc} q) [q]_{1:3}",
+        r"S(a) a = \mathbf{0}",
+        r"S([1 \quad 0 \quad 0]) a = \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix} \times a",
+        r"S([1 \quad 0 \quad 0]) a = a \times \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix}",
+    ]
+    found = outcomes(tmp_path, "\n\n".join(f"$$ {each} $$" for each in formulas), model)
+    assert found == ["proved", "refuted", "proved", "proved", "refuted"]
+
+
+@pytest.mark.parametrize(("kind", "expected"), [("scalar", ["proved", "refuted"]), ("dual scalar", None)])
+def test_epsilon_is_a_symbol_where_it_is_declared_and_nothing_is_dual(
+    tmp_path: Path, kind: str, expected: list[str] | None
+) -> None:
+    text = r"$$ q q^* = \eta^2 + \varepsilon^T \varepsilon $$" "\n\n" r"$$ q + q^* = 2 \eta + \varepsilon $$"
+    model = "[conventions]\nquaternion = 'hamilton, scalar first'\n"
+    model += f"[symbols]\n'\\varepsilon' = 'vector'\n'\\eta' = '{kind}'\n[definitions]\n"
+    model += r"'q' = '\operatorname{quat}(\eta, \varepsilon)'"
+    if expected is None:
+        with pytest.raises(PaperError, match="is the dual unit"):
+            outcomes(tmp_path, text, model)
+    else:
+        assert outcomes(tmp_path, text, model) == expected

@@ -47,10 +47,11 @@ _FLAGGED = {
 }
 _ALLOWED = ("kind", "weight", *_FLAGS, "of", "aliases", "note")
 
-#: What these names mean in every formula. The unit tensor's may be declared to be something else.
-UNIT = Name("I", ("\\mathbf",))
+#: What these names mean in every formula. The unit tensor's may be declared to be something else, and so may
+#: the dual unit's where no symbol is dual.
+UNIT, DUAL_UNIT = Name("I", ("\\mathbf",)), Name("\\varepsilon")
 BUILTIN = {
-    Name("\\varepsilon"): "the dual unit",
+    DUAL_UNIT: "the dual unit",
     UNIT: "the unit tensor",
     Name("I", ("\\underline", "\\mathbf")): "the unit tensor",
     Name("D", ("\\mathbf",)): "the operator d/dt",

@@ -67,7 +67,8 @@ class Notation:
         formals = spec.get("where", {})
         if not isinstance(formals, Mapping) or not all(isinstance(kind, str) for kind in formals.values()):
             raise SpecError('where: expected kinds of letters such as { x = "vector" }', key)
-        notation = Notation(key, dict(formals), _one(key, key), _one(spec["means"], key))
+        kinds = {letter: str(type_of_kind(kind) or kind) for letter, kind in formals.items()}
+        notation = Notation(key, kinds, _one(key, key), _one(spec["means"], key))
         for letter in formals:
             if not _occurs(letter, notation.pattern):
                 raise SpecError(f"where: {letter} does not stand in it", key)
@@ -254,6 +255,8 @@ def _parts(value: Any) -> Iterable[Any]:
     """The fields of a node but its place, and what they hold."""
     if isinstance(value, Sum):
         return [(sign, addend) for sign, _, addend in value.addends]
+    if isinstance(value, Chain):
+        return [*value.sides, *(sign for sign, _ in value.relations)]
     if isinstance(value, Node):
         return [getattr(value, name) for name in _fields(type(value))]
     return value if isinstance(value, tuple) else ()

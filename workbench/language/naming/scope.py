@@ -34,6 +34,7 @@ from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import (
     Apply,
+    Derivative,
     IllFormed,
     Power,
     Symbol,
@@ -99,6 +100,8 @@ class Scope(ABC):
         """∂f/∂x, a row or a column as the paper says."""
         if not is_rate(by):
             raise Fault("a derivative by anything but a symbol or its time derivative", at)
+        if isinstance(by, Derivative) and isinstance(by.body, Symbol) and by.body.declaration.constant:
+            raise Fault("a derivative by the rate of a constant", at)
         if by.type.kind == "scalar":
             if body.type.kind == "vector" and self.table.frames:
                 raise Fault("the partial derivative of a vector, seen from which frame?", at)

@@ -11,6 +11,7 @@ from typing import Any
 
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import (
+    DUAL_UNIT,
     UNIT,
     aliases,
     arguments_of,
@@ -81,6 +82,9 @@ class SymbolTable:
         SpecError."""
         symbols: dict[Name, Declaration] = {}
         functions: dict[Name, Sequence[str]] = {}
+        kinds = (spec.get("kind") for spec in specs.values() if isinstance(spec, Mapping))
+        has_duals = any(str(kind).startswith("dual") for kind in kinds)
+        own = {UNIT} if has_duals else {UNIT, DUAL_UNIT}
         letters = INDEX_LETTERS.intersection((*specs, *labels))
         for key, spec in specs.items():
             name, index = read_key(key)
@@ -98,7 +102,7 @@ class SymbolTable:
                         continue  # T_n beside T_m and symbols m and n
                     raise SpecError(f"{alias} is declared twice", key)
                 refuse_operation(other, key)
-                if other != UNIT:
+                if other not in own:
                     refuse_builtin(other, declared.type, key)
                 symbols[other] = declared
         for key, spec in specs.items():

@@ -4,7 +4,7 @@ within typefaces, R(t)^T."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from itertools import dropwhile
+from itertools import dropwhile, pairwise
 
 from workbench.papers.respell.between import net_sum, row_of_a_matrix, transposed_row, wide_space
 from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, braced, group, past, printed
@@ -125,6 +125,25 @@ def _nested_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | N
     return (tokens[place + 2 : behind(tokens, place + 1) - 1], behind(tokens, place + 1)) if inner else None
 
 
+def _formulas_in_text(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\text{for $x$ alone} as \\text{for }x\\text{ alone}; a heading \\text{axis $x$:} as \\text{axis :}."""
+    if tokens[place].text not in TEXTS or place + 1 >= len(tokens) or tokens[place + 1].text != "{":
+        return None
+    end = behind(tokens, place + 1)
+    signs = [at for at in range(place + 2, end - 1) if tokens[at].text == "$"]
+    parts = [tokens[start + 1 : stop] for start, stop in pairwise([place + 1, *signs, end - 1])]
+    words = [token for part in parts[::2] for token in part]
+    if len(signs) % 2 or not signs or not any(token.text.isalpha() for token in words):
+        return None
+    if printed(words)[-1] == ":":
+        return [tokens[place], *braced(tokens[place], words)], end
+    made: list[Token] = []
+    for at, inside in enumerate(parts):
+        is_formula = at % 2 == 1
+        made += inside if is_formula or not inside else [tokens[place], *braced(tokens[place], inside)]
+    return made, end
+
+
 def _prime(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """^{\\prime\\prime} as '', ^{'T} as '^{T}."""
     if tokens[place].text != "^":
@@ -243,6 +262,7 @@ _PATTERNS = (
     _grouped_table,
     _label,
     _nested_text,
+    _formulas_in_text,
     _prime,
     _of_time,
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from workbench.papers.texts import Token
@@ -16,6 +17,8 @@ _NO_NUCLEI = r"""
 _AS_POWERS = r"T \top * \ast \prime -T"
 _SPACES, _SPACES_WITH_ARGUMENT = frozenset([*_SPACING.split(), "\\ "]), frozenset(_LENGTHS.split())
 _SIGNS, _OPERATIONS = frozenset(_NO_NUCLEI.split()), frozenset(_AS_POWERS.split())
+_KERNS = frozenset({"\\mkern", "\\kern", "\\mskip", "\\hskip"})
+_LENGTH = re.compile(r"\s*-?\s*\d*\.?\d+\s*(?:mu|pt|em|ex|mm|cm|in)")
 _SWITCHES = {
     "\\rm": "\\mathrm",
     "\\bf": "\\mathbf",
@@ -38,10 +41,34 @@ def with_typefaces(tokens: Sequence[Token]) -> Iterator[Token]:
             yield token.standing_for(_SWITCHES[token.text])
             continue
         inside = _past_spaces(tokens, after + 1)
+        while following in _SWITCHES and _text(tokens, inside) in _SWITCHES:  # {\rm\bf I}
+            after, following = inside, _text(tokens, inside)
+            inside = _past_spaces(tokens, after + 1)
         if token.text == "{" and following in _SWITCHES and _text(tokens, inside) != "{":
             yield tokens[after].standing_for(_SWITCHES[following])
             skip_to = inside
         yield token
+
+
+def without_kerns(tokens: Sequence[Token]) -> Iterator[Token]:
+    """Without \\mkern-1pt, and a \\\\ directly behind another, which makes a row of nothing."""
+    skip_to, before = -1, ""
+    for place, token in enumerate(tokens):
+        if place < skip_to:
+            continue
+        length = _LENGTH.match("".join(each.text for each in tokens[place + 1 : place + 16]))
+        if token.text in _KERNS and length is not None:
+            skip_to = _behind(tokens, place + 1, length.end())
+        elif token.text != "\\\\" or before != token.text:
+            yield token
+            before = token.text if token.text != " " else before
+
+
+def _behind(tokens: Sequence[Token], place: int, characters: int) -> int:
+    while characters > 0:
+        characters -= len(tokens[place].text)
+        place += 1
+    return place
 
 
 def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:

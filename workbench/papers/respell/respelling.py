@@ -7,13 +7,13 @@ from itertools import pairwise
 
 from workbench.language.grammar.parser import MOST_CHARACTERS
 from workbench.papers.respell.by_hand import as_read
-from workbench.papers.respell.plain_tex import with_nuclei, with_typefaces
+from workbench.papers.respell.plain_tex import with_nuclei, with_typefaces, without_kerns
 from workbench.papers.texts import Token
 
 _DROPPED = frozenset((
     "displaystyle", "textstyle", "scriptstyle", "nolimits", "limits", "mathstrut", "strut",
     "nobreak", "allowbreak", "noindent", "centering", "smallskip", "medskip", "bigskip", "hfill",
-    "hfil", "par", "left.", "right.", "null", "kern-", "protect", "relax", "linebreak", "nonumber",
+    "hfil", "par", "space", "left.", "right.", "null", "kern-", "protect", "relax", "linebreak", "nonumber",
     "notag", "normalsize", "small", "footnotesize", "scriptsize", "tiny", "large", "boldmath",
     "unboldmath",
 ))  # fmt: skip
@@ -73,7 +73,7 @@ def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Toke
     read stays as it is."""
     if len(tokens) > MOST_CHARACTERS:
         return list(tokens)
-    made = list(_respelled(list(with_nuclei(as_read(list(with_typefaces(tokens)))))))
+    made = list(_respelled(list(with_nuclei(as_read(list(with_typefaces(list(without_kerns(tokens)))))))))
     if any(token.word in _OPERATORS for token in tokens):
         made = _tidied(made)
     return list(_with_words(made, words))

@@ -163,7 +163,7 @@ def _columns(tokens: list[Token]) -> list[tuple[list[Token], bool]]:
 
 def _around_signs(tokens: list[Token]) -> dict[int, int]:
     """The marks of &=&, and of the && that a row begins with, and 1 for the one that counts: in eqnarray a
-    sign has a column of its own."""
+    sign has a column of its own. Where && a &= b follows, the first pair of columns is empty."""
     marks = [
         (place, token)
         for place, (token, depth) in enumerate(with_depth(tokens))
@@ -173,9 +173,16 @@ def _around_signs(tokens: list[Token]) -> dict[int, int]:
     for (start, first), (end, second) in pairwise(marks):
         inside = _stripped(tokens[start + 1 : end])
         is_sign = all(token.text in RELATIONS for token in inside or tokens[:start] if token.text != " ")
-        if id(first) not in found and is_sign and (inside or not _stripped(tokens[:start])):
+        opens = not _stripped(tokens[:start]) and not _begins_pair(tokens, marks[2:])
+        if id(first) not in found and is_sign and (inside or opens):
             found |= {id(first): 1, id(second): 0}
     return found
+
+
+def _begins_pair(tokens: list[Token], marks: Sequence[tuple[int, Token]]) -> bool:
+    """Whether the next mark stands before a sign, as in a &= b."""
+    behind = _stripped(tokens[marks[0][0] + 1 :]) if marks else []
+    return bool(behind) and behind[0].text in RELATIONS
 
 
 def _environment(token: Token) -> str | None:

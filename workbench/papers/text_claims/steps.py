@@ -82,7 +82,7 @@ def _without_braces(tokens: list[Token]) -> list[Token]:
 
 @dataclass
 class _Clause:
-    """A formula with the ranges of its integers, and what it says to be different from something."""
+    """A formula with the ranges of its integers, and the equations and ≠ under which it is said."""
 
     tokens: list[Token]
     ranges: list[Token]
@@ -99,9 +99,12 @@ def _clauses(tokens: list[Token]) -> list[_Clause]:
         return whole
     clauses: list[_Clause] = []
     waiting = _Clause([], [], [])
+    conditions = _behind_for(tokens)
     for piece, signs in zip(pieces, relations, strict=True):
         target = clauses[-1] if clauses else waiting
-        if signs - _CONDITIONS and not is_range(piece):
+        if clauses and id(piece[0]) in conditions and not is_range(piece):
+            target.assumed.append(piece)
+        elif signs - _CONDITIONS and not is_range(piece):
             clauses.append(_Clause(piece, waiting.ranges, waiting.assumed))
             waiting = _Clause([], [], [])
         elif signs <= _UNEQUAL:
@@ -109,6 +112,16 @@ def _clauses(tokens: list[Token]) -> list[_Clause]:
         else:
             target.ranges += [piece[0].standing_for(","), *piece]
     return clauses or whole
+
+
+def _behind_for(tokens: list[Token]) -> set[int]:
+    """The first tokens of what stands behind a "for": a = b for c = d says a = b under that condition."""
+    found: set[int] = set()
+    for place, (_, depth) in enumerate(with_depth(tokens)):
+        if depth == 0 and _words(tokens, place) in ("for", "for all"):
+            behind = trimmed(tokens[argument(tokens, place + 1)[1] :])
+            found |= {id(token) for token in behind[:1]}
+    return found
 
 
 def _joins(tokens: Sequence[Token]) -> bool:

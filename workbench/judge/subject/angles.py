@@ -38,8 +38,8 @@ def with_parts_of_angles(terms: Iterable[Term], definitions: Lookup) -> Lookup:
 
 
 def is_free_angle(angle: Term) -> bool:
-    """Whether it is a symbol other than the time: the rate of t/2 is known, as that of ω t is, so that no other
-    symbol can stand for it."""
+    """Whether it is a symbol other than the time: the rate of t/2 is known, as that of ω t is, so that no
+    other symbol can stand for it."""
     return isinstance(angle, Symbol) and not angle.declaration.clock
 
 

@@ -54,6 +54,7 @@ SAME = [
     (r"x/2", r"\frac{x}{2}"),
     (r"x y/(x + y)", r"\frac{x y}{x + y}"),
     (r"\sin(x/2)", r"\sin\frac{x}{2}"),
+    (r"y \sin x/\cos\alpha", r"\frac{y \sin x}{\cos\alpha}"),
     (r"(x, y, z)^T", r"\begin{bmatrix} x \\ y \\ z \end{bmatrix}"),
     (r"[v^T, w^T]^T", r"\begin{bmatrix} v \\ w \end{bmatrix}"),
     (r"\lfloor v \rfloor_\times w", r"\tilde{v} w"),

@@ -105,10 +105,15 @@ def test_a_table_is_never_changed() -> None:
 
 
 def test_a_mark_over_scripts_is_one_over_their_letter() -> None:
-    for over, under in ((r"\vec{a_{cm}}", r"\vec{a}_{cm}"), (r"\hat{\mathbf{e_1}}", r"\hat{\mathbf{e}}_1")):
+    for over, under in (
+        (r"\vec{a_{cm}}", r"\vec{a}_{cm}"),
+        (r"\hat{\mathbf{e_1}}", r"\hat{\mathbf{e}}_1"),
+        (r"\vec{a_1}_2", r"\vec{a}_{1,2}"),
+        (r"{C_D}_x", "C_{D,x}"),
+    ):
         assert read_key(over) == read_key(under)
     with pytest.raises(SpecError):
-        read_key(r"\vec{a_1}_2")
+        read_key(r"\vec{a_1}^b")
 
 
 def test_the_letter_of_a_symbol_is_a_label_where_it_stands_for_no_index() -> None:

@@ -19,6 +19,7 @@ SPELLED = {
     r"\alpha^{\prime}_1 = x^{\prime\prime}": r"\alpha'_1 = x''",
     r"A = \mathbf{R}(t)^T S {(t)^T}": r"A = \mathbf{R}^T S ^T",
     r"m_{\text{\text{sc}}} = J_{\textit{7}}": r"m_{\text{sc}} = J_{\text{7}}",
+    r"I{ }^{-1} \cdot R{}^{-1} = {}^{-1} R {}^A x": r"I^{-1} \cdot R^{-1} = {}^{-1} R {}^A x",
     r"\omega_{\mathcal{E}_{\textit{i}}/N} = x_{\textit{in}}": r"\omega_{\mathcal{E}_{i}/N} = x_{\text{in}}",
     r"x \buildrel\Delta\over= \varOmega y": r"x := \mathit{\Omega}y",
     r"A = \left[ {\begin{array}{*{20}{c}} 0&1 \end{array}} \right]": r"A = \left[ \begin{array}{c} 0&1 \end{array} \right]",

@@ -144,10 +144,11 @@ def test_functions_of_terms_are_the_same_where_the_terms_and_the_orders_are():
 
 
 @pytest.mark.parametrize("kind", ["hamilton quaternion", "matrix 2x3", "transform"])
-def test_of_other_kinds_no_free_function_is_made(kind):
+def test_of_other_kinds_it_is_any_of_that_type(kind):
+    """The derivatives of a transform are none, and have other last rows."""
     term = read_term("X^{(n)}", SymbolTable.build({"X": {"kind": kind}}), {"n"})
-    with pytest.raises(NotExact, match="differentiated n times"):
-        with_free_derivatives(term)
+    free = with_free_derivatives(term)
+    assert (free.type, free.declaration.transform, free.declaration.unit) == (term.type, False, False)
 
 
 def test_what_linearity_makes_one_term_is_said_as_a_difference():
@@ -164,7 +165,14 @@ def test_what_linearity_makes_one_term_is_said_as_a_difference():
     assert said(r"(x + y)^{(n)} \neq x^{(n)} + y^{(n)}").operator == "≠"
 
 
-@pytest.mark.parametrize("order", ["n+k", "2n", "n-k"])
+def test_orders_may_be_sums():
+    """The n + k-th derivative is a function of its own, and the one before it not known."""
+    assert [str(order) for order in symbolic_orders([_read("x^{(n+k+1)}")])] == ["k+n+1"]
+    with pytest.raises(NotExact, match="of order"):
+        symbolic_orders([_read("x^{(n+k-1)}")])
+
+
+@pytest.mark.parametrize("order", ["2n", "n-k"])
 def test_other_orders_are_left_to_the_range(order):
     with pytest.raises(NotExact, match="of order"):
         symbolic_orders([_read(f"x^{{({order})}}")])

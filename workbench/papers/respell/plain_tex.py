@@ -75,11 +75,16 @@ def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:
     """A script behind a sign or a space stands on nothing: = ^A R_B as = {}^A R_B. Only a number, a transpose
     or a star behind a space is a power, moved for the eye."""
     is_bare, is_spaced = True, False
-    length_until = -1
+    length_until = empty_until = -1
     for place, token in enumerate(tokens):
         text = token.text
         if place < length_until:
             yield token
+            continue
+        if place < empty_until:
+            continue
+        if text == "{" and not is_bare and (power := _bare_inverse(tokens, place)):
+            empty_until = power
             continue
         if text in ("^", "_") and is_bare and not (is_spaced and _is_operation(tokens, place)):
             yield token.standing_for("{")
@@ -91,6 +96,14 @@ def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:
         is_bare = is_spaced or text in _SIGNS or text.startswith("\\begin{")
         if text in _SPACES_WITH_ARGUMENT:
             length_until = _behind_group(tokens, place + 1)
+
+
+def _bare_inverse(tokens: Sequence[Token], place: int) -> int:
+    """The place of ^{-1} behind the braces that open here, if they are empty: of I{}^{-1}; else 0."""
+    behind = _past_spaces(tokens, _behind_group(tokens, place))
+    is_empty = all(token.text in "{} " for token in tokens[place:behind])
+    power = "".join(token.text for token in tokens[behind : _behind_group(tokens, behind + 1)])
+    return behind if is_empty and power in ("^{-1}", "^{-T}") else 0
 
 
 def _is_operation(tokens: Sequence[Token], place: int) -> bool:

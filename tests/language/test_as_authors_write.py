@@ -46,6 +46,8 @@ SAME = [
         r"[w] \left[\begin{array}{c} x \\ y \\ z \end{array}\right]",
         r"\tilde{w} \begin{bmatrix} x \\ y \\ z \end{bmatrix}",
     ),
+    (r"w \times w \times v", r"w \times (w \times v)"),
+    (r"x w \times w \times y w \times v", r"(x w) \times (w \times ((y w) \times v))"),
     (r"\mathbf{pq}^T", r"\mathbf{p} (\mathbf{q}^T)"),
     (r"(\mathbf{pq})^T", r"(\mathbf{p} \mathbf{q})^T"),
     (r"\Delta t^2", r"(\Delta t)^2"),

@@ -8,11 +8,15 @@ from workbench.language.naming.scope import Scope
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.operators import SIGNS
 from workbench.language.typed.shapes import scalar_and_vector
-from workbench.language.typed.terms import Term
+from workbench.language.typed.terms import Apply, Term
 
 
 def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
-    """a · b, a × b, a ⊗ b, P ∘ Q from left to right, where another order could not mean something else."""
+    """a · b, a × b, a ⊗ b, P ∘ Q from left to right, where another order could not mean something else; but
+    ω × ω × r is ω × (ω × r), since ω × ω is 0."""
+    if _turns_often(scope, operands, signs):
+        again = infix(scope, operands[1:], signs[1:])
+        return _of_tensors(scope, signs[0].at, "cross", operands[0], again)
     result = operands[0]
     heads = set()
     for sign, operand in zip(signs, operands[1:], strict=True):
@@ -40,6 +44,22 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
             raise Fault("several products without brackets are ambiguous", signs[-1].at)
         result = _of_tensors(scope, sign.at, head, result, operand)
     return result
+
+
+def _turns_often(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool:
+    """Whether they are × between vectors alone, of which all but the last are the same but for numbers before
+    them."""
+    if len(operands) < 3 or {sign.operator for sign in signs} != {"×"}:
+        return False
+    first, last = operands[0], operands[-1]
+    is_own = explained(scope, signs[0], first, last) is not None
+    return not is_own and first.type.kind == last.type.kind == "vector" and len({*map(_moved, operands[:-1])}) == 1
+
+
+def _moved(term: Term) -> Term:
+    """The vector without the scalars before it."""
+    is_multiple = isinstance(term, Apply) and term.head == "mul" and term.arguments[0].type.kind == "scalar"
+    return _moved(term.arguments[1]) if is_multiple else term
 
 
 def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Term:

@@ -52,8 +52,9 @@ def _turns_often(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool
     if len(operands) < 3 or {sign.operator for sign in signs} != {"×"}:
         return False
     first, last = operands[0], operands[-1]
-    is_own = explained(scope, signs[0], first, last) is not None
-    return not is_own and first.type.kind == last.type.kind == "vector" and len({*map(_moved, operands[:-1])}) == 1
+    if first.type.kind != "vector" or last.type.kind != "vector" or len({*map(_moved, operands[:-1])}) > 1:
+        return False
+    return explained(scope, signs[0], first, last) is None
 
 
 def _moved(term: Term) -> Term:

@@ -125,7 +125,8 @@ def test_with_flint_s_numbers_there_is_no_verdict(numbers):
     """If integers or rationals were SymPy's own, which are FLINT's here, the engine would say so."""
     code = (
         FLINT_FIRST
-        + f"import workbench.judge.second.sympy_ring as engine\nengine.{numbers} = sympy.{numbers}\n"
+        + "from workbench.judge.second import packed, sympy_ring\n"
+        + f"packed.{numbers} = sympy_ring.{numbers} = sympy.{numbers}\n"
         + IDENTITY
     )
     done = run(code)

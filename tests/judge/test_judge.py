@@ -1,5 +1,6 @@
 """Verdicts: true and false statements that anyone knows, and what the judge must not be fooled by."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -269,3 +270,20 @@ class TestDefects:
         monkeypatch.setitem(exact._HEADS, "cross", exact._HEADS["add"])
         with pytest.raises(EngineDisagreement):
             judged(r"a \times b = a + b")
+
+
+def test_what_was_judged_is_judged_again_only_under_another_setting(monkeypatch):
+    """Neither other assumptions, nor a hypothesis, nor other engines share a verdict."""
+    (claim,), (given,) = read(r"a \cdot b = 0", TABLE), read("a = 0", TABLE)
+    judge, asked = Judge(Definitions()), []
+    inner = Judge._judge
+    monkeypatch.setattr(Judge, "_judge", lambda self, *said: asked.append(said) or inner(self, *said))
+    one_engine = replace(judge, second_engine=False)
+    for _ in range(2):
+        assert judge.judge(claim).outcome is Outcome.REFUTED
+        assert judge.judge(claim, (given,)).outcome is Outcome.PROVED
+        assert judge.judge(claim, hypothesis=given).outcome is Outcome.CONDITIONAL
+        assert one_engine.judge(claim, (given,)).outcome is Outcome.PROBABLE
+        assert len(asked) == 5  # two for the hypothesis
+    assert Judge(Definitions()).judge(claim).outcome is Outcome.REFUTED
+    assert len(asked) == 6

@@ -90,14 +90,14 @@ class DifferentialRing:
 
     def reduce(self, p: Polynomial) -> Polynomial:
         """The normal form modulo the square relations."""
-        changed = bool(self._squares)
-        while changed:
-            changed = False
-            for name, value in self._squares.items():
-                if p.degrees()[self._places[name]] > 1:
-                    p = divmod(p, self.generators[name] ** 2 - value)[1]
-                    changed = True
+        while high := self._squared_in(p):
+            for name in high:
+                p = divmod(p, self.generators[name] ** 2 - self._squares[name])[1]
         return p
+
+    def _squared_in(self, p: Polynomial) -> list[str]:
+        degrees = p.degrees() if self._squares else ()
+        return [name for name in self._squares if degrees[self._places[name]] > 1]
 
     def reciprocal(self, d: Polynomial, spare: Sequence[str]) -> tuple[Polynomial, Fraction]:
         """(z, factor) with 1/d = factor·z; denominators equal up to a number share one z. `spare` names the

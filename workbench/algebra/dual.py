@@ -191,9 +191,9 @@ def _entries(re: Any, du: Any) -> tuple[Any, Any]:
 
 def _in_one_ring(a: Any, b: Any) -> tuple[Any, Any]:
     """a and b as operands of one ring: flint refuses Fractions, so they become fmpq."""
-    if isinstance(a, Fraction) and _is_flint(b):
+    if type(a) is Fraction and _is_flint(b):
         return _fmpq(a), b
-    if isinstance(b, Fraction) and _is_flint(a):
+    if type(b) is Fraction and _is_flint(a):
         return a, _fmpq(b)
     return a, b
 

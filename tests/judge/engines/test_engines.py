@@ -197,12 +197,20 @@ def test_sympy_ring_agrees_with_the_rationals(dual):
             expected = JetEngine(PointSource(rational, point), FREE).components(term)
         except (ZeroDivisionError, NotExact):
             continue
-        values = {str(ring.point[p].top): v for p, v in point.items()}
+        values = {str(spread(ring, ring.point[p].top)): v for p, v in point.items()}
         assert [_at(x, values) for x in symbolic] == expected
 
 
+def spread(ring, p):
+    return ring.polynomials.spread(p, ring.polynomials.many)
+
+
 def _at(ratio, values):
+    if isinstance(ratio, int):
+        return ratio
+
     def evaluate(p):
+        p = spread(ratio.ring, p)
         names = [str(g) for g in p.ring.gens]
         total = Fraction(0)
         for exponents, coefficient in p.terms():
@@ -227,16 +235,18 @@ def test_the_normal_form_is_the_remainder_by_the_relations():
         ring = SympyRing(replace(inventory, norms=2))
         a, b = random.sample(list(ring.point.values()), 2)
         ring.root(ring.root(a * a + 2) * 3 + b * b * Fraction(1, 2) + 1)
-        relations = ring.relations
-        squared = [g for g in ring.polynomials.gens if any(r.degree(g) > 0 for r in relations)]
+        relations = [spread(ring, p) for p in ring.relations]
+        places = range(len(ring.polynomials.generators))
+        squared = [i for i in places if any(r.degree(i) > 0 for r in relations)]
+        generators = ring.polynomials.generators
         for _ in range(8):
-            p = ring.polynomials.one
-            for g in random.choices(squared, k=4):
-                p = p * (
-                    g ** random.randint(1, 3) * random.choice(ring.polynomials.gens) + random.randint(-2, 2)
-                )
-            assert ring.normal(p) == p.rem(relations)
-            reduced += ring.normal(p) != p
+            p = ring.polynomials.integers.one
+            for i in random.choices(squared, k=4):
+                power = generators[i] ** random.randint(1, 3)
+                p = p * (power * random.choice(generators) + random.randint(-2, 2))
+            normal = ring.normal(p)
+            assert spread(ring, normal) == spread(ring, p).rem(relations)
+            reduced += normal != p
     assert reduced > 40
 
 

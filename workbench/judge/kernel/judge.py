@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from workbench.judge.kernel.beyond import OrderRanges
 from workbench.judge.kernel.branches import holds_arc, judge_branch
@@ -39,6 +39,11 @@ from workbench.language.typed.terms import (
 class Judge(Setting):
     """Judges statements under one set of definitions; `Setting` says what it can be given."""
 
+    #: The verdicts on instances, by the setting and all that is asked: claims share steps of their proofs.
+    _known: dict[tuple[Judge, Statement, tuple[Statement, ...], Statement | None], Verdict] = field(
+        default_factory=dict, compare=False, repr=False
+    )
+
     def judge(
         self,
         statement: Statement,
@@ -60,6 +65,14 @@ class Judge(Setting):
         self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
     ) -> Verdict:
         """The verdict where no integer variable is left to bind. Raises NotExact outside the exact world."""
+        asked = self, statement, assume, hypothesis
+        if asked not in self._known:
+            self._known[asked] = self._judge_under(statement, assume, hypothesis)
+        return self._known[asked]
+
+    def _judge_under(
+        self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
+    ) -> Verdict:
         verdict = self._judge(statement, assume)
         if hypothesis is None or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
             return verdict

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
-from functools import cached_property
-from math import prod
+from functools import cached_property, reduce
 from typing import TypeAlias
 
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PointSource
 from workbench.judge.second.sympy_gate import PolyElement, grevlex, groebner, require_python_integers
-from workbench.judge.second.sympy_ring import SympyRing, rewritten
+from workbench.judge.second.sympy_ring import SympyRing
 from workbench.judge.subject.assumptions import Assumptions
 from workbench.judge.subject.inventory import Inventory, Lookup
 from workbench.language.typed.terms import Relation
 
 #: A polynomial, and the places of the indeterminates in it: most are put into polynomials without them.
-Spread: TypeAlias = "tuple[PolyElement, set[int]]"
+Placed: TypeAlias = "tuple[PolyElement, set[int]]"
 
 #: How often something is squared to see whether a power of it vanishes, and how many terms it may have.
 _SQUARINGS, _LONGEST = 4, 40
@@ -51,23 +50,23 @@ class _Supposed:
     coefficient, is solved for it and put in; of the others there is a Gröbner basis."""
 
     def __init__(self, ring: SympyRing, zeros: list[PolyElement], elsewhere: list[PolyElement]) -> None:
-        self._ring, self._elsewhere = ring, elsewhere
+        self._ring, self._elsewhere, self._polynomials = ring, elsewhere, ring.polynomials
         self._values: list[tuple[int, PolyElement]] = []
-        bound = {place for r in ring.relations for powers in r for place, power in enumerate(powers) if power}
-        pending, divisors = _spread(zeros), []
+        bound = {place for relation in ring.relations for place in self._polynomials.places(relation)}
+        pending, divisors = self._placed(zeros), []
         while pending:
             p, holds = pending.pop()
-            place = _solvable(p, bound)
+            place = self._solvable(p, holds - bound)
             if place is None:
                 divisors.append((p, holds))
                 continue
-            x = ring.rationals.gens[place]
+            (x,) = ring.over_rationals([self._polynomials.generators[place]])
             self._values.append((place, x - p.quo_ground(p.coeff(x))))
             pending, divisors = (
-                [pair for pair in _with_value(group, *self._values[-1]) if pair[0]]
+                [pair for pair in self._with_value(group, *self._values[-1]) if pair[0]]
                 for group in (pending, divisors)
             )
-        self._divisors = [p for p, _ in divisors]
+        self._divisors = [self._polynomials.spread(p, self._polynomials.many) for p, _ in divisors]
 
     def imply(self, tops: Sequence[PolyElement]) -> bool:
         """Whether all vanish, or the sum of the squares of those that are not seen to."""
@@ -77,7 +76,7 @@ class _Supposed:
     def _vanishes(self, p: PolyElement) -> bool:
         """Whether a power is in the ideal: of p, of p times what is not 0, or, where p = x − y and no term of
         x and y is ever negative, of p (x + y). What the divisors show as they are is seen sooner."""
-        factors = [p.ring.one, *([prod(self._elsewhere)] if self._elsewhere else [])]
+        factors = [p.ring.one, *([reduce(self._product, self._elsewhere)] if self._elsewhere else [])]
         if self._ring.is_made_of_sizes(p):
             factors.append(p.new({powers: abs(c) for powers, c in p.items()}))
         return self._power_vanishes(p, self._divisors) or any(
@@ -94,43 +93,42 @@ class _Supposed:
             p = p * p
         return False
 
+    def _product(self, p: PolyElement, q: PolyElement) -> PolyElement:
+        return self._polynomials.checked(p * q)
+
     def _remainder(self, p: PolyElement, by: Sequence[PolyElement]) -> PolyElement:
-        group = _spread([p])
+        group = self._placed([p])
         for place, value in self._values:
-            group = _with_value(group, place, value)
+            group = self._with_value(group, place, value)
         p = self._ring.normal(group[0][0])
-        return p.set_ring(by[0].ring).rem(by).set_ring(p.ring) if by else p
+        return self._polynomials.packed(self._polynomials.spread(p, by[0].ring).rem(by)) if by else p
 
     @cached_property
     def _basis(self) -> list[PolyElement]:
-        ring = self._ring.rationals.clone(order=grevlex)
-        relations = self._ring.over_rationals(self._ring.relations)
-        generators = [p.set_ring(ring) for p in (*self._divisors, *relations)]
+        ring = self._polynomials.many.clone(order=grevlex)
+        relations = [self._polynomials.spread(relation, ring) for relation in self._ring.relations]
+        generators = [*(p.set_ring(ring) for p in self._divisors), *relations]
         basis = groebner(generators, ring) if self._divisors else []
         require_python_integers(*basis)
         return basis
 
+    def _placed(self, polynomials: Iterable[PolyElement]) -> list[Placed]:
+        """Each with the places of the indeterminates in it: most are put into polynomials without them."""
+        return [(p, self._polynomials.places(p)) for p in polynomials]
+
+    def _with_value(self, group: Iterable[Placed], place: int, value: PolyElement) -> list[Placed]:
+        found: list[Placed] = []
+        for p, places in group:
+            if place in places:
+                found += self._placed([self._polynomials.rewritten(p, place, 1, value)])
+            else:
+                found.append((p, places))
+        return found
+
+    def _solvable(self, p: PolyElement, places: Collection[int]) -> int | None:
+        """The first of these places whose indeterminate p holds in no other term than c · x."""
+        return next((place for place in sorted(places) if self._polynomials.is_alone(place, p)), None)
+
 
 def _square(ring: SympyRing, tops: Sequence[PolyElement]) -> PolyElement:
     return ring.normal(sum((t * t for t in tops[1:]), tops[0] * tops[0]))
-
-
-def _spread(polynomials: Iterable[PolyElement]) -> list[Spread]:
-    """Each with the places of the indeterminates in it: most are put into polynomials without them."""
-    return [
-        (p, {place for place, powers in enumerate(zip(*p, strict=True)) if any(powers)}) for p in polynomials
-    ]
-
-
-def _with_value(group: Iterable[Spread], place: int, value: PolyElement) -> list[Spread]:
-    found: list[Spread] = []
-    for p, places in group:
-        found += _spread([rewritten(p, place, 1, value)]) if place in places else [(p, places)]
-    return found
-
-
-def _solvable(p: PolyElement, bound: Collection[int]) -> int | None:
-    """The place of the first indeterminate, not a bound one, that p holds in no other term than c · x."""
-    alone = (powers.index(1) for powers in p if sum(powers) == 1)
-    free = (place for place in alone if place not in bound)
-    return min((place for place in free if sum(powers[place] > 0 for powers in p) == 1), default=None)

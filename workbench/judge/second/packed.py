@@ -1,0 +1,120 @@
+"""SymPy's polynomials in many indeterminates, as polynomials in one.
+
+Indeterminate number i stands as x^(2^(w i)), and so a monomial as one integer, whose digits of w bits are its
+powers: to multiply two monomials is to add two integers. As long as every power is below 2^w, this takes sums
+to sums and products to products, and different polynomials to different ones. The first bit of each digit is
+kept 0, so that the digits of two such integers have a sum without a carry: `normal` and `checked` refuse a
+polynomial in which it is not, and no product is multiplied again before one of them has seen it.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property, reduce
+from operator import lshift, or_
+from typing import Any
+
+from workbench.judge.second.sympy_gate import QQ, ZZ, PolyElement, PolyRing, lex, polynomial_ring
+from workbench.judge.subject.inventory import NotExact
+
+#: The bits of a power.
+WIDTH = 16
+_DIGIT = (1 << WIDTH) - 1
+
+
+class PackedPolynomials:
+    """Polynomials in so many indeterminates, known by their places; the first one ranks highest. Some of them
+    have a square that is rewritten by what ranks below them."""
+
+    def __init__(self, count: int) -> None:
+        self.integers, _ = polynomial_ring("x", ZZ, lex)
+        self.rationals: PolyRing = self.integers.clone(domain=QQ)
+        self._shifts = [WIDTH * place for place in reversed(range(count))]
+        self.generators = [self._power(place, 1) for place in range(count)]
+        self.squares: dict[int, PolyElement] = {}
+        self._tops = sum(1 << (shift + WIDTH - 1) for shift in self._shifts)
+        self._large = self._tops  # what no monomial of a normal form meets
+        self._ones = sum(1 << shift for shift in self._shifts)
+
+    def _power(self, place: int, exponent: int) -> PolyElement:
+        return self.integers.from_dict({(exponent << self._shifts[place],): ZZ(1)})
+
+    def set_square(self, place: int, square: PolyElement) -> None:
+        """Has the square of a generator rewritten; only generators ranked below it may occur in that."""
+        self.squares[place] = square
+        self._large |= (_DIGIT - 1) << self._shifts[place]
+
+    @property
+    def relations(self) -> list[PolyElement]:
+        """What vanishes: generator² − square, by falling rank of the generators."""
+        return [self._power(place, 2) - self.squares[place] for place in sorted(self.squares)]
+
+    def normal(self, p: PolyElement) -> PolyElement:
+        """The remainder by the relations, which are a Gröbner basis (see `differential_ring.py`): squares are
+        rewritten from the highest rank down. Raises NotExact where a power grows too high."""
+        for (powers,) in p:
+            if powers & self._large:
+                break
+        else:
+            return p
+        p = self.checked(p)
+        for place in sorted(self.squares):
+            p = self.rewritten(p, place, 2, self.squares[place].set_ring(p.ring))
+        return p
+
+    def checked(self, p: PolyElement) -> PolyElement:
+        """The polynomial, fit to be multiplied again; raises NotExact where a power is too high."""
+        if any(powers & self._tops for (powers,) in p):
+            raise NotExact(f"a power of {1 << (WIDTH - 1)} or more")
+        return p
+
+    def rewritten(self, p: PolyElement, place: int, power: int, value: PolyElement) -> PolyElement:
+        """p with each x^power replaced by the value, x being the indeterminate at that place."""
+        shift = self._shifts[place]
+        parts: dict[int, dict[tuple[int], Any]] = {}
+        for (powers,), coefficient in p.items():
+            times = (powers >> shift & _DIGIT) // power
+            parts.setdefault(times, {})[(powers - (times * power << shift),)] = coefficient
+        total = p.ring.zero
+        for times in range(max(parts, default=0), -1, -1):
+            total = self.checked(total * value) + p.new(parts.get(times, ()))
+        return total
+
+    def _at(self, place: int, powers: int) -> int:
+        return powers >> self._shifts[place] & _DIGIT
+
+    def places(self, p: PolyElement) -> set[int]:
+        """The places of the indeterminates in a polynomial."""
+        return self._places(reduce(or_, (powers for (powers,) in p), 0))
+
+    def odd_places(self, p: PolyElement) -> set[int]:
+        """The places of those that are there with an odd power."""
+        return self._places(reduce(or_, (powers & self._ones for (powers,) in p), 0))
+
+    def _places(self, powers: int) -> set[int]:
+        return {place for place in range(len(self._shifts)) if self._at(place, powers)}
+
+    def is_alone(self, place: int, p: PolyElement) -> bool:
+        """Whether a polynomial holds the indeterminate in one term, c · x."""
+        (x,) = self.generators[place]
+        return x in p and sum(self._at(place, powers) > 0 for (powers,) in p) == 1
+
+    def spread(self, p: PolyElement, ring: PolyRing) -> PolyElement:
+        """The polynomial in a ring like `many`."""
+        places = range(len(self._shifts))
+        terms = {tuple(self._at(place, e) for place in places) or (0,): c for (e,), c in p.items()}
+        return ring.from_dict(terms, p.ring.domain)
+
+    def packed(self, p: PolyElement) -> PolyElement:
+        """The reverse of `spread`, over the rationals."""
+        shifts = self._shifts or [0]
+        terms = {(sum(map(lshift, powers, shifts)),): c for powers, c in p.items()}
+        return self.rationals.from_dict(terms)
+
+    @cached_property
+    def many(self) -> PolyRing:
+        """The polynomials over ℚ with an indeterminate for each: what SymPy divides and factors."""
+        return polynomial_ring([f"y{i}" for i in range(len(self._shifts))] or "y", QQ, lex)[0]
+
+    def factors(self, p: PolyElement) -> list[tuple[PolyElement, int]]:
+        """Over the rationals, with their powers; without the number before them."""
+        return [(self.packed(q), power) for q, power in self.spread(p, self.many).factor_list()[1]]

@@ -108,6 +108,12 @@ MARKDOWN = [
     ("GitHub", "a\n\n$`a = b\n+ c`$\n\nwith $`b = 1`$\n\n$`b`$\n\n`$`x = y`$`\n", ["a = b\n+ c"]),
     ("GitHub", "so\n\n$a = b$.\n\n$b = c$ is\n\n$c$\n\n> $d = e$\n", ["a = b", "d = e"]),
     ("MyST", "```{math}\n:label: one\na = b\n```\n\n$$ c = d $$ (two)\n", ["a = b", "c = d"]),
+    (
+        "MyST's directives",
+        "````{dropdown} More\n$$ a = b $$\n```{math}\nc = d\n```\n````\n```{code-block} tex\n$$ x = y $$\n```\n"
+        "```{admonition} So\n$$ e = f $$\n```\n$$ g = h $$\n```python\n'$$ x = y $$'\n```\n",
+        ["a = b", "c = d", "e = f", "g = h"],
+    ),
     ("mdBook", "\\\\[ a\\_1 = b \\\\]\n\nText \\\\( x \\\\)\n", ["a_1 = b"]),
     ("kramdown", "---\nt: 1\n---\n\nin $$x$$ a line\n\n$$ a = b $$\n", ["a = b"]),
     ("an environment", "\\begin{align}\na &= b \\\\\nc &= d\n\\end{align}\n", ["a &= b \\\\ c &= d"]),

@@ -30,6 +30,9 @@ SPELLED = {
     r"\text{the angle $\theta \in S$:} x = y": r"\text{the angle :} x = y",
     r"\leftexp{B}{\omega} = y": r"{}^{B} {\omega} = y",
     r"a = \omega_\mathcal{{B}/\cal{N}}": r"a = \omega_{\mathcal{B}/\mathcal{N}}",
+    r"v = (x_1 \hspace{.1 in} y \quad z)^T": r"v = (x_1 , y , z)^T",
+    r"v = [ x \hspace{1cm} y ]^T": r"v = [ x , y ]^T",
+    r"v = x \hspace{-2mm} y \hspace*{1pt} z \kern2em w": r"v = x y z \quad w",
     r"\pd[2]{f}{x} = \od{y}{t}": r"\frac{\partial^{2} f}{\partial x^{2}} = \frac{d y}{d t}",
 }
 #: What more than one way of reading it is left to the reader, which refuses it.
@@ -414,3 +417,45 @@ def test_epsilon_is_a_symbol_where_it_is_declared_and_nothing_is_dual(
             outcomes(tmp_path, text, model)
     else:
         assert outcomes(tmp_path, text, model) == expected
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (r"\frac{1}{30} = 0.033", "unchecked"),
+        (r"2 \cdot 0.707^2 = 1", "unchecked"),
+        (
+            r"\begin{bmatrix} \frac{2}{3} \\ 0 \end{bmatrix} = \begin{bmatrix} 0.67 \\ 0 \end{bmatrix}",
+            "unchecked",
+        ),
+        (r"\frac{1}{30} = 0.034", "refuted"),
+        (
+            r"\begin{bmatrix} \frac{2}{3} \\ 0 \end{bmatrix} = \begin{bmatrix} 0.66 \\ 0.10 \end{bmatrix}",
+            "refuted",
+        ),
+        (r"0.5 a = 0.25 a", "refuted"),
+        (r"0.5 a = -0.5 a", "refuted"),
+        (r"\frac{1}{3} a = \frac{1}{4} a", "refuted"),
+    ],
+)
+def test_what_is_rounded_is_not_false(tmp_path: Path, formula: str, expected: str) -> None:
+    assert outcomes(tmp_path, f"$$ {formula} $$", "[symbols]\na = 'scalar'") == [expected]
+
+
+@pytest.mark.parametrize(("free", "expected"), [("", "unchecked"), (", free = true", "refuted")])
+def test_a_declared_pi_may_be_the_number(tmp_path: Path, free: str, expected: str) -> None:
+    model = f"[symbols]\na = 'scalar'\n'\\pi' = {{ kind = 'scalar', constant = true{free} }}"
+    assert outcomes(tmp_path, r"$$ a + \sin\pi = a $$", model) == [expected]
+
+
+def test_an_alias_that_is_no_name_is_told_at_its_symbol(tmp_path: Path) -> None:
+    with pytest.raises(PaperError, match="alias q1: q1: expected one symbol") as caught:
+        outcomes(tmp_path, "$$ q_1 = 2 $$", "[symbols]\n'q_1' = { kind = 'scalar', aliases = ['q1'] }")
+    assert caught.value.line == 3
+
+
+def test_a_vector_is_defined_by_no_quaternion(tmp_path: Path) -> None:
+    model = "[conventions]\nquaternion = 'hamilton, scalar first'\n"
+    model += "[symbols]\nq = 'quaternion'\na = 'vector'\nb = 'vector'\n[definitions]\nb = 'q a q^*'"
+    with pytest.raises(PaperError, match="b is a vector, its definition is a quaternion"):
+        outcomes(tmp_path, "$$ b = q a q^* $$", model)

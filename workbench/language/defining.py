@@ -168,8 +168,9 @@ def _defined(
         relation = construct.relation("=", construct.symbol(declaration, index, formals), term)
         if relation.right.type.dual and not declaration.type.dual:
             raise IllFormed(f"{head.key} is real, its definition is dual")
-        if relation.right.type.kind != declaration.type.kind == "tensor":
-            raise IllFormed(f"{head.key} is a tensor, its definition an operator")
+        kind, defined = declaration.type.kind, relation.right.type.kind
+        if defined != kind != "operator":
+            raise IllFormed(f"{head.key} is a {kind}, its definition is a {defined}")
     except IllFormed as fault:
         raise IllFormedAt(fault, 1, 1) from None
     return Definition(declaration, index, head.formals, relation.right)

@@ -13,7 +13,8 @@ from workbench.language.definitions import Definitions
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Definition, Relation, Symbol
 from workbench.papers.model import Claim, Notation, Said
-from workbench.papers.said import SAYS, introduces, terms_of
+from workbench.papers.said import SAYS, free_in, introduces, terms_of
+from workbench.verify.rounding import ROUNDED, is_rounded
 
 if TYPE_CHECKING:
     from workbench.judge.kernel.judge import Judge
@@ -32,7 +33,7 @@ class Meant:
     def verdict(self, claim: Claim, verdict: Verdict) -> Verdict:
         """The verdict on what is printed, given that on its formula."""
         is_refuted = verdict.outcome is Outcome.REFUTED
-        if is_refuted and (why := self._why_open(claim)) is not None:
+        if is_refuted and (why := self._why_open(claim, verdict)) is not None:
             return _open(why, verdict)
         if is_refuted and claim.corrected is None and claim.beside:
             verdict = self._under_asides(claim, verdict)
@@ -40,14 +41,16 @@ class Meant:
             return _open(_as_guessed(verdict, claim.guessed), verdict)
         return verdict
 
-    def _why_open(self, claim: Claim) -> str | None:
+    def _why_open(self, claim: Claim, verdict: Verdict) -> str | None:
         if claim.states is not None:
             return SAYS.format(claim.states)
         if introduces(claim.printed, claim.notation):
             return "says what stands left of its sign of definition, where something is free"
         if claim.corrected is not None:
             return None
-        return _of_two_indices(claim) or claim.unsettled or self._left_open(claim)
+        if is_rounded(claim.printed.latex, verdict.counterexample):
+            return ROUNDED
+        return _of_two_indices(claim) or claim.unsettled or _of_pi(claim) or self._left_open(claim)
 
     def _left_open(self, claim: Claim) -> str | None:
         """Why a refuted formula of a text may be true all the same: of what the text says of its symbols
@@ -129,6 +132,14 @@ def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
         return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench, its engines disagree: {error}")
     except RecursionError:
         return Verdict(Outcome.UNCHECKED, reason="what it is made of nests too deep for the engines")
+
+
+def _of_pi(claim: Claim) -> str | None:
+    """Of a declared π no more is known than that it is a number."""
+    bodies = (said.definition.body for said in claim.rests if said.definition is not None)
+    free = free_in([*terms_of(claim.printed.statement), *bodies], claim.notation.definitions)
+    is_there = any(each.name.letter == "\\pi" and not each.free for each in free)
+    return "false for some values of \\pi; if it is the number, that says nothing" if is_there else None
 
 
 def _of_two_indices(claim: Claim) -> str | None:

@@ -92,7 +92,10 @@ class SymbolTable:
             if "of" in spec:
                 functions[name] = arguments_of(key, declared, spec["of"])
             for alias in (key, *aliases(key, spec)):
-                other, places = read_key(alias)
+                try:
+                    other, places = read_key(alias)
+                except SpecError as error:
+                    raise SpecError(f"alias {alias}: {error}", key) from None
                 if len(places) != len(index):
                     raise SpecError(f"{alias} has {len(places)} index places, not {len(index)}", key)
                 if places != index:

@@ -86,11 +86,13 @@ def _is_large(tokens: list[Token], place: int) -> bool:
 
 
 def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """[x \\; y \\; z]^T, symbols with nothing but space between them, as [x, y, z]^T."""
-    if tokens[place].text != "[":
+    """[x \\; y \\; z]^T or (x \\quad y \\quad z)^T, of symbols alone, as [x, y, z]^T."""
+    closing = {"[": "]", "(": ")"}.get(tokens[place].text)
+    if closing is None:
         return None
-    end = next((i for i in range(place, len(tokens)) if tokens[i].text in ("]", "&", "\\\\", "=")), None)
-    if end is None or tokens[end].text != "]":
+    spaces, least = (_THICK, 2) if closing == "]" else (_WIDE, 3)
+    end = next((i for i in range(place, len(tokens)) if tokens[i].text in (closing, "&", "\\\\", "=")), None)
+    if end is None or tokens[end].text != closing:
         return None
     above = past(tokens, end + 1)
     if [token.text for token in tokens[above : above + 1]] != ["^"]:
@@ -102,14 +104,14 @@ def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] |
     parts: list[list[Token]] = [[]]
     gaps: list[Token] = []
     for token in inside:
-        if token.text in _THICK and printed(parts[-1]):
+        if token.text in spaces and printed(parts[-1]):
             gaps.append(token)
             parts.append([])
-        elif token.text not in _THICK:
+        elif token.text not in spaces:
             parts[-1].append(token)
     if not printed(parts[-1]):
         parts.pop()
-    if len(parts) < 2 or not all(is_one_symbol(part) for part in parts):
+    if len(parts) < least or not all(is_one_symbol(part) for part in parts):
         return None
     made = [tokens[place], *parts[0]]
     for gap, part in zip(gaps, parts[1:], strict=False):

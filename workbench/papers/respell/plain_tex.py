@@ -18,7 +18,10 @@ _AS_POWERS = r"T \top * \ast \prime -T"
 _SPACES, _SPACES_WITH_ARGUMENT = frozenset([*_SPACING.split(), "\\ "]), frozenset(_LENGTHS.split())
 _SIGNS, _OPERATIONS = frozenset(_NO_NUCLEI.split()), frozenset(_AS_POWERS.split())
 _KERNS = frozenset({"\\mkern", "\\kern", "\\mskip", "\\hskip"})
-_LENGTH = re.compile(r"\s*-?\s*\d*\.?\d+\s*(?:mu|pt|em|ex|mm|cm|in)")
+_POINTS = {"mu": 0.56, "pt": 1, "em": 10, "ex": 4.3, "mm": 2.8, "cm": 28, "in": 72}
+_LENGTH = re.compile(rf"\s*(-?\s*\d*\.?\d+)\s*({'|'.join(_POINTS)})")
+#: From which width on a space separates, as \quad does.
+_WIDE = 5
 _SWITCHES = {
     "\\rm": "\\mathrm",
     "\\bf": "\\mathbf",
@@ -51,14 +54,23 @@ def with_typefaces(tokens: Sequence[Token]) -> Iterator[Token]:
 
 
 def without_kerns(tokens: Sequence[Token]) -> Iterator[Token]:
-    """Without \\mkern-1pt, and a \\\\ directly behind another, which makes a row of nothing."""
+    """Without \\mkern-1pt, and a \\\\ directly behind another, which makes a row of nothing; \\hspace{1cm} as
+    \\quad."""
     skip_to, before = -1, ""
     for place, token in enumerate(tokens):
         if place < skip_to:
             continue
-        length = _LENGTH.match("".join(each.text for each in tokens[place + 1 : place + 16]))
-        if token.text in _KERNS and length is not None:
+        text = "".join(each.text for each in tokens[place + 1 : place + 16])
+        length = None
+        if token.text in _KERNS:
+            length = _LENGTH.match(text)
+        elif token.text in _SPACES_WITH_ARGUMENT:
+            length = re.match(rf"\*?\s*\{{{_LENGTH.pattern}\s*\}}", text)
+        if length is not None:
             skip_to = _behind(tokens, place + 1, length.end())
+            if float(length[1].replace(" ", "")) * _POINTS[length[2]] >= _WIDE:
+                yield token.standing_for("\\quad")
+                before = "\\quad"
         elif token.text != "\\\\" or before != token.text:
             yield token
             before = token.text if token.text != " " else before

@@ -16,6 +16,10 @@ from workbench.papers.texts.view import View
 _FENCE = re.compile(r"([ >\t]*)(`{3,}|~{3,}|:{3,})(.*)")
 _FRONT_MATTER = re.compile(r"\A---[ \t]*\n(?:(?!---).*\n)*---[ \t]*\n")
 _MATH_FENCE = re.compile(r"\s*(?:\{math\}|math)\s*(.*)")
+#: MyST's directives, such as ```{dropdown}: what they hold is Markdown, but for those that hold code.
+_DIRECTIVE = re.compile(
+    r"\s*\{(?!code|raw|eval-rst|literal|mermaid|parsed|source|table|csv|list|math)[\w:+-]+\}.*"
+)
 _OPTION = re.compile(r"(?m)^[ \t]*:(\w+):[ \t]*(.*)\n?")
 _LABEL = re.compile(r"[ \t]*\(([\w:.-]+)\)[ \t]*(?=\n|\Z)")
 _HEADING = re.compile(r" {0,3}#{1,6}[ \t]+(\S.*)")
@@ -102,6 +106,7 @@ def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]], list
     if front:
         pieces.append(_blank(text[:position]))
     fence: tuple[str, int, int, str | None] | None = None
+    directives: list[str] = []
     for line in text[position:].splitlines(keepends=True):
         match = _FENCE.match(line)
         after = position + len(line)
@@ -112,6 +117,12 @@ def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]], list
                 if label is not None:
                     fenced.append((inner, position, start, label))
                 fence = None
+            pieces.append(_blank(line))
+        elif match and directives and match[2].startswith(directives[-1]) and not match[3].strip():
+            directives.pop()
+            pieces.append(_blank(line))
+        elif match and match[2][0] != ":" and _DIRECTIVE.fullmatch(match[3].rstrip("\n")):
+            directives.append(match[2])
             pieces.append(_blank(line))
         elif match and not (match[2][0] == "`" and "`" in match[3]):
             is_math = _MATH_FENCE.fullmatch(match[3].rstrip("\n"))

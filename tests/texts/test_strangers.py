@@ -448,6 +448,13 @@ def test_a_declared_pi_may_be_the_number(tmp_path: Path, free: str, expected: st
     assert outcomes(tmp_path, r"$$ a + \sin\pi = a $$", model) == [expected]
 
 
+def test_two_instants_are_two_values(tmp_path: Path) -> None:
+    model = "[conventions]\narguments = ['t', 't_0']\n[symbols]\nx = 'scalar'\nv = 'scalar'\nt_0 = 'scalar'\n"
+    formulas = [r"v = x(t) - x(t_0)", r"2 x(t_0) = x(t_0) + x(t_0)", r"2 \dot{x}(t) = \dot{x}(t) + \dot{x}"]
+    found = outcomes(tmp_path, "\n\n".join(f"$$ {each} $$" for each in formulas), model)
+    assert found == ["unchecked", "proved", "proved"]
+
+
 def test_an_alias_that_is_no_name_is_told_at_its_symbol(tmp_path: Path) -> None:
     with pytest.raises(PaperError, match="alias q1: q1: expected one symbol") as caught:
         outcomes(tmp_path, "$$ q_1 = 2 $$", "[symbols]\n'q_1' = { kind = 'scalar', aliases = ['q1'] }")

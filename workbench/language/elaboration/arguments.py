@@ -54,6 +54,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     if term.type.kind == "operator":
         return isinstance(part, Styled) and isinstance(scope.term(part), TimeOperator)
     if scope.is_time(part):
+        _take_instant(scope, bracket, term)
         return True
     if is_argument(scope, part):
         own = _without_sup(function)
@@ -101,6 +102,7 @@ def _is_no_place(scope: Scope, bracket: Bracket, function: Symbol) -> bool:
 
 def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     """Raises Fault where a symbol is taken at another place in the formula, or by its definition."""
+    _take_instant(scope, bracket, function)
     parts = [_without_time(scope, part) for part in bracket.parts if not scope.is_time(part)]
     place = tuple(map(latex_of, parts))
     inside = set().union(*map(_names, parts))
@@ -113,6 +115,20 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
             raise Fault(
                 f"{name} is defined by {min(map(str, missing))}, and taken at another place", bracket.at
             )
+
+
+def _take_instant(scope: Scope, bracket: Bracket, function: Term) -> None:
+    """Raises Fault for x(t_0) beside x(t)."""
+    instants = tuple(latex_of(part) for part in bracket.parts if _is_instant(part))
+    for symbol in (each for each in function.walk() if isinstance(each, Symbol) and instants):
+        name = symbol.declaration.name
+        if scope.instants.setdefault((name, symbol.index), instants) != instants:
+            raise Fault(f"{name} at two instants; say each by a symbol of its own", bracket.at)
+
+
+def _is_instant(part: Node) -> bool:
+    letter = part.nucleus if isinstance(part, Scripted) else part
+    return isinstance(letter, Leaf) and letter.text == "t"
 
 
 def is_argument(scope: Scope, part: Node) -> bool:

@@ -64,6 +64,7 @@ class Scope(ABC):
         self.depth = 0
         #: what stands in the bracket behind a symbol and says what it depends on
         self.places: dict[Named, tuple[str, ...]] = {}
+        self.instants: dict[Named, tuple[str, ...]] = {}
         self.tensor_operand: int | None = None  # where an operator was last applied to a bare tensor
 
     @abstractmethod

@@ -13,6 +13,7 @@ from dataclasses import replace
 from workbench.language.definitions import Definitions, expand
 from workbench.language.grammar.vocabulary import COMMANDS
 from workbench.language.typed.names import Name
+from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import (
     Apply,
     Block,
@@ -35,7 +36,6 @@ from workbench.papers.model import Claim, Formula, Notation, Said
 
 _EQUALS = (name for name, token in COMMANDS.items() if token == ("RELATION", "="))
 _DEFINES = re.compile(rf":=|\\(?:{'|'.join(_EQUALS)}|stackrel|overset)(?![A-Za-z])")
-_ROUND = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 
 #: Why an equation with a symbol that nothing defines is not refuted.
 SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
@@ -189,7 +189,7 @@ def _only_angle(statement: Statement, known: set[Name]) -> Symbol | None:
     terms = list(terms_of(statement))
     symbols = [term for term in terms if isinstance(term, Symbol)]
     for term in terms:
-        if isinstance(term, Apply) and term.head in _ROUND and isinstance(term.arguments[0], Symbol):
+        if isinstance(term, Apply) and term.head in CIRCULAR and isinstance(term.arguments[0], Symbol):
             (angle,) = term.arguments
             is_given = angle.declaration.name in known or angle.declaration.free
             if symbols.count(angle) == 1 and not is_given:

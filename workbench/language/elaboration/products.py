@@ -36,11 +36,10 @@ from workbench.language.grammar.syntax import (
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Scripts, spell_label
 from workbench.language.typed.errors import Fault
-from workbench.language.typed.operators import GRADIENTS, OF_TENSORS, word_of
+from workbench.language.typed.operators import CIRCULAR, GRADIENTS, OF_TENSORS, word_of
 from workbench.language.typed.terms import Apply, Term
 from workbench.language.typed.types import VECTOR
 
-_CIRCULAR = frozenset({"sin", "cos", "tan", "sec", "csc", "cot"})
 _DIFFERENTIATE = GRADIENTS | {"d/dt", "∇", "the operator"}
 
 
@@ -120,11 +119,8 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
     dividend, divisor = [_row(scope, row) for row in above], _row(scope, below)
     numerator, denominator = _joined(scope, dividend, others), divisor.term()
     is_one = divisor.factor(0).end == len(below) and (len(below) < 3 or not divisor.open_head)
-    heads = {
-        dividend[-1].open_head,
-        divisor.open_head,
-    }  # \\sin\\phi/\\cos\\theta is one of these by the other
-    if (dividend[-1].open_head and not heads <= _CIRCULAR) or not is_one:
+    heads = {dividend[-1].open_head, divisor.open_head}  # \\sin\\phi/\\cos\\theta is one by the other
+    if (dividend[-1].open_head and not heads <= CIRCULAR) or not is_one:
         raise Fault("how far does / reach? write \\frac{…}{…}", solidus.at)
     if (own := explained(scope, solidus, numerator, denominator)) is not None:
         return own

@@ -50,8 +50,8 @@ Result = TypeVar("Result")
 
 #: How deep terms may nest; a longer product than this counts as nesting too.
 DEEPEST_TERM = 120
-#: [I 0]: the first three of four.
 _WHICH = "a point or a direction? write the column of four"
+#: [I 0]: the first three of four.
 _FIRST_THREE = construct.block([[construct.identity(), construct.zero(VECTOR)]])
 
 

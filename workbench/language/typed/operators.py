@@ -125,6 +125,8 @@ COMPONENTWISE = _heads(lambda operator: operator.linear == "components")
 #: The products of two factors.
 PRODUCTS = ("dot", "cross", "outer", "mul")
 OF_TENSORS = _heads(lambda operator: operator.takes == "tensor")
+#: Sine, cosine and their quotients.
+CIRCULAR = frozenset({"sin", "cos", *QUOTIENTS})
 OF_ANGLES = _heads(lambda operator: operator.takes == "angle") | {*QUOTIENTS}
 GRADIENTS = _heads(lambda operator: operator.by_place)
 #: What differentiates by something else than the time or the place.

@@ -20,6 +20,7 @@ _SIGNS, _OPERATIONS = frozenset(_NO_NUCLEI.split()), frozenset(_AS_POWERS.split(
 _KERNS = frozenset({"\\mkern", "\\kern", "\\mskip", "\\hskip"})
 _POINTS = {"mu": 0.56, "pt": 1, "em": 10, "ex": 4.3, "mm": 2.8, "cm": 28, "in": 72}
 _LENGTH = re.compile(rf"\s*(-?\s*\d*\.?\d+)\s*({'|'.join(_POINTS)})")
+_BRACED_LENGTH = re.compile(rf"\*?\s*\{{{_LENGTH.pattern}\s*\}}")
 #: From which width on a space separates, as \quad does.
 _WIDE = 5
 _SWITCHES = {
@@ -60,12 +61,7 @@ def without_kerns(tokens: Sequence[Token]) -> Iterator[Token]:
     for place, token in enumerate(tokens):
         if place < skip_to:
             continue
-        text = "".join(each.text for each in tokens[place + 1 : place + 16])
-        length = None
-        if token.text in _KERNS:
-            length = _LENGTH.match(text)
-        elif token.text in _SPACES_WITH_ARGUMENT:
-            length = re.match(rf"\*?\s*\{{{_LENGTH.pattern}\s*\}}", text)
+        length = _length_behind(tokens, place)
         if length is not None:
             skip_to = _behind(tokens, place + 1, length.end())
             if float(length[1].replace(" ", "")) * _POINTS[length[2]] >= _WIDE:
@@ -74,6 +70,15 @@ def without_kerns(tokens: Sequence[Token]) -> Iterator[Token]:
         elif token.text != "\\\\" or before != token.text:
             yield token
             before = token.text if token.text != " " else before
+
+
+def _length_behind(tokens: Sequence[Token], place: int) -> re.Match[str] | None:
+    """How wide the space is that stands there."""
+    space = tokens[place].text
+    if space not in _KERNS | _SPACES_WITH_ARGUMENT:
+        return None
+    pattern = _LENGTH if space in _KERNS else _BRACED_LENGTH
+    return pattern.match("".join(each.text for each in tokens[place + 1 : place + 16]))
 
 
 def _behind(tokens: Sequence[Token], place: int, characters: int) -> int:

@@ -9,7 +9,7 @@ polynomial in which it is not, and no product is multiplied again before one of 
 
 from __future__ import annotations
 
-from functools import cached_property, reduce
+from functools import cache, reduce
 from operator import lshift, or_
 from typing import Any
 
@@ -22,43 +22,53 @@ _DIGIT = (1 << WIDTH) - 1
 
 
 class PackedPolynomials:
-    """Polynomials in so many indeterminates, known by their places; the first one ranks highest. Some of them
-    have a square that is rewritten by what ranks below them."""
+    """Polynomials in as many indeterminates as are made, known by their places; the last one ranks highest.
+    Some of them have a square that is rewritten."""
 
-    def __init__(self, count: int) -> None:
+    def __init__(self) -> None:
         self.integers, _ = polynomial_ring("x", ZZ, lex)
         self.rationals: PolyRing = self.integers.clone(domain=QQ)
-        self._shifts = [WIDTH * place for place in reversed(range(count))]
-        self.generators = [self._power(place, 1) for place in range(count)]
+        self.generators: list[PolyElement] = []
         self.squares: dict[int, PolyElement] = {}
-        self._tops = sum(1 << (shift + WIDTH - 1) for shift in self._shifts)
-        self._large = self._tops  # what no monomial of a normal form meets
-        self._ones = sum(1 << shift for shift in self._shifts)
+        self._tops = self._ones = 0
+        self._large = 0  # what no monomial of a normal form meets
+
+    def make(self) -> int:
+        """The place of a new indeterminate."""
+        place = len(self.generators)
+        one = 1 << WIDTH * place
+        self.generators.append(self._power(place, 1))
+        self._ones |= one
+        self._tops |= one << WIDTH - 1
+        self._large |= one << WIDTH - 1
+        return place
 
     def _power(self, place: int, exponent: int) -> PolyElement:
-        return self.integers.from_dict({(exponent << self._shifts[place],): ZZ(1)})
+        return self.integers.from_dict({(exponent << WIDTH * place,): ZZ(1)})
 
     def set_square(self, place: int, square: PolyElement) -> None:
-        """Has the square of a generator rewritten; only generators ranked below it may occur in that."""
+        """Has the square of a generator rewritten; in that none may occur whose square is not set yet, if it
+        ever is."""
         self.squares[place] = square
-        self._large |= (_DIGIT - 1) << self._shifts[place]
+        self._large |= (_DIGIT - 1) << WIDTH * place
 
     @property
     def relations(self) -> list[PolyElement]:
-        """What vanishes: generator² − square, by falling rank of the generators."""
-        return [self._power(place, 2) - self.squares[place] for place in sorted(self.squares)]
+        """What vanishes: generator² − square."""
+        return [self._power(place, 2) - square for place, square in self.squares.items()]
 
     def normal(self, p: PolyElement) -> PolyElement:
         """The remainder by the relations, which are a Gröbner basis (see `differential_ring.py`): squares are
-        rewritten from the highest rank down. Raises NotExact where a power grows too high."""
+        rewritten from the last one set to the first. Raises NotExact where a power grows too high."""
         for (powers,) in p:
             if powers & self._large:
                 break
         else:
             return p
         p = self.checked(p)
-        for place in sorted(self.squares):
-            p = self.rewritten(p, place, 2, self.squares[place].set_ring(p.ring))
+        for place in reversed(self.squares):
+            if any(powers >> WIDTH * place & _DIGIT > 1 for (powers,) in p):
+                p = self.rewritten(p, place, 2, self.squares[place].set_ring(p.ring))
         return p
 
     def checked(self, p: PolyElement) -> PolyElement:
@@ -69,7 +79,7 @@ class PackedPolynomials:
 
     def rewritten(self, p: PolyElement, place: int, power: int, value: PolyElement) -> PolyElement:
         """p with each x^power replaced by the value, x being the indeterminate at that place."""
-        shift = self._shifts[place]
+        shift = WIDTH * place
         parts: dict[int, dict[tuple[int], Any]] = {}
         for (powers,), coefficient in p.items():
             times = (powers >> shift & _DIGIT) // power
@@ -80,7 +90,7 @@ class PackedPolynomials:
         return total
 
     def _at(self, place: int, powers: int) -> int:
-        return powers >> self._shifts[place] & _DIGIT
+        return powers >> WIDTH * place & _DIGIT
 
     def places(self, p: PolyElement) -> set[int]:
         """The places of the indeterminates in a polynomial."""
@@ -91,7 +101,7 @@ class PackedPolynomials:
         return self._places(reduce(or_, (powers & self._ones for (powers,) in p), 0))
 
     def _places(self, powers: int) -> set[int]:
-        return {place for place in range(len(self._shifts)) if self._at(place, powers)}
+        return {place for place in range(len(self.generators)) if self._at(place, powers)}
 
     def is_alone(self, place: int, p: PolyElement) -> bool:
         """Whether a polynomial holds the indeterminate in one term, c · x."""
@@ -100,21 +110,26 @@ class PackedPolynomials:
 
     def spread(self, p: PolyElement, ring: PolyRing) -> PolyElement:
         """The polynomial in a ring like `many`."""
-        places = range(len(self._shifts))
-        terms = {tuple(self._at(place, e) for place in places) or (0,): c for (e,), c in p.items()}
+        falling = range(len(self.generators) - 1, -1, -1)
+        terms = {tuple(self._at(place, e) for place in falling) or (0,): c for (e,), c in p.items()}
         return ring.from_dict(terms, p.ring.domain)
 
     def packed(self, p: PolyElement) -> PolyElement:
         """The reverse of `spread`, over the rationals."""
-        shifts = self._shifts or [0]
+        shifts = range(WIDTH * len(self.generators) - WIDTH, -1, -WIDTH) or [0]
         terms = {(sum(map(lshift, powers, shifts)),): c for powers, c in p.items()}
         return self.rationals.from_dict(terms)
 
-    @cached_property
+    @property
     def many(self) -> PolyRing:
         """The polynomials over ℚ with an indeterminate for each: what SymPy divides and factors."""
-        return polynomial_ring([f"y{i}" for i in range(len(self._shifts))] or "y", QQ, lex)[0]
+        return _rational_polynomials(len(self.generators))
 
     def factors(self, p: PolyElement) -> list[tuple[PolyElement, int]]:
         """Over the rationals, with their powers; without the number before them."""
         return [(self.packed(q), power) for q, power in self.spread(p, self.many).factor_list()[1]]
+
+
+@cache
+def _rational_polynomials(count: int) -> PolyRing:
+    return polynomial_ring([f"y{i}" for i in range(count)] or "y", QQ, lex)[0]

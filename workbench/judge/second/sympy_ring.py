@@ -88,26 +88,21 @@ class Ratio:
 
 
 class SympyRing:
-    """Indeterminates for all parameters of an inventory, ranked so that the relations rewrite squares."""
+    """Indeterminates for parameters, each made when it is first asked for, and for roots. Relations rewrite
+    their squares. The parameters of the inventory are made at once, in its order."""
 
-    def __init__(self, inventory: Inventory) -> None:
-        names = list(parameters(inventory))
-        self._roots = inventory.norms
-        first = {"circle": 1, "unit": 0, "quaternion": 0}
-        names.sort(key=lambda p: first.get(p.part) != p.component)
-        places = range(self._roots + len(names))
-        self.polynomials = PackedPolynomials(len(places))
+    def __init__(self, inventory: Inventory | None = None) -> None:
+        self.polynomials = PackedPolynomials()
         self.normal = self.polynomials.normal
-        self._root_places = places[: self._roots][::-1]
-        self._root_squares: list[PolyElement] = []  # over the rationals
-        places_of = dict(zip(names, places[self._roots :], strict=True))
+        self._roots: dict[PolyElement, int] = {}  # their squares, over the rationals, and their places
         self.denominators: list[PolyElement] = []
-        self.point = {p: Ratio(self, self.polynomials.generators[i], 1, {}) for p, i in places_of.items()}
-        for squared in names:
-            if first.get(squared.part) == squared.component:
-                others = [i for i in range(SPHERES[squared.part]) if i != squared.component]
-                bases = (self.point[Parameter(squared.symbol, squared.part, 0, i)].top for i in others)
-                self.polynomials.set_square(places_of[squared], 1 - sum(base * base for base in bases))
+        self.point = _Indeterminates(self)
+        for parameter in () if inventory is None else parameters(inventory):
+            self.point[parameter]
+
+    def at(self, place: int) -> Ratio:
+        """The indeterminate at a place."""
+        return Ratio(self, self.polynomials.generators[place], 1, {})
 
     @property
     def relations(self) -> list[PolyElement]:
@@ -174,17 +169,15 @@ class SympyRing:
     def _root_of(self, square: PolyElement) -> Ratio:
         """With d for the common denominator: the root of d² · square, an indeterminate, over d."""
         below = lcm(*(c.denominator for c in square.coeffs()))
-        if square not in self._root_squares:
+        if square not in self._roots:
             whole = {powers: int(c * below**2) for powers, c in square.terms()}
-            place = self._root_places[len(self._root_squares)]
-            self.polynomials.set_square(place, self.polynomials.integers.from_dict(whole))
-            self._root_squares.append(square)
-        place = self._root_places[self._root_squares.index(square)]
-        return Ratio(self, self.polynomials.generators[place], below, {})
+            self._roots[square] = self.polynomials.make()
+            self.polynomials.set_square(self._roots[square], self.polynomials.integers.from_dict(whole))
+        return self.at(self._roots[square]) * self.constant(1, below)
 
     def is_made_of_sizes(self, p: PolyElement) -> bool:
         """Whether each monomial is a product of squares and of roots, and so is nowhere negative."""
-        return not self.polynomials.odd_places(p) - set(self._root_places)
+        return not self.polynomials.odd_places(p) - set(self._roots.values())
 
     def _split(self, square: PolyElement) -> list[tuple[PolyElement, int]]:
         """The factors of a square that are nowhere negative, with their powers; itself where one may be."""
@@ -194,13 +187,32 @@ class SympyRing:
         monic = [(p.quo_ground(p.LC), power) for p, power in factors]
         if any(power % 2 and not self._is_nowhere_negative(p) for p, power in monic):
             return [(square, 1)]
-        bases = [
+        return [
             (p, k) if self._is_nowhere_negative(p) else (self.polynomials.checked(p * p), k // 2)
             for p, k in monic
         ]
-        more = sum(p not in self._root_squares for p, _ in bases)
-        return bases if len(self._root_squares) + more <= self._roots else [(square, 1)]
 
     def _is_nowhere_negative(self, p: PolyElement) -> bool:
         """Whether it is seen so: even powers with positive coefficients."""
         return all(c > 0 for c in p.coeffs()) and not self.polynomials.odd_places(p)
+
+
+class _Indeterminates(dict[Parameter, Ratio]):
+    """The indeterminate of each parameter; of those on a sphere all at once."""
+
+    def __init__(self, ring: SympyRing) -> None:
+        super().__init__()
+        self._ring = ring
+
+    def __missing__(self, parameter: Parameter) -> Ratio:
+        part, polynomials = parameter.part, self._ring.polynomials
+        if part not in SPHERES:
+            self[parameter] = self._ring.at(polynomials.make())
+            return self[parameter]
+        *others, squared = sorted(range(SPHERES[part]), key=lambda i: i == (part == "circle"))
+        places = [polynomials.make() for _ in range(SPHERES[part])]
+        for component, place in zip((*others, squared), places, strict=True):
+            self[parameter._replace(component=component)] = self._ring.at(place)
+        bases = (polynomials.generators[place] for place in places[:-1])
+        polynomials.set_square(places[-1], 1 - sum(x * x for x in bases))
+        return self[parameter]

@@ -20,7 +20,7 @@ Both engines name their indeterminates by these parameters, so that a point of o
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from workbench.judge.subject.inventory import Inventory, NotExact
 from workbench.judge.subject.slopes import coordinate_count, indices
@@ -30,8 +30,7 @@ from workbench.language.typed.terms import Symbol, Term
 SPHERES = {"circle": 2, "unit": 3, "quaternion": 4}
 
 
-@dataclass(frozen=True, slots=True)
-class Parameter:
+class Parameter(NamedTuple):
     """Component `component` of the `order`-th derivative of one part of a symbol, or of the circle of a term.
 
     part: "value", "dual", "unit", "spin", "moment", "quaternion", "translation", "circle" (cos, sin), or

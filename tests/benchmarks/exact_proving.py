@@ -16,6 +16,7 @@ import sympy
 from workbench.judge.first.exact import ExactEngine
 from workbench.judge.second.consequences import recheck
 from workbench.judge.second.drake_ring import recheck_by_drake
+from workbench.judge.second.sympy_engine import SympyEngine
 from workbench.judge.subject.assumptions import Assumptions
 from workbench.judge.subject.inventory import take_inventory
 from workbench.language.defining import read_definition
@@ -87,7 +88,7 @@ def main() -> None:
         base, terms = seconds(flint)
         row = [f"{n:>2} {terms:>7} {base:9.4f}"]
         polyring, agreed = seconds(
-            lambda s=statement, i=inventory: recheck(s, i, definitions, Assumptions(())), 0.0001
+            lambda s=statement, i=inventory: recheck(s, SympyEngine(i, definitions), Assumptions(())), 0.0001
         )
         assert agreed
         row.append(f"{polyring / base:8.0f}×")

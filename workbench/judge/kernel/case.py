@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, islice
+from typing import TYPE_CHECKING
 
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.evidence.points import Trial, accepted, counterexample, first_trial, trial_at, trials
 from workbench.judge.evidence.reals import real_trials, surely_differ
 from workbench.judge.evidence.solutions import solved_points
 from workbench.judge.first.exact import ExactEngine
+from workbench.judge.kernel.engines import Engines
 from workbench.judge.kernel.ideals import impossible, square_of
 from workbench.judge.kernel.vanishing import Equations, solve
 from workbench.judge.second.number_field import NumberFieldRing
@@ -24,6 +26,9 @@ from workbench.judge.subject.parameters import Parameter
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Relation, Statement, Symbol, Term
+
+if TYPE_CHECKING:
+    from workbench.judge.second.sympy_engine import SympyEngine
 
 #: So many random points are cheaper to try than points to solve for.
 _FEW = 40
@@ -43,8 +48,10 @@ class Setting:
     second_engine: bool = True
     bound: frozenset[Name] = frozenset()
     laws: bool = True
+    engines: Engines = field(default_factory=Engines, compare=False, repr=False)
 
 
+@dataclass(frozen=True)
 class NoDefinitions:
     """Every symbol is free. What holds for any tensor at the place of Φ₄ holds for Φ₄."""
 
@@ -74,11 +81,20 @@ class Case:
         """The first engine."""
         return self._supposing[0]
 
+    @property
+    def second(self) -> SympyEngine:
+        """The second engine over SymPy's polynomials."""
+        from workbench.judge.second.sympy_engine import SympyEngine
+
+        make = SympyEngine if self.assumptions.equations else self.setting.engines.second
+        return make(self.inventory, self.definitions)
+
     @cached_property
     def _supposing(self) -> tuple[ExactEngine, list[Polynomial]]:
         """The first engine, and what is supposed not to be 0: all that the assumptions divide by, too."""
-        engine = ExactEngine(self.inventory, self.definitions)
-        for relation in self.assumptions.relations:
+        supposed = self.assumptions.relations
+        engine = (ExactEngine if supposed else self.setting.engines.first)(self.inventory, self.definitions)
+        for relation in supposed:
             engine.residuals(relation)
         apart = [square_of(engine, relation) for relation in self.assumptions.nonzero]
         return engine, [*engine.ring.denominators, *apart]

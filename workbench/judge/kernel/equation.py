@@ -6,16 +6,13 @@ zero, a small rational counterexample.
 
 from __future__ import annotations
 
-from random import Random
-
 from workbench.algebra.differential_ring import Polynomial
 from workbench.judge.evidence.points import Trial
 from workbench.judge.evidence.reals import surely_differ
 from workbench.judge.kernel.case import Case, NoDefinitions, Setting
 from workbench.judge.kernel.laws import law_for
 from workbench.judge.kernel.rotated import in_rotated_frame
-from workbench.judge.second.jets import JetEngine
-from workbench.judge.second.rings import PRIME, PointSource, ResidueRing, sample
+from workbench.judge.second.rings import PRIME
 from workbench.judge.subject.inventory import Lookup, NotExact, has_gradient
 from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.definitions import Definitions
@@ -23,7 +20,6 @@ from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import Relation, Statement, Symbol
 
 IN_FORCE = "well-formed, and the one in force"
-_SEED = 2020
 
 
 class Equation(Case):
@@ -101,9 +97,7 @@ class Equation(Case):
         """Zero at a random point modulo the prime, by the second engine; None where it does not apply."""
         if self.assumptions.equations or not self.setting.second_engine:
             return None
-        ring = ResidueRing()
-        point = sample(self.inventory, ring, Random(_SEED))
-        engine = JetEngine(PointSource(ring, point), self.definitions)
+        engine = self.setting.engines.residues(self.inventory, self.definitions)
         try:
             return not any(engine.differences(self.relation.left, self.relation.right))
         except (NotExact, ZeroDivisionError):
@@ -151,7 +145,7 @@ class Equation(Case):
         from workbench.judge.second.sympy_ring import METHOD
 
         equations = self.assumptions.equations
-        if not recheck(self.relation, self.inventory, self.definitions, self.assumptions):
+        if not recheck(self.relation, self.second, self.assumptions):
             if equations:
                 return None
             raise EngineDisagreement(f"zero in FLINT's ring, not in SymPy's: {to_latex(self.relation)}")

@@ -24,7 +24,7 @@ def judge_inequation(setting: Setting, relation: Relation, assume: tuple[Stateme
     from workbench.judge.second.consequences import recheck_distance
     from workbench.judge.second.sympy_ring import METHOD
 
-    if not recheck_distance(relation, case.inventory, case.definitions):
+    if not recheck_distance(relation, case.second):
         raise EngineDisagreement("FLINT and SymPy differ on an inequation")
     evidence.append(Evidence(METHOD, "the sides differ by a number that is not 0"))
     return Verdict(Outcome.PROVED, evidence=tuple(evidence))

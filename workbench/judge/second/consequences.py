@@ -6,12 +6,10 @@ from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property, reduce
 from typing import TypeAlias
 
-from workbench.judge.second.jets import JetEngine
-from workbench.judge.second.rings import PointSource
+from workbench.judge.second.sympy_engine import SympyEngine
 from workbench.judge.second.sympy_gate import PolyElement, grevlex, groebner, require_python_integers
 from workbench.judge.second.sympy_ring import SympyRing
 from workbench.judge.subject.assumptions import Assumptions
-from workbench.judge.subject.inventory import Inventory, Lookup
 from workbench.language.typed.terms import Relation
 
 #: A polynomial, and the places of the indeterminates in it: most are put into polynomials without them.
@@ -21,15 +19,13 @@ Placed: TypeAlias = "tuple[PolyElement, set[int]]"
 _SQUARINGS, _LONGEST = 4, 40
 
 
-def recheck(relation: Relation, inventory: Inventory, definitions: Lookup, assumptions: Assumptions) -> bool:
+def recheck(relation: Relation, engine: SympyEngine, assumptions: Assumptions) -> bool:
     """Whether left − right is 0 here too, where the assumptions hold."""
-    ring = SympyRing(inventory)
-    engine = JetEngine(PointSource(ring, ring.point), definitions)
-    tops = ring.tops(engine.differences(relation.left, relation.right))
+    ring, tops = engine.ring, engine.residuals(relation)
     if not assumptions.equations:
         return not any(tops)
     supposed, apart = (
-        [ring.over_rationals(ring.tops(engine.differences(r.left, r.right))) for r in relations]
+        [ring.over_rationals(engine.residuals(r)) for r in relations]
         for relations in (assumptions.equations, assumptions.nonzero)
     )
     zeros = [p for tops in supposed for p in tops if p]
@@ -37,12 +33,9 @@ def recheck(relation: Relation, inventory: Inventory, definitions: Lookup, assum
     return _Supposed(ring, zeros, elsewhere).imply(ring.over_rationals(tops))
 
 
-def recheck_distance(relation: Relation, inventory: Inventory, definitions: Lookup) -> bool:
+def recheck_distance(relation: Relation, engine: SympyEngine) -> bool:
     """Whether some component of left − right is a number that is not 0, over what was divided by."""
-    ring = SympyRing(inventory)
-    engine = JetEngine(PointSource(ring, ring.point), definitions)
-    tops = ring.tops(engine.differences(relation.left, relation.right))
-    return any(top and top.is_ground for top in tops)
+    return any(top and top.is_ground for top in engine.residuals(relation))
 
 
 class _Supposed:

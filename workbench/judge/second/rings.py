@@ -265,21 +265,31 @@ def _folded(a: list[np.ndarray], b: list[np.ndarray]) -> list[np.ndarray]:
     return [sum((a[j] @ b[k - j]) * comb(k, j) for j in range(k + 1)) for k in range(len(b))]
 
 
+class RandomPoint(dict[Parameter, Any]):
+    """A random point, each parameter drawn when it is first asked for: every one that `keep` keeps gets a
+    random value, the others 0; parts on a sphere get a point of the sphere with coordinates in the ring, by
+    stereographic projection."""
+
+    def __init__(self, ring: Any, random: Random, keep: Callable[[Parameter], bool] = lambda _: True) -> None:
+        super().__init__()
+        self._ring, self._random, self._keep = ring, random, keep
+
+    def __missing__(self, parameter: Parameter) -> Any:
+        if parameter.part in SPHERES:
+            for i, x in enumerate(_on_sphere(self._ring, self._random, SPHERES[parameter.part])):
+                self[parameter._replace(component=i)] = x
+        else:
+            kept = self._keep(parameter)
+            self[parameter] = self._ring.random(self._random) if kept else self._ring.constant(0, 1)
+        return self[parameter]
+
+
 def sample(
     inventory: Inventory, ring: Any, random: Random, keep: Callable[[Parameter], bool] = lambda _: True
-) -> dict:
-    """A random point: every parameter that `keep` keeps gets a random value, the others 0; parts on a sphere
-    get a point of the sphere with coordinates in the ring, by stereographic projection."""
-    point: dict[Parameter, Any] = {}
-    for parameter in parameters(inventory):
-        if parameter.part in SPHERES:
-            if parameter.component == 0:
-                size = SPHERES[parameter.part]
-                for i, x in enumerate(_on_sphere(ring, random, size)):
-                    point[Parameter(parameter.symbol, parameter.part, 0, i)] = x
-        else:
-            point[parameter] = ring.random(random) if keep(parameter) else ring.constant(0, 1)
-    return point
+) -> dict[Parameter, Any]:
+    """A random point in which just the parameters of the inventory are."""
+    point = RandomPoint(ring, random, keep)
+    return {parameter: point[parameter] for parameter in parameters(inventory)}
 
 
 def _on_sphere(ring: Any, random: Random, size: int) -> list[Any]:

@@ -1,0 +1,78 @@
+"""The engines of a judge: one that has computed the parts of a statement keeps them for the next.
+
+One engine can be put to many statements where what it finds of one says nothing of another: where nothing is
+divided by and no root is taken, which it would remember, and no term but a symbol has a sine.
+"""
+
+from __future__ import annotations
+
+from random import Random
+from typing import TYPE_CHECKING
+
+from workbench.judge.first.exact import ExactEngine
+from workbench.judge.second.jets import JetEngine
+from workbench.judge.second.rings import PointSource, RandomPoint, ResidueRing, sample
+from workbench.judge.subject.inventory import Inventory, Lookup
+
+if TYPE_CHECKING:
+    from workbench.judge.second.sympy_engine import SympyEngine
+
+_SEED = 2020
+
+#: So many indeterminates are at most in a ring that is kept; more make all of its monomials longer.
+_MOST = 120
+
+#: So many engines are kept.
+_KEPT = 60
+
+
+class Engines:
+    """The engines that are kept, by their definitions."""
+
+    def __init__(self) -> None:
+        self._first: dict[object, ExactEngine] = {}
+        self._second: dict[Lookup, SympyEngine] = {}
+        self._residues: dict[Lookup, JetEngine] = {}
+
+    def first(self, inventory: Inventory, definitions: Lookup) -> ExactEngine:
+        """The first engine, for the symbols of the inventory."""
+        if not _is_plain(inventory):
+            return ExactEngine(inventory, definitions)
+        about = definitions, frozenset(inventory.orders.items()), frozenset(inventory.angles)
+        if about not in self._first:
+            _make_room(self._first)
+            self._first[about] = ExactEngine(inventory, definitions)
+        return self._first[about]
+
+    def second(self, inventory: Inventory, definitions: Lookup) -> SympyEngine:
+        """The second engine over SymPy's polynomials."""
+        from workbench.judge.second.sympy_engine import SympyEngine
+
+        if not _is_plain(inventory):
+            return SympyEngine(inventory, definitions)
+        known = self._second.get(definitions)
+        if known is None or len(known.ring.point) > _MOST:
+            _make_room(self._second)
+            known = self._second[definitions] = SympyEngine(None, definitions)
+        return known
+
+    def residues(self, inventory: Inventory, definitions: Lookup) -> JetEngine:
+        """The second engine at a random point modulo a prime."""
+        ring, random = ResidueRing(), Random(_SEED)
+        if not _is_plain(inventory):
+            return JetEngine(PointSource(ring, sample(inventory, ring, random)), definitions)
+        if definitions not in self._residues:
+            _make_room(self._residues)
+            source = PointSource(ring, RandomPoint(ring, random))
+            self._residues[definitions] = JetEngine(source, definitions)
+        return self._residues[definitions]
+
+
+def _is_plain(inventory: Inventory) -> bool:
+    return not (inventory.reciprocals or inventory.norms or inventory.circles)
+
+
+def _make_room(kept: dict) -> None:
+    """Lets the oldest engine go where there are many."""
+    if len(kept) >= _KEPT:
+        del kept[next(iter(kept))]

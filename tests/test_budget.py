@@ -15,6 +15,7 @@ from repair.damage import right_claims
 
 from workbench import check
 from workbench.budget import Budget, OutOfBudget, Workers
+from workbench.budget.workers import RUN
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import EngineDisagreement, Outcome
 from workbench.papers import PaperError, find_paper, load_paper
@@ -51,6 +52,26 @@ def is_gone(pid):
 
 def or_spin(item):
     return spin(item) if item < 0 else item * item
+
+
+def whose(seconds):
+    sleep(seconds)
+    return os.getpid()
+
+
+def test_neighbours_are_for_one_process():
+    with Workers(whose, None, 2) as workers:
+        answers = list(workers.map([0.001] * (4 * RUN)))
+    assert len(set(answers)) == 2
+    assert len(set(answers[:RUN])) == len(set(answers[RUN : 2 * RUN])) == 1
+
+
+def test_who_has_nothing_left_takes_the_last_of_anothers_run():
+    with Workers(whose, None, 2) as workers:
+        answers = list(workers.map([0.5, *[0.001] * (2 * RUN - 1)]))
+        assert len(set(answers)) == 2
+        assert set(answers[1:]) == {answers[-1]} != {answers[0]}
+        assert len(set(workers.map([0.01] * (RUN + 1)))) == 2  # and nothing is left of it
 
 
 @pytest.mark.parametrize("count", [1, 2, 5])

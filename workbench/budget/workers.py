@@ -25,6 +25,9 @@ from workbench.budget.limits import Budget, OutOfBudget
 #: many seconds.
 PATIENCE, LEAST = 10.0, 60.0
 
+#: So many neighbours are for one process: they are about the same, and it keeps what it has computed for one.
+RUN = 16
+
 
 class Workers:
     """Calls of one function, on up to `count` processes, each call within the budget (None: without limits).
@@ -74,9 +77,9 @@ class Workers:
         try:
             for place in range(len(waiting)):
                 while place not in answers:
-                    while waiting and free:
+                    while free and (waiting or any(worker.queue for worker in self._workers)):
                         worker = free.pop()
-                        places[worker], item = waiting.popleft()
+                        places[worker], item = self._next(worker, waiting)
                         worker.ask(item, seconds)
                     for worker in _answering(places):
                         answers[places.pop(worker)] = worker.answer()
@@ -88,6 +91,16 @@ class Workers:
         finally:
             for worker in places:
                 worker.end()
+            for worker in self._workers:
+                worker.queue.clear()
+
+    def _next(self, worker: _Worker, waiting: deque[tuple[int, Any]]) -> tuple[int, Any]:
+        """The next of the worker's run, of a new one, or at the end the last of the longest run."""
+        if not worker.queue and not waiting:
+            return max(self._workers, key=lambda other: len(other.queue)).queue.pop()
+        if not worker.queue:
+            worker.queue += [waiting.popleft() for _ in range(min(RUN, len(waiting)))]
+        return worker.queue.popleft()
 
     def close(self) -> None:
         """Ends the processes; a later call starts them again."""
@@ -108,6 +121,7 @@ class _Worker:
         self, function: Callable[[Any], Any], budget: Budget | None, siblings: Sequence[_Worker]
     ) -> None:
         self._function, self._budget, self._siblings = function, budget, siblings
+        self.queue: deque[tuple[int, Any]] = deque()  # what it is to be asked, with the places
         self._owner = os.getpid()
         self._process: Any = None
         self.pipe: Connection | None = None

@@ -51,7 +51,6 @@ class Setting:
     engines: Engines = field(default_factory=Engines, compare=False, repr=False)
 
 
-@dataclass(frozen=True)
 class NoDefinitions:
     """Every symbol is free. What holds for any tensor at the place of Φ₄ holds for Φ₄."""
 

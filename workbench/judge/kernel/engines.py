@@ -27,21 +27,21 @@ _KEPT = 60
 
 
 class Engines:
-    """The engines that are kept, by their definitions."""
+    """The engines that are kept, each by what it is about: the identity of the definitions that it holds, and
+    of the first engine the symbols, too."""
 
     def __init__(self) -> None:
-        self._first: dict[object, ExactEngine] = {}
-        self._second: dict[Lookup, SympyEngine] = {}
-        self._residues: dict[Lookup, JetEngine] = {}
+        self._first: dict[tuple, ExactEngine] = {}
+        self._second: dict[int, SympyEngine] = {}
+        self._residues: dict[int, JetEngine] = {}
 
     def first(self, inventory: Inventory, definitions: Lookup) -> ExactEngine:
         """The first engine, for the symbols of the inventory."""
         if not _is_plain(inventory):
             return ExactEngine(inventory, definitions)
-        about = definitions, frozenset(inventory.orders.items()), frozenset(inventory.angles)
+        about = id(definitions), frozenset(inventory.orders.items()), frozenset(inventory.angles)
         if about not in self._first:
-            _make_room(self._first)
-            self._first[about] = ExactEngine(inventory, definitions)
+            _keep(self._first, about, ExactEngine(inventory, definitions))
         return self._first[about]
 
     def second(self, inventory: Inventory, definitions: Lookup) -> SympyEngine:
@@ -50,29 +50,28 @@ class Engines:
 
         if not _is_plain(inventory):
             return SympyEngine(inventory, definitions)
-        known = self._second.get(definitions)
+        known = self._second.get(id(definitions))
         if known is None or len(known.ring.point) > _MOST:
-            _make_room(self._second)
-            known = self._second[definitions] = SympyEngine(None, definitions)
-        return known
+            _keep(self._second, id(definitions), SympyEngine(None, definitions))
+        return self._second[id(definitions)]
 
     def residues(self, inventory: Inventory, definitions: Lookup) -> JetEngine:
         """The second engine at a random point modulo a prime."""
         ring, random = ResidueRing(), Random(_SEED)
         if not _is_plain(inventory):
             return JetEngine(PointSource(ring, sample(inventory, ring, random)), definitions)
-        if definitions not in self._residues:
-            _make_room(self._residues)
+        if id(definitions) not in self._residues:
             source = PointSource(ring, RandomPoint(ring, random))
-            self._residues[definitions] = JetEngine(source, definitions)
-        return self._residues[definitions]
+            _keep(self._residues, id(definitions), JetEngine(source, definitions))
+        return self._residues[id(definitions)]
 
 
 def _is_plain(inventory: Inventory) -> bool:
     return not (inventory.reciprocals or inventory.norms or inventory.circles)
 
 
-def _make_room(kept: dict) -> None:
-    """Lets the oldest engine go where there are many."""
+def _keep(kept: dict, about: object, engine: object) -> None:
+    """Keeps an engine; where there are many, the oldest goes."""
     if len(kept) >= _KEPT:
         del kept[next(iter(kept))]
+    kept[about] = engine

@@ -19,6 +19,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import Relation, Statement, Symbol
 
+_NONE = NoDefinitions()
 IN_FORCE = "well-formed, and the one in force"
 
 
@@ -67,7 +68,7 @@ class Equation(Case):
         if has_gradient(self.sides):
             return None
         try:
-            bare = Equation(self.setting, self.relation, self.assume, NoDefinitions())
+            bare = Equation(self.setting, self.relation, self.assume, _NONE)
             screened = bare.screen()
             if screened is False:
                 return None

@@ -87,7 +87,7 @@ class RationalRing:
         self._entries = entries
 
     def constant(self, numerator: int, denominator: int) -> Fraction | int:
-        return _whole(Fraction(numerator, denominator))
+        return numerator if denominator == 1 else _whole(Fraction(numerator, denominator))
 
     def divide(self, a: Fraction | int, b: Fraction | int) -> Fraction | int:
         return _whole(Fraction(a) / b)

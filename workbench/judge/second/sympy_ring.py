@@ -122,6 +122,8 @@ class SympyRing:
         return Ratio(self, top, value.denominator, {})
 
     def constant(self, numerator: int, denominator: int) -> Ratio | int:
+        if denominator == 1:
+            return numerator
         value = Fraction(numerator, denominator)
         return value.numerator if value.denominator == 1 else self.lift(value)
 

@@ -7,8 +7,7 @@ from fractions import Fraction
 
 from workbench.judge.verdict import Counterexample
 
-#: Not a length, as in \hspace{.1in}.
-_DECIMAL = re.compile(r"\d*\.(\d++)(?!\s*(?:in|[cm]m|e[mx]|p[tc]|mu|sp|bp|dd|cc)\s*[\]}])")
+_DECIMAL = re.compile(r"\d*\.(\d+)")
 
 ROUNDED = "the sides differ by no more than its decimals may be rounded by"
 

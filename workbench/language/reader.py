@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+from itertools import chain, starmap
 from typing import TypeVar
 
 from workbench.language.elaboration.arguments import OR_A_PRODUCT
@@ -15,10 +16,12 @@ from workbench.language.elaboration.ranges import Range, names_a_set
 from workbench.language.elaboration.statements import Reading, reading_of, term_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Lines, Node
-from workbench.language.grammar.vocabulary import BY_HAND
+from workbench.language.grammar.vocabulary import BY_HAND, EXPECTED
 from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed import construct
 from workbench.language.typed.errors import ALONE, SAYS_NOTHING, Fault, IllFormedAt, Misfit, ReadError, place
-from workbench.language.typed.terms import Statement, Term
+from workbench.language.typed.terms import Relation, Statement, Term
+from workbench.language.typed.types import SCALAR
 
 __all__ = ["IllFormedAt", "Range", "ReadError", "Reading", "read", "read_formula", "read_term", "unclaimed"]
 
@@ -44,19 +47,30 @@ def read_formula(
     """As `read`, with the ranges that the formula states for its integers. As a condition, what stands
     between commas holds together, and nothing in it is a condition of the rest."""
     names = frozenset(integers)
+    sides = [len(_SIGNS.findall(side)) for side in latex.split("=")]
+    says_both, says_either = all(sides) and len(sides) > 1, sorted(sides) == [0, 1]
+    both = [_SIGNS.sub(partial(_sign, above), latex) for above in (True, False)]
     read = [
         _placed(text, table, lambda lines, table: reading_of(lines, table, names, as_condition))
-        for text in _signs(latex)
+        for text in (both if says_both or says_either else [latex])
     ]
-    return replace(read[0], statements=tuple(said for each in read for said in each.statements))
+    said = [each.statements for each in read]
+    if says_either:
+        return replace(read[0], statements=tuple(starmap(partial(_either, latex), zip(*said, strict=True))))
+    return replace(read[0], statements=tuple(chain.from_iterable(said)))
 
 
-def _signs(latex: str) -> tuple[str, ...]:
-    """The formula with the upper and with the lower signs of \\pm and \\mp, where each side has some."""
-    sides = latex.split("=")
-    if len(sides) < 2 or not all(_SIGNS.search(side) for side in sides):
-        return (latex,)
-    return tuple(_SIGNS.sub(partial(_sign, above), latex) for above in (True, False))
+def _either(latex: str, upper: Statement, lower: Statement) -> Statement:
+    """Of two equations of scalars, that one holds: the product of their differences is 0."""
+    if upper == lower:
+        return upper
+    is_read = isinstance(upper, Relation) and upper.operator == "=" and upper.left.type == SCALAR
+    if not is_read:
+        at = _SIGNS.search(latex).start()
+        raise ReadError(EXPECTED["pm"], *place(latex, at))
+    differences = (construct.apply("add", each.left, construct.apply("neg", each.right)) for each in (upper, lower))
+    product = construct.apply("mul", *differences)
+    return construct.relation("=", product, construct.zero())
 
 
 def _sign(above: bool, match: re.Match[str]) -> str:

@@ -61,6 +61,16 @@ def _buildrel(tokens: list[Token], place: int) -> tuple[list[Token], int] | None
     return [tokens[sign].standing_for(":=")], sign + 1
 
 
+def _starred(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\begin{matrix*}[l] as \\begin{matrix}."""
+    text = tokens[place].text
+    if not text.endswith("matrix*}"):
+        return None
+    end = past(tokens, place + 1)
+    is_aligned = text.startswith("\\begin") and printed(tokens[end : end + 3])[::2] == ["[", "]"]
+    return [tokens[place].standing_for(text.replace("*", ""))], end + 3 if is_aligned else place + 1
+
+
 def _table(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """The columns {*{20}{c}} of an array, which the reader counts itself."""
     if tokens[place].text != "\\begin{array}":
@@ -258,6 +268,7 @@ _PATTERNS = (
     _line,
     _variant,
     _buildrel,
+    _starred,
     _table,
     _grouped_table,
     _label,

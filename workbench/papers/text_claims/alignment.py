@@ -127,7 +127,7 @@ def _inside(tokens: list[Token]) -> list[Token] | None:
 def _holds_equations(tokens: list[Token]) -> bool:
     """Whether each row of what is written as a matrix is one equation."""
     rows = [{token.text for token in top(row)} for row in _split(tokens[1:-1], "\\\\") if _stripped(row)]
-    return all("=" in row and "&" not in row for row in rows)
+    return all(row & EQUALITIES and "&" not in row for row in rows)
 
 
 def _goes_on(before: Line, line: Line) -> bool:

@@ -88,7 +88,9 @@ def test_the_short_form_is_the_long_one(spelt: str, meant: str) -> None:
     [
         (r"x/2y = z", "how far does / reach"),
         (r"x/y/z = z", "what is divided by what"),
-        (r"x = \pm y", "says either"),
+        (r"v = \pm w", "says either"),
+        (r"x = \pm y \pm z", "says either"),
+        (r"xy = \pm y + \mp z", "says either"),
         (r"(v, w)^T = v", "columns beside each other"),
         (r"\lfloor x \rfloor = y", "between brackets"),
         (r"x \gets y", "an assignment"),
@@ -103,6 +105,21 @@ def test_two_readings_are_refused(formula: str, message: str) -> None:
 def test_both_signs_are_claimed() -> None:
     said = read(r"x \pm y = z \mp x", TABLE)
     assert [to_latex(each) for each in said] == ["x + y = z - x", "x - y = z + x"]
+
+
+@pytest.mark.parametrize(
+    ("formula", "x", "outcome"),
+    [
+        (r"x = \pm y", "-y", Outcome.PROVED),
+        (r"x = \pm y", "y", Outcome.PROVED),
+        (r"x = \pm 2 y", "y", Outcome.REFUTED),
+        (r"x = z \pm y", "z - y", Outcome.PROVED),
+        (r"x = z \mp y", "-z - y", Outcome.REFUTED),
+        (r"\pm x = \|v\|", r"-\sqrt{v \cdot v}", Outcome.PROVED),
+    ],
+)
+def test_one_sign_on_one_side_says_that_one_of_the_two_holds(formula: str, x: str, outcome: Outcome) -> None:
+    assert check(formula, symbols=KINDS, definitions=[f"x = {x}"]).outcome is outcome
 
 
 def test_implications_in_a_row_are_each_claimed() -> None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
 from workbench.language.elaboration.quotients import value_of
-from workbench.language.elaboration.spelled import subscripted_norm
+from workbench.language.elaboration.spelled import subscripted_norm, word_of
 from workbench.language.elaboration.superscripts import (
     is_transpose,
     notated,
@@ -89,6 +89,8 @@ class _Lettering:
                 return self.factorial(node), scripts.sup
             case Scripted():
                 return self.scripted(node, scripts, styles)
+            case Group(parts=(Product(items=items),)) if word := word_of(self.scope, items, styles):
+                return self.read(word, scripts, styles)
             case Group(parts=(part,)) if styles or isinstance(
                 part, Leaf | Styled | Accented | Scripted | Group
             ):
@@ -96,6 +98,8 @@ class _Lettering:
             case Group(parts=(Product(items=(Scripted(nucleus=Group(parts=())) as left, body)),)):
                 return self.read(body, replace(scripts, left_sub=left.sub, left_sup=left.sup), styles)
         if styles:
+            if scripts != Scripts(sup=scripts.sup):
+                raise Fault(f"a script at {styles[-1]} of more than one symbol", node.at)
             return self.of_a_pair(node, styles), scripts.sup
         only = scripts.sub if scripts == Scripts(sub=scripts.sub, sup=scripts.sup) else None
         if only is not None and (norm := subscripted_norm(self.scope, node, only)) is not None:

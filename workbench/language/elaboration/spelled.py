@@ -21,9 +21,9 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.grammar.vocabulary import FONTS
 from workbench.language.naming.scope import Scope
-from workbench.language.naming.spelling import prefixed
+from workbench.language.naming.spelling import in_a_word, prefixed
 from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.names import PREFIXES
+from workbench.language.typed.names import PREFIXES, Name
 from workbench.language.typed.terms import Term
 
 
@@ -31,7 +31,8 @@ def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
     """The items, each a factor or a sign."""
     after = [*items[1:], None]
     bare = [part for item, next_ in zip(items, after, strict=True) for part in _without_braces(item, next_)]
-    return _with_prefixes(scope, [part for item in bare for part in letters_in_one_font(item)])
+    letters = [part for item in bare for part in letters_in_one_font(item)]
+    return _with_words(scope, _with_prefixes(scope, letters))
 
 
 def _without_braces(item: Node, following: Node | None) -> Sequence[Node]:
@@ -75,6 +76,33 @@ def _with_prefixes(scope: Scope, items: Sequence[Node]) -> list[Node]:
                 continue
         found.append(item)
     return found
+
+
+def _with_words(scope: Scope, items: Sequence[Node]) -> list[Node]:
+    """DV as the symbol of two letters, if it is declared."""
+    found: list[Node] = []
+    place = 0
+    while place < len(items):
+        ends = range(min(place + scope.table.longest_word, len(items)), place + 1, -1)
+        words = ((word_of(scope, items[place:end]), end) for end in ends)
+        word, end = next((each for each in words if each[0] is not None), (items[place], place + 1))
+        found.append(word)
+        place = end
+    return found
+
+
+def word_of(scope: Scope, items: Sequence[Node], styles: tuple[str, ...] = ()) -> Node | None:
+    """The letters as one symbol; None where none is written so. Raises Fault where each is a symbol, too."""
+    word = in_a_word(items) if scope.table.longest_word > 1 else None
+    if word is None:
+        return None
+    own, letters = _styled_letter(word)
+    if not scope.table.has_letter(Name.styled((*styles, *own), letters).base):
+        return None
+    if not (styles or own) and all(map(scope.knows, letters)):
+        which = f"one symbol, or the product of {' and '.join(letters)}"
+        raise Fault(f"{letters}: {which}? {{…}} around each letter parts them", word.at)
+    return word
 
 
 def _styled_letter(node: Node) -> tuple[tuple[str, ...], str]:

@@ -25,6 +25,7 @@ from workbench.language.naming.spelling import (
     Named,
     Scripts,
     Spelling,
+    in_a_word,
     in_bracket,
     linear,
     prefixed,
@@ -94,8 +95,12 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
             left_sub, left_sup, node = left.sub, left.sup, core(right)
         case Product(items=(Leaf(text=prefix) as mark, right)) if prefix in PREFIXES:
             node = prefixed(mark, right) or node
+        case Product(items=items):
+            node = in_a_word(items) or node
     scripted = node if isinstance(node, Scripted) else Scripted(node.at, node)
     styles, letter = unstyled(scripted.nucleus)
+    if isinstance(letter, Product):
+        letter = in_a_word(letter.items) or letter
     if isinstance(letter, Scripted) and not (scripted.sup or scripted.primes):
         scripted = replace(letter, sub=both_below(letter.sub, scripted.sub))  # \vec{a_{cm}}
         inner, letter = unstyled(letter.nucleus)

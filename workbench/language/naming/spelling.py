@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from workbench.language.grammar.syntax import (
     Accented,
@@ -18,8 +19,9 @@ from workbench.language.grammar.syntax import (
     Styled,
     Sum,
     core,
+    unstyled,
 )
-from workbench.language.grammar.vocabulary import CLOSING, written
+from workbench.language.grammar.vocabulary import CLOSING, FONTS, written
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import ACCENTS, SCRIPTS, Name
@@ -62,6 +64,29 @@ def prefixed(prefix: Node, node: Node) -> Node | None:
     inner = core(node)
     is_letter = isinstance(inner, Styled | Accented) or (isinstance(inner, Leaf) and inner.kind == "LETTER")
     return Styled(prefix.at, prefix.text, node) if is_letter else None
+
+
+def in_a_word(items: Sequence[Node]) -> Node | None:
+    """D and V, or V_1, with nothing between them, as the one symbol DV; None where they are no such letters."""
+    *first, last = items
+    letters = [*first, last.nucleus if isinstance(last, Scripted) else last]
+    styles, leaves = zip(*map(_in_fonts, letters), strict=True)
+    is_word = len(leaves) > 1 and len({*styles}) == 1 and all(map(_is_plain_letter, leaves))
+    if not is_word or any(one.at + 1 != other.at for one, other in pairwise(leaves)):
+        return None
+    word: Node = Leaf(items[0].at, "LETTER", "".join(leaf.text for leaf in leaves))
+    for style in reversed(styles[0]):
+        word = Styled(items[0].at, style, word)
+    return replace(last, at=items[0].at, nucleus=word) if isinstance(last, Scripted) else word
+
+
+def _in_fonts(node: Node) -> tuple[tuple[str, ...], Node]:
+    styles, letter = unstyled(node)
+    return (styles, letter) if FONTS.issuperset(styles) else ((), node)
+
+
+def _is_plain_letter(node: Node) -> bool:
+    return isinstance(node, Leaf) and node.kind == "LETTER" and node.text.isascii() and node.text.isalpha()
 
 
 def variable_name(node: Node) -> str | None:
@@ -188,7 +213,7 @@ def spell(letter: Name, scripts: Scripts, variables: Collection[str]) -> Spellin
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """Two labels that name what goes from one to the other: [BN], a matrix of two frames, and \\vec{AB}.
+    """Labels that are one name: [BN], a matrix of two frames, \\vec{AB}, from A to B, and \\vec{abc}.
 
     styles: those over both; none for [BN].
     """
@@ -228,7 +253,7 @@ def under_accent(node: Node, styles: tuple[str, ...] = ()) -> Pair | None:
 
 def _pair(nodes: Sequence[Node], styles: tuple[str, ...] = ()) -> Pair | None:
     spelled = [_spell_script(each, ()) for each in nodes]
-    if len(spelled) != 2 or not all(map(_is_label, nodes)):
+    if (len(spelled) != 2 and not styles) or not all(map(_is_label, nodes)):
         return None
     return Pair(tuple("".join(map(str, pieces)) for pieces in spelled), styles)
 

@@ -188,6 +188,11 @@ class SymbolTable:
         return any(name.base == letter for name in (*self.symbols, *self.functions))
 
     @cached_property
+    def longest_word(self) -> int:
+        """How many letters the longest name has that is written as letters alone."""
+        return max((len(name.letter) for name in self.symbols if name.letter.isalpha()), default=1)
+
+    @cached_property
     def _prefixed(self) -> frozenset[tuple[str, tuple[str, ...]]]:
         return frozenset((n.letter, n.styles) for n in self.symbols if n.styles[:1] in _PREFIXES)
 

@@ -48,6 +48,7 @@ _TOKEN = re.compile(
     | \\(?:text|textrm|mbox)\s*\{(?P<said>[^{}$]*)\}
     | \\(?P<environment>begin|end)\s*\{(?P<name>[A-Za-z]+\*?)\}(?:(?<=begin\{array\})\s*\{[lcr|\s]*\})?
     | (?P<newline>\\\\(?:\s*\[[0-9.]+(?:pt|ex|em|mm)\])?)
+    | \\(?P<function>(?:arc|a)tan2)(?=\s*(?:\\left)?\()
     | \\(?P<command>[A-Za-z]+|[^A-Za-z])
     | (?P<number>[0-9]+(?:\.[0-9]+)?)
     | (?P<letters>(?:arc|a)tan2(?![A-Za-z0-9])|[A-Za-z]+)
@@ -147,6 +148,8 @@ class Tokenizer:
                 self.environment(match["environment"], match["name"], at)
             case "newline":
                 self.emit("ROW" if self.inside() == "matrix" else "BREAK", text, at)
+            case "function":
+                self.emit("FUNCTION", text, at)
             case "command":
                 self.command(match["command"], text, at)
             case "number" if self.out and self.out[-1].type == "FRACTION" and len(text) == 2:

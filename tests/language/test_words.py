@@ -35,7 +35,7 @@ def test_what_is_printed_is_read_as_the_same(name: str) -> None:
 @pytest.mark.parametrize(("before", "word", "after"), [*product(("m", "2", "m m "), WORDS, ("", " m", "_9"))])
 def test_it_is_found_among_other_factors(before: str, word: str, after: str) -> None:
     if after == "_9":
-        with pytest.raises(ReadError, match="unknown symbol|a second subscript|a script at"):
+        with pytest.raises(ReadError, match=r"unknown symbol|a second subscript|a script at"):
             read_term(before + word + after, TABLE)
         return
     lone = SymbolTable.build({"w": {"kind": WORDS[word]}, "m": {"kind": "scalar"}})

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from workbench.language.naming.spelling import Named
-from workbench.language.typed.construct import rebuild
+from workbench.language.typed.construct import power, rebuild
 from workbench.language.typed.instances import free_integers, instantiate
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
@@ -65,10 +65,11 @@ class Definitions:
         The same symbol gives the same object. Raises IllFormed for a member that no definition reaches, of a
         family that only definitions introduce.
         """
-        if symbol.declaration.name not in self._of:
+        is_defined = symbol.declaration.name in self._of
+        if not is_defined and not symbol.declaration.positive:
             return None
         if symbol not in self._known:
-            self._known[symbol] = self._step(symbol)
+            self._known[symbol] = self._step(symbol) if is_defined else squared_root(symbol)
         return self._known[symbol]
 
     def _step(self, symbol: Symbol) -> Term | None:
@@ -89,6 +90,15 @@ class Definitions:
             known = ", ".join(dict.fromkeys(known))
             raise IllFormed(f"{family.shown(symbol.index)} is not defined; defined: {known}")
         return None
+
+
+def squared_root(symbol: Symbol) -> Term:
+    """x = r², of a positive x: every such x has an r that is as smooth, and of every r but 0 the square is
+    one."""
+    own = symbol.declaration
+    name = replace(own.name, left_sub=("\\surd", *own.name.left_sub))
+    root = replace(own, name=name, weight=None, positive=False)
+    return power(replace(symbol, declaration=root, weight=None), 2)
 
 
 def expand(term: Term, definitions: Definitions) -> Term:

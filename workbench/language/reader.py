@@ -68,7 +68,9 @@ def _either(latex: str, upper: Statement, lower: Statement) -> Statement:
     if not is_read:
         at = _SIGNS.search(latex).start()
         raise ReadError(EXPECTED["pm"], *place(latex, at))
-    differences = (construct.apply("add", each.left, construct.apply("neg", each.right)) for each in (upper, lower))
+    differences = (
+        construct.apply("add", each.left, construct.apply("neg", each.right)) for each in (upper, lower)
+    )
     product = construct.apply("mul", *differences)
     return construct.relation("=", product, construct.zero())
 

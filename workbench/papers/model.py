@@ -302,8 +302,12 @@ class Claim:
 
     @property
     def supposed(self) -> tuple[Statement, ...]:
-        """The conditions that the text states."""
-        return tuple(formula.statement for formula in self.assume)
+        """The conditions that the text states, and what is declared of its symbols."""
+        from workbench.papers.said import nonzero
+
+        said = self.printed.statement
+        declared = () if said is None else nonzero(said, self.notation)
+        return (*(formula.statement for formula in self.assume), *declared)
 
     @property
     def instances(self) -> list[dict[str, int]]:

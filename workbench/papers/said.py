@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from workbench.language.definitions import Definitions, expand
 from workbench.language.grammar.vocabulary import COMMANDS
+from workbench.language.typed.construct import relation, zero
 from workbench.language.typed.names import Name
 from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import (
@@ -69,6 +70,13 @@ def _written(term: Term) -> Iterator[Term]:
                 children = children[:1]
     for child in children:
         yield from _written(child)
+
+
+def nonzero(statement: Statement, notation: Notation) -> Iterator[Relation]:
+    """That what is declared positive is not 0, of all that the statement speaks of."""
+    reached = (part for term in terms_of(statement) for part in notation.definitions.reached(term))
+    found = (part for part in reached if isinstance(part, Symbol) and part.declaration.positive)
+    yield from (relation("≠", part, zero()) for part in dict.fromkeys(found))
 
 
 def stated(statement: Statement, notation: Notation | None = None) -> str | None:
@@ -226,6 +234,8 @@ def free_in(terms: Iterable[Term], definitions: Definitions) -> set[Declaration]
 
 
 def _body(symbol: Symbol, definitions: Definitions) -> Term | None:
+    if symbol.declaration.positive and not definitions.about(symbol):
+        return None
     try:
         return definitions.lookup(symbol)
     except IllFormed:

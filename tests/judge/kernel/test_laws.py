@@ -101,6 +101,45 @@ def test_a_column_of_free_symbols_is_free(formula: str, outcome: Outcome) -> Non
         assert r"states a law for \dot{z}," in said.verdict.reason
 
 
+TURNING = {
+    "Q": r"\begin{bmatrix} \cos(n t) & -\sin(n t) & 0 \\ \sin(n t) & \cos(n t) & 0 \\ 0 & 0 & 1 \end{bmatrix}",
+    "r": r"x Q e_x + y Q e_y + f Q e_z",
+    r"\omega": r"n e_z",
+}
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"m \ddot{r} = F", Outcome.UNCHECKED),
+        (r"\ddot{r} = -\frac{\mu}{m} r", Outcome.UNCHECKED),
+        (r"\dot{r} = \omega \times r", Outcome.REFUTED),
+        (r"\ddot{r} = \omega \times (\omega \times r)", Outcome.REFUTED),
+        (r"\ddot{r} = \ddot{x} Q e_x + \ddot{y} Q e_y + F", Outcome.REFUTED),
+        (r"\ddot{r} = \ddot{r} + F", Outcome.REFUTED),
+    ],
+)
+def test_forces_move_what_has_components_in_turning_axes(formula: str, outcome: Outcome) -> None:
+    """A mistake in what r̈ is by its components has no symbol that they do not have."""
+    constants = {name: {"kind": "scalar", "constant": True} for name in ("m", r"\mu", "n")}
+    axes = {f"e_{axis}": "vector" for axis in "xyz"}
+    columns = {f"e_{a}": [r"1\\0\\0", r"0\\1\\0", r"0\\0\\1"][i] for i, a in enumerate("xyz")}
+    units = {name: rf"\begin{{bmatrix}} {entries} \end{{bmatrix}}" for name, entries in columns.items()}
+    symbols = {
+        "Q": "tensor",
+        "r": "vector",
+        "F": "vector",
+        r"\omega": "vector",
+        **axes,
+        **constants,
+        **NUMBERS,
+    }
+    said = check(formula, symbols, definitions={**units, **TURNING})
+    assert said.outcome == outcome
+    if outcome is Outcome.UNCHECKED:
+        assert r"states a law for \ddot{r}," in said.verdict.reason
+
+
 MEMBERS = {"z": r"\begin{bmatrix} x_1 \\ x_2 \\ x_3 \end{bmatrix}"}
 
 

@@ -173,10 +173,13 @@ class Case:
     def _is_real(self, trial: Trial) -> bool:
         circles = self.inventory.circles.values()
         angles = self.inventory.angles if circles else self.measured_angles
-        return all(
-            not trial.engine.value(angle, 0).re[0][()] and trial.engine.circle(angle)[0] == 1
-            for angle in (*angles, *circles)
-        )
+        try:
+            return all(
+                not trial.engine.value(angle, 0).re[0][()] and trial.engine.circle(angle)[0] == 1
+                for angle in (*angles, *circles)
+            )
+        except ZeroDivisionError:  # an angle that is a quotient, undefined there
+            return False
 
     @cached_property
     def solved(self) -> Equations:

@@ -75,13 +75,16 @@ def _integral(p: Polynomial, context: fmpz_mpoly_ctx) -> fmpz_mpoly:
     return context.from_dict({(*e, *more): int(c.p) * (below // int(c.q)) for e, c in p.terms()})
 
 
-def is_nowhere_zero(p: Polynomial | fmpz_mpoly, norms: Collection[int]) -> bool:
+def is_nowhere_zero(
+    p: Polynomial | fmpz_mpoly, norms: Collection[int], apart: Collection[int] = frozenset()
+) -> bool:
     """A number that is not 0 plus monomials of its sign, whose squares and norms are not negative. norms: the
-    places of the generators that stand for such."""
+    places of the generators that stand for such. apart: those of generators that are not 0, whose product
+    does as well as a number."""
     terms = list(p.terms())
     same_sign = len({c > 0 for _, c in terms}) == 1
-    constant = any(not any(exponents) for exponents, _ in terms)
-    return same_sign and constant and has_even_powers(p, norms)
+    is_there = any(all(place in apart for place, e in enumerate(powers) if e) for powers, _ in terms)
+    return same_sign and is_there and has_even_powers(p, norms)
 
 
 def has_even_powers(p: Polynomial | fmpz_mpoly, norms: Collection[int]) -> bool:

@@ -29,7 +29,7 @@ from workbench.language.typed.terms import (
     Term,
     column_of_symbols,
 )
-from workbench.language.typed.types import Declaration
+from workbench.language.typed.types import SCALAR, Declaration
 
 _LINEAR = frozenset(
     {"mul", "neg", "dot", "cross", "outer", "transpose", "skew", "vector part", "scalar part"}
@@ -57,7 +57,11 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
         for symbol, order, alone in _occurrences(term, definitions, 0, True):
             found[symbol].append(_Occurrence(side, order, alone))
     groups = [(symbol, (symbol,)) for symbol in found]
-    for whole, entries in [*groups, *_columns(relation, definitions)]:
+    for whole, entries in [
+        *groups,
+        *_columns(relation, definitions),
+        *_moved(relation, inventory, definitions),
+    ]:
         orders = {inventory.orders.get(symbol, 0) for symbol in entries}
         highest = [o for symbol in entries for o in found[symbol] if o.order in orders]
         free = [s for s in entries if _may_be_given(s.declaration)]
@@ -81,6 +85,20 @@ def _columns(relation: Relation, definitions: Lookup) -> Iterator[tuple[Symbol, 
     for term in dict.fromkeys([*relation.left.walk(), *relation.right.walk()]):
         if isinstance(term, Symbol) and (entries := column_of_symbols(definitions.lookup(term))):
             yield term, entries
+
+
+def _moved(
+    relation: Relation, inventory: Inventory, definitions: Lookup
+) -> Iterator[tuple[Symbol, tuple[Symbol, ...]]]:
+    """The r of r̈ that a definition makes of several symbols, as x i + y j + z k, with those that r̈ holds the
+    highest derivatives of."""
+    for term in dict.fromkeys([*relation.left.walk(), *relation.right.walk()]):
+        if isinstance(term, Derivative) and isinstance(term.body, Symbol):
+            inside = dict.fromkeys(symbol for symbol, *_ in _occurrences(term.body, definitions, 0, True))
+            moving = (symbol for symbol in inside if _may_be_given(symbol.declaration))
+            entries = tuple(s for s in moving if inventory.orders.get(s, 0) == int(term.order))
+            if len(entries) > 1 and term.type.is_column and all(s.type == SCALAR for s in entries):
+                yield term.body, entries
 
 
 def _occurrences(

@@ -75,13 +75,14 @@ class Equations:
 
     def _not_excluded(self, denominators: Sequence[Polynomial]) -> list[Polynomial]:
         """p ≠ 0 excludes the zeros of every factor of p. A factor that is a positive number plus a sum of
-        squares of monomials has no real zero."""
+        squares of monomials has no real zero, nor has one with the square of what does not vanish."""
         engine = self._engine
+        apart = {place for p in self._apart if len(p) == 1 for place in _places(p)}
         gaps = [
             factor
             for denominator in denominators
             for factor in _factors(engine, denominator)
-            if factor not in self._apart and not is_nowhere_zero(factor, engine.norm_places)
+            if factor not in self._apart and not is_nowhere_zero(factor, engine.norm_places, apart)
         ]
         supposed = self.solved or self._rest
         return [factor for factor in gaps if not supposed or not self._excludes(factor)]

@@ -18,6 +18,9 @@ from workbench.language.typed.construct import apply, derivative, number
 from workbench.language.typed.operators import GRADIENTS, PARTIALS
 from workbench.language.typed.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
 
+#: Roots of sums and their factors for which an engine has set no generator aside.
+TOO_MANY_ROOTS = "more roots than the engine has set generators aside for"
+
 
 @dataclass
 class Inventory:
@@ -40,6 +43,7 @@ def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
             known = survey.inventory.orders.get(symbol, 0)
             survey.inventory.orders[symbol] = max(known, order)
     survey.add_coordinates()
+    survey.add_roots_of_factors()
     return survey.inventory
 
 
@@ -55,6 +59,7 @@ class _Survey:
         self.inventory = Inventory()
         self._known: dict[Term, dict[Symbol, int]] = {}
         self._sizes: dict[Term, int] = {}
+        self._factors = 0  # of what roots are taken of, such as the m and r of √(m r)
 
     def orders(self, term: Term) -> dict[Symbol, int]:
         if term not in self._known:
@@ -64,6 +69,7 @@ class _Survey:
     def _survey(self, term: Term) -> dict[Symbol, int]:
         if isinstance(term, Symbol):
             body = self.definitions.lookup(term)
+            self._factors += term.declaration.positive
             return {term: 0} if body is None else self.orders(body)
         if isinstance(term, BigSum):
             raise NotExact("a sum whose bounds are not numbers")
@@ -104,6 +110,12 @@ class _Survey:
                     if known.get(symbol, -1) < own + known[function]:
                         known[symbol] = own + known[function]
                         waiting.append(symbol)
+
+    def add_roots_of_factors(self) -> None:
+        """√(m r) is √m √r: a root of each, where any are taken."""
+        if self.inventory.norms:
+            self.inventory.norms += self._factors
+            self.inventory.reciprocals += self._factors
 
     def _holds_rates(self, term: Term) -> bool:
         return any(isinstance(part, Derivative | TimeOperator) for part in reached(term, self.definitions))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.quotients import Rate, slope, value_of
-from workbench.language.elaboration.superscripts import raised
+from workbench.language.elaboration.superscripts import raised, rooted
 from workbench.language.grammar.syntax import (
     Bracket,
     Fraction,
@@ -104,7 +104,7 @@ def _root(row: Row, leaf: Leaf, place: int) -> Factor:
         if not _is_norm_squared(term):
             raise Fault("the root of a quaternion, which is no number", leaf.at)
         term = row.scope.apply(leaf.at, "scalar part", term)
-    return Factor(row.scope.apply(leaf.at, "root", term), leaf.at, place + 2, leaf)
+    return Factor(rooted(row.scope, leaf.at, term), leaf.at, place + 2, leaf)
 
 
 def _is_norm_squared(term: Term) -> bool:

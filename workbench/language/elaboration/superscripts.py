@@ -26,7 +26,7 @@ from workbench.language.naming.symbols import may_be_label
 from workbench.language.typed import construct, instances
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Derivative, IllFormed, Symbol, Term
+from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term
 
 
 def refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
@@ -107,6 +107,14 @@ def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spel
     raise Misfit(IllFormed(f"{spelled} of a {term.type}; [notation] has it for: {known}"), at)
 
 
+def rooted(scope: Scope, at: int, term: Term) -> Term:
+    """The root; of a quotient that of its roots, which are real where the judges take one at all."""
+    match term:
+        case Apply(head="div", arguments=(above, below)):
+            return scope.apply(at, "div", rooted(scope, at, above), rooted(scope, at, below))
+    return scope.apply(at, "root", term)
+
+
 def raised(scope: Scope, term: Term, sup: Node) -> Term:
     """term^sup: transpose, adjugate, inverse, derivative of an order, or power."""
     if own := [e for e in scope.table.notations.marks(sup) if str(term.type) in e.formals.values()]:
@@ -126,7 +134,7 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
         case Bracket(kind="(", parts=(order,)):
             return scope.rate(sup.at, term, scope.integer(order), None)
     if (halves := _halves(inner)) is not None:
-        root = scope.apply(sup.at, "root", term)
+        root = rooted(scope, sup.at, term)
         return scope.build(sup.at, instances.raised, root, Linear(halves))
     exponent = linear(inner, scope.variables)
     if exponent is None:

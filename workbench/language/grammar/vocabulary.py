@@ -195,7 +195,10 @@ EXPECTED = {
     **dict.fromkeys(("subset", "subseteq"), "a part of a set is not read; its members are, as in x \\in V_3"),
     **dict.fromkeys(("leq", "le", "lt"), "a range is written n \\geq 1 or n = \\overline{1,5}"),
     "prime": "a prime is written '",
-    **dict.fromkeys(("pm", "mp"), "one sign of two on one side says either, which is read of scalars; on both sides it says both"),
+    **dict.fromkeys(
+        ("pm", "mp"),
+        "one sign of two on one side says either, which is read of scalars; on both sides it says both",
+    ),
     **dict.fromkeys(("gets", "leftarrow", "Leftarrow"), "an assignment is no equation"),
     **dict.fromkeys(("simeq", "sim", "cong", "doteq", "propto"), "an approximation is not read"),
     **dict.fromkeys(("log", "ln", "Log"), "logarithms are not read; what they are the inverse of is, \\exp"),

@@ -38,13 +38,15 @@ from workbench.language.typed.names import PREFIXES, Name
 from workbench.language.typed.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
 _FLAGS = (
-    "constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal", "small", "free",
+    "constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal", "small", "positive",
+    "free",
 )  # fmt: skip
 _FLAGGED = {
     "unit": ("vector", "hamilton quaternion"),
     "coordinate": ("vector",),
     "symmetric": ("tensor",),
     "diagonal": ("tensor",),
+    "positive": ("scalar",),
 }
 _ALLOWED = ("kind", "weight", *_FLAGS, "of", "aliases", "note")
 
@@ -146,6 +148,8 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
             raise SpecError(f"{flag} is for a {' or a '.join(kinds)}, not for a {plain}", key)
     if spec.get("small") and (dual or spec.get("unit") or plain in ("rotation", "transform", "operator")):
         raise SpecError("small is for real quantities whose values are free", key)
+    if dual and spec.get("positive"):
+        raise SpecError("positive is for real scalars", key)
     if dual and plain == "transform":
         raise SpecError("a transform is real; a dual rotation stands for the same motions", key)
     return Declaration(
@@ -162,6 +166,7 @@ def read_declaration(key: str, name: Name, index: Sequence[Linear], spec: Mappin
         uniform=spec.get("uniform", False),
         independent=spec.get("independent", False),
         small=spec.get("small", False),
+        positive=spec.get("positive", False),
         free=spec.get("free", False),
         indices=len(index),
     )

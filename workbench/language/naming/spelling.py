@@ -67,7 +67,7 @@ def prefixed(prefix: Node, node: Node) -> Node | None:
 
 
 def in_a_word(items: Sequence[Node]) -> Node | None:
-    """D and V, or V_1, with nothing between them, as the one symbol DV; None where they are no such letters."""
+    """D and V, or V_1, with nothing between them, as the one symbol DV; None for anything else."""
     *first, last = items
     letters = [*first, last.nucleus if isinstance(last, Scripted) else last]
     styles, leaves = zip(*map(_in_fonts, letters), strict=True)

@@ -94,6 +94,7 @@ class Declaration:
     uniform: the same at every place, so that div and curl take it for a constant.
     of: the symbols that it is a function of; nothing but them (and t, where it is among them) moves it.
     independent: others are functions `of` it and it is none itself, so that ∂/∂q keeps it fixed.
+    positive: a number more than 0 at all times, so that it has a root (`definitions.squared_root`).
     small: so small that what is said with ≈ holds to first order in it and its rates.
     free: it may be anything, whatever a text seems to say of it.
     tilded: the same letter with a tilde is a symbol of its own, so its skew tensor is not written so.
@@ -117,6 +118,7 @@ class Declaration:
     of: tuple[Any, ...] = ()
     independent: bool = False
     small: bool = False
+    positive: bool = False
     free: bool = False
     tilded: bool = False
     clock: bool = False

@@ -1,0 +1,89 @@
+"""`positive = true`: a number that is more than 0 has a root, and may be divided by."""
+
+from __future__ import annotations
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.errors import SpecError
+
+POSITIVE = {"kind": "scalar", "positive": True}
+SYMBOLS = {
+    "m": {**POSITIVE, "constant": True},
+    "M": {**POSITIVE, "constant": True},
+    r"\mu": {**POSITIVE, "constant": True},
+    "r": POSITIVE,
+    "r_n": POSITIVE,
+    "x": "scalar",
+    "a": "vector",
+    "T": "scalar",
+}
+TRUE = [
+    r"\sqrt{m} \sqrt{m} = m",
+    r"\sqrt{m^2} = m",
+    r"\sqrt{m r} = \sqrt{m} \sqrt{r}",
+    r"\sqrt{\frac{m}{r^3}} = \frac{\sqrt{m}}{r^{3/2}}",
+    r"\sqrt{\frac{r^2}{m + M}} = \frac{r}{\sqrt{m + M}}",
+    r"\sqrt{\mu (m + M) r} = \sqrt{\mu} \sqrt{m + M} \sqrt{r}",
+    r"\frac{d}{dt} r^{3/2} = \frac{3}{2} \sqrt{r} \dot r",
+    r"\frac{d}{dt} (\sqrt{r}) = \frac{\dot r}{2 \sqrt{r}}",
+    r"|r| = r",
+    r"\|m a\| = m \|a\|",
+    r"\frac{m}{m} = 1",
+    r"\frac{m + M}{m + M} = 1",
+    r"\frac{m r + M}{m r + M} x = x",
+    r"\sqrt{r_1 r_2} = \sqrt{r_1} \sqrt{r_2}",
+    r"\dot m = 0",
+    r"\cos^2(\sqrt{\frac{\mu}{m}} t) + \sin^2(\sqrt{\frac{\mu}{m}} t) = 1",
+]
+FALSE = [
+    r"\sqrt{m^2} = -m",
+    r"\sqrt{m r} = \sqrt{m} r",
+    r"\sqrt{\frac{m}{r^3}} = \frac{\sqrt{m}}{r^{1/2}}",
+    r"\frac{d}{dt} r^{3/2} = \frac{1}{2} \sqrt{r} \dot r",
+    r"\dot r = 0",
+    r"\sqrt{x^2} = x",
+]
+ONLY_IF_POSITIVE = [r"|r| = r", r"\|m a\| = m \|a\|", r"\sqrt{m^2} = m"]
+
+
+def _outcome(formula: str, symbols=SYMBOLS) -> Outcome:
+    return check(formula, symbols=symbols).outcome
+
+
+@pytest.mark.parametrize("formula", TRUE)
+def test_what_holds_of_positive_numbers_is_proved(formula: str) -> None:
+    assert _outcome(formula) is Outcome.PROVED
+
+
+@pytest.mark.parametrize("formula", FALSE)
+def test_what_does_not_is_refuted(formula: str) -> None:
+    assert _outcome(formula) is Outcome.REFUTED
+
+
+@pytest.mark.parametrize("formula", ONLY_IF_POSITIVE)
+def test_it_is_refuted_of_any_number(formula: str) -> None:
+    any_number = {name: "scalar" if isinstance(spec, dict) else spec for name, spec in SYMBOLS.items()}
+    assert _outcome(formula, any_number) is Outcome.REFUTED
+
+
+def test_a_counterexample_is_positive() -> None:
+    against = check(r"m^2 = m", symbols=SYMBOLS).verdict.counterexample
+    assert against.left != against.right
+    assert all(float(entry) >= 0 for entries in against.defined.values() for entry in entries)
+
+
+def test_it_is_an_angle_of_no_other_number() -> None:
+    """sin r depends on r and not on its root."""
+    for rate in (r"\dot{r} \cos r", r"\cos(r) \dot{r}", r"2 \dot{r} \cos r"):
+        assert check(rf"\frac{{d}}{{dt}} (\sin r) = {rate}", symbols=SYMBOLS).outcome is Outcome.UNCHECKED
+
+
+@pytest.mark.parametrize(
+    "spec", [{"kind": "vector", "positive": True}, {"kind": "dual scalar", "positive": True}]
+)
+def test_only_scalars_are(spec: dict) -> None:
+    with pytest.raises(SpecError, match="positive"):
+        SymbolTable.build({"a": spec})

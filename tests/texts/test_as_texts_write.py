@@ -45,6 +45,11 @@ SPELLED = [
         r"x = \begin{bmatrix} 1 & 2 \end{bmatrix} \ y = b",
         [r"x=\begin{bmatrix} 1 & 2 \end{bmatrix} \ y", r"\begin{bmatrix} 1 & 2 \end{bmatrix} \ y=b"],
     ),
+    (
+        r"x = \begin{bmatrix*}[r] -1 \\ 2 \end{bmatrix*} + y",
+        [r"x = \begin{bmatrix} -1 \\ 2 \end{bmatrix} + y"],
+    ),
+    (r"\begin{matrix*}[l] x = a \\ y \triangleq b \end{matrix*}", ["x = a", "y :=b"]),
     (r"R = [a \quad b\ \ c]", [r"R = \begin{bmatrix}a &b&c\end{bmatrix}"]),
     (r"x = [a \quad b]^T", ["x = [a ,b]^T"]),
     (r"R = \left[ a \quad b\,\right]", [r"R = \begin{bmatrix} a &b\,\end{bmatrix}"]),

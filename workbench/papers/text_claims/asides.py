@@ -18,8 +18,8 @@ from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Notation
 from workbench.papers.said import terms_of
-from workbench.papers.text_claims.steps import steps_of
-from workbench.papers.texts import Display, spelled
+from workbench.papers.text_claims.steps import Step, steps_of
+from workbench.papers.texts import Display, Token, spelled
 from workbench.papers.texts.prose import sentence_around, sentence_before
 
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
@@ -63,23 +63,36 @@ def _symbols(statement: Statement) -> set[Declaration]:
 def _conditions(
     formula: Display, notation: Notation, own: set[Declaration], with_equations: bool
 ) -> Iterator[Aside]:
+    line = formula.source.place(formula.start)[0]
     for steps in steps_of(formula, notation.words):
         for step in steps:
-            latex, _ = step.spelled()
-            signs = [at for at, token in enumerate(step.tokens) if token.text in _ORDERS]
-            order = _ORDERS[step.tokens[signs[0]].text] if len(signs) == 1 else None
-            if order:
-                at = signs[0]
-                equal = step.tokens[at].standing_for("=")
-                latex = spelled([*step.tokens[:at], equal, *step.tokens[at + 1 :]])[0]
-            elif not (with_equations or any(token.text in _UNEQUAL for token in step.tokens)):
-                continue
-            with suppress(ReadError, IllFormedAt, ValueError):
-                statement, ranges = read_statement(latex, notation, None)
-                is_equation = isinstance(statement, Relation) and statement.operator != "≈"
-                if is_equation and not ranges and _symbols(statement) & own:
-                    line = formula.source.place(formula.start)[0]
-                    yield _aside(spelled(step.tokens)[0], line, statement, order)
+            yield from _condition(step.tokens, line, notation, own, with_equations)
+
+
+def _condition(
+    tokens: Sequence[Token], line: int, notation: Notation, own: set[Declaration] | None, with_equations: bool
+) -> Iterator[Aside]:
+    latex, _ = spelled(tokens)
+    signs = [at for at, token in enumerate(tokens) if token.text in _ORDERS]
+    order = _ORDERS[tokens[signs[0]].text] if len(signs) == 1 else None
+    if order:
+        at = signs[0]
+        latex = spelled([*tokens[:at], tokens[at].standing_for("="), *tokens[at + 1 :]])[0]
+    elif not (with_equations or any(token.text in _UNEQUAL for token in tokens)):
+        return
+    with suppress(ReadError, IllFormedAt, ValueError):
+        statement, ranges = read_statement(latex, notation, None)
+        is_equation = isinstance(statement, Relation) and statement.operator != "≈"
+        if is_equation and not ranges and (own is None or _symbols(statement) & own):
+            yield _aside(spelled(tokens)[0], line, statement, order)
+
+
+def own_asides(step: Step, notation: Notation) -> Iterator[Aside]:
+    """Where its symbols are, as beside a formula that cannot be read with it: x > 0, or x \\in [0, 1]."""
+    for piece in step.ranges:
+        line = piece[0].source.place(piece[0].start)[0]
+        found = list(_condition(piece, line, notation, None, with_equations=False))
+        yield from found or [Aside(spelled(piece)[0], line, None, seen=False)]
 
 
 def _aside(latex: str, line: int, said: Relation, order: str | None) -> Aside:

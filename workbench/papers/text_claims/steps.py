@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from workbench.papers.respell import argument
 from workbench.papers.respell.places import FACES, GAPS, MARKS, is_one_symbol
@@ -37,16 +37,22 @@ _JOINING = frozenset({"or", "if", "if and only if", "iff", "when", "unless", "im
 @dataclass(frozen=True)
 class Step:
     """One relation, with the conditions of its line. `own`: what it adds to the step before, all for the
-    first. `assumed`: conditions a ≠ b beside it. `number` and `labels`: of the row that it ends in."""
+    first. `assumed`: conditions a ≠ b beside it. `ranges`: those that say where its symbols are, as i ≥ 1 and
+    x ∈ [0, 1] do, with which the tokens end. `number` and `labels`: of the row that it ends in."""
 
     tokens: tuple[Token, ...]
     own: tuple[Token, ...]
     assumed: tuple[tuple[Token, ...], ...]
+    ranges: tuple[tuple[Token, ...], ...]
     number: str | None
     labels: tuple[str, ...]
 
     def spelled(self) -> tuple[str, list[Token]]:
         return spelled(self.tokens)
+
+    def without_ranges(self) -> Step:
+        count = sum(1 + len(piece) for piece in self.ranges)  # and a comma before each
+        return replace(self, tokens=self.tokens[: len(self.tokens) - count], ranges=())
 
 
 def steps_of(display: Display, words: Collection[str] = ()) -> list[list[Step]]:
@@ -61,14 +67,15 @@ def _steps(line: Line) -> Iterator[Step]:
         tokens = trimmed(tokens[1:])
     rows = list(line.rows)
     for clause in _clauses(tokens) if tokens else ():
-        for step, own in _chain(clause.tokens, clause.ranges):
+        ranges = [token for piece in clause.ranges for token in (piece[0].standing_for(","), *piece)]
+        for step, own in _chain(clause.tokens, ranges):
             ends = {id(token) for token in step}
             while len(rows) > 1 and (
                 rows[0][1] is None or any(id(token) in ends for token, _, _ in rows[1:])
             ):
                 rows.pop(0)
-            assumed = tuple(tuple(piece) for piece in clause.assumed)
-            yield Step(tuple(step), tuple(own), assumed, rows[0][1], rows[0][2])
+            beside = [tuple(map(tuple, pieces)) for pieces in (clause.assumed, clause.ranges)]
+            yield Step(tuple(step), tuple(own), *beside, rows[0][1], rows[0][2])
 
 
 def _without_braces(tokens: list[Token]) -> list[Token]:
@@ -85,7 +92,7 @@ class _Clause:
     """A formula with the ranges of its integers, and the equations and ≠ under which it is said."""
 
     tokens: list[Token]
-    ranges: list[Token]
+    ranges: list[list[Token]]
     assumed: list[list[Token]]
 
 
@@ -110,7 +117,7 @@ def _clauses(tokens: list[Token]) -> list[_Clause]:
         elif signs <= _UNEQUAL:
             target.assumed.append(piece)
         else:
-            target.ranges += [piece[0].standing_for(","), *piece]
+            target.ranges.append(piece)
     return clauses or whole
 
 

@@ -17,7 +17,7 @@ from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.said import stated, terms_of, with_said
-from workbench.papers.text_claims.asides import asides_of
+from workbench.papers.text_claims.asides import asides_of, own_asides
 from workbench.papers.text_claims.assigned import Placed, assigned, means, unknown_ids
 from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.text_claims.text_model import Entry, TextModel
@@ -99,7 +99,9 @@ def _with_asides(claim: Claim, placed: Placed, inline: Sequence[Display]) -> Cla
     statement = claim.printed.statement
     if statement is None:
         return claim
-    return replace(claim, beside=asides_of(placed.display, statement, placed.notation, inline))
+    is_read = not placed.step.ranges or claim.printed.latex == placed.step.spelled()[0]
+    own = () if is_read else own_asides(placed.step, placed.notation)
+    return replace(claim, beside=(*own, *asides_of(placed.display, statement, placed.notation, inline)))
 
 
 def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Notation]]) -> Iterator[Placed]:
@@ -237,6 +239,10 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
         at = _at(latex, owners, error.line, error.column)
         return Formula(latex, ill_formed=_message(error), at=at), orders
     except ReadError as error:
+        if placed.step.ranges:
+            bare = replace(placed, step=placed.step.without_ranges())
+            if (found := _printed(bare, orders, excused))[0].statement is not None:
+                return found
         at = _at(latex, owners, error.line, error.column)
         return Formula(latex, unread=_why_unread(error, latex, placed.notation), at=at), orders
     except ValueError as error:

@@ -40,6 +40,9 @@ def test_products_of_powers(seed: int) -> None:
         r"\frac{d}{dt} (e^{x/2} e^{x/3}) = \frac{5}{6} \dot{x} e^{5x/6}",
         r"e^{x/2} e^{-x} = \frac{1}{e^{x/2}}",
         r"e^{\theta} \approx 1 + \theta",
+        r"\cosh^2 x - \sinh^2 x = 1",
+        r"\sinh(x + y) = \sinh x \cosh y + \cosh x \sinh y",
+        r"\frac{d}{dt} (\tanh x) = \dot{x} (1 - \tanh^2 x)",
     ],
 )  # fmt: skip
 def test_rates_and_quotients(formula: str) -> None:

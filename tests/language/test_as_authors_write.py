@@ -102,6 +102,30 @@ def test_two_readings_are_refused(formula: str, message: str) -> None:
         read(formula, TABLE)
 
 
+_CASES = r"x = \begin{cases} y & \text{if } z = 0 \\ 2 y & \text{if } z \neq 0 \end{cases}"
+
+
+@pytest.mark.parametrize(
+    "spelt",
+    [
+        r"x = \begin{cases} y & z = 0 \\ 2 y & z \neq 0 \end{cases}",
+        r"x = \begin{cases} y, & z = 0, \\ 2 y, & \text{for } z \neq 0 \end{cases}",
+        r"x = \left\{ \begin{matrix} y & z = 0 \\ 2 y & z \neq 0 \end{matrix} \right.",
+        r"x = \left\{ \begin{array}{ll} y & z = 0 \\ 2 y & z \neq 0 \end{array} \right.",
+    ],
+)
+def test_what_stands_behind_the_value_of_a_case_is_its_condition(spelt: str) -> None:
+    assert read(spelt, TABLE) == read(_CASES, TABLE)
+    assert len(read(_CASES, TABLE)) == 2
+
+
+def test_a_system_has_no_cases() -> None:
+    said = read(r"\begin{cases} x &= y \\ y &= z \end{cases}", TABLE)
+    assert [to_latex(each) for each in said] == ["x = y", "y = z"]
+    with pytest.raises(ReadError):
+        read(r"x = \begin{cases} y & \text{otherwise} \\ z & y = 0 \end{cases}", TABLE)
+
+
 def test_both_signs_are_claimed() -> None:
     said = read(r"x \pm y = z \mp x", TABLE)
     assert [to_latex(each) for each in said] == ["x + y = z - x", "x - y = z + x"]

@@ -22,7 +22,7 @@ from workbench.language.grammar.syntax import (
     is_left_script,
     is_own_word,
 )
-from workbench.language.grammar.tokens import words_in_a_formula
+from workbench.language.grammar.vocabulary import words_in_a_formula
 from workbench.language.naming.spelling import linear
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit

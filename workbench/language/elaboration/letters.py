@@ -121,10 +121,16 @@ class _Lettering:
         return term, scripts.sup
 
     def labelled(self, node: Node, scripts: Scripts) -> Lettered | None:
-        """(x)_B and [C]_B, where x_B and C_B are symbols."""
+        """(x)_B, (x_1)_B and [C]_B, where x_B, {x_1}_B and C_B are symbols."""
         match node:
             case Bracket(
-                kind="(" | "[", parts=(Leaf(kind="LETTER") | Styled() | Accented(accent="~") as inner,)
+                kind="(" | "[",
+                parts=(
+                    Leaf(kind="LETTER")
+                    | Styled()
+                    | Accented(accent="~")
+                    | Scripted(sup=None, primes=0, factorial=False) as inner,
+                ),
             ) if scripts.sub is not None:
                 with suppress(Fault):
                     term, sup = self.read(inner, scripts, ())

@@ -24,7 +24,7 @@ from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.operators import QUOTIENTS
+from workbench.language.typed.operators import HYPERBOLIC, QUOTIENTS
 from workbench.language.typed.terms import IllFormed, Number, Term, Unread, Zero
 
 _PARTIAL = "\\partial"
@@ -149,7 +149,14 @@ def divided(scope: Scope, places: tuple[int, int], numerator: Term, denominator:
 
 
 def value_of(head: str, argument: Term) -> Term:
-    """The function's value; tan, cot, sec and csc are quotients of sines and cosines."""
+    """The function's value; tan, cot, sec and csc are quotients of sines and cosines, sinh, cosh and tanh are
+    made of exponentials."""
+    if head == "tanh":
+        return construct.apply("div", value_of("sinh", argument), value_of("cosh", argument))
+    if head in HYPERBOLIC:
+        above, below = (construct.apply("exp", x) for x in (argument, construct.apply("neg", argument)))
+        below = below if head == "cosh" else construct.apply("neg", below)
+        return construct.apply("mul", construct.number(Rational(1, 2)), construct.apply("add", above, below))
     if head == "exp" and argument.type.kind == "vector":
         raise Unread("the exponential of a vector: of its skew tensor, or of a quaternion?")
     if head == "exp" and argument.type.kind == "matrix" and argument.type.rows != 4:

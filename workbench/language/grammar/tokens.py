@@ -24,12 +24,17 @@ from workbench.language.grammar.vocabulary import (
     SPACING,
     UPRIGHT_NAMES,
     WORDS,
+    guessed,
     is_upright,
+    words_in_a_formula,
 )
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.operators import FUNCTIONS
 
 _OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BREAK", "BEGIN_LINES"})
+
+#: What an alignment mark stands before, and what is no condition: the sign of a relation.
+_RELATES = re.compile(r"\s*(?:=|:|\\(?:approx|equiv|neq?|triangleq|coloneqq?)(?![A-Za-z]))")
 
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
 
@@ -98,7 +103,8 @@ class Tokenizer:
     def tokens(self) -> list[Token]:
         if len(self.text) > LONGEST:
             raise Fault(f"a formula of {len(self.text)} characters; at most {LONGEST} are read", LONGEST)
-        _refuse_control_characters(self.text)
+        if found := _CONTROL.search(self.text):
+            raise Fault(f"the character U+{ord(found[0]):04X} cannot stand in a formula", found.start())
         for match in _TOKEN.finditer(self.text):
             self.match(match)
         if self.open:
@@ -206,6 +212,8 @@ class Tokenizer:
                 self.emit("GIVEN", word, at)
         elif self.out and self.out[-1].type == "COMMA":
             self.out.pop()
+        if kind == "GIVEN" and self.out and self.out[-1].type == "GIVEN":
+            return
         if not (kind == "AND" and self.out and self.out[-1].type == "GIVEN"):
             self.emit(kind, {"IMPLICATION": "⇔", "FORALL": "∀"}.get(kind, word), at)
 
@@ -241,7 +249,7 @@ class Tokenizer:
             self.bound_prefixes(kind, at)
             self.emit(kind, value, at)
         elif name in DOTS:
-            raise Fault(_guessed(text), at)
+            raise Fault(guessed(text), at)
         elif name in EXPECTED:
             self.refused = self.refused or Fault(f"{text}: {EXPECTED[name]}", at)
         else:
@@ -271,17 +279,19 @@ class Tokenizer:
                 self.prescripts[-1].argument += 1
         elif text == "&":
             inside = self.inside()
-            if inside == "matrix":
+            if inside == "cases" and not _RELATES.match(self.text, at + 1):
+                self.joining("GIVEN", "if", at)  # the value, and behind the mark its condition
+            elif inside == "matrix":
                 if self.text[at - 1 : at] != "&":  # && leaves room between two columns
                     self.emit("CELL", text, at)
-            elif inside == "lines":
+            elif inside in ("lines", "cases"):
                 self.alignments.append((at, sum(each.what.startswith("\\begin") for each in self.open)))
             else:
                 raise Fault("& outside of a matrix or an aligned environment", at)
         elif text == "." and self.size:
             self.null_delimiter(at)
         elif text == "…" or self.text.startswith("...", at):
-            raise Fault(_guessed("…"), at)
+            raise Fault(guessed("…"), at)
         elif text == ".":
             rest = self.text[at + 1 :].lstrip()
             if rest and not rest.startswith(("\\\\", "\\end", "\\quad", "}")):
@@ -341,7 +351,9 @@ class Tokenizer:
         return -1 if closes else 1
 
     def environment(self, side: str, name: str, at: int) -> None:
-        if name == "array":
+        behind = self.text[at:].partition(f"\\end{{{name}}}")[2].lstrip()
+        in_brace = [each.what for each in self.open[-1:]] == ["\\left\\{"] and behind.startswith("\\right.")
+        if name == "array" or (name == "matrix" and in_brace):
             is_matrix = bool(self.out) and self.out[-1].type == "OPEN" if side == "begin" else None
         elif name in MATRICES | LINES:
             is_matrix = name in MATRICES
@@ -351,7 +363,9 @@ class Tokenizer:
         if side == "begin" and name == "vmatrix":
             self.emit("FUNCTION", "\\det", at)
         if side == "begin":
-            self.push(f"\\begin{{{name}}}", at, "matrix" if is_matrix else "lines")
+            is_side = [token.type for token in self.out[-1:]] == ["RELATION"]
+            lines = "cases" if is_side and (name == "cases" or in_brace) else "lines"
+            self.push(f"\\begin{{{name}}}", at, "matrix" if is_matrix else lines)
             self.emit("BEGIN_MATRIX" if is_matrix else "BEGIN_LINES", name, at)
         else:
             kind = self.inside()
@@ -373,16 +387,3 @@ class Tokenizer:
     def inside(self) -> str:
         """What the innermost bracket or environment holds: "matrix", "lines" or ""."""
         return self.open[-1].contents if self.open else ""
-
-
-def words_in_a_formula(text: str) -> str:
-    return f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}"
-
-
-def _guessed(dots: str) -> str:
-    return f"{dots} leaves something to be guessed; write the sum with \\sum, the range as n \\geq 1"
-
-
-def _refuse_control_characters(text: str) -> None:
-    if found := _CONTROL.search(text):
-        raise Fault(f"the character U+{ord(found[0]):04X} cannot stand in a formula", found.start())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from workbench.language.typed.operators import TEX_FUNCTIONS
+from workbench.language.typed.operators import FUNCTIONS, TEX_FUNCTIONS
 
 _LETTERS = """
     alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho
@@ -235,3 +235,11 @@ def spellings(kind: str) -> frozenset[str]:
 def written(kind: str, value: str) -> str:
     """How a token is written: \\times for the INFIX ×."""
     return _WRITTEN.get((kind, value), value)
+
+
+def words_in_a_formula(text: str) -> str:
+    return f"{text}: words in a formula; known functions: {', '.join(sorted(FUNCTIONS))}"
+
+
+def guessed(dots: str) -> str:
+    return f"{dots} leaves something to be guessed; write the sum with \\sum, the range as n \\geq 1"

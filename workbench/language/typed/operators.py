@@ -105,15 +105,17 @@ OPERATORS: dict[str, Operator] = {
 
 #: Functions that are read as quotients of sines and cosines; None: 1.
 QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": (None, "cos"), "csc": (None, "sin")}
+#: Functions that are read as sums of e^x and e^{-x}, and their quotient.
+HYPERBOLIC = ("sinh", "cosh", "tanh")
 
-#: What a function is called in a paper → the head of the term, or the quotient.
+#: What a function is called in a paper → the head of the term, or of what it is read as.
 FUNCTIONS = {word: head for head, operator in OPERATORS.items() for word in operator.words} | {
-    name: name for name in QUOTIENTS
+    name: name for name in (*QUOTIENTS, *HYPERBOLIC)
 }
 SIGNS = {operator.sign: head for head, operator in OPERATORS.items() if operator.sign}
 
 #: The functions for which TeX has a command of the same name.
-TEX_FUNCTIONS = frozenset(("det", "exp", "sin", "cos", "arccos", "arcsin", "arctan", *QUOTIENTS))
+TEX_FUNCTIONS = frozenset(("det", "exp", "sin", "cos", "arccos", "arcsin", "arctan", *QUOTIENTS, *HYPERBOLIC))
 
 
 def _heads(has: Callable[[Operator], bool]) -> frozenset[str]:
@@ -127,7 +129,7 @@ PRODUCTS = ("dot", "cross", "outer", "mul")
 OF_TENSORS = _heads(lambda operator: operator.takes == "tensor")
 #: Sine, cosine and their quotients.
 CIRCULAR = frozenset({"sin", "cos", *QUOTIENTS})
-OF_ANGLES = _heads(lambda operator: operator.takes == "angle") | {*QUOTIENTS}
+OF_ANGLES = _heads(lambda operator: operator.takes == "angle") | {*QUOTIENTS, *HYPERBOLIC}
 GRADIENTS = _heads(lambda operator: operator.by_place)
 #: What differentiates by something else than the time or the place.
 PARTIALS = frozenset(("partial", "total"))

@@ -52,6 +52,15 @@ def test_letters_with_something_between_them_are_a_product() -> None:
         read_term("AR", table)
 
 
+@pytest.mark.parametrize("text", [r"\vec{OB}'", r"\vec{CD}'", r"\vec{CD}_9", r"\vec{Focm}_1"])
+def test_a_script_at_what_stands_under_one_mark_is_never_dropped(text: str) -> None:
+    names = (r"\vec{OB}", r"\vec{OB'}", r"\vec{CD}", r"\vec{Focm}")
+    table = SymbolTable.build({name: {"kind": "vector"} for name in names})
+    assert {str(read_term(name, table).declaration.name) for name in names} == {*names}
+    with pytest.raises(ReadError):
+        read_term(text, table)
+
+
 def test_the_longest_name_counts() -> None:
     table = SymbolTable.build({name: {"kind": "scalar"} for name in ("AR", "ARx", "x")})
     assert to_latex(read_term("ARx", table)) == "ARx"

@@ -58,6 +58,8 @@ def written(text: str, ending: str) -> str:
         (r"It is [[a \times b = b \times a, \quad m \in (0, 1)]]", Outcome.UNCHECKED),
         (r"It is [[a \times b = b \times a, \quad 0 \leq m < 1]]", Outcome.UNCHECKED),
         (r"It is [[a \times b = -b \times a, \quad m \in (0, 1)]]", Outcome.PROVED),
+        (r"When <<f>> approaches zero, [[f a = 0]]", Outcome.UNCHECKED),
+        (r"In this case [[a \times b = b \times a]]", Outcome.UNCHECKED),
         (r"With <<0 > m>> it is [[\sqrt{m^2} = -m]]", Outcome.UNCHECKED),
         (r"With <<m \geq 1>> it is [[|m| = m]]", Outcome.UNCHECKED),
         (r"With <<m > f>> it is [[|m - f| = m - f]]", Outcome.UNCHECKED),
@@ -77,6 +79,12 @@ def test_a_condition_on_other_symbols_leaves_open_what_the_formula_says(tmp_path
     assert verdicts(tmp_path, written(text, "tex")) == [Outcome.UNCHECKED]
     text = r"It is [[a \times b = f b \times a]] where <<0 = f - 2>> holds."
     assert verdicts(tmp_path, written(text, "tex")) == [Outcome.REFUTED]
+
+
+def test_the_sentence_of_a_display_may_hold_others_before_it(tmp_path: Path) -> None:
+    displays = r"\[a \times b = b \times a\]" + "\n" + r"\[a \times b = 2 b \times a\]"
+    assert verdicts(tmp_path, f"In this case {displays}") == [Outcome.UNCHECKED] * 2
+    assert verdicts(tmp_path, f"It is so in this case. But {displays}") == [Outcome.REFUTED] * 2
 
 
 def test_the_condition_is_told_with_its_line(tmp_path: Path) -> None:

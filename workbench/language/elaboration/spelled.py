@@ -23,7 +23,7 @@ from workbench.language.grammar.vocabulary import FONTS
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import in_a_word, prefixed
 from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.names import PREFIXES, Name
+from workbench.language.typed.names import ACCENTS, PREFIXES, Name
 from workbench.language.typed.terms import Term
 
 
@@ -94,7 +94,7 @@ def _with_words(scope: Scope, items: Sequence[Node]) -> list[Node]:
 def word_of(scope: Scope, items: Sequence[Node], styles: tuple[str, ...] = ()) -> Node | None:
     """The letters as one symbol; None where none is written so. Raises Fault where each is a symbol, too."""
     word = in_a_word(items) if scope.table.longest_word > 1 else None
-    if word is None:
+    if word is None or not ACCENTS.isdisjoint(styles):  # \\vec{AB'} is a name with all that stands in it
         return None
     own, letters = _styled_letter(word)
     if not scope.table.has_letter(Name.styled((*styles, *own), letters).base):

@@ -20,7 +20,7 @@ from workbench.papers.model import Aside, Notation
 from workbench.papers.said import terms_of
 from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.texts import Display, Token, spelled
-from workbench.papers.texts.prose import sentence_around, sentence_before
+from workbench.papers.texts.prose import sentence_around
 
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
 _ORDERS = {
@@ -31,7 +31,8 @@ _ORDERS = {
 }
 #: A case that words set apart.
 _SPECIAL = re.compile(
-    r"\b(?:special|particular|limiting|degenerate) case\b|"
+    r"\b(?:special|particular|limiting|degenerate|this|that) case\b|\bin the limit\b"
+    r"|\bapproach(?:es|ing)?\b|\btends? to\b|\b(?:close|near) to\b|"
     r"\b(?:for|at|if|when|where|in the case)\b[^.,;:]*\b(?:degrees?|zero|parallel|perpendicular|orthogonal"
     r"|aligned|coincid\w+|pure|planar|small|constant|stationary|at rest|identity|the same|vanish\w*)\b",
     re.IGNORECASE,
@@ -47,7 +48,7 @@ def asides_of(
     own = _symbols(statement)
     first, last = sentence_around(display.source.text, display.start, display.end)
     found = []
-    if case := _SPECIAL.search(sentence_before(display.source.text, display.start)):
+    if case := _SPECIAL.search(" ".join(display.source.text[first : display.start].split())):
         found.append(Aside(case.group(), display.source.place(display.start)[0], None, seen=False))
     for formula in inline:
         if formula.source.path != display.source.path or formula.start >= last or not formula.rows:

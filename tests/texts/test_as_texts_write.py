@@ -26,6 +26,10 @@ from workbench.verify.claims import judge_paper
 #: What a text writes, and its steps as they are read.
 SPELLED = [
     (r"\left.\frac{dx}{dt}\right|_B = y", [r"\frac{{}^{B}dx}{dt} = y"]),
+    (r"\left.\hat{u}_r\right)_1 = y", [r"\left(\hat{u}_r\right)_1 = y"]),
+    (r"x + \left. y \right|_B = y", [r"x + \left( y \right)_B = y"]),
+    (r"\left. x \right|_{y = 0} = y", [r"\left. x \right|_{y = 0} = y"]),
+    (r"\left. x y \right|_1 = y", [r"\left. x y \right|_1 = y"]),
     (r"\left( \frac{dx}{dt} \right)_{\mathcal{B}} = y", [r"\frac{{}^{\mathcal{B}}dx}{dt} = y"]),
     (r"\frac{d^2x}{(dt^N)^2} = y", [r"\frac{{}^{N}d^2x}{dt^2} = y"]),
     (r"\frac{d^2x}{dt^2} = y", [r"\frac{d^2x}{dt^2} = y"]),

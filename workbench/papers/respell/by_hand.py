@@ -8,7 +8,7 @@ from itertools import dropwhile, pairwise
 
 from workbench.papers.respell.between import net_sum, row_of_a_matrix, transposed_row, wide_space
 from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, braced, group, past, printed
-from workbench.papers.respell.rates import derivative_by_name, seen_from
+from workbench.papers.respell.rates import at_a_label, derivative_by_name, seen_from
 from workbench.papers.texts import Token
 
 _LETTERS = r"""
@@ -23,7 +23,7 @@ _VARIANTS = frozenset(_CAPITALS.split())
 def as_read(tokens: Sequence[Token]) -> list[Token]:
     """Every token stays in its place."""
     made = list(tokens)
-    for pattern in (*_PATTERNS, derivative_by_name, seen_from, *_BETWEEN):
+    for pattern in (*_PATTERNS, derivative_by_name, seen_from, at_a_label, *_BETWEEN):
         made = _everywhere(made, pattern)
     return made
 

@@ -3,7 +3,7 @@ from a frame."""
 
 from __future__ import annotations
 
-from workbench.papers.respell.places import braced, group, past, printed
+from workbench.papers.respell.places import braced, group, is_one_symbol, past, printed
 from workbench.papers.texts import Token
 
 _BY_NAME = dict.fromkeys((r"\dv", r"\od", r"\odv"), "d") | dict.fromkeys((r"\pdv", r"\pd"), r"\partial")
@@ -70,6 +70,20 @@ def seen_from(tokens: list[Token], place: int) -> tuple[list[Token], int] | None
     head = tokens[quotient]
     seen = [*(head.standing_for(text) for text in "{}^"), *braced(head, label), *over]
     return [head, *braced(head, seen), *braced(head, under)], end
+
+
+def at_a_label(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\left. x \\right|_B, of one symbol, as (x)_B."""
+    if [token.text for token in tokens[place : place + 2]] != ["\\left", "."]:
+        return None
+    end = next((i for i in range(place, len(tokens)) if tokens[i].text == "\\right"), len(tokens))
+    closing = [token.text for token in tokens[end : end + 2]]
+    found = _label_behind(tokens, end, closing) if closing[1:] in (["|"], [")"]) else None
+    inside = tokens[place + 2 : end]
+    if found is None or "=" in printed(found[0]) or not is_one_symbol(inside):
+        return None
+    head = tokens[place]
+    return [head, head.standing_for("("), *inside, tokens[end], head.standing_for(")")], end + 2
 
 
 def _dotted(tokens: list[Token], dot: int, closing: list[str]) -> tuple[list[Token], int] | None:

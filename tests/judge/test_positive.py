@@ -18,6 +18,7 @@ SYMBOLS = {
     "r_n": POSITIVE,
     "x": "scalar",
     "a": "vector",
+    "b": "vector",
     "T": "scalar",
 }
 TRUE = [
@@ -38,7 +39,14 @@ TRUE = [
     r"\dot m = 0",
     r"\cos^2(\sqrt{\frac{\mu}{m}} t) + \sin^2(\sqrt{\frac{\mu}{m}} t) = 1",
 ]
+NORMS = [
+    r"\|\frac{a}{x}\|^2 = \frac{a \cdot a}{x^2}",
+    r"\|\frac{m a}{m + M} + b\|^2 (m + M)^2 = \|m a + (m + M) b\|^2",
+    r"\|\frac{a}{m}\|^2 = \frac{a \cdot a}{m^2}",
+]
 FALSE = [
+    r"\|\frac{a}{x}\| = \frac{\|a\|}{x}",
+    r"\|\frac{a}{m + M}\| = \frac{2 \|a\|}{m + M}",
     r"\sqrt{m^2} = -m",
     r"\sqrt{m r} = \sqrt{m} r",
     r"\sqrt{\frac{m}{r^3}} = \frac{\sqrt{m}}{r^{1/2}}",
@@ -56,6 +64,11 @@ def _outcome(formula: str, symbols=SYMBOLS) -> Outcome:
 @pytest.mark.parametrize("formula", TRUE)
 def test_what_holds_of_positive_numbers_is_proved(formula: str) -> None:
     assert _outcome(formula) is Outcome.PROVED
+
+
+@pytest.mark.parametrize("formula", NORMS)
+def test_the_norm_of_a_quotient(formula: str) -> None:
+    assert _outcome(formula) in (Outcome.PROVED, Outcome.CONDITIONAL)
 
 
 @pytest.mark.parametrize("formula", FALSE)

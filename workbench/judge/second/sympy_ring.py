@@ -153,7 +153,7 @@ class SympyRing:
     def root(self, square: Any) -> Ratio:
         square = self.lift(square)
         if square.below:
-            raise NotExact("the norm of a quotient")
+            return self._root_of_quotient(square)
         if not square:
             raise NotExact("the norm of zero")
         (top,) = self.over_rationals([square.top])
@@ -167,6 +167,18 @@ class SympyRing:
             for _ in range(power):
                 root = root * self._root_of(base)
         return root
+
+    def _root_of_quotient(self, square: Ratio) -> Ratio:
+        """√(p/d^{2k}) = √p/√(d²)^k; of an odd power of d, p d is taken."""
+        top, sizes = square.top, self.lift(1)
+        for place, exponent in square.below.items():
+            denominator = self.denominators[place]
+            if exponent % 2:
+                top = self.normal(top * denominator)
+            size = self.root(Ratio(self, self.normal(denominator * denominator), 1, {}))
+            for _ in range((exponent + 1) // 2):
+                sizes = sizes * size
+        return self.divide(self.root(Ratio(self, top, square.number, {})), sizes)
 
     def _root_of(self, square: PolyElement) -> Ratio:
         """With d for the common denominator: the root of d² · square, an indeterminate, over d."""

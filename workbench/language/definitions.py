@@ -6,11 +6,21 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from workbench.language.naming.spelling import Named
-from workbench.language.typed.construct import power, rebuild
+from workbench.language.typed.construct import power, rebuild, relation, zero
 from workbench.language.typed.instances import free_integers, instantiate
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Definition, Identity, IllFormed, Symbol, Term, Zero
+from workbench.language.typed.terms import (
+    Definition,
+    Identity,
+    IllFormed,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    Zero,
+    sides_of,
+)
 
 
 class Definitions:
@@ -58,6 +68,12 @@ class Definitions:
                 if isinstance(part, Symbol) and part.declaration.name not in seen:
                     seen.add(part.declaration.name)
                     waiting += [definition.body for definition in self.about(part)]
+
+    def nonzero(self, statement: Statement) -> Iterator[Relation]:
+        """That what is declared positive is not 0, of all that the statement speaks of."""
+        reached = (part for side in sides_of(statement) for part in self.reached(side))
+        found = (part for part in reached if isinstance(part, Symbol) and part.declaration.positive)
+        yield from (relation("≠", part, zero()) for part in dict.fromkeys(found))
 
     def lookup(self, symbol: Symbol) -> Term | None:
         """What the symbol is defined as, one step, for its own index and arguments; None if it is primitive.

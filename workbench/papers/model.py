@@ -303,10 +303,8 @@ class Claim:
     @property
     def supposed(self) -> tuple[Statement, ...]:
         """The conditions that the text states, and what is declared of its symbols."""
-        from workbench.papers.said import nonzero
-
         said = self.printed.statement
-        declared = () if said is None else nonzero(said, self.notation)
+        declared = () if said is None else self.notation.definitions.nonzero(said)
         return (*(formula.statement for formula in self.assume), *declared)
 
     @property

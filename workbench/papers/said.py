@@ -12,7 +12,6 @@ from dataclasses import replace
 
 from workbench.language.definitions import Definitions, expand
 from workbench.language.grammar.vocabulary import COMMANDS
-from workbench.language.typed.construct import relation, zero
 from workbench.language.typed.names import Name
 from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import (
@@ -21,16 +20,15 @@ from workbench.language.typed.terms import (
     Conjunction,
     Definition,
     Derivative,
-    Extremum,
     IllFormed,
     Implication,
-    Naming,
     Number,
     Relation,
     Statement,
     Symbol,
     Term,
     Zero,
+    sides_of,
 )
 from workbench.language.typed.types import Declaration, Type
 from workbench.papers.model import Claim, Formula, Notation, Said
@@ -44,20 +42,8 @@ SAID_BEFORE = "a line before it says what {0} is; a definition of {0} makes it a
 
 
 def terms_of(statement: Statement) -> Iterator[Term]:
-    if isinstance(statement, Conjunction):
-        for part in statement.parts:
-            yield from terms_of(part)
-    elif isinstance(statement, Relation):
-        yield from _written(statement.left)
-        yield from _written(statement.right)
-    elif isinstance(statement, Naming):
-        yield from (part for term in statement.terms for part in term.walk())
-    elif isinstance(statement, Extremum):
-        yield from statement.body.walk()
-        yield from statement.value.walk()
-    else:
-        yield from terms_of(statement.left)
-        yield from terms_of(statement.right)
+    for side in sides_of(statement):
+        yield from _written(side)
 
 
 def _written(term: Term) -> Iterator[Term]:
@@ -70,13 +56,6 @@ def _written(term: Term) -> Iterator[Term]:
                 children = children[:1]
     for child in children:
         yield from _written(child)
-
-
-def nonzero(statement: Statement, notation: Notation) -> Iterator[Relation]:
-    """That what is declared positive is not 0, of all that the statement speaks of."""
-    reached = (part for term in terms_of(statement) for part in notation.definitions.reached(term))
-    found = (part for part in reached if isinstance(part, Symbol) and part.declaration.positive)
-    yield from (relation("≠", part, zero()) for part in dict.fromkeys(found))
 
 
 def stated(statement: Statement, notation: Notation | None = None) -> str | None:

@@ -17,7 +17,7 @@ from workbench.judge.kernel.generic import judge_addends, ranges_apart
 from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
 from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
 from workbench.judge.subject.addends import has_sums
-from workbench.judge.subject.assumptions import Unsatisfiable, sides_of
+from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.definitions import Definitions, expand
@@ -39,6 +39,7 @@ from workbench.language.typed.terms import (
     Statement,
     Symbol,
     Term,
+    sides_of,
 )
 
 

@@ -14,7 +14,7 @@ from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import WORST_FIRST, judge_family
 from workbench.judge.kernel.inequation import judge_inequation
 from workbench.judge.kernel.premises import put_in
-from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of, sides_of
+from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.exponentials import holds_exponentials, without_exponentials
 from workbench.judge.subject.inventory import NotExact, has_gradient
 from workbench.judge.subject.small import to_first_order
@@ -32,6 +32,7 @@ from workbench.language.typed.terms import (
     Relation,
     Statement,
     Symbol,
+    sides_of,
 )
 
 

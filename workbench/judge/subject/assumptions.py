@@ -7,7 +7,7 @@ assumed to vanish, too.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 
 from workbench.judge.subject import reached
 from workbench.judge.subject.inventory import Lookup, NotExact, take_inventory
@@ -18,12 +18,11 @@ from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     Derivative,
-    Extremum,
-    Naming,
     Relation,
     Statement,
     Symbol,
     Term,
+    sides_of,
 )
 
 
@@ -89,23 +88,6 @@ def _depth(term: Term, definitions: Lookup) -> int:
 
 def _each_side(relation: Relation, of: Callable[[Term], Term]) -> Relation:
     return equated("=", of(relation.left), of(relation.right))
-
-
-def sides_of(statement: Statement) -> Iterator[Term]:
-    """The terms of which something is said."""
-    match statement:
-        case Relation():
-            yield from (statement.left, statement.right)
-        case Conjunction(parts=parts):
-            for part in parts:
-                yield from sides_of(part)
-        case Extremum():
-            yield from (statement.body, statement.value)
-        case Naming():
-            yield from statement.terms
-        case _:
-            yield from sides_of(statement.left)
-            yield from sides_of(statement.right)
 
 
 def _relations(statement: Statement) -> list[Relation]:

@@ -9,7 +9,6 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from workbench.judge.subject import NotExact
-from workbench.judge.subject.assumptions import sides_of
 from workbench.language.definitions import Definitions, expand, replaced
 from workbench.language.typed.construct import apply, dual_unit, relation
 from workbench.language.typed.operators import OPERATORS
@@ -24,6 +23,7 @@ from workbench.language.typed.terms import (
     Statement,
     Symbol,
     Term,
+    sides_of,
 )
 
 _BEYOND = 2

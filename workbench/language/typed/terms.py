@@ -267,6 +267,23 @@ class Definition:
     body: Term
 
 
+def sides_of(statement: Statement) -> Iterator[Term]:
+    """The terms of which something is said."""
+    match statement:
+        case Relation():
+            yield from (statement.left, statement.right)
+        case Conjunction(parts=parts):
+            for part in parts:
+                yield from sides_of(part)
+        case Extremum():
+            yield from (statement.body, statement.value)
+        case Naming():
+            yield from statement.terms
+        case _:
+            yield from sides_of(statement.left)
+            yield from sides_of(statement.right)
+
+
 def column_of_symbols(term: Term | None) -> tuple[Symbol, ...]:
     """The entries of a literal column of scalars, or of a quaternion written by its four numbers, that are
     symbols, no two alike; none for any other term."""

@@ -69,10 +69,15 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
 
 
 def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
-    """Whether it is a name or a number beside a scalar, a scalar behind a tensor, or a time, t - t_0."""
+    """Whether it is a name or a number beside a scalar, a scalar behind a tensor, a time, t - t_0, or another
+    place of a declared argument, k + 1."""
     value, is_symbol = scope.term(part), is_accented_symbol(function)
-    if any(isinstance(each, Symbol) and each.declaration.clock for each in value.walk()):
+    inside = [each.declaration for each in value.walk() if isinstance(each, Symbol)]
+    own = _without_sup(function)
+    if any(each.clock for each in inside):
         return is_symbol
+    if {each.name for each in inside} & scope.table.arguments:
+        return not (isinstance(own, Symbol) and own.declaration.constant)
     if _is_name(part):
         return "scalar" in (function.type.kind, value.type.kind)
     is_tensor = function.type.is_square and function.type.kind != "scalar"

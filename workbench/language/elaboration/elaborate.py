@@ -145,10 +145,10 @@ class Elaborator(Scope):
             refuse_row_of_vectors(self, row)
         terms = [self.term(part) for part in node.parts]
         if node.kind in ("|", "\\|") and len(terms) == 1:
-            is_tensor = terms[0].type.is_square and terms[0].type.rows > 1
-            is_determinant = node.kind == "|" and is_tensor
-            if is_tensor and not is_determinant:
-                raise Fault("which norm of a tensor? \\|T\\|_F is read", node.at)
+            own = terms[0].type
+            is_determinant = node.kind == "|" and own.is_square and own.rows > 1
+            if own.columns > 1 and not is_determinant:
+                raise Fault(f"which norm of a {own}? \\|T\\|_F is read", node.at)
             return self.apply(node.at, "det" if is_determinant else "norm", terms[0])
         if len(terms) == 1 and node.kind not in ("\\langle", "\\lfloor"):
             return terms[0]

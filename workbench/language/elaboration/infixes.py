@@ -77,6 +77,10 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
         raise Fault("× of two numbers: if it is their product, write \\cdot", at)
     if head == "cross" and "quaternion" in kinds:
         raise Fault("× of quaternions: their product, or that of their vector parts?", at)
+    if head == "cross" and "vector" not in kinds:
+        raise Fault(f"× of a {left.type} and a {right.type}: × is read between vectors", at)
+    if head == "compose" and not {"operator", "tensor"} & set(kinds):
+        raise Fault(f"∘ of a {left.type} and a {right.type}: is one a function of the other?", at)
     if head == "outer" and (left.type.is_square or right.type.is_square) and "scalar" not in kinds:
         raise Fault(f"⊗ of a {left.type} and a {right.type}: of vectors it is the dyad", at)
     return scope.apply(at, head, left, right)

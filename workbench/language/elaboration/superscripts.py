@@ -127,7 +127,7 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
             return scope.apply(sup.at, "transpose", term)
         case Sum(addends=(("-", _, below),)) if is_transpose(below):
             return raised(scope, scope.apply(sup.at, "inverse", term), below)
-        case Leaf(kind="MARK", text="*") if not (term.type.is_square or term.type.kind == "quaternion"):
+        case Leaf(kind="MARK", text="*") if term.type.kind not in ("tensor", "quaternion"):
             raise Fault(f"* on a {term.type}; declare the symbol with it, or say it in [notation]", sup.at)
         case Leaf(kind="MARK", text="*"):
             return scope.apply(sup.at, "adjugate", term)

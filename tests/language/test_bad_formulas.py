@@ -191,6 +191,17 @@ UNREADABLE = [
     (r"\Phi_1 \times \omega = 0", 8, "dyads?"),
     (r"\Phi_1 \otimes \omega = 0", 8, "of vectors it is the dyad"),
     (r"\|\Phi_1\| = 0", 1, "which norm of a tensor?"),
+    (r"\left\|\begin{matrix} \omega & \omega \\ 1 & 2 \end{matrix}\right\| = 0", 6, "which norm of a matrix"),
+    (r"\alpha^* = 0", 8, "* on a scalar"),
+    (r"\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}^* = 0", 46, "* on a matrix 2×2"),
+    (
+        r"\begin{bmatrix} 1 \\ 2 \end{bmatrix} \times \begin{bmatrix} 1 \\ 2 \end{bmatrix} = 0",
+        38,
+        "between vectors",
+    ),
+    (r"\Phi_1 \times \Phi_2 = 0", 8, "between vectors"),
+    (r"\alpha \circ \beta = \alpha", 8, "a function of the other?"),
+    (r"\omega \circ \omega = \alpha", 8, "a function of the other?"),
     (r"\frac{\partial \alpha}{\partial \Phi_1} = 0", 1, "by a tensor is not read"),
     (r"\sqrt{\Phi_1} = 0", 1, "the root of a tensor is not read"),
 ]

@@ -48,6 +48,21 @@ def test_at_one_place_the_bracket_says_nothing(formula: str) -> None:
         assert "(" not in to_latex(said)
 
 
+@pytest.mark.parametrize("place", ["k + 1", "k - h", "2 k", "-k"])
+def test_another_place_of_an_argument_is_no_factor(place: str) -> None:
+    """f(k + 1) is the next f, and no product of f and k + 1, unless f is a constant."""
+    kinds = {name: {"kind": "scalar"} for name in "fukh"}
+    table = replace(
+        SymbolTable.build({**kinds, "c": {"kind": "scalar", "constant": True}}),
+        arguments=frozenset({Name("k")}),
+    )
+    for formula in (f"f({place}) = f(k) + u(k)", f"f(k) = u({place})", rf"h \dot{{f}}({place}) = 1"):
+        with pytest.raises(ReadError, match="a function of what is in the bracket, or a product"):
+            read(formula, table)
+    (said,) = read(f"f = c({place})", table)
+    assert "k" in to_latex(said)
+
+
 @pytest.mark.parametrize("symbol", ["f", "g"])
 def test_what_is_defined_by_x_is_not_taken_at_y(symbol: str) -> None:
     for x, y in permutations(LETTERS, 2):

@@ -38,6 +38,7 @@ from workbench.language.typed.types import Declaration
 _UNKNOWN = re.compile(r"unknown symbol (.+)", re.DOTALL)
 _OF_KINDS = re.compile(
     r"(?:expected|transpose of|juxtaposition of) an? (?:scalar|vector|tensor|quaternion)|differ in type"
+    r"|^[×∘] of a |^\* on a "
 )
 #: e with an exponent, which is no transpose and no number.
 _EXPONENTIAL = re.compile(r"(?<![A-Za-z\\])e\s*\^\s*\{\s*(?!-?\d+\s*\}|T\s*\}|\*|\\top|\\ast|\()")

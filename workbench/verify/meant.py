@@ -14,6 +14,7 @@ from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Definition, Relation, Symbol
 from workbench.papers.model import Claim, Notation, Said
 from workbench.papers.said import SAYS, free_in, introduces, terms_of
+from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.rounding import ROUNDED, is_rounded
 
 if TYPE_CHECKING:
@@ -79,7 +80,9 @@ class Meant:
         is_clear = len(definitions) == len(rests)
         if under is not None and under.outcome is Outcome.REFUTED and is_clear:
             says = "" if _is_said_beside(claim) else claim.says or ""
-            says = says if not any(says.startswith(f"says what {name} is") for name in definitions) else ""
+            if any(says.startswith(f"says what {name} is") for name in definitions):
+                is_free = free_in((each.body for each in definitions.values()), claim.notation.definitions)
+                says = (of_an_example(statement) if is_free else None) or ""
             return self._if_special(claim, tuple(definitions.values())) or says or None
         return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
 

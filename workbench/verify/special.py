@@ -13,10 +13,19 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome
 from workbench.language.definitions import Definitions, replaced
-from workbench.language.typed.construct import apply, rebuild, relation, symbol
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, identity, number, rebuild, relation, symbol
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Definition, Derivative, IllFormed, Power, Relation, Symbol, Term
+from workbench.language.typed.terms import (
+    Definition,
+    Derivative,
+    IllFormed,
+    Power,
+    Relation,
+    Symbol,
+    Term,
+)
 from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import terms_of
@@ -46,27 +55,79 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
                     break
             names = ", ".join(str(name) for name in special)
             return f"a {_FLAGS[declarations[0].type.kind][flag]} {names}"
+    for what, premises in _conditions(_free_in(claim, said)):
+        if _holds(claim, lambda term: term, said, options, premises):
+            return what
     return None
 
 
-def _candidates(claim: Claim, said: Sequence[Definition]) -> Iterator[tuple[str, list[Declaration]]]:
-    """A flag, and the free symbols that may have it: tensors may be rotations together, all else singly."""
-    statement, known = claim.printed.statement, claim.notation.definitions
+def _conditions(free: Sequence[Symbol]) -> Iterator[tuple[str, list[Relation]]]:
+    """What matrices and numbers may be that have no flag: symmetric or orthogonal matrices, and numbers that
+    are a cosine and a sine or the components of something of length 1."""
+    matrices = [each for each in free if each.type.kind == "matrix" and each.type.is_square]
+    if matrices:
+        names = ", ".join(map(to_latex, matrices))
+        transposed = {each: apply("transpose", each) for each in matrices}
+        yield f"symmetric {names}", [relation("=", each, turned) for each, turned in transposed.items()]
+        products = [apply("mul", each, turned) for each, turned in transposed.items()]
+        yield f"orthogonal {names}", [relation("=", each, identity(each.type)) for each in products]
+    groups = list(_groups(free))
+    premises = [relation("=", apply("add", *map(_square, group)), number(1)) for group in groups]
+    names = "; ".join(", ".join(map(to_latex, group)) for group in groups)
+    if groups:
+        yield f"components of length 1: {names}", premises
+
+
+def _groups(free: Sequence[Symbol]) -> Iterator[list[Symbol]]:
+    """c and s with the same scripts; numbers of one letter, or x, y, z and perhaps w; a number and a vector
+    alone."""
+    scalars = [each for each in free if each.type.kind == "scalar"]
+    vectors = [each for each in free if each.type.kind == "vector"]
+    families: dict[object, list[Symbol]] = {}
+    for each in scalars:
+        name = each.declaration.name
+        is_turn = name.letter in ("c", "s", "C", "S") and (name.sub or name.sup)
+        key = (name.letter.lower() in "cs", name.sub, name.sup) if is_turn else name.letter
+        families.setdefault(
+            "xyzw" if name.letter in ("w", "x", "y", "z") and not name.sub else key, []
+        ).append(each)
+    yield from (group for group in families.values() if 1 < len(group) < 5)
+    if len(scalars) == len(vectors) == 1:
+        yield [*scalars, *vectors]
+
+
+def _square(term: Term) -> Term:
+    return apply("dot", term, term) if term.type.kind == "vector" else apply("mul", term, term)
+
+
+def _written(claim: Claim, said: Sequence[Definition]) -> list[Term]:
+    bodies = (term for definition in said for term in definition.body.walk())
+    return [*terms_of(claim.printed.statement), *bodies]
+
+
+def _free_in(claim: Claim, said: Sequence[Definition]) -> list[Symbol]:
+    """The symbols of which nothing in force speaks."""
+    known = claim.notation.definitions
     defined = {each.declaration.name for each in (*known, *said)}
     bodies = [term for definition in known for term in definition.body.walk()]
     bodies += [term for supposed in claim.supposed for term in terms_of(supposed)]
     fixed = {term.declaration for term in bodies if isinstance(term, Symbol)}
-    terms = [*terms_of(statement), *(term for definition in said for term in definition.body.walk())]
-    moving = {term.body for term in terms if isinstance(term, Derivative)}
-    is_moving = any(isinstance(term, Derivative) for term in terms)
-    symbols = dict.fromkeys(term for term in terms if isinstance(term, Symbol))
-    free = [
+    symbols = dict.fromkeys(term for term in _written(claim, said) if isinstance(term, Symbol))
+    return [
         each
         for each in symbols
         if each.declaration.name not in defined
         and not (each.declaration in fixed or each.declaration.free)
-        and not (each.index or each.arguments or each.type.dual)
+        and not (each.arguments or each.type.dual)
     ]
+
+
+def _candidates(claim: Claim, said: Sequence[Definition]) -> Iterator[tuple[str, list[Declaration]]]:
+    """A flag, and the free symbols that may have it: tensors may be rotations together, all else singly."""
+    terms = _written(claim, said)
+    moving = {term.body for term in terms if isinstance(term, Derivative)}
+    is_moving = any(isinstance(term, Derivative) for term in terms)
+    free = [each for each in _free_in(claim, said) if not each.index]
     for kind, flags in _FLAGS.items():
         for flag in flags:
             may = [
@@ -89,6 +150,7 @@ def _holds(
     meaning: Callable[[Term], Term],
     said: Sequence[Definition],
     options: Mapping[str, object],
+    premises: Sequence[Relation] = (),
 ) -> bool:
     """Whether it does if all of its terms, and those of what the text says, have the meaning."""
     with suppress(Unsatisfiable, RecursionError, IllFormed, NotExact, EngineDisagreement):
@@ -97,7 +159,8 @@ def _holds(
         meant = mapped(
             claim.printed.statement, lambda r: relation(r.operator, meaning(r.left), meaning(r.right))
         )
-        return judge.judge(meant, claim.supposed, orders=claim.orders).outcome is Outcome.PROVED
+        supposed = (*claim.supposed, *premises)
+        return judge.judge(meant, supposed, orders=claim.orders).outcome is Outcome.PROVED
     return False
 
 

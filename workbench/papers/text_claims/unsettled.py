@@ -48,7 +48,7 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             within = _within(claim, symbols)
             says = _solved_for(statement, free, within)
             if says is None and (free or within - known - _declared_free(claim)):
-                says = _of_an_example(statement)
+                says = of_an_example(statement)
             claim = replace(claim, unsettled=why, says=says)
         made.append(claim)
     return made
@@ -153,7 +153,7 @@ def _solved_for(statement: Statement, free: Sequence[Declaration], within: set[N
     return first and SAYS.format(first.name)
 
 
-def _of_an_example(statement: Statement) -> str | None:
+def of_an_example(statement: Statement) -> str | None:
     """What free symbols make in an example, a matrix of numbers."""
     equations = [each for each in _concluded(statement) if each.operator in ("=", "≈")]
     is_example = any(_is_value(each.left) != _is_value(each.right) for each in equations)

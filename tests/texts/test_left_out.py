@@ -1,0 +1,68 @@
+r"""What a model leaves out of matrices and numbers: a formula that holds with it is asked about, and one that is
+false with it, too, is refuted."""
+
+from pathlib import Path
+
+import pytest
+
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.papers.load import load_paper
+from workbench.verify.claims import judge_paper
+
+SKEW = r"\operatorname{skew}(v)"
+TURN = r"\begin{bmatrix} c_\theta & -s_\theta \\ s_\theta & c_\theta \end{bmatrix}"
+SQUARES = "q_0^2 + q_1^2 - q_2^2 - q_3^2"
+OF_A_TURN = r"2 s v^T v - (s^2 + v^T v)^2 s = 2 s v^T v - s"
+
+#: The formula, what it holds for, and the same formula where it is false for that, too.
+LEFT_OUT = [
+    ("R^{-1} = R^T", "orthogonal R", "R^{-1} = -R^T"),
+    ("R^T S R = R^{-1} S R", "orthogonal R", "R^T S R = R^{-1} R S"),
+    (r"\|R x\|^2 + \|R y\|^2 = \|x\|^2 + \|y\|^2", "orthogonal R", r"\|R x\|^2 + \|R y\|^2 = \|x\|^2 - \|y\|^2"),
+    ("M = M^T", "symmetric M", "M = -M^T"),
+    ("x^T S y = y^T S x", "symmetric S", "x^T S y = -y^T S x"),
+    (f"\\det {TURN} = 1", r"length 1: c_{\theta}, s_{\theta}", f"\\det {TURN} = 2"),
+    (f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - 2 (q_2^2 + q_3^2))", "length 1: q_{0}, q_{1}, q_{2}, q_{3}", f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - q_2^2 - q_3^2)"),
+    (OF_A_TURN, "length 1: s, v", OF_A_TURN.replace("- s =", "+ s =").replace("- s", "- 2 s")),
+]  # fmt: skip
+KINDS = {
+    **dict.fromkeys(("R", "S"), "matrix 2×2"), "M": "matrix 6×6", **dict.fromkeys("xy", "matrix 2×1"),
+    **dict.fromkeys((r"c_\theta", r"s_\theta", "q_0", "q_1", "q_2", "q_3", "s"), "scalar"), "v": "vector",
+    "K": "matrix 2×2", r"\Delta": "scalar",
+}  # fmt: skip
+
+
+def verdicts(folder: Path, *displays: str) -> list[Verdict]:
+    (folder / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in displays))
+    model = "\n".join(f"'{name}' = '{kind}'" for name, kind in KINDS.items())
+    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{model}\n")
+    return [result.verdict for result in judge_paper(load_paper(folder / "p.toml"))]
+
+
+@pytest.mark.parametrize(("formula", "what", "false"), LEFT_OUT)
+def test_a_property_that_the_model_leaves_out_is_asked_for(
+    tmp_path: Path, formula: str, what: str, false: str
+) -> None:
+    (asked,) = verdicts(tmp_path, formula)
+    assert asked.outcome is Outcome.UNCHECKED and what in asked.reason
+    (refuted,) = verdicts(tmp_path, false)
+    assert refuted.outcome is Outcome.REFUTED
+
+
+def test_a_symbol_that_is_declared_free_has_no_property(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("$$ R^{-1} S = R^T S $$")
+    free = "{ kind = 'matrix 2×2', free = true }"
+    (tmp_path / "p.toml").write_text(f"source = 'p.md'\n[symbols]\nR = {free}\nS = {free}\n")
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.outcome is Outcome.REFUTED
+
+
+def test_what_the_text_says_of_a_matrix_may_stand_for_an_example(tmp_path: Path) -> None:
+    """It says what K is, of a free angle; what K makes then for some angle is an example, and one that holds
+    for no angle, since nothing in K is free, is false."""
+    applied = r"K \begin{bmatrix} 1 \\ 0 \end{bmatrix} = \begin{bmatrix} 0 \\ 1 \end{bmatrix}"
+    turning = r"K = \begin{bmatrix} \cos\Delta & -\sin\Delta \\ \sin\Delta & \cos\Delta \end{bmatrix}"
+    _, example = verdicts(tmp_path, turning, applied)
+    assert example.outcome is Outcome.UNCHECKED and "the numbers of an example" in example.reason
+    _, false = verdicts(tmp_path, r"K = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", applied)
+    assert false.outcome is Outcome.REFUTED

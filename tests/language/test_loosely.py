@@ -102,3 +102,49 @@ def test_what_fits_in_no_reading_is_ill_formed(formula: str, several: set[str]) 
 def test_what_is_ambiguous_among_dyads_is_refused(formula: str) -> None:
     with pytest.raises(ReadError, match="ambiguous"):
         read(formula, loosely({"dyads"}))
+
+
+SKEWED = replace(
+    TABLE.with_notations({"[x]": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"}}),
+    loose=frozenset(),
+)
+#: A formula that fits in another reading only, what is asked of it, and the same where nothing else is meant.
+OTHERWISE = [
+    ("s [a + b] = c", "mere brackets", "s (a + b) = c"),
+    ("a = R [b + c] - d", "mere brackets", "a = R (b + c) - d"),
+    (r"s = a^T b \times c", "how far does × reach", r"s = a^T (b \times c)"),
+    (r"s = 2 s a^T R b \times c - s", "how far does × reach", r"s = 2 s a^T (R b \times c) - s"),
+    (r"a = b \otimes c", "can say what it is", r"a = b \times c"),
+    (r"a + b \otimes c = d", "can say what it is", r"a + b \times c = d"),
+]
+
+
+@pytest.mark.parametrize(("written", "asked", "clear"), OTHERWISE)
+def test_what_fits_in_another_reading_only_is_asked_about(written: str, asked: str, clear: str) -> None:
+    with pytest.raises(ReadError, match=asked) as caught:
+        read(written, SKEWED)
+    assert not isinstance(caught.value, IllFormedAt)
+    assert read(clear, SKEWED)
+
+
+@pytest.mark.parametrize(
+    "formula",
+    ["s [a + b] = S", "s [a] = T [b + c]", r"T = b \otimes c", r"a = s b \times c", "[a + b] + s = R"],
+)
+def test_what_fits_or_fits_in_no_other_reading_is_not(formula: str) -> None:
+    if "+ s" in formula:
+        with pytest.raises(IllFormedAt):
+            read(formula, SKEWED)
+    else:
+        assert read(formula, SKEWED)
+
+
+@pytest.mark.parametrize("member", ["[2]", "[0]", "[k] - a[k - 1]", "[k + 1] + a[k]", "[i - j] + a[j - i]"])
+def test_a_number_or_an_index_in_square_brackets_may_name_a_member(member: str) -> None:
+    table = SymbolTable.build(
+        {name: {"kind": kind} for name, kind in {**KINDS, **dict.fromkeys("ijk", "scalar")}.items()}
+    )
+    for side in ("b", "s", "s b"):
+        with pytest.raises(ReadError, match="a component or a member, or a factor"):
+            read(f"a{member} = {side}", table)
+    assert read("a[k] = b[k]", table) and read("a[s] + a[k] = b", table) and read(r"a[2 k] = a[\|b\|]", table)

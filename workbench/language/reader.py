@@ -113,8 +113,11 @@ _LOOSELY = {
     "dyads": 'vectors beside each other, x · T: \\cdot, or dyads? [conventions] products = "dyads" says so',
     "unit": 'is the number beside tensors one of unit tensors? [conventions] one = "unit" says so',
     "arguments": OR_A_PRODUCT,
+    "brackets": "square brackets as the paper's [notation] has them, or mere brackets? round ones are",
+    "reach": "how far does × reach to its left? bracket it",
+    "signs": "⊗ of vectors is read as their dyad; [notation] can say what it is",
 }
-_STRICTLY = {"dyads": "matrices", "unit": "scalar", "arguments": ""}
+_STRICTLY = {"dyads": "matrices", "unit": "scalar"}
 
 
 def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable], Result]) -> Result:
@@ -135,8 +138,8 @@ def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable],
 
 def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> str | None:
     """What to ask of a formula that does not fit together as read, but does where it is read loosely."""
-    for several in (("dyads",), ("unit",), ("arguments",), ("dyads", "unit")):
-        if any(_STRICTLY[each] in table.loose for each in several):
+    for several in (*((each,) for each in _LOOSELY), ("dyads", "unit")):
+        if any(_STRICTLY.get(each) in table.loose for each in several):
             continue
         with suppress(Fault, Misfit):
             make(replace(table, loose=table.loose.union(several)))

@@ -4,7 +4,7 @@ a bracket, since f(x) and f(y) are two values."""
 from __future__ import annotations
 
 from workbench.language.grammar.latex import latex_of
-from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled
+from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.naming.declarations import key_spelling
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Spelling
@@ -103,6 +103,22 @@ def _is_no_place(scope: Scope, bracket: Bracket, function: Symbol) -> bool:
     """Whether it holds a ∇, and is of another type than what the function is of."""
     (part, *more), places = bracket.parts, {each.type for each in function.declaration.of}
     return not more and "\\nabla" in latex_of(part) and scope.term(part).type not in places
+
+
+def refuse_member(scope: Scope, bracket: Bracket, term: Term) -> None:
+    """x[2] may be the second component of x, and x[k + 1] is the member behind x[k]."""
+    function = _without_sup(term)
+    if len(bracket.parts) != 1 or not is_accented_symbol(function) or scope.table.notations.shapes(bracket):
+        return
+    (part,) = bracket.parts
+    leaves = [each for _, _, each in part.addends] if isinstance(part, Sum) else [part]
+    if not all(isinstance(each, Leaf) for each in leaves):
+        return
+    letters = "".join(sorted(each.text for each in leaves if each.kind == "LETTER"))
+    (symbol,) = (each for each in function.walk() if isinstance(each, Symbol))
+    own, place = (symbol.declaration.name, symbol.index), latex_of(part)
+    if not letters or scope.members.setdefault((own, letters), place) != place:
+        raise Fault("a component or a member, or a factor? write a factor in front", bracket.at)
 
 
 def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:

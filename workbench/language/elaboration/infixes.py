@@ -77,6 +77,10 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
         raise Fault("× of two numbers: if it is their product, write \\cdot", at)
     if head == "cross" and "quaternion" in kinds:
         raise Fault("× of quaternions: their product, or that of their vector parts?", at)
+    if head == "cross" and "reach" in scope.table.loose and (last := _last(left)) is not None:
+        return scope.apply(at, "dot", last, scope.apply(at, "cross", last, right))
+    if head == "outer" and "signs" in scope.table.loose and set(kinds) == {"vector"}:
+        return left
     if head == "cross" and "vector" not in kinds:
         raise Fault(f"× of a {left.type} and a {right.type}: × is read between vectors", at)
     if head == "compose" and not {"operator", "tensor"} & set(kinds):
@@ -84,6 +88,14 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
     if head == "outer" and (left.type.is_square or right.type.is_square) and "scalar" not in kinds:
         raise Fault(f"⊗ of a {left.type} and a {right.type}: of vectors it is the dyad", at)
     return scope.apply(at, head, left, right)
+
+
+def _last(product: Term) -> Term | None:
+    """The b of the number c aᵀ b."""
+    if not isinstance(product, Apply) or product.type.kind != "scalar":
+        return None
+    last = product.arguments[-1]
+    return last if last.type.kind == "vector" else _last(last)
 
 
 def explained(scope: Scope, sign: Infix, left: Term, right: Term) -> Term | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.language.elaboration.arguments import is_own_variable
+from workbench.language.elaboration.arguments import is_own_variable, refuse_member
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
@@ -221,6 +221,7 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     scope = row.scope
     following = row.items[place + 1] if place + 1 < len(row.items) else None
     bracket = core(following.nucleus if isinstance(following, Scripted) else following)
+    behind = bracket
     if not (isinstance(bracket, Bracket) and bracket.kind == "("):
         bracket = None
     plain = not scripts.left_sub and not scripts.left_sup
@@ -229,6 +230,8 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     if plain and (value := scope.integer_expression(item)) is not None:
         return Factor(value, item.at, place + 1, item)
     term, sup, takes_bracket = letter(scope, item, scripts, bracket)
+    if isinstance(behind, Bracket) and behind.kind == "[":
+        refuse_member(scope, behind, term)
     end = place + 1
     is_labelled = isinstance(following, Scripted) and following.sub is not None  # R (x)_B
     may_say = bracket is not None and not is_labelled

@@ -65,6 +65,8 @@ class Scope(ABC):
         #: what stands in the bracket behind a symbol and says what it depends on
         self.places: dict[Named, tuple[str, ...]] = {}
         self.instants: dict[Named, tuple[str, ...]] = {}
+        #: by a symbol and the letters of the square bracket behind it: what stands there
+        self.members: dict[tuple[Named, str], str] = {}
         self.tensor_operand: int | None = None  # where an operator was last applied to a bare tensor
 
     @abstractmethod
@@ -131,6 +133,8 @@ class Scope(ABC):
     def spelt(self, node: Node) -> Term | None:
         """The same of any node, such as a letter before its argument."""
         found = self.table.notations.shapes(node)
+        if "brackets" in self.table.loose and isinstance(node, Bracket):
+            found = []
         is_own = any(not entry.formals for entry, _ in found)
         if not is_own and (named := self.in_bracket(node)) is not None:
             return named

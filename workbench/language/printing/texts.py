@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 #: How tightly a text holds together.
 SUM, INFIX, PRODUCT, FACTOR, ATOM = range(5)
+#: A sum of single letters and numbers.
+_INDEX = re.compile(r"-?\s*\w+(?:\s*[+-]\s*\w+)*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,12 +31,14 @@ def bracket(text: str) -> str:
 
 def square(text: str) -> str:
     """The text with the bracket that it begins with made square: after a symbol a round one may be its
-    arguments."""
+    arguments, and so may be a square one with an index in it, which therefore stands in braces."""
     if not text.startswith("\\left("):
         return text
     depth = 0
     for match in re.finditer(r"\\(left|right)(?![a-z])", text):
         depth += 1 if match[1] == "left" else -1
         if depth == 0:
-            return f"\\left[{text[6 : match.end()]}]{text[match.end() + 1 :]}"
+            inside, after = text[6 : match.start()], text[match.end() + 1 :]
+            inside = f"{{{inside}}}" if _INDEX.fullmatch(inside) else inside
+            return f"\\left[{inside}\\right]{after}"
     raise ValueError(f"unbalanced brackets in {text}")

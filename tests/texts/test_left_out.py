@@ -19,8 +19,10 @@ LEFT_OUT = [
     ("R^{-1} = R^T", "orthogonal R", "R^{-1} = -R^T"),
     ("R^T S R = R^{-1} S R", "orthogonal R", "R^T S R = R^{-1} R S"),
     (r"\|R x\|^2 + \|R y\|^2 = \|x\|^2 + \|y\|^2", "orthogonal R", r"\|R x\|^2 + \|R y\|^2 = \|x\|^2 - \|y\|^2"),
-    ("M = M^T", "symmetric M", "M = -M^T"),
-    ("x^T S y = y^T S x", "symmetric S", "x^T S y = -y^T S x"),
+    (r"Q \Omega Q^T \in \mathfrak{so}(3)", r"skew \Omega", r"Q \Omega Q^T + \Omega^2 = \Omega^2 + \Omega"),
+    (r"a^T \Omega b + b^T \Omega a = 0", r"skew \Omega", r"a^T \Omega b + b^T \Omega a = a^T b"),
+    ("M = M^T", "symmetric M", "M = 2 M^T"),
+    ("x^T S y = y^T S x", "symmetric S", "x^T S y = 2 y^T S x"),
     (f"\\det {TURN} = 1", r"length 1: c_{\theta}, s_{\theta}", f"\\det {TURN} = 2"),
     (f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - 2 (q_2^2 + q_3^2))", "length 1: q_{0}, q_{1}, q_{2}, q_{3}", f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - q_2^2 - q_3^2)"),
     (OF_A_TURN, "length 1: s, v", OF_A_TURN.replace("- s =", "+ s =").replace("- s", "- 2 s")),
@@ -28,7 +30,7 @@ LEFT_OUT = [
 KINDS = {
     **dict.fromkeys(("R", "S"), "matrix 2×2"), "M": "matrix 6×6", **dict.fromkeys("xy", "matrix 2×1"),
     **dict.fromkeys((r"c_\theta", r"s_\theta", "q_0", "q_1", "q_2", "q_3", "s"), "scalar"), "v": "vector",
-    "K": "matrix 2×2", r"\Delta": "scalar",
+    "K": "matrix 2×2", "Q": "rotation", r"\Omega": "tensor", "a": "vector", "b": "vector", r"\Delta": "scalar",
 }  # fmt: skip
 
 

@@ -64,18 +64,33 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
 def _conditions(free: Sequence[Symbol]) -> Iterator[tuple[str, list[Relation]]]:
     """What matrices and numbers may be that have no flag: symmetric or orthogonal matrices, and numbers that
     are a cosine and a sine or the components of something of length 1."""
-    matrices = [each for each in free if each.type.kind == "matrix" and each.type.is_square]
-    if matrices:
-        names = ", ".join(map(to_latex, matrices))
-        transposed = {each: apply("transpose", each) for each in matrices}
-        yield f"symmetric {names}", [relation("=", each, turned) for each, turned in transposed.items()]
-        products = [apply("mul", each, turned) for each, turned in transposed.items()]
-        yield f"orthogonal {names}", [relation("=", each, identity(each.type)) for each in products]
+    squares = [each for each in free if each.type.is_square and each.type.kind in ("tensor", "matrix")]
+    squares = [each for each in squares if not (each.declaration.rotation or each.declaration.symmetric)]
+    matrices = [each for each in squares if each.type.kind == "matrix"]
+    for what, property_of, may in (
+        ("skew", _skew, squares),
+        ("symmetric", _symmetric, matrices),
+        ("orthogonal", _orthogonal, matrices),
+    ):
+        for several in [may] * bool(may) + [[each] for each in may if len(may) > 1]:
+            yield f"{what} {', '.join(map(to_latex, several))}", list(map(property_of, several))
     groups = list(_groups(free))
     premises = [relation("=", apply("add", *map(_square, group)), number(1)) for group in groups]
     names = "; ".join(", ".join(map(to_latex, group)) for group in groups)
     if groups:
         yield f"components of length 1: {names}", premises
+
+
+def _skew(matrix: Symbol) -> Relation:
+    return relation("=", apply("transpose", matrix), apply("neg", matrix))
+
+
+def _symmetric(matrix: Symbol) -> Relation:
+    return relation("=", apply("transpose", matrix), matrix)
+
+
+def _orthogonal(matrix: Symbol) -> Relation:
+    return relation("=", apply("mul", matrix, apply("transpose", matrix)), identity(matrix.type))
 
 
 def _groups(free: Sequence[Symbol]) -> Iterator[list[Symbol]]:

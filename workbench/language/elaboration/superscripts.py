@@ -24,9 +24,9 @@ from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import linear
 from workbench.language.naming.symbols import may_be_label
 from workbench.language.typed import construct, instances
-from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.errors import Fault
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term
+from workbench.language.typed.terms import Apply, Derivative, Symbol, Term
 
 
 def refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
@@ -98,13 +98,13 @@ def _halves(node: Node | None) -> int | None:
 
 
 def notated(scope: Scope, at: int, entries: Sequence[Notation], term: Term, spelled: str) -> Term:
-    """The one of the entries that fits the term, applied to it. Raises Misfit."""
+    """The one of the entries that fits the term, applied to it. Raises Fault."""
     for entry in entries:
         (letter_of,) = entry.formals
         if entry.fits({letter_of: term}):
             return scope.term(entry.filled({letter_of: term}))
     known = ", ".join(kind for entry in entries for kind in entry.formals.values())
-    raise Misfit(IllFormed(f"{spelled} of a {term.type}; [notation] has it for: {known}"), at)
+    raise Fault(f"{spelled} of a {term.type}; [notation] has it for: {known}", at)
 
 
 def rooted(scope: Scope, at: int, term: Term) -> Term:

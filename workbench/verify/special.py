@@ -29,6 +29,7 @@ from workbench.language.typed.terms import (
 from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import terms_of
+from workbench.verify.resting import at_rest
 
 #: By kind: the flags of a declaration that say more of a symbol, and what it is then.
 _FLAGS = {
@@ -57,6 +58,9 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
             return f"a {_FLAGS[declarations[0].type.kind][flag]} {names}"
     for what, premises in _conditions(_free_in(claim, said)):
         if _holds(claim, lambda term: term, said, options, premises):
+            return what
+    for what, special, premises in at_rest(claim, said):
+        if _holds(claim, _with_terms(special), said, options, premises):
             return what
     return None
 
@@ -169,8 +173,8 @@ def _holds(
 ) -> bool:
     """Whether it does if all of its terms, and those of what the text says, have the meaning."""
     with suppress(Unsatisfiable, RecursionError, IllFormed, NotExact, EngineDisagreement):
-        known = [replace(each, body=meaning(each.body)) for each in said]
-        judge = Judge(Definitions([*claim.notation.definitions, *known]), **options)
+        known = [replace(each, body=meaning(each.body)) for each in (*claim.notation.definitions, *said)]
+        judge = Judge(Definitions(known), **options)
         meant = mapped(
             claim.printed.statement, lambda r: relation(r.operator, meaning(r.left), meaning(r.right))
         )
@@ -192,3 +196,7 @@ def _with(special: Mapping[Name, Declaration]) -> Callable[[Term], Term]:
         return None if declared is None else symbol(declared, own.index)
 
     return lambda term: replaced(term, given)
+
+
+def _with_terms(special: Mapping[Name, Term]) -> Callable[[Term], Term]:
+    return lambda term: replaced(term, lambda own: special.get(own.declaration.name))

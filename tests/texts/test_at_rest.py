@@ -1,0 +1,75 @@
+r"""A mass is constant and a point of the body turns with it, also where the model forgets to say so: a formula that
+holds then is asked about, and one that is false then, too, is refuted."""
+
+from pathlib import Path
+
+import pytest
+
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.papers.load import load_paper
+from workbench.verify.claims import judge_paper
+
+KINDS = {
+    **dict.fromkeys((r"\omega", "r", "v", "a", "u"), "vector"), **dict.fromkeys(("m", "l", r"\theta"), "scalar"),
+    "J": "tensor", "R": "rotation", "P": "matrix 2×2", "x": "matrix 2×1",
+}  # fmt: skip
+OF_R = r"\frac{d}{dt}(\omega \times r)"
+TURNED = r"\dot{\omega} \times r + \omega \times (\omega \times r)"
+SECOND = r"\frac{d^2}{dt^2}(\omega \times r)"
+AGAIN = r"\ddot{\omega} \times r + 2 \dot{\omega} \times (\omega \times r)"
+MOMENTUM = r"J \dot{\omega} + \omega \times J \omega"
+
+#: The formula, what it holds for, and the same formula where it is false for that, too.
+FORGOTTEN = [
+    (r"\frac{d}{dt}(m v) = m \dot{v}", "a constant m", r"\frac{d}{dt}(m v) = 2 m \dot{v}"),
+    (r"\frac{d}{dt}(m v \cdot v) = 2 m v \cdot \dot{v}", "a constant m", r"\frac{d}{dt}(m v \cdot v) = m v \cdot \dot{v}"),
+    (r"\frac{d^2}{dt^2}(l \sin\theta) = l \ddot{\theta} \cos\theta - l \dot{\theta}^2 \sin\theta", "a constant l",
+     r"\frac{d^2}{dt^2}(l \sin\theta) = l \ddot{\theta} \cos\theta + l \dot{\theta}^2 \sin\theta"),
+    (r"\frac{d}{dt}(m l v) = l (m \dot{v})", "a constant l, m", r"\frac{d}{dt}(m l v) = -l (m \dot{v})"),
+    (r"\frac{d}{dt}(\omega^T J \omega) = 2 \omega^T J \dot{\omega}", "a symmetric J", r"\frac{d}{dt}(\omega^T J \omega) = \omega^T J \dot{\omega}"),
+    (r"\frac{d}{dt}(x^T P x) = 2 x^T P \dot{x}", "a symmetric P", r"\frac{d}{dt}(x^T P x) = -2 x^T P \dot{x}"),
+    (f"{OF_R} = {TURNED}", r"r turning with \omega", f"{OF_R} = {TURNED.replace('+', '-')}"),
+    (rf"\frac{{d}}{{dt}}(J \omega) = {MOMENTUM}", r"J turning with \omega", rf"\frac{{d}}{{dt}}(J \omega) = {MOMENTUM.replace('+', '-')}"),
+    (rf"{SECOND} = {AGAIN} + \omega \times ({TURNED})", r"r turning with \omega", rf"{SECOND} = {AGAIN} - \omega \times ({TURNED})"),
+    (r"\frac{d}{dt}(R a + R u) = R \dot{a} + R \dot{u} + R (\omega \times (a + u))", r"R turning with \omega",
+     r"\frac{d}{dt}(R a + R u) = R \dot{a} + R \dot{u} - R (\omega \times a + 2 \omega \times u)"),
+    (r"\frac{d}{dt}(R a + R u) = R \dot{a} + R \dot{u} + \omega \times R a + \omega \times R u", r"R turning with \omega",
+     r"\frac{d}{dt}(R a + R u) = R \dot{a} + R \dot{u} - \omega \times R a - 2 \omega \times R u"),
+]  # fmt: skip
+
+
+def verdict(folder: Path, formula: str, definitions: str = "", **more: str) -> Verdict:
+    (folder / "p.md").write_text(f"$$ {formula} $$")
+    model = "\n".join(
+        f"'{name}' = {value}" for name, value in {**{k: f"'{v}'" for k, v in KINDS.items()}, **more}.items()
+    )
+    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{model}\n[definitions]\n{definitions}")
+    (result,) = judge_paper(load_paper(folder / "p.toml"))
+    return result.verdict
+
+
+@pytest.mark.parametrize(("formula", "what", "false"), FORGOTTEN)
+def test_what_rests_or_turns_is_asked_for(tmp_path: Path, formula: str, what: str, false: str) -> None:
+    asked = verdict(tmp_path, formula)
+    assert asked.outcome is Outcome.UNCHECKED and what in asked.reason
+    assert verdict(tmp_path, false).outcome is Outcome.REFUTED
+
+
+def test_it_may_stand_in_a_definition(tmp_path: Path) -> None:
+    definition = r"v = '\omega \times r'"
+    asked = verdict(tmp_path, rf"\dot{{v}} = {TURNED}", definition)
+    assert asked.outcome is Outcome.UNCHECKED and r"r turning with \omega" in asked.reason
+    assert (
+        verdict(tmp_path, rf"\dot{{v}} = {TURNED.replace('+', '-')}", definition).outcome is Outcome.REFUTED
+    )
+
+
+def test_what_is_declared_free_does_neither(tmp_path: Path) -> None:
+    formula, _, _ = FORGOTTEN[0]
+    assert verdict(tmp_path, formula, m="{ kind = 'scalar', free = true }").outcome is Outcome.REFUTED
+    assert verdict(tmp_path, formula, m="{ kind = 'scalar', constant = true }").outcome is Outcome.PROVED
+
+
+def test_what_moves_in_the_formula_does_neither(tmp_path: Path) -> None:
+    assert verdict(tmp_path, r"\frac{d}{dt}(m v) = m \dot{v} + 2 \dot{m} v").outcome is Outcome.REFUTED
+    assert verdict(tmp_path, rf"{OF_R} = {TURNED} + 2 \dot{{r}}").outcome is Outcome.REFUTED

@@ -114,6 +114,16 @@ OTHERWISE = [
     ("a = R [b + c] - d", "mere brackets", "a = R (b + c) - d"),
     (r"s = a^T b \times c", "how far does × reach", r"s = a^T (b \times c)"),
     (r"s = 2 s a^T R b \times c - s", "how far does × reach", r"s = 2 s a^T (R b \times c) - s"),
+    (
+        r"a = \begin{bmatrix} s & 2 & s \end{bmatrix}",
+        "or the column",
+        r"a = \begin{bmatrix} s & 2 & s \end{bmatrix}^T",
+    ),
+    (
+        r"a = R \begin{bmatrix} s & 0 & 1 \end{bmatrix} + b",
+        "or the column",
+        r"a = R \begin{bmatrix} s & 0 & 1 \end{bmatrix}^T + b",
+    ),
     (r"a = b \otimes c", "can say what it is", r"a = b \times c"),
     (r"a + b \otimes c = d", "can say what it is", r"a + b \times c = d"),
 ]
@@ -129,7 +139,14 @@ def test_what_fits_in_another_reading_only_is_asked_about(written: str, asked: s
 
 @pytest.mark.parametrize(
     "formula",
-    ["s [a + b] = S", "s [a] = T [b + c]", r"T = b \otimes c", r"a = s b \times c", "[a + b] + s = R"],
+    [
+        "s [a + b] = S",
+        "s [a] = T [b + c]",
+        r"a^T = \begin{bmatrix} s & 2 & s \end{bmatrix}",
+        r"T = b \otimes c",
+        r"a = s b \times c",
+        "[a + b] + s = R",
+    ],
 )
 def test_what_fits_or_fits_in_no_other_reading_is_not(formula: str) -> None:
     if "+ s" in formula:

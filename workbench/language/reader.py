@@ -115,6 +115,7 @@ _LOOSELY = {
     "arguments": OR_A_PRODUCT,
     "brackets": "square brackets as the paper's [notation] has them, or mere brackets? round ones are",
     "reach": "how far does × reach to its left? bracket it",
+    "rows": "a row of numbers, or the column of them? ^T makes a row a column",
     "signs": "⊗ of vectors is read as their dyad; [notation] can say what it is",
 }
 _STRICTLY = {"dyads": "matrices", "unit": "scalar"}

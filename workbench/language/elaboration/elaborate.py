@@ -94,6 +94,9 @@ class Elaborator(Scope):
                 raise Fault("a minimum or maximum stands alone on a side of an equation", node.at)
             case Matrix():
                 rows = [[self.term(entry) for entry in row] for row in node.rows]
+                is_row = len(rows) == 1 and all(entry.type.kind == "scalar" for entry in rows[0])
+                if is_row and "rows" in self.table.loose:
+                    rows = [[entry] for entry in rows[0]]
                 return self.build(node.at, construct.block, rows)
             case Chain(relations=((sign, at), *_)):
                 raise Fault(f"a relation ({sign}) inside an expression", at)

@@ -25,12 +25,14 @@ LEFT_OUT = [
     ("x^T S y = y^T S x", "symmetric S", "x^T S y = 2 y^T S x"),
     (f"\\det {TURN} = 1", r"length 1: c_{\theta}, s_{\theta}", f"\\det {TURN} = 2"),
     (f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - 2 (q_2^2 + q_3^2))", "length 1: q_{0}, q_{1}, q_{2}, q_{3}", f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - q_2^2 - q_3^2)"),
+    (r"a \sin\theta = a \theta", r"a small \theta, to first order", r"a \sin\theta = 2 a \theta"),
+    (r"\exp \tilde{v} = \mathbf{I} + \tilde{v}", "a small v, to first order", r"\exp \tilde{v} = \mathbf{I} - \tilde{v}"),
     (OF_A_TURN, "length 1: s, v", OF_A_TURN.replace("- s =", "+ s =").replace("- s", "- 2 s")),
 ]  # fmt: skip
 KINDS = {
     **dict.fromkeys(("R", "S"), "matrix 2×2"), "M": "matrix 6×6", **dict.fromkeys("xy", "matrix 2×1"),
     **dict.fromkeys((r"c_\theta", r"s_\theta", "q_0", "q_1", "q_2", "q_3", "s"), "scalar"), "v": "vector",
-    "K": "matrix 2×2", "Q": "rotation", r"\Omega": "tensor", "a": "vector", "b": "vector", r"\Delta": "scalar",
+    "K": "matrix 2×2", "Q": "rotation", r"\Omega": "tensor", "a": "vector", "b": "vector", r"\Delta": "scalar", r"\theta": "scalar",
 }  # fmt: skip
 
 

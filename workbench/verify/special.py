@@ -17,7 +17,9 @@ from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, identity, number, rebuild, relation, symbol
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
+from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import (
+    Apply,
     Definition,
     Derivative,
     IllFormed,
@@ -62,7 +64,23 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
     for what, special, premises in at_rest(claim, said):
         if _holds(claim, _with_terms(special), said, options, premises):
             return what
+    small = {each.declaration.name: replace(each.declaration, small=True) for each in _angles(claim, said)}
+    if small and _holds(claim, _with(small), said, options, approximately=True):
+        return f"a small {', '.join(map(str, small))}, to first order"
     return None
+
+
+def _angles(claim: Claim, said: Sequence[Definition]) -> list[Symbol]:
+    """The free numbers and vectors that a sine or an exponential is taken of."""
+    heads = CIRCULAR | {"exp"}
+    turns = [term for term in _written(claim, said) if isinstance(term, Apply) and term.head in heads]
+    within = {part for turn in turns for part in turn.walk() if isinstance(part, Symbol)}
+    return [
+        each
+        for each in _free_in(claim, said)
+        if each in within and each.type.kind in ("scalar", "vector")
+        if not (each.declaration.unit or each.declaration.clock or each.declaration.of)
+    ]
 
 
 def _conditions(free: Sequence[Symbol]) -> Iterator[tuple[str, list[Relation]]]:
@@ -170,13 +188,16 @@ def _holds(
     said: Sequence[Definition],
     options: Mapping[str, object],
     premises: Sequence[Relation] = (),
+    approximately: bool = False,
 ) -> bool:
     """Whether it does if all of its terms, and those of what the text says, have the meaning."""
     with suppress(Unsatisfiable, RecursionError, IllFormed, NotExact, EngineDisagreement):
         known = [replace(each, body=meaning(each.body)) for each in (*claim.notation.definitions, *said)]
         judge = Judge(Definitions(known), **options)
+        signs = {"=": "≈"} if approximately else {}
         meant = mapped(
-            claim.printed.statement, lambda r: relation(r.operator, meaning(r.left), meaning(r.right))
+            claim.printed.statement,
+            lambda r: relation(signs.get(r.operator, r.operator), meaning(r.left), meaning(r.right)),
         )
         supposed = (*claim.supposed, *premises)
         return judge.judge(meant, supposed, orders=claim.orders).outcome is Outcome.PROVED

@@ -235,8 +235,8 @@ class Claim:
     before it in its chain, `skip` why its author leaves it out, `unread` why its model expects no verdict,
     `states` the symbol that it may define, `guessed` its symbols whose kinds nobody has confirmed, `rests`
     what earlier claims say of its symbols, `beside` what its sentence and earlier ones suppose of them,
-    `says` and `unsettled` why it may be true although it is false for free symbols: it may say what one is,
-    or the text says more of them than was read.
+    `says` and `unsettled` why it may be true although it is false for free symbols: it may say what one is
+    (`says_of`), or the text says more of them than was read.
     """
 
     id: str
@@ -271,6 +271,7 @@ class Claim:
     rests: tuple[Said, ...] = ()
     unsettled: str | None = None
     says: str | None = None
+    says_of: Name | None = None
     beside: tuple[Aside, ...] = ()
 
     @property

@@ -109,7 +109,7 @@ def with_said(claims: Sequence[Claim]) -> list[Claim]:
             continue
         made.append(replace(claim, rests=_rests(statement, notation.definitions, said)))
         free = free_in(terms_of(statement), notation.definitions)
-        about, definition = {each for each in free if SAYS.format(each.name) == claim.says}, None
+        about, definition = {each for each in free if each.name == claim.says_of}, None
         if (found := _stated(statement, notation)) is not None:
             symbol, definition = found
             is_framed = symbol.declaration.name in notation.framed

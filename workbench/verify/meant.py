@@ -80,7 +80,7 @@ class Meant:
         is_clear = len(definitions) == len(rests)
         if under is not None and under.outcome is Outcome.REFUTED and is_clear:
             says = "" if _is_said_beside(claim) else claim.says or ""
-            if any(says.startswith(f"says what {name} is") for name in definitions):
+            if says and str(claim.says_of) in definitions:
                 is_free = free_in((each.body for each in definitions.values()), claim.notation.definitions)
                 says = (of_an_example(statement) if is_free else None) or ""
             return self._if_special(claim, tuple(definitions.values())) or says or None
@@ -167,7 +167,7 @@ def _is_said_beside(claim: Claim) -> bool:
     """Whether a sentence speaks of the symbol that the formula may say something of."""
     premises = (aside.premise for aside in claim.beside if aside.premise is not None)
     parts = (part for premise in premises for part in terms_of(premise))
-    return any(SAYS.format(p.declaration.name) == claim.says for p in parts if isinstance(p, Symbol))
+    return any(part.declaration.name == claim.says_of for part in parts if isinstance(part, Symbol))
 
 
 def _open(why: str, verdict: Verdict) -> Verdict:

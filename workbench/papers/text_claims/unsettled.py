@@ -46,10 +46,11 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             free = [each for each in symbols if each.name not in known - open_columns and not each.free]
             why = _of_unread(free, unread) or _of_components(free, claim) or _of_a_star(statement, text)
             within = _within(claim, symbols)
-            says = _solved_for(statement, free, within)
+            says_of = _solved_for(statement, free, within)
+            says = None if says_of is None else SAYS.format(says_of)
             if says is None and (free or within - known - _declared_free(claim)):
                 says = of_an_example(statement)
-            claim = replace(claim, unsettled=why, says=says)
+            claim = replace(claim, unsettled=why, says=says, says_of=says_of)
         made.append(claim)
     return made
 
@@ -133,7 +134,7 @@ def _within(claim: Claim, symbols: Sequence[Declaration]) -> set[Name]:
     return found
 
 
-def _solved_for(statement: Statement, free: Sequence[Declaration], within: set[Name]) -> str | None:
+def _solved_for(statement: Statement, free: Sequence[Declaration], within: set[Name]) -> Name | None:
     """A symbol that nothing defines and that occurs in the statement once, and in no definition of it, in an
     equation or in one that is concluded: no identity has such a symbol, so that this says something of it. Of
     scalars with a side 0, any."""
@@ -150,7 +151,7 @@ def _solved_for(statement: Statement, free: Sequence[Declaration], within: set[N
     once = (term for term in said if is_condition or written[term.declaration.name, term.index] == 1)
     unknown = [term.declaration for term in once]
     first = min(unknown, key=lambda each: each.type not in types, default=None)
-    return first and SAYS.format(first.name)
+    return first and first.name
 
 
 def of_an_example(statement: Statement) -> str | None:

@@ -204,6 +204,9 @@ UNREADABLE = [
     (r"\omega \circ \omega = \alpha", 8, "a function of the other?"),
     (r"\frac{\partial \alpha}{\partial \Phi_1} = 0", 1, "by a tensor is not read"),
     (r"\sqrt{\Phi_1} = 0", 1, "the root of a tensor is not read"),
+    (r"\omega^0 = 0", 8, "a power, or a label?"),
+    (r"\omega^1 = 0", 8, "a power, or a label?"),
+    (r"(\omega + \omega)^0 = 0", 19, "a power, or a label?"),
 ]
 
 # formula, column of the operation at fault, a part of the message

@@ -466,3 +466,22 @@ def test_a_vector_is_defined_by_no_quaternion(tmp_path: Path) -> None:
     model += "[symbols]\nq = 'quaternion'\na = 'vector'\nb = 'vector'\n[definitions]\nb = 'q a q^*'"
     with pytest.raises(PaperError, match="b is a vector, its definition is a quaternion"):
         outcomes(tmp_path, "$$ b = q a q^* $$", model)
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (r"\dot{a} = \dot{R} a^0", "proved"),
+        (r"R^T a = a^0", "proved"),
+        (r"2 R^T a = a^0", "refuted"),
+        (r"a^2 = a^0 \cdot a^0", "proved"),
+        (r"a_1^0 \times a_1^0 = 0", "proved"),
+        (r"b^0 = b", "unchecked"),
+    ],
+)
+def test_a_vector_with_0_above_may_be_declared(tmp_path: Path, formula: str, expected: str) -> None:
+    model = (
+        "[symbols]\nR = 'rotation'\na = 'vector'\n'a^0' = { kind = 'vector', constant = true }\nb = 'vector'\n"
+        "'a_1^0' = 'vector'\n[definitions]\na = 'R a^0'\n"
+    )
+    assert outcomes(tmp_path, f"$$ {formula} $$", model) == [expected]

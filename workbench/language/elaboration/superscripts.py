@@ -140,6 +140,10 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
     if exponent is None:
         known = "an integer, -1, T, -T, *, or an order in round brackets"
         raise Fault(f"expected {known} as superscript; {scope.known_variables()}", sup.at)
+    if exponent in (Linear(0), Linear(1)) and term.type.is_column:
+        raise Fault(
+            f"a power, or a label? a symbol with ^{exponent} can be declared, or in [notation]", sup.at
+        )
     is_odd = exponent.is_number and exponent.constant % 2 and exponent.constant != 1
     if is_odd and term.type.kind == "vector" and scope.table.has_quaternions:
         raise Fault("an odd power of a vector: is it a quaternion? write (0, x)", sup.at)

@@ -266,11 +266,12 @@ def _is_label(node: Node) -> bool:
 
 
 def refuse_operation(name: Name, key: str) -> None:
-    """A superscript that means something else cannot be part of a name."""
+    """A superscript that means something else cannot be part of a name: 0 and 1 do not, since nobody prints
+    these powers."""
     sup, meaning = "n".join(name.sup), None
     if sup in TRANSPOSES:
         meaning = "the transpose"
-    elif name.sup == ("", "") or sup.lstrip("-").isdigit():
+    elif name.sup == ("", "") or (sup.lstrip("-").isdigit() and sup not in ("0", "1")):
         meaning = "a power"
     elif sup.startswith("(") and sup.endswith(")"):
         meaning = "a derivative"

@@ -473,7 +473,7 @@ def test_a_vector_is_defined_by_no_quaternion(tmp_path: Path) -> None:
     [
         (r"\dot{a} = \dot{R} a^0", "proved"),
         (r"R^T a = a^0", "proved"),
-        (r"2 R^T a = a^0", "refuted"),
+        (r"\dot{a} = 2 \dot{R} a^0", "refuted"),
         (r"a^2 = a^0 \cdot a^0", "proved"),
         (r"a_1^0 \times a_1^0 = 0", "proved"),
         (r"b^0 = b", "unchecked"),

@@ -117,7 +117,7 @@ class Elaborator(Scope):
                 elif isinstance(term, Integer):
                     term = construct.integer(-term.value)
                 else:
-                    term = self.apply(at, "neg", term)
+                    term = construct.apply("neg", term)
             addends.append(term)
             places.append(at)
         if len(addends) == 1:

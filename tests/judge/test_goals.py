@@ -349,6 +349,23 @@ def test_what_holds_under_a_hypothesis_holds_for_its_integers():
     assert (found.outcome, found.scope) == (Outcome.CONDITIONAL, "all n ≥ 2")
 
 
+def test_what_is_conditional_has_the_evidence_of_both():
+    where = scope()
+    goal, bare = (read_goal(text, where) for text in (r"a = b \Rightarrow b = a", "b = a"))
+    found, shown, without = (
+        prove(each, where, Judge(where.definitions), proven, bare=more)
+        for each, proven, more in (
+            (goal, Proven(Kernel(), False_()), bare),
+            (goal, Proven(Kernel()), None),
+            (bare, Proven(None, False_()), None),
+        )
+    )
+    assert (shown.outcome, without.outcome) == (Outcome.PROVED, Outcome.REFUTED)
+    assert found.evidence == (*shown.evidence, *without.evidence)
+    assert shown.evidence and without.evidence and without.counterexample
+    assert found.counterexample == without.counterexample
+
+
 def test_a_claim_is_not_refuted_without_what_it_supposes():
     where = scope()
     goal, assume = read_goal("b = a", where), [where.statement("a = b")]

@@ -323,6 +323,15 @@ def test_of_what_the_kernel_refutes_only_equations_for_all_are_refuted(goal, fou
 
 
 @pytest.mark.parametrize(
+    ("squares", "found"),
+    [("cd", Outcome.PROVED), ("dc", Outcome.PROVED), ("c", Outcome.UNCHECKED), ("cdd", Outcome.UNCHECKED)],
+)
+def test_all_squares_are_added(squares, found):
+    goal = r"\forall c, d \in \mathbb{R} : c^2 + d^2 \geqslant 0"
+    assert outcome(goal, Squares(*squares)).outcome == found
+
+
+@pytest.mark.parametrize(
     ("goal", "bare", "against", "found"),
     [
         (r"a = b \Rightarrow b = a", "b = a", False_(), Outcome.CONDITIONAL),

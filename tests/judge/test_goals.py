@@ -358,6 +358,14 @@ def test_what_holds_under_a_hypothesis_holds_for_its_integers():
     assert (found.outcome, found.scope) == (Outcome.CONDITIONAL, "all n ≥ 2")
 
 
+def test_what_becomes_the_same_term_is_told_in_the_evidence():
+    back = Follows("Y", Y=Use(0, back=True))
+    found = outcome(r"a = b \Leftrightarrow b = a", Ways(back, back))
+    told = {each.method: each.outcome for each in found.evidence}
+    same = "both sides are the same term"
+    assert (told["goal, left side"], told["goal, right side"]) == (same, same)
+
+
 def test_what_is_conditional_has_the_evidence_of_both():
     where = scope()
     goal, bare = (read_goal(text, where) for text in (r"a = b \Rightarrow b = a", "b = a"))

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from tests.language.generated import TABLE, VARIABLES, terms
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_formula, read_term
 from workbench.language.typed.terms import Term
@@ -108,6 +109,33 @@ def test_the_dot_over_a_family_member_is_on_the_member() -> None:
     term = read_term(r"\dot{\Phi}_{n+1}", TABLE, VARIABLES)
     assert to_latex(term) == r"\dot{\Phi}_{n+1}"
     assert to_latex(term.body) == r"\Phi_{n+1}"
+
+
+PLACES = SymbolTable.build(
+    {
+        **{name: {"kind": "vector"} for name in "vw"},
+        **{name: {"kind": "scalar"} for name in "fg"},
+        "A": {"kind": "tensor"},
+        r"\rho": {"kind": "vector", "coordinate": True},
+    }
+)
+
+
+@pytest.mark.parametrize("sign", [r"\cdot", r"\times", r"\otimes"])
+@pytest.mark.parametrize("factor", ["", "f ", "f g "])
+@pytest.mark.parametrize(
+    ("function", "takes_more"), [(r"\operatorname{curl} v", True), (r"\operatorname{vect} A", False)]
+)
+def test_a_function_by_place_is_bracketed_before_a_sign(
+    sign: str, factor: str, function: str, takes_more: bool
+) -> None:
+    """curl v × w may be curl (v × w); vect A × w has one meaning."""
+    before, behind = f"({factor}{function}) {sign} w", f"w {sign} ({factor}{function})"
+    for latex, may_bracket in ((before, takes_more), (behind, False)):
+        term = read_term(latex, PLACES)
+        printed = to_latex(term)
+        assert read_term(printed, PLACES) == term
+        assert (r"\left(" in printed) == may_bracket
 
 
 def test_the_reader_loads_on_use() -> None:

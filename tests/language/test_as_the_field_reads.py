@@ -498,3 +498,26 @@ def test_the_number_of_a_formula_is_no_factor(formula: str) -> None:
     with pytest.raises(ReadError, match="the number of the formula"):
         read(formula, TABLE)
     assert read(r"s^2 = s (2 s - s) \quad", TABLE) and read(r"s = 2 \quad [s]", TABLE)
+
+
+@pytest.mark.parametrize("above", ["d", r"\mathrm{d}"])
+@pytest.mark.parametrize("below", ["d", r"\mathrm{d}"])
+@pytest.mark.parametrize("time", ["t", r"\mathrm{t}"])
+def test_a_slanted_d_that_is_a_symbol_may_be_a_factor(above: str, below: str, time: str) -> None:
+    """Of df/dg either d is enough; df/dt is a derivative all the same, unless t is a letter of the paper."""
+    plain, table = (
+        SymbolTable.build({name: {"kind": "scalar"} for name in names}) for names in ("fg", "fgd")
+    )
+    by_g, by_time = rf"\frac{{{above} f}}{{{below} g}}", rf"\frac{{{above} f}}{{{below} {time}}}"
+    assert read_term(by_g, plain).head == "total"
+    assert read_term(by_time, plain) == read_term(by_time, table) == read_term(r"\dot{f}", plain)
+    if "d" in (above, below):
+        with pytest.raises(ReadError, match="or a quotient of products with d"):
+            read_term(by_g, table)
+    else:
+        assert read_term(by_g, table) == read_term(by_g, plain)
+    if (above, below, time) == ("d", "d", "t"):
+        with pytest.raises(ReadError, match="a derivative, or a quotient of the symbols d and t"):
+            read_term(by_time, table, {"t"})
+    else:
+        assert read_term(by_time, table, {"t"}) == read_term(r"\dot{f}", plain)

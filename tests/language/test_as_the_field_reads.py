@@ -521,3 +521,28 @@ def test_a_slanted_d_that_is_a_symbol_may_be_a_factor(above: str, below: str, ti
             read_term(by_time, table, {"t"})
     else:
         assert read_term(by_time, table, {"t"}) == read_term(r"\dot{f}", plain)
+
+
+BRACKETS = [
+    ("(", ")"),
+    ("[", "]"),
+    (r"\{", r"\}"),
+    (r"\langle", r"\rangle"),
+    ("{", "}"),
+    (r"\|", r"\|"),
+    ("|", "|"),
+]
+
+
+@pytest.mark.parametrize("sides", BRACKETS)
+@pytest.mark.parametrize("below", ["2", "F", "1", r"\infty", "{22}", r"{\mathrm{F}}"])
+@pytest.mark.parametrize("inside", ["a + b", "T", "s"])
+def test_of_the_norms_the_euclidean_ones_are_read(sides: tuple[str, str], below: str, inside: str) -> None:
+    left, right = sides
+    norm = rf"{left} {inside} {right}_{below}"
+    if "|" in left and (inside, below) in (("a + b", "2"), ("T", "F")):
+        meant = r"\|a + b\|" if below == "2" else r"\sqrt{\operatorname{tr} T^T T}"
+        assert read_term(norm, TABLE) == read_term(meant, TABLE)
+    else:
+        with pytest.raises(ReadError):
+            read_term(norm, TABLE)

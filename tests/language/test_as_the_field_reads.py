@@ -546,3 +546,10 @@ def test_of_the_norms_the_euclidean_ones_are_read(sides: tuple[str, str], below:
     else:
         with pytest.raises(ReadError):
             read_term(norm, TABLE)
+
+
+@pytest.mark.parametrize("kind", ["rotation", "tensor", "dual rotation", "dual tensor", "vector"])
+def test_what_is_declared_to_be_no_member_is_called_what_it_is(kind: str) -> None:
+    table = SymbolTable.build({"x": {"kind": kind}})
+    with pytest.raises(ReadError, match=f"a member of .* is a scalar; here it is a {kind}, as declared"):
+        read(r"x \in \mathbb{R}", table)

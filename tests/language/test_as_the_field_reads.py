@@ -553,3 +553,17 @@ def test_what_is_declared_to_be_no_member_is_called_what_it_is(kind: str) -> Non
     table = SymbolTable.build({"x": {"kind": kind}})
     with pytest.raises(ReadError, match=f"a member of .* is a scalar; here it is a {kind}, as declared"):
         read(r"x \in \mathbb{R}", table)
+
+
+@pytest.mark.parametrize("kind", ["rotation", "tensor", "vector", "scalar"])
+@pytest.mark.parametrize("name", ["x", "x_1", "x_{12}"])
+@pytest.mark.parametrize("power", range(5))
+def test_a_power_that_may_be_the_label_of_a_frame_is_asked_about(kind: str, name: str, power: int) -> None:
+    """R_1^0 and any other figure on a numbered rotation; on others those that nobody prints as powers."""
+    table = SymbolTable.build({name: {"kind": kind}})
+    may_be = {"rotation": power < 2 or name != "x", "scalar": False}.get(kind, power < 2 and name != "x")
+    if may_be:
+        with pytest.raises(ReadError, match=f"the power {power}, or the label of a frame"):
+            read_term(f"{name}^{power}", table)
+    elif kind != "vector" or power % 2 == 0:
+        assert read_term(f"{name}^{power}", table) == read_term(f"({name})^{power}", table)

@@ -1,13 +1,15 @@
-"""Which lines of the judge no test would miss: a sample of mutants by mutmut.
+"""Which lines of the judge, or of the reader, no test would miss: a sample of mutants by mutmut.
 
-    uv run --group mutation python tests/mutation.py --sample 400
+    uv run --group mutation python tests/mutation.py judge --sample 400
+    uv run --group mutation python tests/mutation.py language --sample 100
 
-mutmut writes the mutants and finds which test calls which function. Each mutant of the sample then gets a
-process of its own, which runs the tests of its function, those first that killed others of it, until one fails. A test
-that takes five times its processor time and ten seconds more does not end: that is a kill, too. Mutants that only
-change a message, or what `zip` asserts, are left out. A mutant that no test notices is printed with its difference; those
-that `judge/survivors.toml` explains are not tried. One line a file and one a package say how many of the sample
-were killed, how many are explained, and of how many.
+pyproject.toml says which files and which tests are meant by these names. mutmut writes the mutants and finds which
+test calls which function. Each mutant of the sample then gets a process of its own, which runs the tests of its
+function, those first that killed others of it, until one fails. A test that takes five times its processor time and
+ten seconds more does not end: that is a kill, too. Mutants that only change a message, or what `zip` asserts, are left
+out. A mutant that no test notices is printed with its difference; those that `survivors.toml` beside the tests
+explains are not tried. One line a file and one a package say how many of the sample were killed, how many are
+explained, and of how many.
 """
 
 import argparse
@@ -41,8 +43,15 @@ RESULTS = ROOT / "results.json"
 #: The test that killed the last mutant.
 KILLER = ROOT / "killer.txt"
 
-#: Mutants that say the same as the original, each with the reason.
-EXPLAINED = Path(__file__).with_name("judge") / "survivors.toml"
+SETTINGS = tomllib.loads(Path("pyproject.toml").read_text())["tool"]
+
+#: mutmut with other settings than the file's.
+WRITE = """
+from mutmut.__main__ import cli
+from mutmut.configuration import config
+vars(config()).update({0})
+cli(["run", "--max-children", "1", "no.such.mutant"])
+"""
 
 MEGABYTES = 3000
 
@@ -105,7 +114,8 @@ def difference(mutant):
 def place_of(mutant):
     """Such as kernel.case.Case.find, without the number of the mutant."""
     module, _, name = mutant.partition("__mutmut_")[0].rpartition(".")
-    return f"{module.partition('judge.')[2]}.{name.removeprefix('x_').removeprefix('xǁ').replace('ǁ', '.')}"
+    *_, place = module.split(".", 2)
+    return f"{place}.{name.removeprefix('x_').removeprefix('xǁ').replace('ǁ', '.')}"
 
 
 def is_of_class(mutant, known):
@@ -121,10 +131,10 @@ def is_of_class(mutant, known):
     return lines[1] in changed
 
 
-def explained(pool, sample):
-    """Those of the pool that the file explains one by one, and of the sample those that it explains by class.
+def explained(pool, sample, path):
+    """Those of the pool that a file explains one by one, and of the sample those that it explains by class.
     Complains of what it says of no mutant."""
-    explanations = tomllib.loads(EXPLAINED.read_text())
+    explanations = tomllib.loads(path.read_text())
     said = {(survivor["in"], survivor["change"].strip()) for survivor in explanations["survivor"]}
     places = {place for place, _ in said}
     found = {}
@@ -133,7 +143,7 @@ def explained(pool, sample):
             change = "\n".join(line.strip() for line in difference(mutant).splitlines())
             found[mutant] = place_of(mutant), change
     for stale in said - set(found.values()):
-        print(f"{EXPLAINED.name} explains what is no mutant of {stale[0]}:\n{stale[1]}")
+        print(f"{path} explains what is no mutant of {stale[0]}:\n{stale[1]}")
     of_classes = {name for name in sample if any(is_of_class(name, known) for known in explanations["class"])}
     return of_classes | {mutant for mutant, key in found.items() if key in said}
 
@@ -204,9 +214,10 @@ class Trials:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("which", nargs="?", default="judge", choices=SETTINGS["mutation"])
     parser.add_argument("--sample", type=int, default=400, help="mutants, spread over all files")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", default="", help="of what begins so, such as kernel.varied")
+    parser.add_argument("--only", nargs="*", default=[""], help="of what begins so, such as kernel.varied")
     parser.add_argument(
         "--again", action="store_true", help="only those of the sample that survived last time"
     )
@@ -221,18 +232,21 @@ def main():
     parser.add_argument("--as-written", action="store_true", help="the mutants and tests of the last run")
     options = parser.parse_args()
     until = time.monotonic() + 60 * options.minutes
+    chosen = SETTINGS["mutation"][options.which]
+    tests = chosen["pytest_add_cli_args_test_selection"]
     if not options.as_written:
-        command = ["mutmut", "run", "--max-children", "1", "no.such.mutant"]
-        subprocess.run(command, check=False, stderr=subprocess.DEVNULL)
+        subprocess.run(
+            [sys.executable, "-P", "-c", WRITE.format(chosen)], check=False, stderr=subprocess.DEVNULL
+        )
     if not STATISTICS.exists():
         raise SystemExit("mutmut did not find which test calls which function: see what it printed above")
-    files = sorted(path.with_suffix("") for path in ROOT.glob("workbench/judge/*/*.py.meta"))
+    files = [path.with_suffix("") for glob in chosen["only_mutate"] for path in ROOT.glob(f"{glob}.meta")]
     pool = sorted(name for path in files for name in mutants_of(path))
-    chosen = [name for name in pool if place_of(name).startswith(options.only)]
-    sample = random.Random(options.seed).sample(chosen, min(options.sample, len(chosen)))
+    named = [name for name in pool if place_of(name).startswith(tuple(options.only))]
+    sample = random.Random(options.seed).sample(named, min(options.sample, len(named)))
     goes_on = options.again or options.more
     results = json.loads(RESULTS.read_text()) if goes_on and RESULTS.exists() else {}
-    equal = explained(pool, sample)
+    equal = explained(pool, sample, Path("tests", options.which, "survivors.toml"))
     tried = [name for name in sample if name not in equal]
     left = [name for name in tried if name in results and not is_killed(results[name])]
     new = [name for name in tried if name not in results]
@@ -244,8 +258,7 @@ def main():
         if not is_killed(result):
             print(difference(name), flush=True)
 
-    settings = tomllib.loads(Path("pyproject.toml").read_text())["tool"]["mutmut"]
-    arguments = [*settings["pytest_add_cli_args"], *settings["pytest_add_cli_args_test_selection"]]
+    arguments = [*SETTINGS["mutmut"]["pytest_add_cli_args"], *tests]
     os.chdir(ROOT)
     sys.path.insert(0, str(ROOT))
     os.environ["MUTANT_UNDER_TEST"] = ""

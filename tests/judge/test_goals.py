@@ -323,6 +323,15 @@ def test_of_what_the_kernel_refutes_only_equations_for_all_are_refuted(goal, fou
 
 
 @pytest.mark.parametrize(
+    ("squares", "found"),
+    [("cd", Outcome.PROVED), ("dc", Outcome.PROVED), ("c", Outcome.UNCHECKED), ("cdd", Outcome.UNCHECKED)],
+)
+def test_all_squares_are_added(squares, found):
+    goal = r"\forall c, d \in \mathbb{R} : c^2 + d^2 \geqslant 0"
+    assert outcome(goal, Squares(*squares)).outcome == found
+
+
+@pytest.mark.parametrize(
     ("goal", "bare", "against", "found"),
     [
         (r"a = b \Rightarrow b = a", "b = a", False_(), Outcome.CONDITIONAL),
@@ -347,6 +356,31 @@ def test_what_holds_under_a_hypothesis_holds_for_its_integers():
     proven = Proven(Given(Follows("F_n Y", Y=Use(0))), At({"n": "2"}, False_()))
     found = prove(goal, where, Judge(where.definitions), proven, bare=bare)
     assert (found.outcome, found.scope) == (Outcome.CONDITIONAL, "all n ≥ 2")
+
+
+def test_what_becomes_the_same_term_is_told_in_the_evidence():
+    back = Follows("Y", Y=Use(0, back=True))
+    found = outcome(r"a = b \Leftrightarrow b = a", Ways(back, back))
+    told = {each.method: each.outcome for each in found.evidence}
+    same = "both sides are the same term"
+    assert (told["goal, left side"], told["goal, right side"]) == (same, same)
+
+
+def test_what_is_conditional_has_the_evidence_of_both():
+    where = scope()
+    goal, bare = (read_goal(text, where) for text in (r"a = b \Rightarrow b = a", "b = a"))
+    found, shown, without = (
+        prove(each, where, Judge(where.definitions), proven, bare=more)
+        for each, proven, more in (
+            (goal, Proven(Kernel(), False_()), bare),
+            (goal, Proven(Kernel()), None),
+            (bare, Proven(None, False_()), None),
+        )
+    )
+    assert (shown.outcome, without.outcome) == (Outcome.PROVED, Outcome.REFUTED)
+    assert found.evidence == (*shown.evidence, *without.evidence)
+    assert shown.evidence and without.evidence and without.counterexample
+    assert found.counterexample == without.counterexample
 
 
 def test_a_claim_is_not_refuted_without_what_it_supposes():

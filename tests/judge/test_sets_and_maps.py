@@ -3,6 +3,7 @@ the kind that it is said to be, what is false, what is left undecided, and what 
 
 import pytest
 
+from workbench import check
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome
 from workbench.language.definitions import Definitions
@@ -115,3 +116,9 @@ def test_what_does_not_fit_or_is_refused(latex, message):
     with pytest.raises((ReadError, IllFormedAt)) as error:
         read(latex, TABLE)
     assert message in str(error.value)
+
+
+@pytest.mark.parametrize(("value", "found"), [("x^2", Outcome.DEFINITION), ("x^3", Outcome.REFUTED)])
+def test_a_map_that_is_defined_has_the_values_that_it_is_said_to_have(value, found):
+    said = rf"f : \mathbb{{R}} \to \mathbb{{R}}, f(x) = {value}"
+    assert check(said, symbols={"x": "scalar"}, definitions=["f(x) = x^2"]).outcome == found

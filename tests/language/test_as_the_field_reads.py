@@ -498,3 +498,72 @@ def test_the_number_of_a_formula_is_no_factor(formula: str) -> None:
     with pytest.raises(ReadError, match="the number of the formula"):
         read(formula, TABLE)
     assert read(r"s^2 = s (2 s - s) \quad", TABLE) and read(r"s = 2 \quad [s]", TABLE)
+
+
+@pytest.mark.parametrize("above", ["d", r"\mathrm{d}"])
+@pytest.mark.parametrize("below", ["d", r"\mathrm{d}"])
+@pytest.mark.parametrize("time", ["t", r"\mathrm{t}"])
+def test_a_slanted_d_that_is_a_symbol_may_be_a_factor(above: str, below: str, time: str) -> None:
+    """Of df/dg either d is enough; df/dt is a derivative all the same, unless t is a letter of the paper."""
+    plain, table = (
+        SymbolTable.build({name: {"kind": "scalar"} for name in names}) for names in ("fg", "fgd")
+    )
+    by_g, by_time = rf"\frac{{{above} f}}{{{below} g}}", rf"\frac{{{above} f}}{{{below} {time}}}"
+    assert read_term(by_g, plain).head == "total"
+    assert read_term(by_time, plain) == read_term(by_time, table) == read_term(r"\dot{f}", plain)
+    if "d" in (above, below):
+        with pytest.raises(ReadError, match="or a quotient of products with d"):
+            read_term(by_g, table)
+    else:
+        assert read_term(by_g, table) == read_term(by_g, plain)
+    if (above, below, time) == ("d", "d", "t"):
+        with pytest.raises(ReadError, match="a derivative, or a quotient of the symbols d and t"):
+            read_term(by_time, table, {"t"})
+    else:
+        assert read_term(by_time, table, {"t"}) == read_term(r"\dot{f}", plain)
+
+
+BRACKETS = [
+    ("(", ")"),
+    ("[", "]"),
+    (r"\{", r"\}"),
+    (r"\langle", r"\rangle"),
+    ("{", "}"),
+    (r"\|", r"\|"),
+    ("|", "|"),
+]
+
+
+@pytest.mark.parametrize("sides", BRACKETS)
+@pytest.mark.parametrize("below", ["2", "F", "1", r"\infty", "{22}", r"{\mathrm{F}}"])
+@pytest.mark.parametrize("inside", ["a + b", "T", "s"])
+def test_of_the_norms_the_euclidean_ones_are_read(sides: tuple[str, str], below: str, inside: str) -> None:
+    left, right = sides
+    norm = rf"{left} {inside} {right}_{below}"
+    if "|" in left and (inside, below) in (("a + b", "2"), ("T", "F")):
+        meant = r"\|a + b\|" if below == "2" else r"\sqrt{\operatorname{tr} T^T T}"
+        assert read_term(norm, TABLE) == read_term(meant, TABLE)
+    else:
+        with pytest.raises(ReadError):
+            read_term(norm, TABLE)
+
+
+@pytest.mark.parametrize("kind", ["rotation", "tensor", "dual rotation", "dual tensor", "vector"])
+def test_what_is_declared_to_be_no_member_is_called_what_it_is(kind: str) -> None:
+    table = SymbolTable.build({"x": {"kind": kind}})
+    with pytest.raises(ReadError, match=f"a member of .* is a scalar; here it is a {kind}, as declared"):
+        read(r"x \in \mathbb{R}", table)
+
+
+@pytest.mark.parametrize("kind", ["rotation", "tensor", "vector", "scalar"])
+@pytest.mark.parametrize("name", ["x", "x_1", "x_{12}"])
+@pytest.mark.parametrize("power", range(5))
+def test_a_power_that_may_be_the_label_of_a_frame_is_asked_about(kind: str, name: str, power: int) -> None:
+    """R_1^0 and any other figure on a numbered rotation; on others those that nobody prints as powers."""
+    table = SymbolTable.build({name: {"kind": kind}})
+    may_be = {"rotation": power < 2 or name != "x", "scalar": False}.get(kind, power < 2 and name != "x")
+    if may_be:
+        with pytest.raises(ReadError, match=f"the power {power}, or the label of a frame"):
+            read_term(f"{name}^{power}", table)
+    elif kind != "vector" or power % 2 == 0:
+        assert read_term(f"{name}^{power}", table) == read_term(f"({name})^{power}", table)

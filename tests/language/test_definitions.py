@@ -240,3 +240,13 @@ def test_a_member_of_a_declared_family_stays_one() -> None:
     table = SymbolTable.build({"F_n": {"kind": "vector"}, "a": {"kind": "vector"}})
     definitions, table = read_definitions({"F_n": "a"}, table)
     assert definitions.lookup(read_term("F_3", table)) == read_term("a", table)
+
+
+@pytest.mark.parametrize("scripts", ["_1", "_1^2", "_{12}^{2}", "_1^T", "'", "'^2", "_1'", "!", "_1!"])
+def test_on_the_argument_of_a_function_stands_nothing_but_a_superscript(scripts: str) -> None:
+    kinds = {"x": {"kind": "scalar"}, "a": {"kind": "vector"}, "T": {"kind": "tensor"}}
+    _, table = read_definitions({"F(x)": "x^2", "G(a)": r"T \tilde{a}"}, SymbolTable.build(kinds))
+    for value, power in (("F(x)", "2"), ("G(a)", "T")):
+        assert read_term(f"{value}^{power}", table) == read_term(f"({value})^{power}", table)
+        with pytest.raises(ReadError, match="scripts on the argument of a function"):
+            read_term(f"{value}{scripts}", table)

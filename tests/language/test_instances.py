@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from tests.language.generated import TABLE, VARIABLES, terms
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.instances import instantiate
+from workbench.language.typed.construct import apply, big_sum, integer
+from workbench.language.typed.instances import LARGEST, instantiate
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import BigSum, Counting, IllFormed, Integer, Number, Term, Zero
 
@@ -141,3 +142,26 @@ def test_two_bound_variables_are_renamed_apart() -> None:
     both = Linear.variable("p_1") + Linear.variable("p_2")
     moved = instantiate(term, {"n": both})
     assert instantiate(moved, {"p_1": 1, "p_2": 1}) == instantiate(term, {"n": 2})
+
+
+@pytest.mark.parametrize(("count", "largest"), [(1, 3000), (2, LARGEST - 1), (3, 61), (4, 20)])
+def test_a_sum_over_parts_has_as_many_addends_as_there_are_ways(count: int, largest: int) -> None:
+    """n as a sum of so many integers from 0 on; at most LARGEST ways are written out."""
+    names = "jklm"[:count]
+    body = (
+        apply("add", *(integer(Linear.variable(name)) for name in names))
+        if count > 1
+        else integer(Linear.variable("j"))
+    )
+    parts = big_sum(names, None, Linear.variable("n"), body)
+    ways = comb(largest + count - 1, count - 1)
+    written = instantiate(parts, {"n": largest})
+    assert len(written.arguments if count > 1 else (written,)) == ways <= LARGEST
+    if count > 1:
+        with pytest.raises(IllFormed, match=f"a sum of {comb(largest + count, count - 1)} addends"):
+            instantiate(parts, {"n": largest + 1})
+
+
+def test_the_norm_of_a_row_misfits() -> None:
+    with pytest.raises(IllFormed, match="expected a quaternion or scalar or vector, got a covector"):
+        apply("norm", read_term(r"\omega^T", TABLE))

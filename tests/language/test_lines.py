@@ -87,6 +87,24 @@ def test_lines(latex, lines):
     assert [line.latex for line in split_lines(latex)] == (lines or [latex])
 
 
+@pytest.mark.parametrize("gap", ["", " ", "\n  "])
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"a = b.{0}",
+        r"a = b.{0}\quad",
+        r"a = b.{0}\\ {0}",
+        r"\begin{{aligned}} a &= b.{0}\end{{aligned}}",
+        r"\begin{{cases}} a = b.{0}\\ a = b.{0}\end{{cases}}",
+        r"a = {{b.{0}}}",
+    ],
+)
+def test_a_full_stop_at_the_end_of_a_line_says_nothing(latex, gap):
+    assert set(read(latex.format(gap), TABLE)) == set(read("a = b", TABLE))
+    with pytest.raises(ReadError, match="full stop"):
+        read(latex.format(gap).replace("b.", "b. c.", 1), TABLE)
+
+
 def test_each_character_of_a_line_is_placed_in_the_formula():
     latex = "\\begin{aligned}\n a &= b \\\\\n  c &= d\n\\end{aligned}, n \\geq 1"
     rows = latex.split("\n")

@@ -9,6 +9,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from tests.language.generated import TABLE, VARIABLES, terms
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
+from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_formula, read_term
 from workbench.language.typed.terms import Term
@@ -108,6 +111,65 @@ def test_the_dot_over_a_family_member_is_on_the_member() -> None:
     term = read_term(r"\dot{\Phi}_{n+1}", TABLE, VARIABLES)
     assert to_latex(term) == r"\dot{\Phi}_{n+1}"
     assert to_latex(term.body) == r"\Phi_{n+1}"
+
+
+PLACES = SymbolTable.build(
+    {
+        **{name: {"kind": "vector"} for name in "vw"},
+        **{name: {"kind": "scalar"} for name in "fg"},
+        "A": {"kind": "tensor"},
+        "u^{[1]}": {"kind": "vector"},
+        r"\rho": {"kind": "vector", "coordinate": True},
+    }
+)
+
+
+@pytest.mark.parametrize("sign", [r"\cdot", r"\times", r"\otimes"])
+@pytest.mark.parametrize("factor", ["", "f ", "f g "])
+@pytest.mark.parametrize(
+    ("function", "takes_more"), [(r"\operatorname{curl} v", True), (r"\operatorname{vect} A", False)]
+)
+def test_a_function_by_place_is_bracketed_before_a_sign(
+    sign: str, factor: str, function: str, takes_more: bool
+) -> None:
+    """curl v × w may be curl (v × w); vect A × w has one meaning."""
+    before, behind = f"({factor}{function}) {sign} w", f"w {sign} ({factor}{function})"
+    for latex, may_bracket in ((before, takes_more), (behind, False)):
+        term = read_term(latex, PLACES)
+        printed = to_latex(term)
+        assert read_term(printed, PLACES) == term
+        assert (r"\left(" in printed) == may_bracket
+
+
+#: A power of what has an accent needs no bracket, but where the name has a superscript.
+AS_PRINTED = [
+    rf"{mark}{{{base}}}{sup}"
+    for mark, bases in ((r"\dot", "vfA"), (r"\tilde", "v"), (r"\ddot", "wg"))
+    for base in bases
+    for sup in ("", "^{2}", "^{4}")
+]
+
+
+@pytest.mark.parametrize("latex", [*AS_PRINTED, r"\dot{u}^{[1]}", r"\left(\dot{u}^{[1]}\right)^{2}"])
+def test_a_bracket_is_printed_only_where_it_says_something(latex: str) -> None:
+    assert to_latex(read_term(latex, PLACES)) == latex
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"f = 0 \Rightarrow g = 0",
+        r"f = 0 \Leftrightarrow g = 0",
+        r"f \neq 0 \text{ and } g = 0 \text{ for } f = g",
+        r"f \cdot g \times f \otimes g \circ f \approx \dot{f} + \tilde{g}",
+        r"\forall n \geq 0",
+        r"v \perp w",
+        r"v \parallel w",
+    ],
+)
+def test_a_tree_is_written_in_commands_that_read_as_the_tree(latex: str) -> None:
+    written = latex_of(parse(latex))
+    assert written.isascii() and parse(written) == parse(latex)
 
 
 def test_the_reader_loads_on_use() -> None:

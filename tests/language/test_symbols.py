@@ -229,3 +229,20 @@ def test_a_star_within_a_script_is_part_of_the_name(name: str) -> None:
     assert read(f"{name} = 2 {name}", table)
     with pytest.raises(ReadError, match="unknown symbol"):
         read(r"\omega_{\mathcal{B}/\mathcal{N}} = 0", table)
+
+
+FLAGS = {"unit": "vector", "coordinate": "vector", "symmetric": "tensor", "diagonal": "tensor"}
+
+
+@pytest.mark.parametrize(
+    "flag", [*FLAGS, "constant", "uniform", "independent", "small", "positive", "free", "rotation", "dual"]
+)
+def test_a_function_of_others_is_free_and_nothing_else(flag):
+    kind = {"rotation": "rotation", "dual": "dual scalar"}.get(flag, FLAGS.get(flag, "scalar"))
+    spec = {"kind": kind, "of": ["q"]} | ({} if flag in kind else {flag: True})
+    specs = {"q": {"kind": "scalar"}, "y": spec}
+    if flag == "free":
+        assert SymbolTable.build(specs).symbols[Name("y")].free
+    else:
+        with pytest.raises(SpecError, match=f"whose values are free, not for (a )?{flag}"):
+            SymbolTable.build(specs)

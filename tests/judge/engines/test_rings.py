@@ -8,7 +8,7 @@ import pytest
 from judge.test_judge import TABLE
 
 from workbench.judge.second.rings import PRIME, FloatRing, RationalRing, Residue, ResidueRing
-from workbench.judge.second.sympy_ring import SympyRing
+from workbench.judge.second.sympy_ring import Ratio, SympyRing
 from workbench.judge.second.tangents import Tangent, TangentRing, pushed
 from workbench.judge.subject.inventory import take_inventory
 from workbench.language.definitions import Definitions
@@ -98,6 +98,19 @@ def test_ratios_are_in_lowest_terms_over_denominators_that_are_each_named_once()
         assert (x.top, x.number, x.below) == (-2, 3, {}) and x == Fraction(-2, 3)
     x = ring.divide(ring.constant(5, 1), next(iter(ring.point.values())) * Fraction(-10, 7))
     assert (x.top, x.number, len(x.below)) == (-7, 2, 1) and len(ring.denominators) == known
+
+
+@pytest.mark.parametrize("where", ["value", "relation", "denominator"])
+def test_a_number_that_is_not_python_s_is_found_wherever_it_stands(where):
+    ring, _ = sympy_elements()
+    foreign = ring.polynomials.integers.one.new({(0,): Residue(1)})
+    assert ring.tops([2]) == [2]
+    if where == "relation":
+        ring.polynomials.set_square(0, foreign)
+    elif where == "denominator":
+        ring.denominators.append(foreign)
+    with pytest.raises(RuntimeError, match=r"computes with workbench\.judge\.second\.rings\.Residue"):
+        ring.tops([Ratio(ring, foreign, 1, {}) if where == "value" else 2])
 
 
 def test_residues_are_numbers_modulo_the_prime():

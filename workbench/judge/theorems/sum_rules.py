@@ -32,8 +32,7 @@ def pascal(sequent: Sequent, goal: AllFrom, proof: Pascal) -> Asked:
     j, k = "j", "k"
     if n in (j, k):
         raise NotShown(f"{n} is an integer already; take another letter")
-    two = scope.with_integer(j, 0).with_integer(k, 0)
-    term, left = two.term(proof.term), goal.body.statement.left
+    term, left = read_term(proof.term, scope.table, {*scope.integers, j, k}), goal.body.statement.left
     J, K = Linear.variable(j), Linear.variable(k)
 
     def at(first: Linear | int, second: Linear | int) -> Term:

@@ -8,7 +8,7 @@ from fractions import Fraction as Rational
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.nablas import as_del
 from workbench.language.elaboration.products import product
-from workbench.language.elaboration.spelled import letters_in_one_font, refuse_row_of_vectors
+from workbench.language.elaboration.spelled import refuse_row_of_vectors
 from workbench.language.grammar.syntax import (
     Accented,
     Binomial,
@@ -66,17 +66,11 @@ class Elaborator(Scope):
                 return product(self, node.items)
             case Leaf(kind="NUMBER"):
                 return self.number(node)
-            case (
-                Leaf(kind="FUNCTION")
-                | Scripted(nucleus=Leaf(kind="FUNCTION") | Group(parts=()))
-                | Summation()
-            ):
+            case Leaf(kind="FUNCTION") | Styled() | Scripted() | Summation():
                 return product(self, (node,))
-            case Styled() | Scripted() if len(letters := list(letters_in_one_font(node))) > 1:
-                return product(self, letters)
-            case Leaf() | Styled() | Scripted() if as_del(node) is not None:
+            case Leaf() if as_del(node) is not None:
                 return product(self, (node,))
-            case Leaf() | Styled() | Accented() | Scripted():
+            case Leaf() | Accented():
                 return named(self, node)
             case Group(parts=(part,)):
                 return self.term(part)
@@ -123,7 +117,7 @@ class Elaborator(Scope):
                 elif isinstance(term, Integer):
                     term = construct.integer(-term.value)
                 else:
-                    term = self.apply(at, "neg", term)
+                    term = construct.apply("neg", term)
             addends.append(term)
             places.append(at)
         if len(addends) == 1:

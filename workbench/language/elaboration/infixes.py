@@ -5,6 +5,7 @@ from __future__ import annotations
 from workbench.language.grammar.syntax import Infix
 from workbench.language.grammar.vocabulary import OWN_SIGNS
 from workbench.language.naming.scope import Scope
+from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.operators import SIGNS
 from workbench.language.typed.shapes import scalar_and_vector
@@ -15,8 +16,7 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
     """a · b, a × b, a ⊗ b, P ∘ Q from left to right, where another order could not mean something else; but
     ω × ω × r is ω × (ω × r), since ω × ω is 0."""
     if _turns_often(scope, operands, signs):
-        again = infix(scope, operands[1:], signs[1:])
-        return _of_tensors(scope, signs[0].at, "cross", operands[0], again)
+        return construct.apply("cross", operands[0], infix(scope, operands[1:], signs[1:]))
     result = operands[0]
     heads = set()
     for sign, operand in zip(signs, operands[1:], strict=True):

@@ -158,9 +158,9 @@ def ranges_of(
     clause: Chain, members: Sequence[Node], table: SymbolTable, integers: frozenset[str]
 ) -> list[Range | Membership]:
     """What "n ≥ 1", or "a, b ∈ S" with the members before the last one, says. Raises Fault."""
-    (sign, at), *more = clause.relations or [("", clause.at)]
-    if more or not sign:
-        raise Fault("expected one range, such as n \\geq 1 or n \\in \\mathbb{N}", more[0][1] if more else at)
+    (sign, _), *more = clause.relations
+    if more:
+        raise Fault("expected one range, such as n \\geq 1 or n \\in \\mathbb{N}", more[0][1])
     left, right = clause.sides
     if sign == "∈":
         return _in_set((*members, left), right, table)

@@ -330,9 +330,6 @@ def _collide(one: Notation, other: Notation) -> bool:
 
 def is_shape(node: Node) -> bool:
     """Whether a node that is no name may be spelt in the paper's own notation."""
-    match node:
-        case Product(items=(word, Bracket())):
-            return is_own_word(_without_scripts(word))
     nucleus = _without_scripts(node)
     return isinstance(nucleus, Bracket | Matrix) or is_own_word(nucleus)
 

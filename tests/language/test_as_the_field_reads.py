@@ -565,5 +565,8 @@ def test_a_power_that_may_be_the_label_of_a_frame_is_asked_about(kind: str, name
     if may_be:
         with pytest.raises(ReadError, match=f"the power {power}, or the label of a frame"):
             read_term(f"{name}^{power}", table)
+    elif kind == "vector" and power < 2:
+        with pytest.raises(ReadError, match="a power, or a label"):
+            read_term(f"{name}^{power}", table)
     elif kind != "vector" or power % 2 == 0:
         assert read_term(f"{name}^{power}", table) == read_term(f"({name})^{power}", table)

@@ -165,3 +165,22 @@ def test_a_number_or_an_index_in_square_brackets_may_name_a_member(member: str) 
         with pytest.raises(ReadError, match="a component or a member, or a factor"):
             read(f"a{member} = {side}", table)
     assert read("a[k] = b[k]", table) and read("a[s] + a[k] = b", table) and read(r"a[2 k] = a[\|b\|]", table)
+
+
+PURE = SymbolTable.build(
+    {**{k: {"kind": "vector"} for k in "ab"}, "s": {"kind": "scalar"}, "q": {"kind": "hamilton quaternion"}}
+)
+COLUMNS = r"\begin{bmatrix} s \\ a \end{bmatrix} \otimes \begin{bmatrix} s \\ b \end{bmatrix}"
+
+
+def test_vectors_beside_quaternions_may_be_some() -> None:
+    """u ⊗ u = −u·u of quaternions without a scalar part, which would be a dyad; of columns of four there is none."""
+    for written in (r"a \otimes a = -\|a\|^2", r"a \otimes b = q"):
+        with pytest.raises(ReadError, match="dyad") as caught:
+            read(written, PURE)
+        assert not isinstance(caught.value, IllFormedAt)
+    product = r"\begin{bmatrix} s s - a \cdot b \\ s b + s a + a \times b \end{bmatrix}"
+    (said,) = read(f"{COLUMNS} = {product}", PURE)
+    assert said.left.type.kind == "quaternion"
+    with pytest.raises(IllFormedAt):
+        read(f"{COLUMNS} = {product}", TABLE)

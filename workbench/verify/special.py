@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from itertools import chain, product
 
 from workbench.judge.kernel.families import mapped
-from workbench.judge.kernel.judge import Judge
+from workbench.judge.kernel.judge import UNLESS_IT_LASTS, Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome
@@ -31,42 +32,44 @@ from workbench.language.typed.terms import (
 from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import terms_of
-from workbench.verify.resting import at_rest
+from workbench.verify.figures import figures, lengths
+from workbench.verify.resting import Case, at_rest
+
+#: What a formula holds with, perhaps where it is defined at all.
+HOLDS = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
 
 #: By kind: the flags of a declaration that say more of a symbol, and what it is then.
 _FLAGS = {
+    "tensor": {"rotation": "rotation", "symmetric": "symmetric", "constant": "constant"},
     "vector": {"unit": "unit", "constant": "constant"},
     "quaternion": {"unit": "unit"},
-    "tensor": {"rotation": "rotation", "symmetric": "symmetric", "constant": "constant"},
 }
 
 
 def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str, object]) -> str | None:
     """What a symbol of the formula must be for it to hold: "a unit n". `said`: definitions that the text
     gives."""
-    statement = claim.printed.statement
     if claim.notation.symbols.has_quaternions and _holds(claim, _of_quaternions, said, options):
         return "vectors that are quaternions without a scalar part"
-    if claim.span is None or not isinstance(statement, Relation):
+    if claim.span is None:
         return None
-    for flag, declarations in _candidates(claim, said):
-        special = {each.name: replace(each, **{flag: True}) for each in declarations}
-        if _holds(claim, _with(special), said, options):
-            for name, declaration in special.items():
-                if len(special) > 1 and _holds(claim, _with({name: declaration}), said, options):
-                    special = {name: declaration}
-                    break
-            names = ", ".join(str(name) for name in special)
-            return f"a {_FLAGS[declarations[0].type.kind][flag]} {names}"
-    for what, premises in _conditions(_free_in(claim, said)):
-        if _holds(claim, lambda term: term, said, options, premises):
-            return what
-    for what, special, premises in at_rest(claim, said):
-        if _holds(claim, _with_terms(special), said, options, premises):
-            return what
-    small = {each.declaration.name: replace(each.declaration, small=True) for each in _angles(claim, said)}
-    if small and _holds(claim, _with(small), said, options, approximately=True):
-        return f"a small {', '.join(map(str, small))}, to first order"
+    flags = list(_candidates(claim, said))
+    for flag, declarations in flags:
+        if _holds(claim, _with_flag(flag, declarations), said, options):
+            alone = (each for each in declarations if len(declarations) > 1)
+            least = next((e for e in alone if _holds(claim, _with_flag(flag, [e]), said, options)), None)
+            return _flagged(flag, [least] if least else declarations)
+    if _has_roots(claim, said) and _holds(claim, _of_positive, said, options):
+        return "positive numbers"
+    free = _free_in(claim, said)
+    cases = list(chain(_conditions(free), figures(claim.printed.statement, free), at_rest(claim, said)))
+    for (more, besides), (what, special, premises) in product(_beside(free, flags), cases):
+        if _holds(claim, lambda term, s=special, b=besides: b(_with_terms(s)(term)), said, options, premises):
+            return what + more
+    small = [each.declaration for each in _angles(claim, said)]
+    is_relation = isinstance(claim.printed.statement, Relation)
+    if small and is_relation and _holds(claim, _with_flag("small", small), said, options, approximately=True):
+        return f"a small {', '.join(str(each.name) for each in small)}, to first order"
     return None
 
 
@@ -83,9 +86,38 @@ def _angles(claim: Claim, said: Sequence[Definition]) -> list[Symbol]:
     ]
 
 
-def _conditions(free: Sequence[Symbol]) -> Iterator[tuple[str, list[Relation]]]:
-    """What matrices and numbers may be that have no flag: symmetric or orthogonal matrices, and numbers that
-    are a cosine and a sine or the components of something of length 1."""
+def _beside(
+    free: Sequence[Symbol], flags: Sequence[tuple[str, list[Declaration]]]
+) -> Iterator[tuple[str, Callable[[Term], Term]]]:
+    """What may hold beside a case: nothing, what is a length, a flag of all symbols of a kind."""
+    yield "", lambda term: term
+    for what, special, _ in lengths(free):
+        yield f" and {what}", _with_terms(special)
+    for flag in ("unit", "rotation", "constant"):
+        several = [each for own, declarations in flags if own == flag for each in declarations]
+        several = [each for each in dict.fromkeys(several) if flag != "unit" or "\\hat" in each.name.styles]
+        if several:
+            yield f" and {_flagged(flag, several)}", _with_flag(flag, several)
+
+
+def _flagged(flag: str, several: Sequence[Declaration]) -> str:
+    return f"a {_FLAGS[several[0].type.kind][flag]} {', '.join(str(each.name) for each in several)}"
+
+
+def _with_flag(flag: str, several: Sequence[Declaration]) -> Callable[[Term], Term]:
+    """The terms with the flag on the symbols, whatever else is known of these."""
+    names = {each.name for each in several}
+
+    def flagged(own: Symbol) -> Term | None:
+        is_meant = own.declaration.name in names
+        return symbol(replace(own.declaration, **{flag: True}), own.index) if is_meant else None
+
+    return lambda term: replaced(term, flagged)
+
+
+def _conditions(free: Sequence[Symbol]) -> Iterator[Case]:
+    """What matrices and numbers may be that have no flag: skew, symmetric or orthogonal matrices, and
+    numbers that are a cosine and a sine or the components of something of length 1."""
     squares = [each for each in free if each.type.is_square and each.type.kind in ("tensor", "matrix")]
     squares = [each for each in squares if not (each.declaration.rotation or each.declaration.symmetric)]
     matrices = [each for each in squares if each.type.kind == "matrix"]
@@ -95,12 +127,12 @@ def _conditions(free: Sequence[Symbol]) -> Iterator[tuple[str, list[Relation]]]:
         ("orthogonal", _orthogonal, matrices),
     ):
         for several in [may] * bool(may) + [[each] for each in may if len(may) > 1]:
-            yield f"{what} {', '.join(map(to_latex, several))}", list(map(property_of, several))
+            yield f"{what} {', '.join(map(to_latex, several))}", {}, list(map(property_of, several))
     groups = list(_groups(free))
     premises = [relation("=", apply("add", *map(_square, group)), number(1)) for group in groups]
     names = "; ".join(", ".join(map(to_latex, group)) for group in groups)
     if groups:
-        yield f"components of length 1: {names}", premises
+        yield f"components of length 1: {names}", {}, premises
 
 
 def _skew(matrix: Symbol) -> Relation:
@@ -123,7 +155,7 @@ def _groups(free: Sequence[Symbol]) -> Iterator[list[Symbol]]:
     families: dict[object, list[Symbol]] = {}
     for each in scalars:
         name = each.declaration.name
-        is_turn = name.letter in ("c", "s", "C", "S") and (name.sub or name.sup)
+        is_turn = name.letter in ("c", "s", "C", "S")
         key = (name.letter.lower() in "cs", name.sub, name.sup) if is_turn else name.letter
         families.setdefault(
             "xyzw" if name.letter in ("w", "x", "y", "z") and not name.sub else key, []
@@ -176,9 +208,10 @@ def _candidates(claim: Claim, said: Sequence[Definition]) -> Iterator[tuple[str,
                 and not (flag == "constant" and (each in moving or not is_moving))
                 and each.declaration.weight in (None, Linear(0))
             ]
-            if flag in ("rotation", "symmetric"):
-                yield from [(flag, may)] if may else []
-            else:
+            together = [each for each in may if flag != "unit" or "\\hat" in each.name.styles]
+            if together and flag != "constant":
+                yield flag, together
+            if flag in ("unit", "constant"):
                 yield from ((flag, [each]) for each in may)
 
 
@@ -195,12 +228,14 @@ def _holds(
         known = [replace(each, body=meaning(each.body)) for each in (*claim.notation.definitions, *said)]
         judge = Judge(Definitions(known), **options)
         signs = {"=": "≈"} if approximately else {}
-        meant = mapped(
-            claim.printed.statement,
-            lambda r: relation(signs.get(r.operator, r.operator), meaning(r.left), meaning(r.right)),
-        )
-        supposed = (*claim.supposed, *premises)
-        return judge.judge(meant, supposed, orders=claim.orders).outcome is Outcome.PROVED
+
+        def special(own: Relation) -> Relation:
+            return relation(signs.get(own.operator, own.operator), meaning(own.left), meaning(own.right))
+
+        meant = mapped(claim.printed.statement, special)
+        supposed = (*(mapped(each, special) for each in claim.supposed), *premises)
+        verdict = judge.judge(meant, supposed, orders=claim.orders)
+        return verdict.outcome in HOLDS or (verdict.reason or "").startswith(UNLESS_IT_LASTS)
     return False
 
 
@@ -211,12 +246,17 @@ def _of_quaternions(term: Term) -> Term:
     return apply("neg", made) if is_square and term.exponent.constant % 4 == 2 else made
 
 
-def _with(special: Mapping[Name, Declaration]) -> Callable[[Term], Term]:
-    def given(own: Symbol) -> Term | None:
-        declared = special.get(own.declaration.name)
-        return None if declared is None else symbol(declared, own.index)
+def _has_roots(claim: Claim, said: Sequence[Definition]) -> bool:
+    return any(isinstance(term, Apply) and term.head in ("norm", "root") for term in _written(claim, said))
 
-    return lambda term: replaced(term, given)
+
+def _of_positive(term: Term) -> Term:
+    """Numbers and their rates, each positive and a symbol of its own."""
+    own = term.body if isinstance(term, Derivative) else term
+    if not isinstance(own, Symbol) or own.type.kind != "scalar":
+        return rebuild(term, [_of_positive(child) for child in term.children]) if term.children else term
+    name = replace(own.declaration.name, of=(term,)) if own is not term else own.declaration.name
+    return symbol(replace(own.declaration, name=name, positive=True), own.index)
 
 
 def _with_terms(special: Mapping[Name, Term]) -> Callable[[Term], Term]:

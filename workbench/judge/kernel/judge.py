@@ -35,6 +35,9 @@ from workbench.language.typed.terms import (
     sides_of,
 )
 
+#: How the reason begins where a claim is false under its premise now, and not seen to be so if that lasts.
+UNLESS_IT_LASTS = "false if the condition holds at one"
+
 
 @dataclass(frozen=True)
 class Judge(Setting):
@@ -226,7 +229,7 @@ class Judge(Setting):
             if again.outcome == Outcome.REFUTED:
                 return again
         where = "place only; if everywhere" if has_gradient(sides_of(claim)) else "instant only; if it lasts"
-        reason = f"false if the condition holds at one {where}, state its derivatives too"
+        reason = f"{UNLESS_IT_LASTS} {where}, state its derivatives too"
         return Verdict(Outcome.UNCHECKED, reason=reason)
 
 

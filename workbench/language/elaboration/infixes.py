@@ -31,7 +31,7 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
             if "cross" in heads and len([o for o in operands if o.type.kind != "scalar"]) > 2:
                 raise Fault("several products without brackets are ambiguous", signs[-1].at)
             continue
-        if sign.operator == "∘" and scope.table.has_quaternions:
+        if sign.operator in "∘⊗" and scope.table.has_quaternions:
             result, operand = (_from_column(scope, sign.at, each) for each in (result, operand))
         head = SIGNS[sign.operator]
         if head == "dot" and not (result.type.is_column and operand.type.is_column):
@@ -80,7 +80,8 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
     if head == "cross" and "reach" in scope.table.loose and (last := _last(left)) is not None:
         return scope.apply(at, "dot", last, scope.apply(at, "cross", last, right))
     if head == "outer" and "signs" in scope.table.loose and set(kinds) == {"vector"}:
-        return left
+        is_pure = scope.table.has_quaternions
+        return scope.apply(at, "mul", *map(construct.as_quaternion, (left, right))) if is_pure else left
     if head == "cross" and "vector" not in kinds:
         raise Fault(f"× of a {left.type} and a {right.type}: × is read between vectors", at)
     if head == "compose" and not {"operator", "tensor"} & set(kinds):

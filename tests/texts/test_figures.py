@@ -1,0 +1,82 @@
+r"""Axes of a frame, lengths, what stands at right angles, positive numbers: a figure or a sentence shows them, and a
+model may leave them out. A formula that holds then is asked about; one that is false then, too, is refuted."""
+
+from pathlib import Path
+
+import pytest
+
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.papers.load import load_paper
+from workbench.verify.claims import judge_paper
+
+KINDS = {
+    **dict.fromkeys((r"\mathbf{i}", r"\mathbf{j}", r"\mathbf{k}", r"\mathbf{e}_1", r"\mathbf{e}_2", r"\mathbf{e}_3"), "vector"),
+    **dict.fromkeys((r"\mathbf{u}_r", r"\mathbf{u}_\theta", r"\hat{k}", r"\hat{n}", r"\hat{r}", r"\hat{\theta}", r"\hat{\phi}"), "vector"),
+    **dict.fromkeys((r"\mathbf{a}", r"\mathbf{b}", r"\mathbf{r}", r"\mathbf{n}", r"\vec{r}"), "vector"),
+    **dict.fromkeys(("x", "y", "r", "a", "b", "l", "c", "s", r"\omega", r"\theta", r"\phi", r"\mu"), "scalar"),
+    "R": "tensor", "A": "matrix 2×2", "z": "matrix 2×1",
+}  # fmt: skip
+VELOCITY = r"\dot{r} \hat{r} + r \dot{\theta} \hat{\theta}"
+POLAR = r"\frac{d}{dt}(\dot{r} \mathbf{u}_r + r \dot{\theta} \mathbf{u}_\theta) = (\ddot{r} - r \dot{\theta}^2) \mathbf{u}_r"
+ACROSS = r"(r \ddot{\theta} + 2 \dot{r} \dot{\theta}) \mathbf{u}_\theta"
+UP = r"(\cos\theta \mathbf{i} + \sin\theta \mathbf{j}) \times (\cos\phi \mathbf{i} + \sin\phi \mathbf{j})"
+EXP = r"\exp \tilde{\mathbf{r}} = \mathbf{I} + \frac{\sin r}{r} \tilde{\mathbf{r}}"
+
+#: The formula, what it holds for, and the same formula where it is false for that, too.
+SHOWN = [
+    (r"(x \mathbf{i} + y \mathbf{j}) \cdot (x \mathbf{i} + y \mathbf{j}) = x^2 + y^2", r"\mathbf{i}, \mathbf{j} axes of a frame",
+     r"(x \mathbf{i} + y \mathbf{j}) \cdot (x \mathbf{i} + y \mathbf{j}) = x^2 - y^2"),
+    (r"\mathbf{a} = (\mathbf{a} \cdot \mathbf{e}_1) \mathbf{e}_1 + (\mathbf{a} \cdot \mathbf{e}_2) \mathbf{e}_2 + (\mathbf{a} \cdot \mathbf{e}_3) \mathbf{e}_3",
+     r"\mathbf{e}_{1}, \mathbf{e}_{2}, \mathbf{e}_{3} axes of a frame",
+     r"\mathbf{a} = (\mathbf{a} \cdot \mathbf{e}_1) \mathbf{e}_1 + (\mathbf{a} \cdot \mathbf{e}_2) \mathbf{e}_2 - (\mathbf{a} \cdot \mathbf{e}_3) \mathbf{e}_3"),
+    (rf"({UP}) \cdot \mathbf{{k}} = \sin(\phi - \theta) (\mathbf{{k}} \cdot \mathbf{{k}})", r"\mathbf{i}, \mathbf{j}, \mathbf{k} axes", rf"({UP}) \cdot \mathbf{{k}} = \sin(\theta - \phi) (\mathbf{{k}} \cdot \mathbf{{k}})"),
+    (rf"({VELOCITY}) \cdot ({VELOCITY}) = \dot{{r}}^2 + r^2 \dot{{\theta}}^2", "axes of a frame",
+     rf"({VELOCITY}) \cdot ({VELOCITY}) = \dot{{r}}^2 - r^2 \dot{{\theta}}^2"),
+    (f"{POLAR} + {ACROSS}", r"axes of a frame that turns by \theta", f"{POLAR} - {ACROSS}"),
+    (r"\omega \hat{k} \times (\omega \hat{k} \times \vec{r}) = -\omega^2 \vec{r}", r"a unit \hat{k} at right angles to \vec{r}",
+     r"\omega \hat{k} \times (\omega \hat{k} \times \vec{r}) = \omega^2 \vec{r}"),
+    (r"\mathbf{n} \times (\mathbf{n} \times \mathbf{a}) = -(\mathbf{n} \cdot \mathbf{n}) \mathbf{a}", r"\mathbf{n} at right angles to \mathbf{a}",
+     r"\mathbf{n} \times (\mathbf{n} \times \mathbf{a}) = (\mathbf{n} \cdot \mathbf{a}) \mathbf{n} + (\mathbf{n} \cdot \mathbf{n}) \mathbf{a}"),
+    (rf"{EXP} + \frac{{1 - \cos r}}{{r^2}} \tilde{{\mathbf{{r}}}} \tilde{{\mathbf{{r}}}}", r"r the length of \mathbf{r}",
+     rf"{EXP} - \frac{{1 - \cos r}}{{r^2}} \tilde{{\mathbf{{r}}}} \tilde{{\mathbf{{r}}}}"),
+    (r"\hat{n} \cdot \hat{n} = \hat{k} \cdot \hat{k}", r"a unit \hat{n}, \hat{k}", r"\hat{n} \cdot \hat{n} = 2 \hat{k} \cdot \hat{k}"),
+    (r"\|l \dot{\theta}\| = l \dot{\theta}", "positive numbers", r"\|l \dot{\theta}\| = -l \dot{\theta}"),
+    (r"\sqrt{x^2} = x", "positive numbers", r"\sqrt{x^2} = 2 x"),
+    (r"\begin{bmatrix} c & -s \\ s & c \end{bmatrix}^{-1} = \begin{bmatrix} c & s \\ -s & c \end{bmatrix}", "components of length 1: c, s",
+     r"\begin{bmatrix} c & -s \\ s & c \end{bmatrix}^{-1} = \begin{bmatrix} c & -s \\ -s & c \end{bmatrix}"),
+    (r"\frac{d}{dt}(R \mathbf{a}) = \dot{R} R^T R \mathbf{a}", r"a constant \mathbf{a} and a rotation R",
+     r"\frac{d}{dt}(R \mathbf{a}) = -\dot{R} R^T R \mathbf{a}"),
+    (r"\frac{d}{dt}(\frac{1}{2} x^2 - \frac{\mu}{r}) = x \dot{x} + \frac{\mu}{r^2} \dot{r}", r"a constant \mu",
+     r"\frac{d}{dt}(\frac{1}{2} x^2 - \frac{\mu}{r}) = x \dot{x} - \frac{\mu}{r^2} \dot{r}"),
+    (r"\dot{z} = A z \Rightarrow \ddot{z} = A^2 z", "a constant A", r"\dot{z} = A z \Rightarrow \ddot{z} = -A^2 z"),
+    (r"\mathbf{n} \cdot \mathbf{a} = 0 \Rightarrow \mathbf{n} \times (\mathbf{n} \times \mathbf{a}) = -\mathbf{a}", r"a unit \mathbf{n}",
+     r"\mathbf{n} \cdot \mathbf{a} = 0 \Rightarrow \mathbf{n} \times (\mathbf{n} \times \mathbf{a}) = 2 \mathbf{a}"),
+]  # fmt: skip
+
+#: Where vectors at right angles, or of constant length, would leave nothing of what is claimed, or where nothing helps.
+FALSE = [
+    r"(\mathbf{a} \times \mathbf{b}) \cdot (\mathbf{a} \times \mathbf{b}) = (\mathbf{a} \cdot \mathbf{a}) (\mathbf{b} \cdot \mathbf{b}) + (\mathbf{a} \cdot \mathbf{b})^2",
+    r"\mathbf{a} \times (\mathbf{b} \times \mathbf{r}) = \mathbf{b} (\mathbf{a} \cdot \mathbf{r}) + \mathbf{r} (\mathbf{a} \cdot \mathbf{b})",
+    r"a \mathbf{a} \cdot \mathbf{a} = 2 a^3",
+    r"\mathbf{i} \times (\mathbf{i} \times \mathbf{j}) = \mathbf{j}",
+    r"\frac{d}{dt}(x \mathbf{a} \cdot \mathbf{a}) = x \mathbf{a} \cdot \dot{\mathbf{a}}",
+]  # fmt: skip
+
+
+def verdict(folder: Path, formula: str) -> Verdict:
+    (folder / "p.md").write_text(f"$$ {formula} $$")
+    symbols = "\n".join(f"'{name}' = '{kind}'" for name, kind in KINDS.items())
+    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{symbols}\n")
+    return judge_paper(load_paper(folder / "p.toml"))[-1].verdict
+
+
+@pytest.mark.parametrize(("formula", "what", "false"), SHOWN)
+def test_what_a_figure_shows_is_asked_for(tmp_path: Path, formula: str, what: str, false: str) -> None:
+    asked = verdict(tmp_path, formula)
+    assert asked.outcome is Outcome.UNCHECKED and what in asked.reason
+    assert verdict(tmp_path, false).outcome is Outcome.REFUTED
+
+
+@pytest.mark.parametrize("formula", FALSE)
+def test_no_figure_excuses_what_is_false_with_it(tmp_path: Path, formula: str) -> None:
+    assert verdict(tmp_path, formula).outcome is Outcome.REFUTED

@@ -56,6 +56,7 @@ def test_falsehoods_about_derivatives_are_no_laws(falsehood: str) -> None:
     assert check(falsehood, SYMBOLS).outcome in (Outcome.REFUTED, Outcome.ILL_FORMED)
 
 
+UNIT_COLUMNS = ("(1, 0, 0)", "(0, 1, 0)", "(0, 0, 1)")
 COORDINATES = {
     **{name: {"kind": "scalar", "independent": True} for name in ("x", "y")},
     "V": {"kind": "scalar", "of": ["x", "y"]},
@@ -176,6 +177,62 @@ def test_a_quaternion_of_free_components_is_free(formula: str, outcome: Outcome)
     p = r"\operatorname{quat}(a, \begin{bmatrix} b \\ c \\ c \end{bmatrix})"
     definitions = [f"q = {q}", f"p = {p}"]
     assert check(formula, symbols, definitions=definitions).outcome == outcome
+
+
+WRITTEN_BY_UNITS = {
+    **{
+        name: rf"\operatorname{{quat}}(0, {column})" for name, column in zip("IJK", UNIT_COLUMNS, strict=True)
+    },
+    "q": "h + I x + J y + K f",
+    "W": r"2 \dot{q} q^{-1}",
+    "H": r"K I x + J y",
+}
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\dot{q} = \frac{1}{2} q I", Outcome.UNCHECKED),
+        (r"\dot{q} = \frac{1}{2} V q", Outcome.UNCHECKED),
+        (r"\dot{q}^* = -q^* V", Outcome.UNCHECKED),
+        (r"\dot{q} = \frac{1}{2} W q", Outcome.CONDITIONAL),
+        (r"\dot{q} = \frac{1}{2} q W", Outcome.REFUTED),
+        (r"\dot{q} = \dot{h} + I \dot{x} + J \dot{y} - K \dot{f}", Outcome.REFUTED),
+        (r"\dot{q} = \frac{d}{dt}(h + I x)", Outcome.REFUTED),
+        (r"\frac{d}{dt}(V q) = V \dot{q}", Outcome.REFUTED),
+        (r"\dot{H} = I", Outcome.REFUTED),
+        (r"q = V", Outcome.REFUTED),
+    ],
+)
+def test_a_quaternion_that_is_a_sum_along_its_units_is_free(formula: str, outcome: Outcome) -> None:
+    symbols = {**dict.fromkeys((*WRITTEN_BY_UNITS, "V"), "hamilton quaternion"), **NUMBERS}
+    assert check(formula, symbols, definitions=WRITTEN_BY_UNITS).outcome == outcome
+
+
+RESOLVED = {**dict(zip(("e_1", "e_2", "e_3"), UNIT_COLUMNS, strict=True)), "r": "x e_1 + y e_2 + f e_3"}
+
+
+@pytest.mark.parametrize(
+    ("formula", "named"),
+    [
+        (r"\ddot{r} = -r", r"\ddot{r}"),
+        (r"\dot{v} = -v", r"\dot{v}"),
+        (r"v = 2 r", "v"),
+        (r"\dot{v} = g", r"\dot{v}"),
+        (r"\dot{r} = \dot{x} e_1 + \dot{y} e_2", None),
+        (r"v = \dot{x} e_1 + \dot{y} e_2", None),
+        (r"\dot{v} = \ddot{x} e_1 + g", None),
+        (r"\frac{d}{dt}(h r) = h v", None),
+        ("r = g", None),
+    ],
+)
+def test_a_sum_along_fixed_axes_is_free(formula: str, named: str | None) -> None:
+    symbols = {**dict.fromkeys(("e_1", "e_2", "e_3", "r", "v", "g"), "vector"), **NUMBERS}
+    said = check(formula, symbols, definitions={**RESOLVED, "v": r"\dot{r}"})
+    if named is None:
+        assert said.outcome == Outcome.REFUTED
+    else:
+        assert f"states a law for {named}," in (said.verdict.reason or "")
 
 
 def test_what_a_definition_names_is_still_in_a_law() -> None:

@@ -8,7 +8,7 @@ tells it from a mistaken product rule such as d/dt(f g) = f ġ, which would be a
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from random import Random
@@ -27,7 +27,6 @@ from workbench.language.typed.terms import (
     Relation,
     Symbol,
     Term,
-    column_of_symbols,
 )
 from workbench.language.typed.types import SCALAR, Declaration
 
@@ -53,15 +52,12 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
     if relation.operator != "=" or any(part.type.kind == "operator" for s in sides for part in s.walk()):
         return None
     found: dict[Symbol, list[_Occurrence]] = defaultdict(list)
+    named: dict[Symbol, list[_Occurrence]] = defaultdict(list)
     for side, term in enumerate(sides):
         for symbol, order, alone in _occurrences(term, definitions, 0, True):
-            found[symbol].append(_Occurrence(side, order, alone))
-    groups = [(symbol, (symbol,)) for symbol in found]
-    for whole, entries in [
-        *groups,
-        *_columns(relation, definitions),
-        *_moved(relation, inventory, definitions),
-    ]:
+            kept = found if definitions.lookup(symbol) is None else named
+            kept[symbol].append(_Occurrence(side, order, alone))
+    for whole, entries in [*((s, (s,)) for s in found), *_composed(named, inventory, definitions)]:
         orders = {inventory.orders.get(symbol, 0) for symbol in entries}
         highest = [o for symbol in entries for o in found[symbol] if o.order in orders]
         free = [s for s in entries if _may_be_given(s.declaration)]
@@ -71,8 +67,11 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
                 return None  # ẋ = 0 says that x is constant
             foreign = any(all(o.side != place.side for o in others) for others in found.values())
             alone = all(each.alone for each in highest)
+            said = max(named.get(whole, highest), key=lambda each: each.order)
+            if whole in named and _is_moved_by(entries, whole, definitions):
+                alone = said.alone
             if (alone or foreign) and _has_solutions(relation, inventory, definitions, entries, order):
-                return derivative(whole, order)
+                return derivative(whole, said.order) if said.order else whole
     return None
 
 
@@ -80,51 +79,57 @@ def _may_be_given(declared: Declaration) -> bool:
     return not (declared.constant or declared.of or declared.clock or declared.free)
 
 
-def _columns(relation: Relation, definitions: Lookup) -> Iterator[tuple[Symbol, tuple[Symbol, ...]]]:
-    """The symbols that a definition makes columns of symbols."""
-    for term in dict.fromkeys([*relation.left.walk(), *relation.right.walk()]):
-        if isinstance(term, Symbol) and (entries := column_of_symbols(definitions.lookup(term))):
-            yield term, entries
-
-
-def _moved(
-    relation: Relation, inventory: Inventory, definitions: Lookup
+def _composed(
+    named: Iterable[Symbol], inventory: Inventory, definitions: Lookup
 ) -> Iterator[tuple[Symbol, tuple[Symbol, ...]]]:
-    """The r of r̈ that a definition makes of several symbols, as x i + y j + z k, with those that r̈ holds the
-    highest derivatives of."""
-    for term in dict.fromkeys([*relation.left.walk(), *relation.right.walk()]):
-        if isinstance(term, Derivative) and isinstance(term.body, Symbol):
-            inside = dict.fromkeys(symbol for symbol, *_ in _occurrences(term.body, definitions, 0, True))
-            moving = (symbol for symbol in inside if _may_be_given(symbol.declaration))
-            entries = tuple(s for s in moving if inventory.orders.get(s, 0) == int(term.order))
-            if len(entries) > 1 and term.type.is_column and all(s.type == SCALAR for s in entries):
-                yield term.body, entries
+    """The columns and quaternions that a definition makes of some symbols, as (x, y, z) or x i + y j + z k,
+    with those that the equation differentiates most often."""
+    for whole in named:
+        if whole.type.is_column or whole.type.kind == "quaternion":
+            inside = (s for s in _free_inside(whole, definitions) if _may_be_given(s.declaration))
+            orders = {symbol: inventory.orders.get(symbol, 0) for symbol in inside}
+            entries = tuple(symbol for symbol in orders if orders[symbol] == max(orders.values()))
+            if len(entries) > 1 and all(symbol.type == SCALAR for symbol in entries):
+                yield whole, entries
+
+
+def _is_moved_by(entries: tuple[Symbol, ...], whole: Symbol, definitions: Lookup) -> bool:
+    """Whether nothing else in its definition moves it, as i, j, k and a turning matrix would."""
+    inside = _free_inside(whole, definitions)
+    return all(symbol.declaration.constant or symbol in entries for symbol in inside)
+
+
+def _free_inside(term: Term, definitions: Lookup) -> dict[Symbol, None]:
+    found = (symbol for symbol, *_ in _occurrences(term, definitions, 0, True))
+    return dict.fromkeys(symbol for symbol in found if definitions.lookup(symbol) is None)
 
 
 def _occurrences(
     term: Term, definitions: Lookup, order: int, alone: bool
 ) -> Iterator[tuple[Symbol, int, bool]]:
+    """The symbols in the term, and those in the definitions of these."""
     if isinstance(term, Symbol):
-        body = definitions.lookup(term)
-        if body is None:
-            yield term, order, alone
+        yield term, order, alone
+        if (body := definitions.lookup(term)) is not None:
+            yield from _occurrences(body, definitions, order, alone)
+        else:
             for argument in term.declaration.of:  # with the function its arguments are differentiated
                 yield from _occurrences(argument, definitions, order, False)
-        else:
-            yield from _occurrences(body, definitions, order, alone)
     elif isinstance(term, Derivative):
         yield from _occurrences(term.body, definitions, order + int(term.order), alone)
     else:
         for place, child in enumerate(term.children):
             others = (*term.children[:place], *term.children[place + 1 :])
             is_linear = isinstance(term, Block) or (
-                isinstance(term, Apply) and term.head in _LINEAR and all(map(_is_constant, others))
+                isinstance(term, Apply)
+                and term.head in _LINEAR
+                and all(_is_constant(other, definitions) for other in others)
             )
             yield from _occurrences(child, definitions, order, alone and (not order or is_linear))
 
 
-def _is_constant(term: Term) -> bool:
-    return all(part.declaration.constant for part in term.walk() if isinstance(part, Symbol))
+def _is_constant(term: Term, definitions: Lookup) -> bool:
+    return all(symbol.declaration.constant for symbol in _free_inside(term, definitions))
 
 
 def _has_solutions(

@@ -114,6 +114,21 @@ def test_what_is_written_as_a_definition_of_something_free_is_not_false(sign):
     assert outcome(r"c := a \cdot b") == Outcome.ILL_FORMED
 
 
+@pytest.mark.parametrize("definitions", [(), ["c = a - b"]])
+@pytest.mark.parametrize("sign", [":=", r"\coloneqq"])
+def test_an_assignment_is_no_falsehood(sign, definitions):
+    known = {**AB, "c": "vector"}
+
+    def verdict(latex):
+        return check(latex.replace(":=", sign), known, definitions=definitions).verdict
+
+    for step in (r"c := \frac{c}{\|c\|}", "c := c + a", r"c := c + a, b \neq 0"):
+        assert verdict(step).outcome == Outcome.UNCHECKED
+        assert "an assignment" in verdict(step).reason
+    assert verdict("c = c + a").outcome == Outcome.REFUTED
+    assert verdict("c := b").outcome == (Outcome.REFUTED if definitions else Outcome.DEFINITION)
+
+
 def test_a_recurrence_of_ones_own_beside_the_notation_of_a_paper():
     own = {r"\Psi_1": r"\Phi_1", r"\Psi_{n+1}": r"\dot{\Psi}_n + \Psi_n \Phi_1"}
     assert check(r"\Psi_3 = \Phi_3", definitions=own).holds

@@ -35,6 +35,7 @@ from workbench.papers.model import Claim, Formula, Notation, Said
 
 _EQUALS = (name for name, token in COMMANDS.items() if token == ("RELATION", "="))
 _DEFINES = re.compile(rf":=|\\(?:{'|'.join(_EQUALS)}|stackrel|overset)(?![A-Za-z])")
+_ASSIGNS = re.compile(r":=|\\coloneqq?(?![A-Za-z])")
 
 #: Why an equation with a symbol that nothing defines is not refuted.
 SAYS = "says what {0} is, which nothing defines; a definition of {0} makes it a claim"
@@ -81,20 +82,29 @@ def introduces(formula: Formula, notation: Notation) -> set[Name]:
     if formula.statement is None or not _DEFINES.search(formula.latex):
         return set()
     bound = {symbol.declaration.name for symbol in notation.motion}
-    parts = (part for left in _lefts(formula.statement) for part in left.walk() if isinstance(part, Symbol))
+    lefts = (equation.left for equation in _equations(formula.statement))
+    parts = (part for left in lefts for part in left.walk() if isinstance(part, Symbol))
     free = (part for part in parts if _body(part, notation.definitions) is None)
     return {part.declaration.name for part in free} - bound
 
 
-def _lefts(statement: Statement) -> Iterator[Term]:
+def assigns(formula: Formula) -> bool:
+    """Whether it gives a symbol its next value, as x := x + 1 does."""
+    if formula.statement is None or not _ASSIGNS.search(formula.latex):
+        return False
+    said = _equations(formula.statement)
+    return any(isinstance(each.left, Symbol) and each.left in each.right.walk() for each in said)
+
+
+def _equations(statement: Statement) -> Iterator[Relation]:
     match statement:
-        case Relation(operator="=", left=left):
-            yield left
+        case Relation(operator="="):
+            yield statement
         case Conjunction(parts=parts):
             for part in parts:
-                yield from _lefts(part)
+                yield from _equations(part)
         case Implication(right=right):
-            yield from _lefts(right)
+            yield from _equations(right)
 
 
 def with_said(claims: Sequence[Claim]) -> list[Claim]:

@@ -13,7 +13,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Definition, Relation, Symbol
 from workbench.papers.model import Claim, Notation, Said
-from workbench.papers.said import SAYS, free_in, introduces, terms_of
+from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.rounding import ROUNDED, is_rounded
 
@@ -45,6 +45,8 @@ class Meant:
     def _why_open(self, claim: Claim, verdict: Verdict) -> str | None:
         if claim.states is not None:
             return SAYS.format(claim.states)
+        if assigns(claim.printed):
+            return "an assignment is no equation: left of := is a value after the one on its right"
         if introduces(claim.printed, claim.notation):
             return "says what stands left of its sign of definition, where something is free"
         if claim.corrected is not None:

@@ -63,6 +63,37 @@ def test_another_place_of_an_argument_is_no_factor(place: str) -> None:
     assert "k" in to_latex(said)
 
 
+STEPS = {
+    **{name: {"kind": "scalar"} for name in ("f", "h", r"\Delta t", r"\Delta k", r"\Delta t_i")},
+    "g": {"kind": "vector"},
+    "q": {"kind": "hamilton quaternion"},
+    "T": {"kind": "tensor"},
+    "c": {"kind": "scalar", "constant": True},
+}
+STEPPED = replace(SymbolTable.build(STEPS), arguments=frozenset({Name("t"), Name("k")}))
+
+
+@pytest.mark.parametrize("symbol", ["f", "g", "q", "T", r"\dot{q}", r"\dot{g}"])
+@pytest.mark.parametrize(
+    "step", [r"\Delta t", r"\Delta k", r"2 \Delta t", r"-\Delta t_1", r"\frac{\Delta t}{2}"]
+)
+def test_a_step_of_an_argument_is_no_factor(symbol: str, step: str) -> None:
+    with pytest.raises(ReadError, match="a function of what is in the bracket, or a product"):
+        read(f"{symbol}({step}) = {symbol}", STEPPED)
+    assert read(f"{symbol} [{step}] = ({step}) {symbol}", STEPPED)
+    assert read(f"c({step}) = c", STEPPED)
+
+
+@pytest.mark.parametrize("argument", ["t", "k"])
+@pytest.mark.parametrize("symbol", ["f", "g", "q"])
+def test_what_has_an_argument_in_a_formula_is_no_factor_there(symbol: str, argument: str) -> None:
+    for formula in ("F(A) = F(2 h) + F", "F(2 h) + F = F(A)", r"\dot{F}(A) = F(h + c)"):
+        with pytest.raises(ReadError, match="a function of what is in the bracket, or a product"):
+            read(formula.replace("F", symbol).replace("A", argument), STEPPED)
+    for product in ("F(2 h) = 2 h F", "F(A) = [2 h] F(A)", "F(A) = c(2 h) F"):
+        assert read(product.replace("F", symbol).replace("A", argument), STEPPED)
+
+
 @pytest.mark.parametrize("symbol", ["f", "g"])
 def test_what_is_defined_by_x_is_not_taken_at_y(symbol: str) -> None:
     for x, y in permutations(LETTERS, 2):

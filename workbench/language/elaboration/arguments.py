@@ -7,9 +7,9 @@ from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.naming.declarations import key_spelling
 from workbench.language.naming.scope import Scope
-from workbench.language.naming.spelling import Spelling
+from workbench.language.naming.spelling import Named, Spelling
 from workbench.language.typed.errors import Fault, SpecError
-from workbench.language.typed.names import Name
+from workbench.language.typed.names import PREFIXES, Name
 from workbench.language.typed.terms import (
     Apply,
     Derivative,
@@ -40,7 +40,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
             return False  # u (∇·v)
         raise Fault("a function at another place than its argument; a product needs no bracket", bracket.at)
     if "arguments" in scope.table.loose and bracket.parts and is_accented_symbol(_without_sup(term)):
-        return all(map(_is_name, bracket.parts))
+        return all(_is_name(part) or isinstance(scope.term(part), Symbol) for part in bracket.parts)
     if len(bracket.parts) > 1:
         only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
         if only_says:
@@ -63,25 +63,40 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         if only_says:
             _take_place(scope, bracket, term)
         return only_says
-    if is_accented_symbol(_without_sup(term)) and _may_be_argument(scope, part, term):
-        raise Fault(OR_A_PRODUCT, bracket.at)
+    if is_accented_symbol(_without_sup(term)):
+        if _may_be_argument(scope, part, term):
+            raise Fault(OR_A_PRODUCT, bracket.at)
+        if scope.term(part).type.kind == "scalar" and not _is_constant(function):
+            _refuse_both(scope, bracket, function, is_factor=True)
     return False
 
 
 def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
     """Whether it is a name or a number beside a scalar, a scalar behind a tensor, a time, t - t_0, or another
-    place of a declared argument, k + 1."""
+    place of a declared argument, k + 1 or \\Delta k."""
     value, is_symbol = scope.term(part), is_accented_symbol(function)
     inside = [each.declaration for each in value.walk() if isinstance(each, Symbol)]
-    own = _without_sup(function)
     if any(each.clock for each in inside):
         return is_symbol
-    if {each.name for each in inside} & scope.table.arguments:
-        return not (isinstance(own, Symbol) and own.declaration.constant)
+    kinds = (function.type.kind, value.type.kind)
+    is_difference = isinstance(value, Symbol) and "scalar" in kinds and not _is_name(part)
+    names = {each.name for each in inside}
+    if is_difference or names.union(map(_without_prefix, names)) & scope.table.arguments:
+        return not _is_constant(function)
     if _is_name(part):
-        return "scalar" in (function.type.kind, value.type.kind)
+        return "scalar" in kinds
     is_tensor = function.type.is_square and function.type.kind != "scalar"
     return is_symbol and is_tensor and value.type.kind == "scalar"
+
+
+def _without_prefix(name: Name) -> Name:
+    """t of \\Delta t_k."""
+    return Name(name.letter, tuple(style for style in name.styles if style not in PREFIXES))
+
+
+def _is_constant(function: Term) -> bool:
+    own = _without_sup(function)
+    return isinstance(own, Symbol) and own.declaration.constant
 
 
 def _is_name(part: Node) -> bool:
@@ -128,9 +143,8 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     place = tuple(map(latex_of, parts))
     inside = set().union(*map(_names, parts))
     inside = inside.union(*(scope.table.depends.get(name, ()) for name in inside))
-    for symbol in (each for each in function.walk() if isinstance(each, Symbol)):
-        name = symbol.declaration.name
-        if scope.places.setdefault((name, symbol.index), place) != place:
+    for name, index in _symbols(function):
+        if scope.places.setdefault((name, index), place) != place:
             raise Fault(f"{name} at two places; say what it depends on by a symbol for each", bracket.at)
         if missing := scope.table.depends.get(name, frozenset()) - inside:
             raise Fault(
@@ -139,12 +153,25 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
 
 
 def _take_instant(scope: Scope, bracket: Bracket, function: Term) -> None:
-    """Raises Fault for x(t_0) beside x(t)."""
+    """Raises Fault for x(t_0) beside x(t), and for x(t) beside x times a number in a bracket."""
     instants = tuple(latex_of(part) for part in bracket.parts if _is_instant(part))
-    for symbol in (each for each in function.walk() if isinstance(each, Symbol) and instants):
-        name = symbol.declaration.name
-        if scope.instants.setdefault((name, symbol.index), instants) != instants:
+    for name, index in _symbols(function):
+        if instants and scope.instants.setdefault((name, index), instants) != instants:
             raise Fault(f"{name} at two instants; say each by a symbol of its own", bracket.at)
+    _refuse_both(scope, bracket, function, is_factor=False)
+
+
+def _refuse_both(scope: Scope, bracket: Bracket, function: Term, is_factor: bool) -> None:
+    """Raises Fault where brackets behind a symbol say what it depends on, and multiply it."""
+    for symbol in _symbols(function):
+        places = scope.brackets.setdefault(symbol, {})
+        places.setdefault(is_factor, bracket.at)
+        if len(places) > 1:
+            raise Fault(OR_A_PRODUCT, places[True])
+
+
+def _symbols(function: Term) -> list[Named]:
+    return [(each.declaration.name, each.index) for each in function.walk() if isinstance(each, Symbol)]
 
 
 def _is_instant(part: Node) -> bool:

@@ -65,6 +65,8 @@ class Scope(ABC):
         #: what stands in the bracket behind a symbol and says what it depends on
         self.places: dict[Named, tuple[str, ...]] = {}
         self.instants: dict[Named, tuple[str, ...]] = {}
+        #: where a bracket behind a symbol multiplies it, and where one does not
+        self.brackets: dict[Named, dict[bool, int]] = {}
         #: by a symbol and the letters of the square bracket behind it: what stands there
         self.members: dict[tuple[Named, str], str] = {}
         self.tensor_operand: int | None = None  # where an operator was last applied to a bare tensor

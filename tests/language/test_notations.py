@@ -162,13 +162,31 @@ def test_what_is_not_explained_is_refused(formula: str) -> None:
         {"x^\\wedge": {"where": {"y": "vector"}, "means": "y"}},
         {"[NB]^T": {"means": "1"}},
         {"[NB]_0^{-1}": {"means": "1"}},
+        {"v^2": {"means": "1"}},
+        {"x + y": {"where": {"x": "vector", "y": "vector"}, "means": "x"}},
+        {r"\dot{x}": {"where": {"x": "vector"}, "means": "x"}},
+        {"x_s^B": {"where": {"x": "vector"}, "means": "x"}},
+        {"e_x": {"where": {"x": "vector"}, "means": "x"}},
+        {"x T": {"where": {"x": "vector"}, "means": "x"}},
         {"x^\\wedge = y": {"where": {"x": "vector"}, "means": "x"}},
         {
             "x^\\wedge": {"where": {"x": "vector"}, "means": r"\tilde{x}"},
             "y^\\wedge": {"where": {"y": "vector"}, "means": "2 y"},
         },
     ],
-    ids=["no meaning", "no such letter", "a transpose", "an inverse", "no expression", "two for one"],
+    ids=[
+        *(
+            "no meaning",
+            "no such letter",
+            "a transpose",
+            "an inverse",
+            "a power",
+            "a sum",
+            "a dot",
+            "two scripts",
+        ),
+        *("an argument below", "nothing before it", "no expression", "two for one"),
+    ],
 )
 def test_a_notation_that_cannot_be_used(specs) -> None:
     with pytest.raises(SpecError):
@@ -217,3 +235,47 @@ def test_a_constant_that_means_itself_is_refused_where_it_is_used(specs: dict[st
     table = SymbolTable.build({}).with_notations({key: {"means": means} for key, means in specs.items()})
     with pytest.raises(ReadError, match="deep"):
         read("J_4 = 0", table)
+
+
+BELOW = SymbolTable.build(
+    {name: {"kind": "vector"} for name in ("a", r"\vec{a}", "a_0", r"\vec{b}", "b")}
+    | {"T": {"kind": "tensor"}}
+).with_notations(
+    {
+        r"x_\times": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+        "y_s": {"where": {"y": "tensor"}, "means": r"\operatorname{sym} y"},
+        "x_0": {"where": {"x": "vector"}, "means": "T x"},
+        r"\vec a^0": {"means": r"T \vec{a}"},
+        r"b^{\circ}": {"means": "T b"},
+    }
+)
+
+
+@pytest.mark.parametrize(
+    ("spelt", "meant"),
+    [
+        (r"a_{\times} b", r"\tilde{a} b"),
+        (r"\vec a_\times^2", r"(\operatorname{skew}(\vec{a}))^2"),
+        (r"(a + b)_\times T", r"\operatorname{skew}(a + b) T"),
+        (r"(a + b)_\times^T", r"(\operatorname{skew}(a + b))^T"),
+        (r"T_s", r"\operatorname{sym} T"),
+        (r"(T T^T)_s", r"\operatorname{sym}(T T^T)"),
+        (r"\dot{b}_0", r"T \dot{b}"),
+        (r"\dot{b_0}", r"\frac{d}{dt}(T b)"),
+        (r"\vec a^0 + \vec{a}", r"T \vec{a} + \vec{a}"),
+        (r"b^\circ + b^2 b", r"T b + b^2 b"),
+    ],
+)
+def test_a_mark_below_and_a_name_with_a_mark_above_are_what_they_mean(spelt: str, meant: str) -> None:
+    (relation,) = read(f"{spelt} = {meant}", BELOW)
+    assert relation.left == relation.right
+
+
+@pytest.mark.parametrize(
+    ("formula", "why"), [("T_0 a = a", "the subscript of a tensor"), ("a_1 = b", "unknown")]
+)
+def test_a_mark_below_another_kind_is_refused(formula: str, why: str) -> None:
+    with pytest.raises(ReadError, match=why):
+        read(formula, BELOW)
+    (relation,) = read("a_0 = b", BELOW)  # a declared name comes first
+    assert str(relation.left.declaration.name) == "a_{0}"

@@ -64,6 +64,7 @@ class _Lettering:
         self.bracket = bracket
         self.takes_bracket = False
         self.primes = 0  # those that are signs of the paper
+        self.below: Node | None = None  # such a sign that is yet to be read
 
     def read(self, node: Node, scripts: Scripts, styles: tuple[str, ...]) -> Lettered:
         match node:
@@ -115,7 +116,10 @@ class _Lettering:
                 return term, scripts.sup if sup is None else None
         if (found := self.labelled(core(node), scripts)) is not None:
             return found
-        term = self.scope.term(node) if scripts.sub is None else self.sized(node, scripts.sub)
+        if self.scope.table.notations.below(scripts.sub):
+            term, self.below = self.scope.term(node), scripts.sub
+        else:
+            term = self.scope.term(node) if scripts.sub is None else self.sized(node, scripts.sub)
         for _ in range(scripts.primes):
             term = notated(self.scope, node.at, entries, term, "the prime")
         return term, scripts.sup
@@ -170,6 +174,9 @@ class _Lettering:
             node.primes + outer.primes,
         )
         term, sup = self.read(node.nucleus, scripts, styles)
+        if self.below is not None:
+            entries, at = self.scope.table.notations.below(self.below), self.below.at
+            term, self.below = notated(self.scope, at, entries, term, "the subscript"), None
         if sup is not None and sup is node.sup:
             refuse_other_order(term, node.nucleus, sup)
             if not isinstance(node.nucleus, Bracket):
@@ -190,6 +197,7 @@ class _Lettering:
         self.primes = found.primes
         for _ in range(found.primes):
             term = notated(scope, leaf.at, scope.table.notations.primes(), term, "the prime")
+        self.below = found.below
         return term, found.sup
 
     def meant(self, found: Meaning, leaf: Leaf, scripts: Scripts) -> Term:

@@ -28,13 +28,15 @@ _COMBINATIONS = frozenset((Name("C"), Name("C", ("\\mathbf",)), Name("C", ("\\ma
 class Meaning:
     """what: an integer variable, a symbol of the paper, an entry of [notation], or a name that every formula
     has.   sup: the superscript, where it is no part of that.   takes_bracket: it is a function.
-    primes: how many of the primes are no part of the name, but signs that [notation] explains."""
+    primes: how many of the primes are no part of the name, but signs that [notation] explains.
+    below: the subscript, where it is such a sign."""
 
     what: str | Declaration | Notation | Name
     sup: Node | None
     index: tuple[Linear, ...] = ()
     takes_bracket: bool = False
     primes: int = 0
+    below: Node | None = None
 
     @property
     def name(self) -> Name | str:
@@ -68,11 +70,17 @@ def meaning(
             return Meaning(found[0], sup, found[1], takes_bracket=True)
         if (found := table.find(spelling)) is not None:
             return Meaning(found[0], sup, found[1])
+        if (entry := table.constants.get(spelling.exact)) is not None:
+            return Meaning(entry, sup)
+    if table.notations.below(scripts.sub):
+        bare = meaning(table, variables, leaf, styles, replace(scripts, sub=None), has_bracket)
+        if bare is not None and not bare.primes:
+            return replace(bare, below=scripts.sub)
     if scripts.primes and table.notations.primes():
         fewer = replace(scripts, primes=scripts.primes - 1)
         if (found := meaning(table, variables, leaf, styles, fewer, has_bracket)) is not None:
             return replace(found, primes=found.primes + 1)
-    return constant(table, letter, scripts) or _built_in(letter, scripts)
+    return _built_in(letter, scripts)
 
 
 def constant(table: SymbolTable, letter: Name, scripts: Scripts) -> Meaning | None:

@@ -36,6 +36,7 @@ from workbench.language.typed.types import KINDS, type_of_kind
 Place = Literal["alone", "marked", "beside"]
 
 _ALLOWED = ("where", "means")
+_FORMS = "a bracket, an accent, a mark above or below an argument, a sign behind or between, a word before it"
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +82,8 @@ class Notation:
         if not formals and notation.is_bracket and isinstance(notation.pattern, Scripted):
             sup = notation.pattern.sup
             refuse_operation(Name("", sup=(spell_label(sup) or "",) if sup else ()), key)
+        if not notation.is_looked_for:
+            raise SpecError(f"no formula is searched for this; expected {_FORMS}", key)
         return notation
 
     def fits(self, terms: Mapping[str, Term]) -> bool:
@@ -129,6 +132,26 @@ class Notation:
         match self.pattern:
             case Styled(style=style, body=body) if self._is_formal(body):
                 return style
+        return None
+
+    @property
+    def is_looked_for(self) -> bool:
+        """Whether the reader tries it at anything."""
+        pattern = core(self.pattern)
+        match pattern:
+            case Product(items=(_, Infix())):
+                return True
+            case Product(items=(one, _)):
+                return not self._is_formal(_without_scripts(one))
+        said = (self.accent, self.mark, self.below, self.sign)
+        return any(said) or self.is_prime or self.is_constant or is_shape(pattern)
+
+    @property
+    def below(self) -> Node | None:
+        """The subscript that it puts on its one argument."""
+        match self.pattern:
+            case Scripted(nucleus=nucleus, sub=Node() as sub, sup=None, primes=0) if self._is_formal(nucleus):
+                return core(sub)
         return None
 
     @property
@@ -188,6 +211,9 @@ class Notations:
 
     def marks(self, sup: Node) -> list[Notation]:
         return [entry for entry in self.entries if entry.mark is not None and _same(entry.mark, core(sup))]
+
+    def below(self, sub: Node | None) -> list[Notation]:
+        return [entry for entry in self.entries if entry.below is not None and _same(entry.below, core(sub))]
 
     def primes(self) -> list[Notation]:
         return [entry for entry in self.entries if entry.is_prime]

@@ -127,6 +127,8 @@ class SymbolTable:
             name, index = read_key(entry.key)
             if index or name in self.symbols:
                 raise SpecError("it is a symbol too" if not index else "an index in a notation", entry.key)
+            if name.sup:
+                refuse_operation(name, entry.key)
             constants[name] = entry
         return replace(self, notations=notations, constants=constants)
 

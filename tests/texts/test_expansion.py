@@ -115,6 +115,20 @@ MARKDOWN = [
         ["a = b", "c = d", "e = f", "g = h"],
     ),
     ("mdBook", "\\\\[ a\\_1 = b \\\\]\n\nText \\\\( x \\\\)\n", ["a_1 = b"]),
+    (
+        "GitHub's escapes",
+        "$$\n\\mathbf{q}\\_0 = a\\_{\\text{b\\_c}} + b\\\\_1\n$$\n\n$$\n\\{\\{f_f}*c({d}) } = \\{m * ({r}*\\{v_x})}\n$$\n",
+        [r"\mathbf{q}_0 = a_{\text{b\_c}} + b_1", "{{f_f}*c({d}) } = {m * ({r}*{v_x})}"],
+    ),
+    (
+        "braces that are meant",
+        r"$$ A = \{ a_{1}, \frac{1}{2} \} $$"
+        + "\n\n"
+        + r"$$ {\left\{ a \right.} = \{b\} $$"
+        + "\n\n"
+        + r"$$ a = \{ b $$",
+        [r"A = \{ a_{1}, \frac{1}{2} \}", r"{\left\{ a \right.} = \{b\}", r"a = \{ b"],
+    ),
     ("kramdown", "---\nt: 1\n---\n\nin $$x$$ a line\n\n$$ a = b $$\n", ["a = b"]),
     ("an environment", "\\begin{align}\na &= b \\\\\nc &= d\n\\end{align}\n", ["a &= b \\\\ c &= d"]),
     ("around one", "$$\n\\begin{align*}\na &= b\n\\end{align*}\n$$\n", ["a &= b"]),

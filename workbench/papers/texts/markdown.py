@@ -30,6 +30,12 @@ _SINGLE = re.compile(r"(?<![\\$])\$(?!\$)[^$\n]+\$(?!\$)")
 _NEAR = 200
 _ESCAPED = re.compile(r"\\([!-/:-@\[-`{-~])")
 
+#: What GitHub makes a subscript of, where \\ and _ do not stand in a word.
+_UNDERSCORE = re.compile(
+    r"(?P<kept>\\(?:text\w*|math(?:rm|it|sf|tt)|operatorname\*?|mbox|label|tag|ref)\s*\{[^{}]*\})|\\{1,2}_"
+)
+_BRACE = re.compile(r"\\(?:left|right|[bB]igg?[lrm]?)\s*\\[{}]|\\\\|\\?[{}]")
+
 
 def markdown(view: View) -> Iterator[Found]:
     """The formulas in reading order."""
@@ -65,7 +71,27 @@ def _unmarked(found: Found, escaped: bool) -> Found:
         view = view.replace(_QUOTE, lambda match: "")
     if escaped:
         view = view.replace(_ESCAPED, lambda match: match[1])
+    else:
+        view = view.replace(_UNDERSCORE, lambda match: match["kept"] or "_")
+        braces = _escaped_braces(view.text)
+        view = view.replace(_BRACE, lambda match: match[0][match.start() in braces :])
     return replace(found, view=view)
+
+
+def _escaped_braces(formula: str) -> set[int]:
+    """Where \\{ is the { that Markdown makes of it: before a }, if the others balance then."""
+    opened: list[re.Match[str]] = []
+    said: set[int] = set()
+    for brace in _BRACE.finditer(formula):
+        if brace[0] in ("{", "\\{"):
+            opened.append(brace)
+        elif brace[0] in ("}", "\\}"):
+            if not opened or (brace[0], opened[-1][0]) == ("\\}", "{"):
+                return set()
+            opening = opened.pop()
+            if opening[0][:-1] != brace[0][:-1]:
+                said.add(opening.start())
+    return set() if opened else said
 
 
 def _fenced(view: View, inner: int, inner_end: int, start: int, label: str) -> Found:

@@ -75,6 +75,10 @@ SAME = [
     (r"\partial(s^2)/\partial s", r"\frac{\partial (s^2)}{\partial s}"),
     (r"\begin{Bmatrix} s \\ \alpha \end{Bmatrix}", r"\begin{bmatrix} s \\ \alpha \end{bmatrix}"),
     (r"a_ns", "a_n s"),
+    (r"a \times b \cdot c", r"(a \times b) \cdot c"),
+    (r"s a \cdot b \times 2 c", r"(s a) \cdot (b \times (2 c))"),
+    (r"\sum_{i=1}^3 -s a_i", r"\sum_{i=1}^3 (-s a_i)"),
+    (r"b - 2 \sum_{i=1}^3 -a_i - c", r"b - 2 \sum_{i=1}^3 (-a_i) - c"),
 ]
 
 
@@ -85,7 +89,9 @@ def test_one_reading(printed: str, meant: str) -> None:
 
 REFUSED = [
     (r"a \times b \times c", 12, "several products"),
-    (r"a \times b \cdot c", 12, "several products"),
+    (r"a \times b \cdot c \cdot a", 20, "several products"),
+    (r"a \times b \cdot T", 12, "several products"),
+    (r"\sum_{i=1}^3 + s", 1, "the sum has no body"),
     (r"a \cdot b \cdot c", 11, "several products"),
     (r"a \otimes b \cdot c", 13, "several products"),
     (r"a \times -b", 3, "nothing after ×"),

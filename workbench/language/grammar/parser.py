@@ -27,6 +27,7 @@ from workbench.language.grammar.syntax import (
     Lines,
     Matrix,
     Node,
+    Product,
     Scripted,
     Styled,
     Sum,
@@ -81,9 +82,16 @@ class _Builder(Transformer):
         for child in children:
             if isinstance(child, Token):
                 sign = (str(child), child.start_pos)
+            elif sign[0] == "-" and addends and _lacks_body(addends[-1][2]):
+                *before, head = addends.pop()
+                items = head.items if isinstance(head, Product) else (head,)
+                body = Group(sign[1], (Sum(sign[1], ((*sign, child),)),))
+                addends.append((*before, Product(head.at, (*items, body))))
             else:
                 addends.append((*sign, child))
-        return Sum(addends[0][1], tuple(addends))
+        return (
+            addends[0][2] if len(addends) == 1 and not addends[0][0] else Sum(addends[0][1], tuple(addends))
+        )
 
     def product(self, children):
         return in_a_row(children[0].at, children)
@@ -164,6 +172,11 @@ class _Builder(Transformer):
 
     def environment(self, children):
         return children[1]
+
+
+def _lacks_body(node: Node) -> bool:
+    """Whether it ends in a \\sum, as before the sign of \\sum_i -x_i."""
+    return isinstance(node.items[-1] if isinstance(node, Product) else node, Summation)
 
 
 def _braced(argument: Node) -> Node:

@@ -94,6 +94,9 @@ SPELLED = [
         )
     ),
     (r"(2) \qquad x = y", ["x = y"]),
+    (r"L:\ x = y \\ R: \quad a = b", ["x = y", "a = b"]),
+    (r"f:\ A \to B", [r"f:\ A \to B"]),
+    (r"L: x = y", ["L: x = y"]),
     (r"x = y \; (2)", [r"x = y \; (2)"]),
     (r"x = y \quad z (2)", [r"x = y \quad z (2)"]),
     (r"x \in \R^3", [r"x \in\mathbb{R}^3"]),

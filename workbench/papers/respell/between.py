@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbench.papers.respell.places import FACES, braced, group, is_one_symbol, past, printed
+from workbench.papers.respell.places import FACES, ahead, braced, group, is_one_symbol, past, printed
 from workbench.papers.texts import Token
 
 _SPACES_OF_A_WORD = frozenset({"\\ ", "\\\n", "~", "\\;", "\\enspace"})
@@ -15,6 +15,7 @@ _SIGNS = frozenset(
 )
 #: What relates or separates the parts of a bracket in another way, or ends it as a large one.
 _NO_ROW = _SIGNS | frozenset([";", "|", "\\text", "\\mathrm", "\\in", "\\right", "\\left"])
+_ARROWS = frozenset(["\\to", "\\rightarrow", "\\longrightarrow", "\\mapsto", "\\longmapsto"])
 _ENDS_A_SUM = frozenset(["=", "&", "+", "-", ",", ".", "\\\\"])
 
 
@@ -46,6 +47,19 @@ def wide_space(tokens: list[Token], place: int) -> tuple[list[Token], int] | Non
     end = past(tokens, place)
     count = sum(token.text in _SPACES_OF_A_WORD for token in tokens[place:end])
     return ([tokens[place].standing_for("\\quad")], end) if count > 1 else None
+
+
+def name_of_a_formula(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """L:\\ a = b, with a space, as a = b: a map has an arrow."""
+    colon = past(tokens, place + 1)
+    before = ahead(tokens, place)
+    is_first = before is None or tokens[before].text == "\\\\"
+    if not (is_first and printed(tokens[colon : colon + 1]) == [":"] and is_one_symbol(tokens[place:colon])):
+        return None
+    texts = [token.text for token in tokens[colon + 1 :]]
+    row = texts[: texts.index("\\\\")] if "\\\\" in texts else texts
+    is_spaced = bool((_SPACES_OF_A_WORD | _WIDE) & {*row[:1]})
+    return ([], colon + 1) if is_spaced and _ARROWS.isdisjoint(row) else None
 
 
 def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:

@@ -6,7 +6,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import dropwhile, pairwise
 
-from workbench.papers.respell.between import net_sum, row_of_a_matrix, transposed_row, wide_space
+from workbench.papers.respell.between import (
+    name_of_a_formula,
+    net_sum,
+    row_of_a_matrix,
+    transposed_row,
+    wide_space,
+)
 from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, braced, group, past, printed
 from workbench.papers.respell.rates import at_a_label, derivative_by_name, seen_from
 from workbench.papers.texts import Token
@@ -262,6 +268,7 @@ def _script_on_the_left(tokens: list[Token], place: int) -> tuple[list[Token], i
 
 _BETWEEN = (transposed_row, wide_space, row_of_a_matrix, net_sum)
 _PATTERNS = (
+    name_of_a_formula,
     _script_on_the_left,
     _over,
     _inverse_function,

@@ -95,6 +95,8 @@ SPELLED = [
     ),
     (r"(2) \qquad x = y", ["x = y"]),
     (r"L:\ x = y \\ R: \quad a = b", ["x = y", "a = b"]),
+    (r"\begin{aligned} x &= a + \\ & - b + \\ &+ c \end{aligned}", ["x = a - b + c"]),
+    (r"\begin{aligned} x &= a - \\ & - b \end{aligned}", ["x = a - - b"]),
     (r"f:\ A \to B", [r"f:\ A \to B"]),
     (r"L: x = y", ["L: x = y"]),
     (r"x = y \; (2)", [r"x = y \; (2)"]),

@@ -56,7 +56,7 @@ def name_of_a_formula(tokens: list[Token], place: int) -> tuple[list[Token], int
     is_first = before is None or tokens[before].text == "\\\\"
     if not (is_first and printed(tokens[colon : colon + 1]) == [":"] and is_one_symbol(tokens[place:colon])):
         return None
-    texts = [token.text for token in tokens[colon + 1 :]]
+    texts = [token.text for token in tokens[colon + 1 :] if token.text != " "]
     row = texts[: texts.index("\\\\")] if "\\\\" in texts else texts
     is_spaced = bool((_SPACES_OF_A_WORD | _WIDE) & {*row[:1]})
     return ([], colon + 1) if is_spaced and _ARROWS.isdisjoint(row) else None

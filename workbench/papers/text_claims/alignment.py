@@ -66,7 +66,11 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
                 line = Line(cell, [(cell[-1], row.number, row.labels)], opens)
                 before = in_column.get(column)
                 if before is not None and _goes_on(before, line):
-                    before.tokens += [line.tokens[0].standing_for(" "), *line.tokens]
+                    before.tokens = [
+                        *_without_plus(before.tokens, line.tokens[0]),
+                        line.tokens[0].standing_for(" "),
+                        *line.tokens,
+                    ]
                     before.rows += line.rows
                 else:
                     made.append(line)
@@ -128,6 +132,12 @@ def _holds_equations(tokens: list[Token]) -> bool:
     """Whether each row of what is written as a matrix is one equation."""
     rows = [{token.text for token in top(row)} for row in _split(tokens[1:-1], "\\\\") if _stripped(row)]
     return all(row & EQUALITIES and "&" not in row for row in rows)
+
+
+def _without_plus(row: list[Token], first: Token) -> list[Token]:
+    """a + of a row before - b, where the sign stands at both ends: + b or - b is added."""
+    kept = _stripped(row)
+    return kept[:-1] if kept[-1].text == "+" and first.text in ("+", "-") else row
 
 
 def _goes_on(before: Line, line: Line) -> bool:

@@ -82,6 +82,9 @@ def test_a_step_of_an_argument_is_no_factor(symbol: str, step: str) -> None:
         read(f"{symbol}({step}) = {symbol}", STEPPED)
     assert read(f"{symbol} [{step}] = ({step}) {symbol}", STEPPED)
     assert read(f"c({step}) = c", STEPPED)
+    if step in (r"\Delta t", r"\Delta k"):  # a symbol, as f(h) of a scalar h is asked about, too
+        with pytest.raises(ReadError, match="or a product"):
+            read(f"{symbol}({step}) = {symbol}", replace(STEPPED, arguments=frozenset()))
 
 
 @pytest.mark.parametrize("argument", ["t", "k"])

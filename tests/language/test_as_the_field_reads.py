@@ -76,7 +76,7 @@ SAME = [
     (r"\begin{Bmatrix} s \\ \alpha \end{Bmatrix}", r"\begin{bmatrix} s \\ \alpha \end{bmatrix}"),
     (r"a_ns", "a_n s"),
     (r"a \times b \cdot c", r"(a \times b) \cdot c"),
-    (r"s a \cdot b \times 2 c", r"(s a) \cdot (b \times (2 c))"),
+    (r"s a \times b \cdot 2 c", r"(s a \times b) \cdot (2 c)"),
     (r"\sum_{i=1}^3 -s a_i", r"\sum_{i=1}^3 (-s a_i)"),
     (r"b - 2 \sum_{i=1}^3 -a_i - c", r"b - 2 \sum_{i=1}^3 (-a_i) - c"),
 ]

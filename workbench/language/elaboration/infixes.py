@@ -18,10 +18,8 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
     if _turns_often(scope, operands, signs):
         return construct.apply("cross", operands[0], infix(scope, operands[1:], signs[1:]))
     if _is_triple(scope, operands, signs):
-        place = [sign.operator for sign in signs].index("×")
-        turned = scope.apply(signs[place].at, "cross", *operands[place : place + 2])
-        factors = [*operands[:place], turned, *operands[place + 2 :]]
-        return scope.apply(signs[1 - place].at, "dot", *factors)
+        turned = scope.apply(signs[0].at, "cross", *operands[:2])
+        return scope.apply(signs[1].at, "dot", turned, operands[2])
     result = operands[0]
     heads = set()
     for sign, operand in zip(signs, operands[1:], strict=True):
@@ -63,8 +61,8 @@ def _turns_often(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool
 
 
 def _is_triple(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool:
-    """Whether it is a × b · c or a · b × c of three vectors, where a number has no × ."""
-    if sorted(sign.operator for sign in signs) != ["·", "×"] or {o.type.kind for o in operands} != {"vector"}:
+    """Whether it is a × b · c of three vectors: × has no number behind it."""
+    if [sign.operator for sign in signs] != ["×", "·"] or {o.type.kind for o in operands} != {"vector"}:
         return False
     return all(explained(scope, sign, *operands[:2]) is None for sign in signs)
 

@@ -31,11 +31,12 @@ _ORDERS = {
 }
 #: A case that words set apart.
 _SPECIAL = re.compile(
+    r"(?!if \w+ (?:want|wish|prefer|would like) to use the same \w+ (?!(?:as|at|for|in|of|on|with)\b)\w)(?:"
     r"\b(?:special|particular|limiting|degenerate|this|that) case\b|\bin the limit\b"
     r"|\bapproach(?:es|ing)?\b|\btends? to\b|\b(?:close|near) to\b|"
     r"\b(?:approximat|lineari[sz]|neglect|ignor|negligib)\w*|\bfirst[- ]order\b|\bsmall[- ]angle|"
     r"\b(?:for|at|if|when|where|in the case)\b[^.,;:]*\b(?:degrees?|zero|parallel|perpendicular|orthogonal"
-    r"|aligned|coincid\w+|pure|planar|small|constant|stationary|at rest|identity|the same|vanish\w*)\b",
+    r"|aligned|coincid\w+|pure|planar|small|constant|stationary|at rest|identity|the same|vanish\w*)\b)",
     re.IGNORECASE,
 )
 _TURNED = str.maketrans("<>≤≥", "><≥≤")

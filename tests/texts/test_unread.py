@@ -1,5 +1,5 @@
-r"""What a text says of a symbol in a formula that is not read: a value is judged with, a law of a rate leaves what
-holds at an instant, and anything else keeps a formula that is false for a free symbol from being refuted."""
+r"""What a text says of a symbol in a formula that is not read: a value is judged with, and anything else keeps a
+formula that is false for a free symbol from being refuted."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ VALUES = [
     (r"\theta = 0", r"x \tan\theta + y = y + 2 x \tan\theta", r"x \tan\theta + y = 2 y + x \tan\theta"),
     (r"\theta = 270^\circ", r"x \dot{\theta} + y = y - x \dot{\theta} \sin\theta + x \cos\theta", r"x \dot{\theta} + y = x + y + x \dot{\theta}"),
     ("m = 2", "x m + y = y + m^2 x / 2", "x m + y = y + m^2 x"),
-    ("m = -0.5", "x m + y = y - 2 m^2 x", "x m + y = y + 2 m^2 x"),
+    ("m = -2", "2 x m + y = y - m^2 x", "2 x m + y = y + m^2 x"),
     ("m = 0", "x m + y = y + m^2 x", "x m + y = 2 y + m^2 x"),
     ("m = 3", r"x \dot{m} + y = y + 2 x \dot{m}", r"x \dot{m} + y = x + y + 2 x \dot{m}"),
 ]  # fmt: skip
@@ -35,18 +35,16 @@ OPEN = [
     (r"\theta = 0$, $\theta = 90^\circ", r"x \cos\theta + y = y + 2 x \cos\theta"),
     (r"\theta = 90^\circ, 270^\circ", r"x \cos\theta + y = y + 2 x \cos\theta"),
     (r"\theta = 90^\circ", r"\frac{d}{dt}(m v) + v \cos\theta = m \dot{v} + 2 v \cos\theta"),
+    ("m = 1.5", "x m + y = y + 2 x m"),
+    (r"\theta = 90", r"x \cos\theta + y = y + 2 x \cos\theta"),
     (r"m(0) = 2", "x m + y = y + m^2 x"),
     (r"m = 5 \,\text{g}", "x m + y = y + m^2 x"),
     (r"m = \int x", "x m + y = y + m^2 x"),
-    (r"\dot{m} = \int x", r"x m + y \dot{m} = 2 x m + y \dot{m}"),
-    (r"\ddot{m} = \int x", r"x m + y \dot{m} = 2 x m + y \dot{m}"),
+    (r"\dot{m} = \int x", "x m + y = y + 2 x m"),
     (r"\dot{m} = 0", "x m + y = y + 2 x m"),
-    (r"\dot{m} = \mathbf{0}", "x m + y = y + 2 x m"),
-    (r"\dot{m} = \dot{x} = 0", "x m + y = y + 2 x m"),
-    (r"\dot{m} = \text{const.}", "x m + y = y + 2 x m"),
-    (r"\dot{m} = \int x$, $m = \int \int x", "x m + y = y + 2 x m"),
+    (r"\ddot{m} = 3", "x m + y = y + 2 x m"),
+    (r"m = 2$, $m = \int x", "x m + y = y + 2 x m"),
 ]
-RATES = [r"\dot{m} = \int x", r"\ddot{m} = \frac{m}{\int x}", r"\dot m = - \sum x", r"\dot{m} = \alpha"]
 
 
 def outcomes(folder: Path, said: str, *displays: str) -> list[Outcome]:
@@ -69,15 +67,6 @@ def test_a_formula_is_judged_with_the_value_that_the_text_gives(
 @pytest.mark.parametrize(("said", "formula"), OPEN)
 def test_what_says_more_leaves_a_falsehood_open(tmp_path: Path, said: str, formula: str) -> None:
     assert outcomes(tmp_path, said, formula) == [Outcome.UNCHECKED]
-
-
-@pytest.mark.parametrize("said", RATES)
-def test_a_law_of_a_rate_says_nothing_of_an_instant(tmp_path: Path, said: str) -> None:
-    false = "x m + y = y + 2 x m"
-    assert outcomes(tmp_path, said, false) == [Outcome.REFUTED]
-    assert outcomes(
-        tmp_path, said, rf"\frac{{d}}{{dt}}({false.split(' =')[0]}) = \dot{{x}} m + \dot{{y}}"
-    ) == [Outcome.UNCHECKED]
 
 
 def test_a_value_and_a_definition_of_the_text_may_make_it_true_together(tmp_path: Path) -> None:

@@ -4,15 +4,14 @@ false for a free symbol."""
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 
 from workbench.language.definitions import expand
 from workbench.language.typed.construct import apply, derivative, number, relation, zero
-from workbench.language.typed.operators import CIRCULAR
+from workbench.language.typed.operators import CIRCULAR, OF_ANGLES
 from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term, sides_of
 from workbench.language.typed.types import Declaration
 from workbench.papers.model import Aside, Claim
@@ -20,10 +19,9 @@ from workbench.papers.texts import Display
 
 _WHY = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
-_DOTS = re.compile(r"\\(d+)ot(?![A-Za-z])")
-_NUMBER = re.compile(r"[+-]?\d+(?:\.\d+)?")
+_DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
+_WHOLE = re.compile(r"[+-]?\d+")
 _RIGHT_ANGLE = re.compile(r"([+-]|\\pm)?(?:(\d+)(?:\^\\circ|[°˚]|\\degree)|(\\pi)|\\[dt]?frac\\pi2|\\pi/2)")
-_REST = re.compile(r"(?:^|=)-?0|const", re.IGNORECASE)
 _COSINES = (1, 0, -1, 0)
 
 
@@ -36,10 +34,6 @@ class Unread:
     line: int
 
     @cached_property
-    def order(self) -> int:
-        return sum(len(dots) for dots in _DOTS.findall(self.left))
-
-    @cached_property
     def latex(self) -> str:
         return " ".join(f"{self.left}={self.right}".split())
 
@@ -48,10 +42,10 @@ class Unread:
         return f"line {self.line}: {text if len(text) <= 60 else f'{text[:59]}…'}"
 
     def asides(self, own: Symbol, terms: Sequence[Term]) -> list[Aside]:
-        """That the symbol has its value always, where this is a number or a right angle; none where it says
+        """That the symbol has its value always, where this is a whole number or a right angle; none where it says
         anything else, or the symbol stands where the sines of an angle do not say what the terms are."""
         top, is_turn = _top(own, terms), _is_turn(own, terms)
-        is_value = not self.order and not _ARGUMENTS.search(self.left.rstrip(" :"))
+        is_value = not _DOTS.search(self.left) and not _ARGUMENTS.search(self.left.rstrip(" :"))
         if top is None or own.type.kind != "scalar" or not is_value:
             return []
         right = re.sub(r"[\s{}]|\\[,;!]", "", self.right).rstrip(".,;")
@@ -59,19 +53,12 @@ class Unread:
             premises = [relation("=", apply("cos", own), number(_COSINES[quarters % 4]))]
             if "\\pm" not in right or quarters % 2 == 0:
                 premises.append(relation("=", apply("sin", own), number(_COSINES[(quarters - 1) % 4])))
-        elif match := _NUMBER.fullmatch(right):
-            value = Fraction(match[0])
-            premises = [relation("=", own, number(value) if value else zero())]
+        elif _WHOLE.fullmatch(right) and not any(_is_of_an_angle(part, own) for part in _parts(terms)):
+            premises = [relation("=", own, number(int(right)) if int(right) else zero())]
         else:
             return []
         premises += [relation("=", derivative(own, order + 1), zero()) for order in range(top)]
         return [Aside(self.latex, self.line, premise) for premise in premises]
-
-    @cached_property
-    def is_of_a_rate(self) -> bool:
-        """Whether it is a law of a rate: of rest, more follows than what the rate is."""
-        right = re.sub(r"\\[A-Za-z]+|[\s{}.,;]", "", self.right)
-        return self.order > 0 and _REST.search(right) is None
 
 
 def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
@@ -97,8 +84,6 @@ def left_open(
         for unread in said.get(_flat(str(declaration.name)), ()):
             terms = _expanded(claim)
             own = _own(declaration, terms)
-            if own and unread.is_of_a_rate and _top(own, terms) == 0:
-                continue
             values = unread.asides(own, terms) if own and with_values else []
             if not values:
                 return _WHY.format(declaration.name, unread), []
@@ -117,7 +102,7 @@ def _quarters(right: str) -> int | None:
 
 def _flat(name: str) -> str:
     """The name, without the dots of its derivatives: what says what \\dot{x} is says something of x."""
-    return re.sub(r"[\s{}&]|\\(?:left|right|,|;|!)|\\d+ot(?![A-Za-z])", "", name)
+    return re.sub(r"[\s{}&]|\\(?:left|right|,|;|!)", "", _DOTS.sub("", name))
 
 
 def _expanded(claim: Claim) -> list[Term]:
@@ -128,9 +113,18 @@ def _expanded(claim: Claim) -> list[Term]:
     return []
 
 
+def _parts(terms: Sequence[Term]) -> Iterator[Term]:
+    for term in terms:
+        yield from term.walk()
+
+
+def _is_of_an_angle(term: Term, own: Symbol) -> bool:
+    return isinstance(term, Apply) and term.head in OF_ANGLES and own in term.walk()
+
+
 def _own(declaration: Declaration, terms: Sequence[Term]) -> Symbol | None:
     """The symbol in the terms; None where it is a family, or seen at several instants, or not at all."""
-    parts = [part for term in terms for part in term.walk() if isinstance(part, Symbol)]
+    parts = [part for part in _parts(terms) if isinstance(part, Symbol)]
     own = {part for part in parts if part.declaration == declaration}
     is_one = len(own) == 1 and not any(part.index or part.arguments for part in own)
     return own.pop() if is_one and not any(part.declaration.clock for part in parts) else None
@@ -138,7 +132,7 @@ def _own(declaration: Declaration, terms: Sequence[Term]) -> Symbol | None:
 
 def _top(own: Symbol, terms: Sequence[Term]) -> int | None:
     """The order of the highest derivative of the symbol that can be in the terms."""
-    rates = [part for term in terms for part in term.walk() if isinstance(part, Derivative)]
+    rates = [part for part in _parts(terms) if isinstance(part, Derivative)]
     orders = {rate.order for rate in rates if own in rate.body.walk()}
     return sum(each.constant for each in orders) if all(each.is_number for each in orders) else None
 

@@ -30,6 +30,7 @@ VALUES = [
 OPEN = [
     (r"\theta = 30^\circ", r"x \sin\theta + y = y + 2 x \sin^2\theta"),
     (r"\theta = 180^\circ", r"x \cos\frac{\theta}{2} + y = y + 2 x \cos\frac{\theta}{2}"),
+    (r"\theta = 90^\circ", r"2 x \cos\frac{\theta}{2} + y \sin\theta = \sqrt{2} x + y \sin^2\theta"),
     (r"\theta = 90^\circ", r"x \theta + x \cos\theta = x \theta + 2 x \cos\theta"),
     (r"\theta = 90^\circ$, $\theta = 0", r"x \cos\theta + y = y + 2 x \cos\theta"),
     (r"\theta = 0$, $\theta = 90^\circ", r"x \cos\theta + y = y + 2 x \cos\theta"),

@@ -42,7 +42,7 @@ class Unread:
         return f"line {self.line}: {text if len(text) <= 60 else f'{text[:59]}…'}"
 
     def asides(self, own: Symbol, terms: Sequence[Term]) -> list[Aside]:
-        """That the symbol has its value always, where this is a whole number or a right angle; none where it says
+        """That the symbol has its value always, if it is a whole number or a right angle; none where it says
         anything else, or the symbol stands where the sines of an angle do not say what the terms are."""
         top, is_turn = _top(own, terms), _is_turn(own, terms)
         is_value = not _DOTS.search(self.left) and not _ARGUMENTS.search(self.left.rstrip(" :"))

@@ -13,7 +13,7 @@ KINDS = {**dict.fromkeys((r"\theta", r"\phi", "x", "y", "z", "m"), "scalar"), "v
 
 #: What the text says, a formula that is true with it and false in general, and one that is false with it, too.
 VALUES = [
-    (r"\theta = \pm 90^{\circ }", r"x \cos\theta + y = y + 2 x \cos\theta", r"x \cos\theta + y = 2 y + x \cos\theta"),
+    (r"\theta = \pm 90^{\circ }", r"x \cos\theta + y = y + 2 x \cos\theta", r"x \sin\theta + y = y + x \sin^2\theta"),
     (r"\theta = \pm\frac{\pi}{2}", r"x \sin\theta + y = y + x \sin^3\theta", r"x \sin\theta + y = y - x \sin\theta"),
     (r"\theta = 90\degree", r"x \sin\theta + y = y + x \sin^2\theta", r"x \sin\theta + y = y - x \sin^2\theta"),
     (r"\theta = -90°", r"x \sin\theta + y = y - x \sin^2\theta", r"x \sin\theta + y = y + x \sin^2\theta"),
@@ -30,7 +30,7 @@ VALUES = [
 OPEN = [
     (r"\theta = 30^\circ", r"x \sin\theta + y = y + 2 x \sin^2\theta"),
     (r"\theta = 180^\circ", r"x \cos\frac{\theta}{2} + y = y + 2 x \cos\frac{\theta}{2}"),
-    (r"\theta = 90^\circ", r"2 x \cos\frac{\theta}{2} + y \sin\theta = \sqrt{2} x + y \sin^2\theta"),
+    (r"\theta = 360^\circ", r"x \cos\frac{\theta}{2} + y \cos\frac{\theta}{2} = y \cos\frac{\theta}{2} - x"),
     (r"\theta = 90^\circ", r"x \theta + x \cos\theta = x \theta + 2 x \cos\theta"),
     (r"\theta = 90^\circ$, $\theta = 0", r"x \cos\theta + y = y + 2 x \cos\theta"),
     (r"\theta = 0$, $\theta = 90^\circ", r"x \cos\theta + y = y + 2 x \cos\theta"),

@@ -11,7 +11,7 @@ from functools import cached_property
 
 from workbench.language.definitions import expand
 from workbench.language.typed.construct import apply, derivative, number, relation, zero
-from workbench.language.typed.operators import CIRCULAR, OF_ANGLES
+from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term, sides_of
 from workbench.language.typed.types import Declaration
 from workbench.papers.model import Aside, Claim
@@ -53,7 +53,7 @@ class Unread:
             premises = [relation("=", apply("cos", own), number(_COSINES[quarters % 4]))]
             if "\\pm" not in right or quarters % 2 == 0:
                 premises.append(relation("=", apply("sin", own), number(_COSINES[(quarters - 1) % 4])))
-        elif _WHOLE.fullmatch(right) and not any(_is_of_an_angle(part, own) for part in _parts(terms)):
+        elif _WHOLE.fullmatch(right):
             premises = [relation("=", own, number(int(right)) if int(right) else zero())]
         else:
             return []
@@ -116,10 +116,6 @@ def _expanded(claim: Claim) -> list[Term]:
 def _parts(terms: Sequence[Term]) -> Iterator[Term]:
     for term in terms:
         yield from term.walk()
-
-
-def _is_of_an_angle(term: Term, own: Symbol) -> bool:
-    return isinstance(term, Apply) and term.head in OF_ANGLES and own in term.walk()
 
 
 def _own(declaration: Declaration, terms: Sequence[Term]) -> Symbol | None:

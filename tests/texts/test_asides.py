@@ -115,6 +115,7 @@ def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
         ("We neglect what is of second order:", Outcome.UNCHECKED),
         ("These are proper accounts, and of the second order", Outcome.REFUTED),
         ("If we differentiate this, we have", Outcome.REFUTED),
+        ("If we use the same vectors but turn both, then", Outcome.UNCHECKED),
         ("The axes may be parallel. For any motion", Outcome.REFUTED),
         ("For example, whatever they are:", Outcome.REFUTED),
     ],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from workbench.judge.subject.assumptions import Unsatisfiable
@@ -12,7 +13,7 @@ from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Definition, Relation, Symbol
-from workbench.papers.model import Claim, Notation, Said
+from workbench.papers.model import Claim, Formula, Notation, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.rounding import ROUNDED, is_rounded
@@ -61,7 +62,7 @@ class Meant:
         statement = claim.printed.statement
         if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
             return "the sides are equal in places: are they said to differ always, or in general?"
-        if (why := self._if_special(claim, ())) is not None:
+        if why := self._if_special(claim, ()) or (claim.beside and self._if_special(_beside(claim), ())):
             return why
         unused = (said for said in claim.rests if said.statement not in claim.supposed)
         rests = [said for said in unused if not self._is_known(said, claim.notation)]
@@ -73,9 +74,10 @@ class Meant:
             from workbench.judge.kernel.judge import Judge
 
             known = Definitions([*claim.notation.definitions, *definitions.values()])
+            supposed = _beside(claim).supposed
             with suppress(Unsatisfiable):
                 judge = Judge(known, **self._options)
-                under = undisturbed(lambda: judge.judge(statement, claim.supposed, orders=claim.orders))
+                under = undisturbed(lambda: judge.judge(statement, supposed, orders=claim.orders))
         shown = ", ".join(f"{said.name} ({said.place})" for said in rests)
         if under is not None and under.outcome is Outcome.PROVED:
             return f"holds with what the text says of {shown}; a definition makes it proved"
@@ -110,17 +112,16 @@ class Meant:
 
     def _under_asides(self, claim: Claim, refuted: Verdict) -> Verdict:
         """What is false as it stands may be meant under what the sentences around it suppose."""
-        premises = [aside.premise for aside in claim.beside if aside.premise is not None]
         verdict = Verdict(Outcome.UNCHECKED)
         with suppress(Unsatisfiable):
-            judge = self._judge_of(claim.notation)
-            supposed = (*claim.supposed, *premises)
+            judge, supposed = self._judge_of(claim.notation), _beside(claim).supposed
             verdict = undisturbed(lambda: judge.judge(claim.printed.statement, supposed, orders=claim.orders))
         against = verdict.counterexample
         is_allowed = against is not None and all(aside.allows(against.values) for aside in claim.beside)
         if verdict.outcome is Outcome.REFUTED and is_allowed:
             return verdict
-        shown = ", ".join(f"{aside.latex} (line {aside.line})" for aside in claim.beside[:5])
+        said = dict.fromkeys(f"{aside.latex} (line {aside.line})" for aside in claim.beside)
+        shown = ", ".join(list(said)[:5])
         what = "holds with" if verdict.outcome is Outcome.PROVED else "false without"
         reason = f"{what} what the text says beside it, {shown}; an `assume` of it makes it a claim"
         return _open(reason, refuted)
@@ -170,6 +171,12 @@ def _is_said_beside(claim: Claim) -> bool:
     premises = (aside.premise for aside in claim.beside if aside.premise is not None)
     parts = (part for premise in premises for part in terms_of(premise))
     return any(part.declaration.name == claim.says_of for part in parts if isinstance(part, Symbol))
+
+
+def _beside(claim: Claim) -> Claim:
+    """The claim under what its text supposes beside it."""
+    premises = (Formula(aside.latex, aside.premise) for aside in claim.beside if aside.premise is not None)
+    return replace(claim, assume=(*claim.assume, *premises))
 
 
 def _open(why: str, verdict: Verdict) -> Verdict:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from workbench.language.typed.names import Name
@@ -23,11 +23,10 @@ from workbench.language.typed.terms import (
 from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import SAYS, terms_of
-from workbench.papers.texts import Display, Text
+from workbench.papers.text_claims.unread import left_open, said_unread
+from workbench.papers.texts import Text
 
-_UNREAD = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
 _EXAMPLE = "gives the numbers of an example, which nothing defines; a definition makes it a claim"
-_ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _NO_ADJUGATE = "^* is read as the adjugate, of which the text does not speak; [notation] can say what it is"
 _COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
@@ -35,7 +34,7 @@ _COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 
 def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
     """Each claim with what of the text leaves its falsehood open."""
-    unread = _said_unread(claims, text.inline)
+    unread = said_unread(claims, text.inline)
     made = []
     for claim in claims:
         statement = claim.printed.statement
@@ -44,45 +43,17 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             symbols = [term.declaration for term in terms_of(statement) if isinstance(term, Symbol)]
             open_columns = {each.name for each in symbols if _is_open(claim, each, symbols)}
             free = [each for each in symbols if each.name not in known - open_columns and not each.free]
-            why = _of_unread(free, unread) or _of_components(free, claim) or _of_a_star(statement, text)
+            why = _of_components(free, claim) or _of_a_star(statement, text)
             within = _within(claim, symbols)
             says_of = _solved_for(statement, free, within)
             says = None if says_of is None else SAYS.format(says_of)
             if says is None and (free or within - known - _declared_free(claim)):
                 says = of_an_example(statement)
-            claim = replace(claim, unsettled=why, says=says, says_of=says_of)
+            open_by, values = left_open(free, claim, unread, with_values=says is None)
+            beside = (*claim.beside, *values)
+            claim = replace(claim, unsettled=open_by or why, says=says, says_of=says_of, beside=beside)
         made.append(claim)
     return made
-
-
-def _said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, str]:
-    """What stands before an = in a formula that is not read, or in a sentence; its line and formula."""
-    unread = [each for each in claims if each.printed.statement is None and not each.chain]
-    said = [(each.printed.latex, each.line) for each in unread]
-    said += [(each.latex, each.line) for each in inline]
-    found: dict[str, str] = {}
-    for latex, line in said:
-        left, equals, _ = latex.partition("=")
-        if equals:
-            found.setdefault(_ARGUMENTS.sub("", _flat(left.rstrip(" :"))), _place(line, latex))
-    return found
-
-
-def _place(line: int, latex: str) -> str:
-    text = " ".join(latex.split())
-    return f"line {line}: {text if len(text) <= 60 else f'{text[:59]}…'}"
-
-
-def _flat(name: str) -> str:
-    """The name, without the dots of its derivatives: what says what \\dot{x} is says something of x."""
-    return re.sub(r"[\s{}&]|\\(?:left|right|,|;|!)|\\d+ot(?![A-Za-z])", "", name)
-
-
-def _of_unread(free: Sequence[Declaration], unread: Mapping[str, str]) -> str | None:
-    for declaration in free:
-        if place := unread.get(_flat(str(declaration.name))):
-            return _UNREAD.format(declaration.name, place)
-    return None
 
 
 def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:

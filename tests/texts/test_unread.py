@@ -1,0 +1,82 @@
+r"""What a text says of a symbol in a formula that is not read: a value is judged with, and anything else keeps a
+formula that is false for a free symbol from being refuted."""
+
+from pathlib import Path
+
+import pytest
+
+from workbench.judge.verdict import Outcome
+from workbench.papers.load import load_paper
+from workbench.verify.claims import judge_paper
+
+KINDS = {**dict.fromkeys((r"\theta", r"\phi", "x", "y", "z", "m"), "scalar"), "v": "vector"}
+
+#: What the text says, a formula that is true with it and false in general, and one that is false with it, too.
+VALUES = [
+    (r"\theta = \pm 90^{\circ }", r"x \cos\theta + y = y + 2 x \cos\theta", r"x \sin\theta + y = y + x \sin^2\theta"),
+    (r"\theta = \pm\frac{\pi}{2}", r"x \sin\theta + y = y + x \sin^3\theta", r"x \sin\theta + y = y - x \sin\theta"),
+    (r"\theta = 90\degree", r"x \sin\theta + y = y + x \sin^2\theta", r"x \sin\theta + y = y - x \sin^2\theta"),
+    (r"\theta = -90°", r"x \sin\theta + y = y - x \sin^2\theta", r"x \sin\theta + y = y + x \sin^2\theta"),
+    (r"\theta=\pi.", r"x \cos\theta + y = y - x \cos^2\theta", r"x \cos\theta + y = y + x \cos^2\theta"),
+    (r"\theta = 0", r"x \tan\theta + y = y + 2 x \tan\theta", r"x \tan\theta + y = 2 y + x \tan\theta"),
+    (r"\theta = 270^\circ", r"x \dot{\theta} + y = y - x \dot{\theta} \sin\theta + x \cos\theta", r"x \dot{\theta} + y = x + y + x \dot{\theta}"),
+    ("m = 2", "x m + y = y + m^2 x / 2", "x m + y = y + m^2 x"),
+    ("m = -2", "2 x m + y = y - m^2 x", "2 x m + y = y + m^2 x"),
+    ("m = 0", "x m + y = y + m^2 x", "x m + y = 2 y + m^2 x"),
+    ("m = 3", r"x \dot{m} + y = y + 2 x \dot{m}", r"x \dot{m} + y = x + y + 2 x \dot{m}"),
+]  # fmt: skip
+
+#: What it says, and a formula that may be true with it.
+OPEN = [
+    (r"\theta = 30^\circ", r"x \sin\theta + y = y + 2 x \sin^2\theta"),
+    (r"\theta = 180^\circ", r"x \cos\frac{\theta}{2} + y = y + 2 x \cos\frac{\theta}{2}"),
+    (r"\theta = 360^\circ", r"x \cos\frac{\theta}{2} + y \cos\frac{\theta}{2} = y \cos\frac{\theta}{2} - x"),
+    (r"\theta = 90^\circ", r"x \theta + x \cos\theta = x \theta + 2 x \cos\theta"),
+    (r"\theta = 90^\circ$, $\theta = 0", r"x \cos\theta + y = y + 2 x \cos\theta"),
+    (r"\theta = 0$, $\theta = 90^\circ", r"x \cos\theta + y = y + 2 x \cos\theta"),
+    (r"\theta = 90^\circ, 270^\circ", r"x \cos\theta + y = y + 2 x \cos\theta"),
+    (r"\theta = 90^\circ", r"\frac{d}{dt}(m v) + v \cos\theta = m \dot{v} + 2 v \cos\theta"),
+    ("m = 1.5", "x m + y = y + 2 x m"),
+    (r"\theta = 90", r"x \cos\theta + y = y + 2 x \cos\theta"),
+    (r"m(0) = 2", "x m + y = y + m^2 x"),
+    (r"m = 5 \,\text{g}", "x m + y = y + m^2 x"),
+    (r"m = \int x", "x m + y = y + m^2 x"),
+    (r"\dot{m} = \int x", "x m + y = y + 2 x m"),
+    (r"\dot{m} = 0", "x m + y = y + 2 x m"),
+    (r"\ddot{m} = 3", "x m + y = y + 2 x m"),
+    (r"m = 2$, $m = \int x", "x m + y = y + 2 x m"),
+]
+
+
+def outcomes(folder: Path, said: str, *displays: str) -> list[Outcome]:
+    (folder / "p.md").write_text(
+        f"Note this (${said}$)!\n\n" + "\n\n".join(f"$$ {each} $$" for each in displays)
+    )
+    kinds = "\n".join(f"'{name}' = '{kind}'" for name, kind in KINDS.items())
+    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{kinds}\n")
+    return [result.verdict.outcome for result in judge_paper(load_paper(folder / "p.toml"))]
+
+
+@pytest.mark.parametrize(("said", "true", "false"), VALUES)
+def test_a_formula_is_judged_with_the_value_that_the_text_gives(
+    tmp_path: Path, said: str, true: str, false: str
+) -> None:
+    assert outcomes(tmp_path, said, true, false) == [Outcome.UNCHECKED, Outcome.REFUTED]
+    assert outcomes(tmp_path, "z", true, false) == [Outcome.REFUTED] * 2
+
+
+@pytest.mark.parametrize(("said", "formula"), OPEN)
+def test_what_says_more_leaves_a_falsehood_open(tmp_path: Path, said: str, formula: str) -> None:
+    assert outcomes(tmp_path, said, formula) == [Outcome.UNCHECKED]
+
+
+def test_a_value_and_a_definition_of_the_text_may_make_it_true_together(tmp_path: Path) -> None:
+    definition, follows = "z = x + x^2", r"z \sin\theta + z y = x + x^2 \sin\theta + z y"
+    assert outcomes(tmp_path, r"\theta = 90^\circ", definition, follows) == [Outcome.UNCHECKED] * 2
+    false = follows.replace("= x", "= 2 x")
+    assert outcomes(tmp_path, r"\theta = 90^\circ", definition, false) == [Outcome.UNCHECKED, Outcome.REFUTED]
+
+
+def test_a_value_leaves_open_what_a_formula_says(tmp_path: Path) -> None:
+    """It may be of an example, while the formula says what m is."""
+    assert outcomes(tmp_path, "m = 2", "x y m = x^2 + x + y") == [Outcome.UNCHECKED]

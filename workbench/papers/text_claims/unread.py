@@ -1,0 +1,144 @@
+"""What a text says of a symbol in a formula that is not read, and whether it leaves another one open that is
+false for a free symbol."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+
+from workbench.language.definitions import expand
+from workbench.language.typed.construct import apply, derivative, number, relation, zero
+from workbench.language.typed.operators import CIRCULAR
+from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term, sides_of
+from workbench.language.typed.types import Declaration
+from workbench.papers.model import Aside, Claim
+from workbench.papers.texts import Display
+
+_WHY = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
+_ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
+_DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
+_WHOLE = re.compile(r"[+-]?\d+")
+_RIGHT_ANGLE = re.compile(r"([+-]|\\pm)?(?:(\d+)(?:\^\\circ|[°˚]|\\degree)|(\\pi)|\\[dt]?frac\\pi2|\\pi/2)")
+_COSINES = (1, 0, -1, 0)
+
+
+@dataclass(frozen=True)
+class Unread:
+    """left = right, on a line of the text."""
+
+    left: str
+    right: str
+    line: int
+
+    @cached_property
+    def latex(self) -> str:
+        return " ".join(f"{self.left}={self.right}".split())
+
+    def __str__(self) -> str:
+        text = self.latex
+        return f"line {self.line}: {text if len(text) <= 60 else f'{text[:59]}…'}"
+
+    def asides(self, own: Symbol, terms: Sequence[Term]) -> list[Aside]:
+        """That the symbol has its value always, if it is a whole number or a right angle; none where it says
+        anything else, or the symbol stands where the sines of an angle do not say what the terms are."""
+        top, is_turn = _top(own, terms), _is_turn(own, terms)
+        is_value = not _DOTS.search(self.left) and not _ARGUMENTS.search(self.left.rstrip(" :"))
+        if top is None or own.type.kind != "scalar" or not is_value:
+            return []
+        right = re.sub(r"[\s{}]|\\[,;!]", "", self.right).rstrip(".,;")
+        if (quarters := _quarters(right)) is not None and is_turn:
+            premises = [relation("=", apply("cos", own), number(_COSINES[quarters % 4]))]
+            if "\\pm" not in right or quarters % 2 == 0:
+                premises.append(relation("=", apply("sin", own), number(_COSINES[(quarters - 1) % 4])))
+        elif _WHOLE.fullmatch(right):
+            premises = [relation("=", own, number(int(right)) if int(right) else zero())]
+        else:
+            return []
+        premises += [relation("=", derivative(own, order + 1), zero()) for order in range(top)]
+        return [Aside(self.latex, self.line, premise) for premise in premises]
+
+
+def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
+    """By what stands before an =: the formulas that are not read, or in a sentence."""
+    unread = [each for each in claims if each.printed.statement is None and not each.chain]
+    said = [(each.printed.latex, each.line) for each in unread]
+    said += [(each.latex, each.line) for each in inline]
+    found: dict[str, list[Unread]] = {}
+    for latex, line in said:
+        left, equals, right = latex.partition("=")
+        if equals:
+            name = _ARGUMENTS.sub("", _flat(left.rstrip(" :")))
+            found.setdefault(name, []).append(Unread(left, right, line))
+    return found
+
+
+def left_open(
+    free: Sequence[Declaration], claim: Claim, said: Mapping[str, list[Unread]], with_values: bool
+) -> tuple[str | None, list[Aside]]:
+    """Why the claim is open by what is said of its free symbols; where it only gives them values, these."""
+    asides: list[Aside] = []
+    for declaration in free:
+        for unread in said.get(_flat(str(declaration.name)), ()):
+            terms = _expanded(claim)
+            own = _own(declaration, terms)
+            values = unread.asides(own, terms) if own and with_values else []
+            if not values:
+                return _WHY.format(declaration.name, unread), []
+            asides += values
+    return None, asides
+
+
+def _quarters(right: str) -> int | None:
+    """How many right angles it is, where it is some."""
+    if right in ("0", "-0"):
+        return 0
+    match = _RIGHT_ANGLE.fullmatch(right)
+    degrees = int(match[2] or (180 if match[3] else 90)) if match else 1
+    return None if degrees % 90 else degrees // 90 * (-1 if match[1] == "-" else 1)
+
+
+def _flat(name: str) -> str:
+    """The name, without the dots of its derivatives: what says what \\dot{x} is says something of x."""
+    return re.sub(r"[\s{}&]|\\(?:left|right|,|;|!)", "", _DOTS.sub("", name))
+
+
+def _expanded(claim: Claim) -> list[Term]:
+    sides = list(sides_of(claim.printed.statement))
+    sides += [side for supposed in claim.supposed for side in sides_of(supposed)]
+    with suppress(IllFormed):
+        return [expand(side, claim.notation.definitions) for side in sides]
+    return []
+
+
+def _parts(terms: Sequence[Term]) -> Iterator[Term]:
+    for term in terms:
+        yield from term.walk()
+
+
+def _own(declaration: Declaration, terms: Sequence[Term]) -> Symbol | None:
+    """The symbol in the terms; None where it is a family, or seen at several instants, or not at all."""
+    parts = [part for part in _parts(terms) if isinstance(part, Symbol)]
+    own = {part for part in parts if part.declaration == declaration}
+    is_one = len(own) == 1 and not any(part.index or part.arguments for part in own)
+    return own.pop() if is_one and not any(part.declaration.clock for part in parts) else None
+
+
+def _top(own: Symbol, terms: Sequence[Term]) -> int | None:
+    """The order of the highest derivative of the symbol that can be in the terms."""
+    rates = [part for part in _parts(terms) if isinstance(part, Derivative)]
+    orders = {rate.order for rate in rates if own in rate.body.walk()}
+    return sum(each.constant for each in orders) if all(each.is_number for each in orders) else None
+
+
+def _is_turn(own: Symbol, terms: Sequence[Term]) -> bool:
+    """Whether only sines and the like are taken of it, and its rates."""
+
+    def is_turn(term: Term) -> bool:
+        if isinstance(term, Derivative) or (isinstance(term, Apply) and term.head in CIRCULAR):
+            return term.children == (own,) or all(map(is_turn, term.children))
+        return term != own and all(map(is_turn, term.children))
+
+    return all(map(is_turn, terms))

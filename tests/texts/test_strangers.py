@@ -485,3 +485,48 @@ def test_a_vector_with_0_above_may_be_declared(tmp_path: Path, formula: str, exp
         "'a_1^0' = 'vector'\n[definitions]\na = 'R a^0'\n"
     )
     assert outcomes(tmp_path, f"$$ {formula} $$", model) == [expected]
+
+
+PRODUCTS = (
+    r"\begin{bmatrix} 0 \\ a \end{bmatrix} \begin{bmatrix} 0 \\ b \end{bmatrix}",
+    r"\begin{bmatrix} 0 \\ b \end{bmatrix} \begin{bmatrix} 0 \\ a \end{bmatrix}",
+)
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (rf"{PRODUCTS[0]} - {PRODUCTS[1]} = 2 \begin{{bmatrix}} 0 \\ a \times b \end{{bmatrix}}", "proved"),
+        (
+            rf"{PRODUCTS[0]} + {PRODUCTS[1]} = -2 \begin{{bmatrix}} a \cdot b \\ 0 \\ 0 \\ 0 \end{{bmatrix}}",
+            "proved",
+        ),
+        (rf"{PRODUCTS[0]} - {PRODUCTS[1]} = \begin{{bmatrix}} 0 \\ a \times b \end{{bmatrix}}", "refuted"),
+        (
+            r"\begin{bmatrix} 1 \\ 2 \\ 3 \end{bmatrix} \begin{bmatrix} x \\ y \\ z \end{bmatrix} = x",
+            "unchecked",
+        ),
+    ],
+)
+def test_columns_of_four_beside_each_other_are_quaternions(
+    tmp_path: Path, formula: str, expected: str
+) -> None:
+    model = "[conventions]\nquaternion = 'hamilton, scalar first'\n[symbols]\na = 'vector'\nb = 'vector'\n"
+    model += "x = 'scalar'\ny = 'scalar'\nz = 'scalar'\nq = 'quaternion'\n"
+    assert outcomes(tmp_path, f"$$ {formula} $$", model) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        ("d = 10 - 239 \\varepsilon", "unchecked"),
+        ("d = 0", "refuted"),
+        ("d = 2 f + \\varepsilon g", "refuted"),
+    ],
+)
+def test_the_number_that_a_defined_symbol_has_in_an_example(
+    tmp_path: Path, formula: str, expected: str
+) -> None:
+    model = "[symbols]\nd = 'dual scalar'\nf = 'scalar'\ng = 'scalar'\n"
+    model += "[definitions]\nd = 'f + g \\varepsilon'\n"
+    assert outcomes(tmp_path, f"$$ {formula} $$", model) == [expected]

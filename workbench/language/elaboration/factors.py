@@ -16,7 +16,8 @@ from workbench.language.grammar.syntax import (
 from workbench.language.naming.scope import Scope
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.terms import IllFormed, Integer, Number, Term
+from workbench.language.typed.shapes import scalar_and_vector
+from workbench.language.typed.terms import Block, IllFormed, Integer, Number, Term
 
 
 @dataclass(slots=True)
@@ -71,7 +72,10 @@ class Row:
             raise Fault("three vectors beside each other; write (a b) \\cdot c", factors[-1].at)
         if last.kind == this.kind == "quaternion" and any(other.columns == 4 for other in others):
             raise Fault("a matrix before a product of quaternions: bracket one of them", factors[-1].at)
-        return self.scope.apply(factors[-1].at, "mul", result, factors[-1].term)
+        pair = (result, factors[-1].term)
+        if self.scope.table.has_quaternions and all(map(_is_scalar_above_vector, pair)):
+            pair = tuple(map(construct.as_quaternion, pair))
+        return self.scope.apply(factors[-1].at, "mul", *pair)
 
     def operand(self, factor: Factor, more: Sequence[Factor]) -> None:
         """An operator acts on the factor; refused where it may act on more than that."""
@@ -89,6 +93,11 @@ class Row:
             with self.scope.nested(self.items[place].at):
                 self._known[place] = self._read(self, place)
         return self._known[place]
+
+
+def _is_scalar_above_vector(term: Term) -> bool:
+    """Whether it is a quaternion that is written as a column of four: (s; x), or its components."""
+    return isinstance(term, Block) and term.type.rows == 4 and scalar_and_vector(term) is not None
 
 
 def _is_integer(factor: Factor) -> bool:

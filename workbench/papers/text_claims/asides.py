@@ -32,6 +32,7 @@ _ORDERS = {
 #: A case that words set apart.
 _SPECIAL = re.compile(
     r"\b(?:special|particular|limiting|degenerate|this|that) case\b|\bin the limit\b"
+    r"|\bif\b[^.;:$\\]*\bthen\b|\bof the form\b"
     r"|\bapproach(?:es|ing)?\b|\btends? to\b|\b(?:close|near) to\b|"
     r"\b(?:approximat|lineari[sz]|neglect|ignor|negligib)\w*|\bfirst[- ]order\b|\bsmall[- ]angle|"
     r"\b(?:for|at|if|when|where|in the case)\b[^.,;:]*\b(?:degrees?|zero|parallel|perpendicular|orthogonal"

@@ -128,7 +128,13 @@ def _solved_for(statement: Statement, free: Sequence[Declaration], within: set[N
 def of_an_example(statement: Statement) -> str | None:
     """What free symbols make in an example, a matrix of numbers."""
     equations = [each for each in _concluded(statement) if each.operator in ("=", "≈")]
-    is_example = any(_is_value(each.left) != _is_value(each.right) for each in equations)
+    symbols = [term for term in terms_of(statement) if isinstance(term, Symbol)]
+    is_example = any(
+        _is_value(each.left) != _is_value(each.right)
+        or ([each.left] == symbols and _is_number(each.right))
+        or ([each.right] == symbols and _is_number(each.left))
+        for each in equations
+    )
     return _EXAMPLE if is_example else None
 
 
@@ -163,6 +169,13 @@ def _is_value(term: Term) -> bool:
     return any(isinstance(part, Number) for part in parts) and not any(
         isinstance(part, Symbol) for part in parts
     )
+
+
+def _is_number(term: Term) -> bool:
+    """Whether it is made of numbers, and is no 0."""
+    parts = list(term.walk())
+    has_number = any(isinstance(part, Number) and part.value != 0 for part in parts)
+    return has_number and not any(isinstance(part, Symbol) for part in parts)
 
 
 def _is_zero(term: Term) -> bool:

@@ -10,6 +10,7 @@ from workbench.language.typed.construct import apply, symbol
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.operators import OPERATORS
+from workbench.language.typed.signatures import function, of_square, times
 from workbench.language.typed.terms import IllFormed, Symbol, Unread
 from workbench.language.typed.types import OPERATOR, QUATERNION, Declaration, Type, Weight
 
@@ -258,3 +259,36 @@ def test_what_is_meant_by_a_product_that_has_no_meaning(left: str, right: str, i
 def test_it_says_what_it_takes(head: str, letter: str, words: str) -> None:
     with pytest.raises(IllFormed, match=words):
         apply(head, of(letter))
+
+
+@pytest.mark.parametrize("gives", [None, KINDS["s"]])
+@pytest.mark.parametrize("degree", [None, 1, 2])
+@pytest.mark.parametrize("letter", KINDS)
+def test_the_signature_of_a_function_of_square_matrices(
+    gives: Type | None, degree: int | None, letter: str
+) -> None:
+    signature = of_square(gives, degree)
+    if letter in "th":
+        for dual in (False, True):
+            argument = of(letter, TWICE, dual)
+            rows = SIZES[letter][0]
+            expected = (gives or KINDS[letter]).with_dual(dual), TWICE * (degree or rows)
+            assert signature((argument,)) == expected
+    else:
+        with pytest.raises(IllFormed, match="expected a tensor, got a"):
+            signature((of(letter),))
+
+
+@pytest.mark.parametrize("factor", [-1, 1, 2])
+@pytest.mark.parametrize("takes", [("vector",), ("vector", "scalar"), ("scalar", "tensor", "vector")])
+def test_the_signature_of_a_function(factor: int, takes: tuple[str, ...]) -> None:
+    signature = function(takes, KINDS["t"], times(factor))
+    letters = [kind[0] for kind in takes]
+    assert signature(tuple(map(of, letters))) == (KINDS["t"], TWICE * factor)
+    assert signature((of(letters[0], None), *map(of, letters[1:]))) == (KINDS["t"], None)
+    for place in range(len(takes)):
+        mixed = [of(letter, TWICE, i == place) for i, letter in enumerate(letters)]
+        assert signature(tuple(mixed))[0] == KINDS["t"].with_dual(True)
+        mixed[place] = of("o")
+        with pytest.raises(IllFormed, match=r"an? (scalar|vector|tensor)"):
+            signature(tuple(mixed))

@@ -7,8 +7,14 @@ import pytest
 from tests.language.test_beside_equations import TABLE, reads
 from workbench import check
 from workbench.judge.verdict import Outcome
+from workbench.language.elaboration.sets import members_of
+from workbench.language.grammar.parser import parse
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula
+from workbench.language.typed.construct import apply, relation, symbol, zero
+from workbench.language.typed.errors import Fault
+from workbench.language.typed.names import Name
+from workbench.language.typed.types import Declaration
 
 
 @pytest.mark.parametrize(
@@ -263,3 +269,85 @@ def test_a_set_is_all_of_the_members_of_another_only_if_it_is_the_same(
     known: str, domain: str, outcome: Outcome
 ) -> None:
     assert check(rf"{known} = \{{ M \mid M \in {domain} \}}", {"x": "vector"}).verdict.outcome == outcome
+
+
+TENSORS = r"L(\mathbf{V}_3, \mathbf{V}_3)"
+OF_DUALS = r"\mathbf{L}(\underline{\mathbf{V}}_3, \underline{\mathbf{V}}_3)"
+MATRICES = r"\mathcal{M}_{2 \times 5}(\mathbb{R})"
+
+
+@pytest.mark.parametrize(
+    ("spelt", "name", "kind", "trait"),
+    [
+        (r"\mathbb{R}", r"\mathbb{R}", "scalar", ""),
+        (r"\underline{\mathbb{R}}", r"\underline{\mathbb{R}}", "dual scalar", ""),
+        (r"\mathbf{V}_3", r"\mathbf{V}_{3}", "vector", ""),
+        (r"\mathbf{V}", r"\mathbf{V}", "vector", ""),
+        (r"\mathbf{V}_3^{\mathbb{R}}", r"\mathbf{V}_{3}^{\mathbb{R}}", "vector", ""),
+        (r"\underline{\mathbf{V}}_3", r"\underline{\mathbf{V}}_{3}", "dual vector", ""),
+        (r"E_3", "E_{3}", "vector", ""),
+        (r"\mathbb{R}^3", r"\mathbb{R}^{3}", "vector", ""),
+        (r"\mathbb{R}^1", r"\mathbb{R}^{1}", "scalar", ""),
+        (r"\mathbb{R}^{12}", r"\mathbb{R}^{12}", "matrix 12×1", ""),
+        (r"\mathbb{R}^{6 \times 7}", r"\mathbb{R}^{6 \times 7}", "matrix 6×7", ""),
+        (r"SO(3)", "SO(3)", "tensor", "rotation"),
+        (r"\mathbf{SO}_3", r"\mathbf{SO}_{3}", "tensor", "rotation"),
+        (r"\underline{SO}_3", r"\underline{SO}_{3}", "dual tensor", "rotation"),
+        (r"\mathfrak{so}_3", r"\mathfrak{so}_{3}", "tensor", "skew"),
+        (r"\mathbb{S}^2", r"\mathbb{S}^{2}", "vector", "unit"),
+        (r"SE(3)", "SE(3)", "matrix 4×4", "displacement"),
+        (TENSORS, r"L(\mathbf{V}_{3}, \mathbf{V}_{3})", "tensor", ""),
+        (OF_DUALS, r"L(\underline{\mathbf{V}}_{3}, \underline{\mathbf{V}}_{3})", "dual tensor", ""),
+        (MATRICES, MATRICES, "matrix 2×5", ""),
+        (
+            r"\mathcal{M}_{3 \times 3}(\underline{\mathbb{R}})",
+            r"\mathcal{M}_{3 \times 3}(\underline{\mathbb{R}})",
+            "dual tensor",
+            "",
+        ),
+    ],
+)
+def test_the_members_of_each_set(spelt: str, name: str, kind: str, trait: str) -> None:
+    ((node,),) = parse(spelt).lines
+    members = members_of(node)
+    assert (members.name, str(members.type), members.trait) == (name, kind, trait)
+    letter = members.letter(Name("a"))
+    flags = {"unit": letter.unit, "rotation": letter.rotation, "displacement": letter.transform}
+    assert letter.constant and letter.type == members.type
+    assert {flag for flag, has in flags.items() if has} == {trait} - {"", "skew"}
+
+
+@pytest.mark.parametrize(
+    "spelt",
+    [
+        "Q",
+        r"\mathbb{R}^0",
+        r"\mathbb{R}^{n}",
+        r"\mathbf{V}_4",
+        "SO(2)",
+        r"\mathbb{S}^3",
+        r"\mathcal{M}_{0 \times 3}(\mathbb{R})",
+        r"\mathcal{M}_{11 \times 10}(\mathbb{R})",
+        r"\mathcal{M}_{2 \times 3}(\mathbf{V}_3)",
+        r"\mathcal{M}_{2}(\mathbb{R})",
+        r"L(\mathbf{V}_3, \mathbb{R})",
+        r"L(\mathbf{V}_3)",
+        r"K(\mathbf{V}_3, \mathbf{V}_3)",
+    ],
+)
+def test_what_is_no_set_that_is_known(spelt: str) -> None:
+    ((node,),) = parse(spelt).lines
+    try:
+        assert members_of(node) is None
+    except Fault as refused:
+        assert "expected a set" in str(refused)
+
+
+@pytest.mark.parametrize("dual", [False, True])
+@pytest.mark.parametrize("spelt", [r"\mathbf{V}_3", r"\mathbb{R}", TENSORS])
+def test_a_dual_member_of_a_real_set_has_no_dual_part(spelt: str, dual: bool) -> None:
+    ((node,),) = parse(spelt).lines
+    members = members_of(node)
+    term = symbol(Declaration(Name("a"), members.type.with_dual(dual)))
+    conditions = members.conditions(term)
+    assert conditions == ([relation("=", apply("du", term), zero(members.type))] if dual else [])

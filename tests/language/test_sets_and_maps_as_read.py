@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.language.test_beside_equations import TABLE, reads
+from tests.language.as_read import TABLE, reads
 from workbench import check
 from workbench.judge.verdict import Outcome
 from workbench.language.elaboration.sets import members_of

@@ -300,3 +300,9 @@ def test_what_is_differentiated_by_keeps_its_scripts_where_an_order_stands_on_it
     first = rf"\frac{{{sign} f}}{{{sign} {printed}}}"
     term_reads(once, first, kinds)
     term_reads(rf"\frac{{{d}^2 f}}{{{d} {by}^2}}", rf"\frac{{{sign} {first}}}{{{sign} {printed}}}", kinds)
+
+
+@pytest.mark.parametrize("name", [r"\atan2", r"\arctan2", "atan2", r"\operatorname{atan2}", r"\mathrm{atan2}"])
+@pytest.mark.parametrize("inside", [r"(\lambda, \mu)", r"\left(\lambda, \mu\right)", r" (\lambda, \mu)"])
+def test_spellings_of_the_angle_of_two(name: str, inside: str) -> None:
+    term_reads(name + inside, r"\operatorname{atan2}\left(\lambda, \mu\right)", PLAIN)

@@ -302,7 +302,43 @@ def test_what_is_differentiated_by_keeps_its_scripts_where_an_order_stands_on_it
     term_reads(rf"\frac{{{d}^2 f}}{{{d} {by}^2}}", rf"\frac{{{sign} {first}}}{{{sign} {printed}}}", kinds)
 
 
-@pytest.mark.parametrize("name", [r"\atan2", r"\arctan2", "atan2", r"\operatorname{atan2}", r"\mathrm{atan2}"])
+@pytest.mark.parametrize(
+    "name", [r"\atan2", r"\arctan2", "atan2", r"\operatorname{atan2}", r"\mathrm{atan2}"]
+)
 @pytest.mark.parametrize("inside", [r"(\lambda, \mu)", r"\left(\lambda, \mu\right)", r" (\lambda, \mu)"])
 def test_spellings_of_the_angle_of_two(name: str, inside: str) -> None:
     term_reads(name + inside, r"\operatorname{atan2}\left(\lambda, \mu\right)", PLAIN)
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"\frac{d}{d}", r"refused 7: unknown symbol d"),
+        (r"\frac{d \lambda}{d}", r"refused 7: unknown symbol d"),
+        (r"\frac{d \lambda}{d \mu dt}", r"refused 24: unknown symbol d"),
+        (r"\frac{\lambda}{d t}", r"refused 16: unknown symbol d"),
+        (r"\frac{d \lambda}{2 dt}", r"refused 7: unknown symbol d"),
+        (r"\frac{d \lambda}{t}", r"refused 7: unknown symbol d"),
+        (r"\frac{{}^A d x}{dt}", r"refused 10: a derivative in the frame A? frames declared in [frames]: no"),
+        (
+            r"\frac{{}^A d x}{d \mu}",
+            r"refused 1: a derivative by anything but the time t, or a quotient of pr",
+        ),
+        (
+            r"\frac{{}^A \partial x}{\partial \mu}",
+            r"refused 1: expected a partial derivative, \frac{\partial f}{\partial x}",
+        ),
+        (r"\frac{d x}{dt_A}", r"refused 13: unknown symbol t_{A}"),
+        (r"\frac{x}{dt}", r"refused 10: unknown symbol d"),
+        (r"\frac{d}{\mu}", r"refused 7: unknown symbol d"),
+        (r"\frac{\partial}{\partial \mu \partial}", r"refused 16: a partial derivative by nothing"),
+        (r"\frac{\partial^n \lambda}{\partial \mu^n}", r"refused 16: a partial derivative of the order n"),
+        (r"\frac{\partial \lambda}{\partial \mu^1}", r"\frac{\partial \lambda}{\partial \mu}"),
+        (
+            r"\frac{\partial \lambda}{\partial \lambda \mu}",
+            r"refused 1: a derivative by anything but a symbol or its time derivative",
+        ),
+    ],
+)
+def test_what_is_nearly_a_derivative(latex: str, expected: str) -> None:
+    term_reads(latex, expected, WITH_QUATERNIONS, "n")

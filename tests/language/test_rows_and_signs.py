@@ -18,7 +18,7 @@ from tests.language.as_read import WITH_QUATERNIONS, term_reads
         (r"x \times x \times A", r"refused 12: several products without brackets are ambigu"),
         (r"x \cdot y", r"x \cdot y"),
         (r"x \cdot y \times x", r"refused 11: several products without brackets are ambigu"),
-        (r"x \times y \cdot x", r"refused 12: several products without brackets are ambigu"),
+        (r"x \times y \cdot x", r"\left(x \times y\right) \cdot x"),
         (r"x \otimes y", r"x \otimes y"),
         (r"x \otimes y \otimes x", r"refused 13: several products without brackets are ambigu"),
         (r"\lambda \cdot \mu", r"\lambda \mu"),

@@ -269,3 +269,26 @@ def test_determinants_with_vectors(latex: str, expected: str) -> None:
 )
 def test_rows_of_factors(latex: str, expected: str) -> None:
     term_reads(latex, expected, WITH_QUATERNIONS, "n")
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"(x^T A, y^T)^T", r"\begin{bmatrix} \left(x^{T} A\right)^{T} \\ y \end{bmatrix}"),
+        (r"(x^T, y^T)^T", r"\begin{bmatrix} x \\ y \end{bmatrix}"),
+        (r"(x^T, y^T, \lambda)^T", r"\begin{bmatrix} x \\ y \\ \lambda \end{bmatrix}"),
+        (r"(\lambda, \mu)^T", r"\begin{bmatrix} \lambda \\ \mu \end{bmatrix}"),
+        (r"(x, y)^T", r"refused 1: columns beside each other transposed, or one above the other"),
+        (r"(x^T A, \lambda)^T", r"\begin{bmatrix} \left(x^{T} A\right)^{T} \\ \lambda \end{bmatrix}"),
+        (r"[x^T A, \lambda]^T", r"\begin{bmatrix} \left(x^{T} A\right)^{T} \\ \lambda \end{bmatrix}"),
+        (r"(x^T A, A)^T", r"refused 1: columns beside each other transposed, or one above the other"),
+        (r"^+ x", r"refused 1: unexpected ^"),
+        (r"_\times x", r"refused 1: unexpected _"),
+        (r"^* x", r"refused 1: unexpected ^"),
+        (r"^{+} x", r"refused 1: unexpected ^"),
+        (r"x^+", r"refused 3: expected an integer, -1, T, -T, *, or an order in round brac"),
+        (r"x^{+}", r"refused 3: expected an integer, -1, T, -T, *, or an order in round brac"),
+    ],
+)
+def test_rows_transposed_and_scripts_of_one_sign(latex: str, expected: str) -> None:
+    term_reads(latex, expected, WITH_QUATERNIONS, "n")

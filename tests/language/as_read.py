@@ -67,10 +67,19 @@ def reads(latex: str, expected: str) -> None:
 
 
 def term_reads(
-    latex: str, expected: str, kinds: dict[str, str], *variables: str, loose: frozenset[str] = frozenset()
+    latex: str,
+    expected: str,
+    kinds: dict[str, str | dict],
+    *variables: str,
+    loose: frozenset[str] = frozenset(),
 ) -> None:
     """expected: the term as it is printed; "refused" or "misfit" with the column and the beginning of the message."""
-    table = replace(SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()}), loose=loose)
+    table = replace(
+        SymbolTable.build(
+            {name: {"kind": kind} if isinstance(kind, str) else kind for name, kind in kinds.items()}
+        ),
+        loose=loose,
+    )
     verdict, _, told = expected.partition(" ")
     if verdict in ("refused", "misfit"):
         with pytest.raises(

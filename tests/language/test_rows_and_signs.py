@@ -292,3 +292,34 @@ def test_rows_of_factors(latex: str, expected: str) -> None:
 )
 def test_rows_transposed_and_scripts_of_one_sign(latex: str, expected: str) -> None:
     term_reads(latex, expected, WITH_QUATERNIONS, "n")
+
+
+PLACE = WITH_QUATERNIONS | {"r": {"kind": "vector", "coordinate": True}}
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"\nabla \otimes x", r"refused 1: ∇ of what?"),
+        (r"\nabla \circ x", r"refused 1: ∇ of what?"),
+        (r"\nabla \cdot x", r"\operatorname{trace}\left(\frac{\partial x}{\partial r}\right)"),
+        (r"\nabla \times x", r"2 \operatorname{vect}\left(\frac{\partial x}{\partial r}\right)"),
+        (r"\nabla \cdot \times x", r"refused 1: ∇ of what?"),
+        (r"\nabla \times \cdot x", r"refused 1: ∇ of what?"),
+        (r"\nabla \cdot \cdot x", r"refused 1: ∇ of what?"),
+        (r"x \cdot \nabla \lambda", r"x \cdot \left(\frac{\partial \lambda}{\partial r}\right)^{T}"),
+        (r"\nabla \lambda", r"\left(\frac{\partial \lambda}{\partial r}\right)^{T}"),
+        (
+            r"\nabla^2 \lambda",
+            r"\operatorname{trace}\left(\frac{\partial \left(\frac{\partial \lambda}{\partial r}\right)^{T}}{\partial r}\right)",
+        ),
+        (
+            r"\nabla \cdot (\lambda x)",
+            r"\operatorname{trace}\left(\frac{\partial \left(\lambda x\right)}{\partial r}\right)",
+        ),
+        (r"\nabla \times x \times y", r"refused 1: how far does ∇ reach? bracket its argument"),
+        (r"\nabla \lambda \cdot x", r"\left(\frac{\partial \lambda}{\partial r}\right)^{T} \cdot x"),
+    ],
+)
+def test_signs_behind_a_nabla(latex: str, expected: str) -> None:
+    term_reads(latex, expected, PLACE)

@@ -12,8 +12,17 @@ from hypothesis import strategies as st
 from tests.language.generated import TABLE, VARIABLES, terms
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.construct import apply, big_sum, integer
-from workbench.language.typed.instances import LARGEST, instantiate
+from workbench.language.typed.construct import (
+    apply,
+    big_sum,
+    counting,
+    identity,
+    integer,
+    number,
+    power,
+    zero,
+)
+from workbench.language.typed.instances import LARGEST, count, free_integers, instantiate, raised
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import BigSum, Counting, IllFormed, Integer, Number, Term, Zero
 
@@ -165,3 +174,82 @@ def test_a_sum_over_parts_has_as_many_addends_as_there_are_ways(count: int, larg
 def test_the_norm_of_a_row_misfits() -> None:
     with pytest.raises(IllFormed, match="expected a quaternion or scalar or vector, got a covector"):
         apply("norm", read_term(r"\omega^T", TABLE))
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "expected"),
+    [
+        ("factorial", (0,), 1),
+        ("factorial", (5,), 120),
+        ("binomial", (5, 2), 10),
+        ("binomial", (5, 5), 1),
+        ("binomial", (5, 6), 0),
+        ("binomial", (5, -1), 0),
+        ("binomial", (0, 0), 1),
+        ("multinomial", (5, 2, 2, 1), 30),
+        ("multinomial", (3, 0, 3), 1),
+        ("multinomial", (3, 1, 1), "must add up to 3"),
+        ("multinomial", (3, 4, -1), "must add up to 3"),
+        ("factorial", (-1,), "factorial of the negative number -1"),
+        ("binomial", (-1, 0), "binomial of the negative number -1"),
+        ("binomial", (LARGEST, 1), LARGEST),
+        ("binomial", (LARGEST + 1, 1), f"at most {LARGEST}"),
+    ],
+)
+def test_what_counting_gives(name: str, arguments: tuple[int, ...], expected: int | str) -> None:
+    given = tuple(map(Linear, arguments))
+    if isinstance(expected, str):
+        with pytest.raises(IllFormed, match=expected):
+            count(name, given)
+    else:
+        assert count(name, given) == (number(expected) if expected else zero())
+    if len(arguments) > 1:
+        open_ = (*given[:-1], Linear.variable("n"))
+        assert count(name, open_) == counting(name, *open_)
+
+
+@pytest.mark.parametrize("lower", [0, 1, 7])
+def test_the_longest_sum_that_is_written_out(lower: int) -> None:
+    sum_ = big_sum(["k"], lower, Linear.variable("n"), integer(Linear.variable("k")))
+    assert len(instantiate(sum_, {"n": LARGEST + lower - 1}).children) == LARGEST
+    with pytest.raises(IllFormed, match=f"a sum of {LARGEST + 1} addends"):
+        instantiate(sum_, {"n": LARGEST + lower})
+
+
+@pytest.mark.parametrize("latex", [r"\alpha", r"\mathbf{S}", r"\omega", r"\lambda_{1,2}"])
+@pytest.mark.parametrize("exponent", range(-3, 4))
+def test_a_power_at_a_number(latex: str, exponent: int) -> None:
+    base = read_term(latex, TABLE, VARIABLES)
+    if base.type.is_column:
+        if exponent % 2 or exponent < 0:
+            with pytest.raises(IllFormed, match="power"):
+                raised(base, Linear(exponent))
+        else:
+            assert raised(base, Linear(exponent)) == (number(1) if exponent == 0 else power(base, exponent))
+        return
+    one = identity() if base.type.kind == "tensor" else number(1)
+    positive = {0: one, 1: base}.get(abs(exponent), power(base, abs(exponent)))
+    assert raised(base, Linear(exponent)) == (positive if exponent >= 0 else apply("inverse", positive))
+
+
+@pytest.mark.parametrize(
+    ("latex", "free"),
+    [
+        (r"\Phi_{n+m}", "nm"),
+        (r"\omega^{(n)}", "n"),
+        (r"\alpha^{m}", "m"),
+        (r"\alpha^{m} \omega^{(n)}", "nm"),
+        (r"n!", "n"),
+        (r"\binom{n}{m}", "nm"),
+        (r"2 n", "n"),
+        (r"\sum_{k=1}^{n} \Phi_k", "n"),
+        (r"\sum_{k=m}^{n} \Phi_k", "nm"),
+        (r"\sum_{k=1}^{3} \Phi_{k+n}", "n"),
+        (r"\sum_{i+j=n} \Phi_i \Phi_j", "n"),
+        (r"\sum_{i+j=3} \Phi_{i} \omega^{(j)}", ""),
+        (r"\Phi_n^{T} + m \mathbf{S}", "nm"),
+        (r"\alpha \omega", ""),
+    ],
+)
+def test_free_integers(latex: str, free: str) -> None:
+    assert free_integers(read_term(latex, TABLE, VARIABLES)) == frozenset(free)

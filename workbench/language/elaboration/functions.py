@@ -198,7 +198,7 @@ def _differentiated(row: Row, place: int, found: Rate, rate: Callable[[Term], Te
         raise Fault("the partial derivative of what?", item.at)
     following = row.items[place + 1]
     nucleus = following.nucleus if isinstance(following, Scripted) else None
-    if isinstance(nucleus, Bracket) and nucleus.kind in ("(", "[", "{"):
+    if isinstance(nucleus, Bracket) and nucleus.kind in ("(", "[", "\\{"):
         raise Fault("a power of the derivative or of its argument? bracket it", following.at)
     factor = row.factor(place + 1)
     if not isinstance(following, Bracket):

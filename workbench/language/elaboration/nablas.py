@@ -78,7 +78,7 @@ def of_field(row: Row, place: int, sign: Del, direction: Node | None = None) -> 
         raise Fault("∇ of what?", sign.at)
     following = row.items[place + 1]
     nucleus = following.nucleus if isinstance(following, Scripted) else None
-    if isinstance(nucleus, Bracket) and nucleus.kind in ("(", "[", "{"):
+    if isinstance(nucleus, Bracket) and nucleus.kind in ("(", "[", "\\{"):
         raise Fault("a power of the derivative or of its argument? bracket it", following.at)
     factor = row.factor(place + 1)
     if not isinstance(following, Bracket):

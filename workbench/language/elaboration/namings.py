@@ -7,7 +7,7 @@ f : A \\to B, f(x) = …   or   f : A \\to B, x \\mapsto …   or   x \\mapsto �
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from workbench.language.elaboration.elaborate import Elaborator
 from workbench.language.elaboration.ranges import set_name
@@ -194,7 +194,7 @@ def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
     must have just these members. Raises Fault and Misfit."""
     name, bracket = clause.sides
     described = _Described.of(bracket)
-    table, letters, sorts, others = reader.table, [], [], []
+    table, letters, sorts, others, given = reader.table, [], [], [], []
     for node, members in described.domains:
         bound = bound_letter(table, node, members)
         if bound is None:
@@ -202,6 +202,7 @@ def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
             continue
         table, letter = bound
         letters.append(letter)
+        given += _conditions(members, letter, node.at, seen=False)
         sorts.append(f"{letter.declaration.name} \\in {members.name}")
     inner = Elaborator(table, reader.variables)
     member = inner.term(described.pattern)
@@ -209,13 +210,13 @@ def named_set(reader: Elaborator, clause: Chain, read: Read) -> Naming:
     for node, members in others:
         said += _conditions(members, inner.term(node), node.at)
     names = {letter.declaration.name for letter in letters}
-    given = [statement for statement in said if _speaks_of(statement, names)]
+    given += [statement for statement in said if _speaks_of(statement, names)]
     parts: list[Statement] = [statement for statement in said if statement not in given]
     known, undecided = members_of(name), ""
     if known is not None:
         wanted = _conditions(known, member, described.pattern.at)
         parts += _implied(given, wanted)
-        if member in letters:
+        if member in letters and _is_any(member, known):
             parts += _implied(wanted, given)
         elif given or not _is_general(member, letters):
             undecided = f"whether all members of {known.name} are so is not decided"
@@ -231,6 +232,13 @@ def _implied(given: Sequence[Statement], wanted: Sequence[Statement]) -> list[St
         return missing
     premise = given[0] if len(given) == 1 else Conjunction(tuple(given))
     return [Implication(premise, statement) for statement in missing]
+
+
+def _is_any(letter: Symbol, of: Members) -> bool:
+    """Whether it stands for all members, or for all of their type."""
+    return letter.declaration in (
+        each.letter(letter.declaration.name) for each in (of, replace(of, trait=""))
+    )
 
 
 def _is_general(member: Term, letters: Sequence[Symbol]) -> bool:

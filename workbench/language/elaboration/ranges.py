@@ -113,7 +113,7 @@ class Membership:
 def is_range(clause: Chain, table: SymbolTable, integers: frozenset[str]) -> bool:
     """Whether the clause is no relation between terms, but says what values its letters take."""
     signs = [sign for sign, _ in clause.relations]
-    if clause.universal and set(signs) <= {"=", "≠"}:
+    if clause.universal and set(signs) <= {"="}:
         names = {_index_name(side, table) for side in clause.sides[:1]}
         return None not in names and not any(name in table for name in names)
     if "∈" in signs or "≥" in signs or ">" in signs:
@@ -171,7 +171,7 @@ def ranges_of(
     if name in table:
         raise _no_variable(name, left.at)
     ends = _bar(right) or (right,)
-    bounds = [linear(end, integers | _letters(end)) for end in ends]
+    bounds = [linear(end, integers | {each for each in _letters(end) if each not in table}) for end in ends]
     if None in bounds:
         raise Fault("expected an integer bound", right.at)
     lower = bounds[0] + 1 if sign == ">" else bounds[0]

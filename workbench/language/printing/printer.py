@@ -244,7 +244,7 @@ def _big_sum(term: BigSum) -> Text:
         sign = latex.scripted("\\sum", f"{'+'.join(term.variables)}={_integer(term.upper)}")
     else:
         sign = latex.scripted("\\sum", f"{term.variables[0]}={_integer(term.lower)}", _integer(term.upper))
-    return Text(f"{sign} {_print(term.body).at_least(INFIX)}", INFIX, "sum")
+    return Text(f"{sign} {_print(term.body).at_least(INFIX)}", PRODUCT, "sum")
 
 
 def _apply(term: Apply) -> Text:
@@ -343,9 +343,7 @@ def _add(arguments: tuple[Term, ...]) -> Text:
 
 def _infix(sign: str, left: Text, right: Text) -> Text:
     before = bracket(left.text) if left.end == "sum" else left.at_least(PRODUCT)
-    # what follows \sum is in the sum, so on the right it needs no bracket
-    after = right.text if right.end == "sum" and right.level >= INFIX else right.at_least(PRODUCT)
-    return Text(f"{before} {sign} {after}", INFIX, right.end if right.end == "sum" else "")
+    return Text(f"{before} {sign} {right.at_least(PRODUCT)}", INFIX, right.end if right.end == "sum" else "")
 
 
 def _mul(left: Term, right: Term) -> Text:
@@ -353,7 +351,7 @@ def _mul(left: Term, right: Term) -> Text:
     is_open = first.end in ("function", "sum") or first.level < (PRODUCT if _is_mul(left) else FACTOR)
     if is_open or (isinstance(left, Number) and isinstance(right, Integer)):
         first = Text(bracket(first.text), ATOM)
-    may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= INFIX
+    may_end = second.end in ("function", "sum") and not _is_mul(right) and second.level >= PRODUCT
     acts = left.type.kind == "operator" and right.type.kind not in ("operator", "scalar")
     mixed = isinstance(left, Number | Zero) and isinstance(right, Number)
     if acts or mixed or second.text[0].isdigit() or not (second.level >= FACTOR or may_end):

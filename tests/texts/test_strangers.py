@@ -358,6 +358,13 @@ def test_a_display_that_begins_with_a_sign_goes_on_with_the_one_before(tmp_path:
     assert judged(chain.replace("b + b", "b + b.")) == ["unchecked", "refuted"]
 
 
+def test_a_chain_in_a_quotation(tmp_path: Path) -> None:
+    model = "[symbols]\na = 'scalar'\nb = 'scalar'\n"
+    text = "> $$ a = b + b $$\n>\n> $$ = 2 b $$\n> $$ = 3 b $$\n"
+    assert outcomes(tmp_path, text, model) == ["unchecked", "proved", "refuted"]
+    assert outcomes(tmp_path, text.replace(">\n", "> which is\n"), model) == ["unchecked", "refuted"]
+
+
 def test_a_display_behind_a_sentence_begins_anew(tmp_path: Path) -> None:
     text = "$$ a = b + b $$\n\nwhich is\n\n$$ = 2 b $$"
     assert outcomes(tmp_path, text, "[symbols]\na = 'scalar'\nb = 'scalar'\n") == ["unchecked"] * 2

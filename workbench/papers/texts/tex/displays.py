@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from string import whitespace
 
 from workbench.papers.texts.prose import sentence_before
 from workbench.papers.texts.tex.expander import Expander
@@ -97,6 +98,10 @@ class _Row:
     marks: set[str] = field(default_factory=set)
 
 
+#: What may stand between them: also the mark of a quotation in Markdown.
+_NOTHING = f"{whitespace}>"
+
+
 def add(displays: list[Display], display: Display) -> None:
     """One more display, or more rows of the last one, where it begins with = and nothing stands between."""
     first = next((token.text for row in display.rows for token in row.tokens if token.text.strip()), "")
@@ -104,7 +109,7 @@ def add(displays: list[Display], display: Display) -> None:
     if (
         last is None
         or last.latex.rstrip().endswith(".")
-        or display.source.text[last.end : display.start].strip()
+        or display.source.text[last.end : display.start].strip(_NOTHING)
     ):
         displays.append(display)
         return

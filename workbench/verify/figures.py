@@ -13,7 +13,7 @@ from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Apply, Statement, Symbol, Term
 from workbench.language.typed.types import SCALAR, TENSOR, Declaration
 from workbench.papers.said import terms_of
-from workbench.verify.resting import Case
+from workbench.verify.resting import Supposing
 
 #: Letters of unit vectors that stand at right angles, as textbooks choose them; any with a hat is one, too.
 _AXES = ("ijk", "IJK", "e", "E", "tnb", "TNB", "u")
@@ -21,7 +21,7 @@ _AXES = ("ijk", "IJK", "e", "E", "tnb", "TNB", "u")
 _MOST_ANGLES = 3
 
 
-def figures(statement: Statement, free: Sequence[Symbol]) -> Iterator[Case]:
+def figures(statement: Statement, free: Sequence[Symbol]) -> Iterator[Supposing]:
     """What they may be: in words, as what symbols are, and as premises."""
     yield from lengths(free)
     yield from _axes(free)
@@ -48,7 +48,7 @@ def _is_cross(term: Term) -> bool:
     return any(isinstance(part, Apply) and part.head == "cross" for part in term.walk())
 
 
-def lengths(free: Sequence[Symbol]) -> Iterator[Case]:
+def lengths(free: Sequence[Symbol]) -> Iterator[Supposing]:
     """The number r beside the vector \\mathbf{r}."""
     vectors = {_unstyled(each): each for each in free if each.type.kind == "vector" and not _has_hat(each)}
     numbers = [each for each in free if each.type == SCALAR and _unstyled(each) in vectors]
@@ -66,7 +66,7 @@ def _unstyled(own: Symbol) -> tuple[Name, tuple[Linear, ...]]:
     return replace(own.declaration.name, styles=()), own.index
 
 
-def _axes(free: Sequence[Symbol]) -> Iterator[Case]:
+def _axes(free: Sequence[Symbol]) -> Iterator[Supposing]:
     """Two or three vectors that are the axes of one frame, of either handedness where no letter tells; it may
     turn by an angle about the last of them."""
     groups: dict[str, list[Symbol]] = {}

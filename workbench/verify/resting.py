@@ -19,10 +19,10 @@ from workbench.papers.said import free_in, terms_of
 #: More vectors than these in a formula are not tried as the one that others turn with.
 _MOST_TRIED = 4
 
-Case = tuple[str, dict[Name, Term], list[Relation]]
+Supposing = tuple[str, dict[Name, Term], list[Relation]]
 
 
-def at_rest(claim: Claim, said: Sequence[Definition]) -> Iterator[Case]:
+def at_rest(claim: Claim, said: Sequence[Definition]) -> Iterator[Supposing]:
     """What a formula may suppose: in words, as what symbols are, and as premises."""
     known = Definitions([*claim.notation.definitions, *said])
     written = [*terms_of(claim.printed.statement), *(each.body for each in known)]
@@ -40,7 +40,7 @@ def at_rest(claim: Claim, said: Sequence[Definition]) -> Iterator[Case]:
             yield from _turning([each for each in rests if each.name != spin.declaration.name], spin)
 
 
-def _constant(rests: Sequence[Declaration]) -> Iterator[Case]:
+def _constant(rests: Sequence[Declaration]) -> Iterator[Supposing]:
     still = _still(rests)
     what = f"a constant {', '.join(map(str, still))}"
     yield what, still, []
@@ -57,7 +57,7 @@ def _still(several: Iterable[Declaration]) -> dict[Name, Term]:
     return {each.name: symbol(replace(each, constant=True)) for each in several}
 
 
-def _turning(rests: Sequence[Declaration], spin: Symbol) -> Iterator[Case]:
+def _turning(rests: Sequence[Declaration], spin: Symbol) -> Iterator[Supposing]:
     """A rotation turns with its own angular velocity, in its axes or in those that it turns from."""
     rotations = [symbol(each) for each in rests if each.rotation]
     turning = [symbol(each) for each in rests if each.type.kind in ("vector", "tensor") and not each.rotation]

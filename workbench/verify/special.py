@@ -33,7 +33,7 @@ from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import terms_of
 from workbench.verify.figures import figures, lengths
-from workbench.verify.resting import Case, at_rest
+from workbench.verify.resting import Supposing, at_rest
 
 #: What a formula holds with, perhaps where it is defined at all.
 HOLDS = frozenset({Outcome.PROVED, Outcome.CONDITIONAL})
@@ -115,7 +115,7 @@ def _with_flag(flag: str, several: Sequence[Declaration]) -> Callable[[Term], Te
     return lambda term: replaced(term, flagged)
 
 
-def _conditions(free: Sequence[Symbol]) -> Iterator[Case]:
+def _conditions(free: Sequence[Symbol]) -> Iterator[Supposing]:
     """What matrices and numbers may be that have no flag: skew, symmetric or orthogonal matrices, and
     numbers that are a cosine and a sine or the components of something of length 1."""
     squares = [each for each in free if each.type.is_square and each.type.kind in ("tensor", "matrix")]

@@ -21,7 +21,7 @@ from workbench.algebra.matrices import (
     trace,
     transpose,
 )
-from workbench.judge.subject.inventory import TOO_MANY_ROOTS, Inventory, NotExact
+from workbench.judge.subject.inventory import Inventory, NotExact
 
 
 class ExactAlgebra:
@@ -200,7 +200,7 @@ class ExactAlgebra:
             if known == square:
                 return self.ring.generators[name]
         if len(self._norms) == len(self._norm_names):
-            raise NotExact(TOO_MANY_ROOTS)
+            raise NotExact("more roots than generators were set aside for")
         name = self._norm_names[len(self._norm_names) - 1 - len(self._norms)]
         self._norms.append((name, square))
         self.ring.square_as(name, square)

@@ -57,11 +57,11 @@ class Engines:
 
     def residues(self, inventory: Inventory, definitions: Lookup) -> JetEngine:
         """The second engine at a random point modulo a prime."""
-        ring, random = ResidueRing(), Random(_SEED)
+        ring = ResidueRing()
         if not _is_plain(inventory):
-            return JetEngine(PointSource(ring, sample(inventory, ring, random)), definitions)
+            return JetEngine(PointSource(ring, sample(inventory, ring, Random(_SEED))), definitions)
         if id(definitions) not in self._residues:
-            source = PointSource(ring, RandomPoint(ring, random))
+            source = PointSource(ring, RandomPoint(ring, Random(_SEED)))
             _keep(self._residues, id(definitions), JetEngine(source, definitions))
         return self._residues[id(definitions)]
 

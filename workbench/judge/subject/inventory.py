@@ -18,9 +18,6 @@ from workbench.language.typed.construct import apply, derivative, number
 from workbench.language.typed.operators import GRADIENTS, PARTIALS
 from workbench.language.typed.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
 
-#: Roots of sums and their factors for which an engine has set no generator aside.
-TOO_MANY_ROOTS = "more roots than the engine has set generators aside for"
-
 
 @dataclass
 class Inventory:

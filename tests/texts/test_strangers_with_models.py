@@ -1,0 +1,262 @@
+"""What texts that nobody here had seen write, with a model beside them that says what is meant."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from workbench.papers.load import load_paper
+from workbench.papers.model import PaperError
+from workbench.verify.claims import judge_paper
+
+
+def outcomes(folder: Path, text: str, model: str) -> list[str]:
+    (folder / "p.md").write_text(text)
+    (folder / "p.toml").write_text('source = "p.md"\n' + model)
+    return [str(result.verdict.outcome) for result in judge_paper(load_paper(folder / "p.toml"))]
+
+
+POWERS = r"$$ \sin(x)^2 + \cos(x)^2 = 1 $$" "\n\n" r"$$ \sin(2x)^2 = 4\sin(x)^2\cos(x) $$"
+
+
+@pytest.mark.parametrize(
+    ("conventions", "expected"),
+    [("", ["unchecked"] * 2), ("[conventions]\npowers = 'values'\n", ["proved", "refuted"])],
+)
+def test_a_paper_says_what_a_power_behind_the_bracket_of_a_sine_is_of(
+    tmp_path: Path, conventions: str, expected: list[str]
+) -> None:
+    assert outcomes(tmp_path, POWERS, f"{conventions}[symbols]\nx = 'scalar'\n") == expected
+
+
+def test_letters_that_are_symbols_are_labels_of_several_names(tmp_path: Path) -> None:
+    model = "[symbols]\ni = 'scalar'\nj = 'scalar'\nr_i = 'vector'\nr_j = 'vector'\n"
+    model += "p_l = 'vector'\n[definitions]\nd_p = '2 p_1 + r_i - r_j'\n"
+    text = "$$ d_p = r_i - r_j + 2 p_1 $$\n\n$$ r_i = r_j $$\n\n$$ d_p = r_j - r_i $$"
+    assert outcomes(tmp_path, text, model) == ["proved", "unchecked", "refuted"]
+
+
+def test_what_an_equation_says_of_its_unknowns_leaves_open_what_follows_from_it(tmp_path: Path) -> None:
+    model = "[symbols]\nA = 'scalar'\nB = 'scalar'\nT = 'tensor'\nu = 'vector'\n"
+    assumed, used = r"$$ T = A \mathbf{I} + B T^2 $$", r"$$ T u - A u + A B u = B T T u + A B u $$"
+    assert outcomes(tmp_path, used, model) == ["refuted"]
+    assert outcomes(tmp_path, f"{assumed}\n\n{used}", model) == ["unchecked"] * 2
+    assert outcomes(tmp_path, f"{used}\n\n{assumed}", model) == ["refuted", "unchecked"]
+
+
+def test_a_letter_that_is_a_symbol_is_a_label_of_what_a_definition_names_too(tmp_path: Path) -> None:
+    model = "[symbols]\nj = 'scalar'\nJ_{v_j} = 'vector'\nJ_{w_j} = 'vector'\n"
+    model = model.replace("J_{v_j}", "'J_{v_j}'").replace("J_{w_j}", "'J_{w_j}'")
+    model += r"[definitions]" "\n" r"J_j = '\begin{pmatrix} J_{v_j} \\ J_{w_j} \end{pmatrix}'" "\n"
+    blocks = r"$$ J_j = \begin{pmatrix} J_{%s_j} \\ J_{%s_j} \end{pmatrix} $$"
+    text = "\n\n".join([blocks % ("v", "w"), blocks % ("w", "v")])
+    assert outcomes(tmp_path, text, model) == ["definition", "refuted"]
+
+
+def test_an_argument_that_depends_on_the_time_is_the_same_place(tmp_path: Path) -> None:
+    model = "[conventions]\narguments = ['q']\n[symbols]\nq = 'scalar'\np = 'scalar'\nR = 'rotation'\n"
+    text = "$$ R(q(t)) R(q)^T = \\mathbf{I} $$\n\n$$ R(p(t)) R^T = \\mathbf{I} $$"
+    assert outcomes(tmp_path, text, model) == ["proved", "unchecked"]
+
+
+CHAIN = {
+    "md": "$$ a = b + b $$\n$$ = 2 b $$\n\n$$ = 3 b $$\n",
+    "tex": r"\begin{document}\[ a = b + b \] \[ = 2 b \]\begin{equation} = 3 b \end{equation}\end{document}",
+    "rst": "Text\n\n.. math:: a = b + b\n\n.. math::\n\n   = 2 b\n\n.. math:: = 3 b\n",
+}
+
+
+@pytest.mark.parametrize("ending", CHAIN)
+def test_a_display_that_begins_with_a_sign_goes_on_with_the_one_before(tmp_path: Path, ending: str) -> None:
+    model = "[symbols]\na = 'scalar'\nb = 'scalar'\n"
+
+    def judged(text: str) -> list[str]:
+        (tmp_path / f"p.{ending}").write_text(text)
+        (tmp_path / "p.toml").write_text(f'source = "p.{ending}"\n{model}')
+        return [str(result.verdict.outcome) for result in judge_paper(load_paper(tmp_path / "p.toml"))]
+
+    chain = CHAIN[ending]
+    assert judged(chain) == ["unchecked", "proved", "refuted"]
+    assert judged(chain.replace("b + b", "b + b.")) == ["unchecked", "refuted"]
+
+
+def test_a_chain_in_a_quotation(tmp_path: Path) -> None:
+    model = "[symbols]\na = 'scalar'\nb = 'scalar'\n"
+    text = "> $$ a = b + b $$\n>\n> $$ = 2 b $$\n> $$ = 3 b $$\n"
+    assert outcomes(tmp_path, text, model) == ["unchecked", "proved", "refuted"]
+    assert outcomes(tmp_path, text.replace(">\n", "> which is\n"), model) == ["unchecked", "refuted"]
+
+
+def test_a_display_behind_a_sentence_begins_anew(tmp_path: Path) -> None:
+    text = "$$ a = b + b $$\n\nwhich is\n\n$$ = 2 b $$"
+    assert outcomes(tmp_path, text, "[symbols]\na = 'scalar'\nb = 'scalar'\n") == ["unchecked"] * 2
+
+
+@pytest.mark.parametrize(
+    "words", [r"\text{for } y = 1", r"\quad \text{for $y = 1$}", r"\text{ for all } y = 1"]
+)
+def test_an_equation_behind_for_is_the_condition_of_the_formula(tmp_path: Path, words: str) -> None:
+    model = "[symbols]\nx = { kind = 'scalar', free = true }\ny = { kind = 'scalar', free = true }\n"
+    formulas = [r"x y = x y^2", r"x y = x y^2 = x", r"x y = 2 x y^2"]
+    text = "\n\n".join(f"$$ {formula} {words} $$" for formula in formulas)
+    assert outcomes(tmp_path, text, model) == ["proved", "proved", "proved", "refuted"]
+    not_equal = r"$$ \frac{x y}{y} = x \quad \text{for $y \neq 0$} $$"
+    assert outcomes(tmp_path, not_equal, model) == ["proved"]
+
+
+def test_the_columns_of_an_align_may_begin_with_an_empty_pair(tmp_path: Path) -> None:
+    rows = r"&& a &= 2 b - b \\ \Rightarrow && a + b + a &= b + 2 a \\ && b + a &= a"
+    text = rf"$$ \begin{{align*}} {rows} \end{{align*}} $$"
+    model = "[symbols]\na = { kind = 'vector', free = true }\nb = { kind = 'vector', free = true }\n"
+    assert outcomes(tmp_path, text, model) == ["refuted", "proved", "refuted"]
+
+
+def test_a_notation_may_hold_a_range_and_a_kind_by_its_size(tmp_path: Path) -> None:
+    model = """[conventions]
+quaternion = "hamilton, scalar first"
+[notation]
+'[q]_{1:3}' = { where = { q = "quaternion" }, means = '\\operatorname{Vec}(q)' }
+'S(x)' = { where = { x = "matrix 3×1" }, means = '\\operatorname{skew}(x)' }
+'S(r)' = { where = { r = "matrix 1×3" }, means = '\\operatorname{skew}(r^T)' }
+[symbols]
+q = "quaternion"
+a = "vector"
+"""
+    formulas = [
+        r"[q \circ q]_{1:3} = 2 (\operatorname{Sc} q) [q]_{1:3}",
+        r"[q \circ q]_{1:3} = (\operatorname{Sc} q) [q]_{1:3}",
+        r"S(a) a = \mathbf{0}",
+        r"S([1 \quad 0 \quad 0]) a = \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix} \times a",
+        r"S([1 \quad 0 \quad 0]) a = a \times \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix}",
+    ]
+    found = outcomes(tmp_path, "\n\n".join(f"$$ {each} $$" for each in formulas), model)
+    assert found == ["proved", "refuted", "proved", "proved", "refuted"]
+
+
+@pytest.mark.parametrize(("kind", "expected"), [("scalar", ["proved", "refuted"]), ("dual scalar", None)])
+def test_epsilon_is_a_symbol_where_it_is_declared_and_nothing_is_dual(
+    tmp_path: Path, kind: str, expected: list[str] | None
+) -> None:
+    text = r"$$ q q^* = \eta^2 + \varepsilon^T \varepsilon $$" "\n\n" r"$$ q + q^* = 2 \eta + \varepsilon $$"
+    model = "[conventions]\nquaternion = 'hamilton, scalar first'\n"
+    model += f"[symbols]\n'\\varepsilon' = 'vector'\n'\\eta' = '{kind}'\n[definitions]\n"
+    model += r"'q' = '\operatorname{quat}(\eta, \varepsilon)'"
+    if expected is None:
+        with pytest.raises(PaperError, match="is the dual unit"):
+            outcomes(tmp_path, text, model)
+    else:
+        assert outcomes(tmp_path, text, model) == expected
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (r"\frac{1}{30} = 0.033", "unchecked"),
+        (r"2 \cdot 0.707^2 = 1", "unchecked"),
+        (
+            r"\begin{bmatrix} \frac{2}{3} \\ 0 \end{bmatrix} = \begin{bmatrix} 0.67 \\ 0 \end{bmatrix}",
+            "unchecked",
+        ),
+        (r"\frac{1}{30} = 0.034", "refuted"),
+        (
+            r"\begin{bmatrix} \frac{2}{3} \\ 0 \end{bmatrix} = \begin{bmatrix} 0.66 \\ 0.10 \end{bmatrix}",
+            "refuted",
+        ),
+        (r"0.5 a = 0.25 a", "refuted"),
+        (r"0.5 a = -0.5 a", "refuted"),
+        (r"\frac{1}{3} a = \frac{1}{4} a", "refuted"),
+    ],
+)
+def test_what_is_rounded_is_not_false(tmp_path: Path, formula: str, expected: str) -> None:
+    assert outcomes(tmp_path, f"$$ {formula} $$", "[symbols]\na = 'scalar'") == [expected]
+
+
+@pytest.mark.parametrize(("free", "expected"), [("", "unchecked"), (", free = true", "refuted")])
+def test_a_declared_pi_may_be_the_number(tmp_path: Path, free: str, expected: str) -> None:
+    model = f"[symbols]\na = 'scalar'\n'\\pi' = {{ kind = 'scalar', constant = true{free} }}"
+    assert outcomes(tmp_path, r"$$ a + \sin\pi = a $$", model) == [expected]
+
+
+def test_two_instants_are_two_values(tmp_path: Path) -> None:
+    model = "[conventions]\narguments = ['t', 't_0']\n[symbols]\nx = 'scalar'\nv = 'scalar'\nt_0 = 'scalar'\n"
+    formulas = [r"v = x(t) - x(t_0)", r"2 x(t_0) = x(t_0) + x(t_0)", r"2 \dot{x}(t) = \dot{x}(t) + \dot{x}"]
+    found = outcomes(tmp_path, "\n\n".join(f"$$ {each} $$" for each in formulas), model)
+    assert found == ["unchecked", "proved", "proved"]
+
+
+def test_an_alias_that_is_no_name_is_told_at_its_symbol(tmp_path: Path) -> None:
+    with pytest.raises(PaperError, match="alias q1: q1: expected one symbol") as caught:
+        outcomes(tmp_path, "$$ q_1 = 2 $$", "[symbols]\n'q_1' = { kind = 'scalar', aliases = ['q1'] }")
+    assert caught.value.line == 3
+
+
+def test_a_vector_is_defined_by_no_quaternion(tmp_path: Path) -> None:
+    model = "[conventions]\nquaternion = 'hamilton, scalar first'\n"
+    model += "[symbols]\nq = 'quaternion'\na = 'vector'\nb = 'vector'\n[definitions]\nb = 'q a q^*'"
+    with pytest.raises(PaperError, match="b is a vector, its definition is a quaternion"):
+        outcomes(tmp_path, "$$ b = q a q^* $$", model)
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (r"\dot{a} = \dot{R} a^0", "proved"),
+        (r"R^T a = a^0", "proved"),
+        (r"\dot{a} = 2 \dot{R} a^0", "refuted"),
+        (r"a^2 = a^0 \cdot a^0", "proved"),
+        (r"a_1^0 \times a_1^0 = 0", "proved"),
+        (r"b^0 = b", "unchecked"),
+    ],
+)
+def test_a_vector_with_0_above_may_be_declared(tmp_path: Path, formula: str, expected: str) -> None:
+    model = (
+        "[symbols]\nR = 'rotation'\na = 'vector'\n'a^0' = { kind = 'vector', constant = true }\nb = 'vector'\n"
+        "'a_1^0' = 'vector'\n[definitions]\na = 'R a^0'\n"
+    )
+    assert outcomes(tmp_path, f"$$ {formula} $$", model) == [expected]
+
+
+PRODUCTS = (
+    r"\begin{bmatrix} 0 \\ a \end{bmatrix} \begin{bmatrix} 0 \\ b \end{bmatrix}",
+    r"\begin{bmatrix} 0 \\ b \end{bmatrix} \begin{bmatrix} 0 \\ a \end{bmatrix}",
+)
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (rf"{PRODUCTS[0]} - {PRODUCTS[1]} = 2 \begin{{bmatrix}} 0 \\ a \times b \end{{bmatrix}}", "proved"),
+        (
+            rf"{PRODUCTS[0]} + {PRODUCTS[1]} = -2 \begin{{bmatrix}} a \cdot b \\ 0 \\ 0 \\ 0 \end{{bmatrix}}",
+            "proved",
+        ),
+        (rf"{PRODUCTS[0]} - {PRODUCTS[1]} = \begin{{bmatrix}} 0 \\ a \times b \end{{bmatrix}}", "refuted"),
+        (
+            r"\begin{bmatrix} 1 \\ 2 \\ 3 \end{bmatrix} \begin{bmatrix} x \\ y \\ z \end{bmatrix} = x",
+            "unchecked",
+        ),
+    ],
+)
+def test_columns_of_four_beside_each_other_are_quaternions(
+    tmp_path: Path, formula: str, expected: str
+) -> None:
+    model = "[conventions]\nquaternion = 'hamilton, scalar first'\n[symbols]\na = 'vector'\nb = 'vector'\n"
+    model += "x = 'scalar'\ny = 'scalar'\nz = 'scalar'\nq = 'quaternion'\n"
+    assert outcomes(tmp_path, f"$$ {formula} $$", model) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        ("d = 10 - 239 \\varepsilon", "unchecked"),
+        ("d = 0", "refuted"),
+        ("d = 2 f + \\varepsilon g", "refuted"),
+    ],
+)
+def test_the_number_that_a_defined_symbol_has_in_an_example(
+    tmp_path: Path, formula: str, expected: str
+) -> None:
+    model = "[symbols]\nd = 'dual scalar'\nf = 'scalar'\ng = 'scalar'\n"
+    model += "[definitions]\nd = 'f + g \\varepsilon'\n"
+    assert outcomes(tmp_path, f"$$ {formula} $$", model) == [expected]

@@ -63,10 +63,10 @@ FALSE = [
 ]  # fmt: skip
 
 
-def verdict(folder: Path, formula: str) -> Verdict:
+def verdict(folder: Path, formula: str, definitions: str = "") -> Verdict:
     (folder / "p.md").write_text(f"$$ {formula} $$")
     symbols = "\n".join(f"'{name}' = '{kind}'" for name, kind in KINDS.items())
-    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{symbols}\n")
+    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{symbols}\n[definitions]\n{definitions}")
     return judge_paper(load_paper(folder / "p.toml"))[-1].verdict
 
 
@@ -80,3 +80,15 @@ def test_what_a_figure_shows_is_asked_for(tmp_path: Path, formula: str, what: st
 @pytest.mark.parametrize("formula", FALSE)
 def test_no_figure_excuses_what_is_false_with_it(tmp_path: Path, formula: str) -> None:
     assert verdict(tmp_path, formula).outcome is Outcome.REFUTED
+
+
+def test_axes_of_which_only_definitions_speak_are_axes_too(tmp_path: Path) -> None:
+    definitions = r"""
+'\mathbf{k}' = '\mathbf{i} \times \mathbf{j}'
+'\mathbf{a}' = 'x \mathbf{i} + y \mathbf{j}'
+'\mathbf{b}' = '\mathbf{k} \times \mathbf{a}'
+"""
+    across = r"\mathbf{b} \cdot \mathbf{b} = x^2 + y^2"
+    asked = verdict(tmp_path, across, definitions)
+    assert asked.outcome is Outcome.UNCHECKED and r"\mathbf{i}, \mathbf{j} axes of a frame" in asked.reason
+    assert verdict(tmp_path, across.replace("+", "-"), definitions).outcome is Outcome.REFUTED

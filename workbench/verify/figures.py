@@ -21,10 +21,11 @@ _AXES = ("ijk", "IJK", "e", "E", "tnb", "TNB", "u")
 _MOST_ANGLES = 3
 
 
-def figures(statement: Statement, free: Sequence[Symbol]) -> Iterator[Supposing]:
-    """What they may be: in words, as what symbols are, and as premises."""
+def figures(statement: Statement, free: Sequence[Symbol], behind: Sequence[Symbol]) -> Iterator[Supposing]:
+    """What they may be: in words, as what symbols are, and as premises. `behind`: the free symbols of which
+    the statement speaks or what defines its symbols does."""
     yield from lengths(free)
-    yield from _axes(free)
+    yield from _axes(behind, [each for each in free if each.type == SCALAR and not each.index])
     vectors = [each for each in free if each.type.kind == "vector"]
     for axis, arm in permutations(vectors, 2):
         if _turns_across(statement, axis, arm):
@@ -66,17 +67,16 @@ def _unstyled(own: Symbol) -> tuple[Name, tuple[Linear, ...]]:
     return replace(own.declaration.name, styles=()), own.index
 
 
-def _axes(free: Sequence[Symbol]) -> Iterator[Supposing]:
+def _axes(vectors: Sequence[Symbol], angles: Sequence[Symbol]) -> Iterator[Supposing]:
     """Two or three vectors that are the axes of one frame, of either handedness where no letter tells; it may
-    turn by an angle about the last of them."""
+    turn by one of the angles about the last of them."""
     groups: dict[str, list[Symbol]] = {}
-    for each in free:
+    for each in vectors:
         name = each.declaration.name
         if each.type.kind == "vector" and not each.index:
             letters = [letters for letters in _AXES if name.letter in letters]
             for key in ["\\hat"] * _has_hat(each) + letters:
                 groups.setdefault(key, []).append(each)
-    angles = [each for each in free if each.type == SCALAR and not each.index]
     for group in groups.values():
         names = sorted((each.declaration.name for each in group), key=_place)
         is_known = all(_place(name) for name in names)

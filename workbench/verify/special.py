@@ -31,7 +31,7 @@ from workbench.language.typed.terms import (
 )
 from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
-from workbench.papers.said import terms_of
+from workbench.papers.said import free_in, terms_of
 from workbench.verify.figures import figures, lengths
 from workbench.verify.resting import Supposing, at_rest
 
@@ -62,7 +62,13 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
     if _has_roots(claim, said) and _holds(claim, _of_positive, said, options):
         return "positive numbers"
     free = _free_in(claim, said)
-    cases = list(chain(_conditions(free), figures(claim.printed.statement, free), at_rest(claim, said)))
+    cases = list(
+        chain(
+            _conditions(free),
+            figures(claim.printed.statement, free, _behind(claim, said)),
+            at_rest(claim, said),
+        )
+    )
     for (more, besides), (what, special, premises) in product(_beside(free, flags), cases):
         if _holds(claim, lambda term, s=special, b=besides: b(_with_terms(s)(term)), said, options, premises):
             return what + more
@@ -189,6 +195,13 @@ def _free_in(claim: Claim, said: Sequence[Definition]) -> list[Symbol]:
         and not (each.declaration in fixed or each.declaration.free)
         and not (each.arguments or each.type.dual)
     ]
+
+
+def _behind(claim: Claim, said: Sequence[Definition]) -> list[Symbol]:
+    """All that is free in the formula or in what defines its symbols."""
+    known = Definitions([*claim.notation.definitions, *said])
+    free = sorted(free_in(terms_of(claim.printed.statement), known), key=lambda each: str(each.name))
+    return [symbol(each) for each in free if not (each.free or each.indices or each.parameters)]
 
 
 def _candidates(claim: Claim, said: Sequence[Definition]) -> Iterator[tuple[str, list[Declaration]]]:

@@ -3,7 +3,7 @@
 import pytest
 
 from workbench import check
-from workbench.judge.kernel.premises import put_in
+from workbench.judge.kernel.premises import equal_turns, put_in
 from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definition
 from workbench.language.definitions import Definitions
@@ -57,12 +57,40 @@ def test_a_claim_under_it_is_the_claim_of_it(symbol, value, true, false):
         # x² = y² leaves two values, and one that is said at an instant has no rate
         (r"x^2 = y^2 \Rightarrow \cos x = \cos y", Outcome.UNCHECKED),
         (r"x = y \Rightarrow \dot{x} \cos x = \dot{y} \cos y", Outcome.UNCHECKED),
-        (r"x = x y \Rightarrow \cos x = \cos(x y)", Outcome.UNCHECKED),
+        (r"x = x y \Rightarrow \cos x = \cos(x y)", Outcome.PROVED),
         (r"a = 0 \Rightarrow \exp(\tilde{a}) = 2 \mathbf{I}", Outcome.UNCHECKED),
     ],
 )
 def test_premises_together_and_those_that_say_less(latex, expected):
     assert outcome(latex) == expected
+
+
+@pytest.mark.parametrize(
+    ("premise", "true", "false"),
+    [
+        ("x = 0", r"\dot{x} \cos x = \dot{x}", r"\dot{x} + z \cos x = 0"),
+        ("x = 0", r"\dot{x} \tan x = 0", r"\dot{x} \tan x = z \cos x"),
+        ("2 x = 0", r"\dot{x} \sin x \cos x = 0", r"\dot{x} + \sin x = \cos x"),
+        ("x = -y", r"\dot{x} \sin x = -\dot{x} \sin y", r"\dot{x} \sin x = z \cos y"),
+        ("x = y + z", r"\dot{x} \cos x = \dot{x} (\cos y \cos z - \sin y \sin z)", r"\dot{x} \sin x = \cos y \cos z - \sin y \sin z"),
+        ("x - y = z", r"\dot{x} \sin(x - y) = \dot{x} \sin z", r"\dot{x} \sin(x - y) = 2 \cos z"),
+        ("y = 0", r"\dot{y} \sin(x + y) = \dot{y} \sin x", r"\dot{y} + \sin(x + y) = 2 + \sin x"),
+        (r"\dot{x} = 0, x = y", r"\frac{d}{dt} (z \sin x) = \dot{z} \sin y", r"\frac{d}{dt} (z \sin x) = z \cos y"),
+    ],
+)  # fmt: skip
+def test_equal_angles_have_equal_sines_also_where_they_move(premise, true, false):
+    given = premise.split(", ")
+    assert check(true, symbols=SYMBOLS, assume=given).outcome is Outcome.PROVED
+    assert check(false, symbols=SYMBOLS, assume=given).outcome is Outcome.REFUTED
+
+
+@pytest.mark.parametrize("premise", [r"\cos x = 0", "y = 1", r"x \neq 0", "x + \\cos x = 1", "a = b"])
+def test_what_equates_no_angles_says_nothing_of_sines(premise):
+    table = SymbolTable().with_specs(
+        SYMBOLS | {name: {"kind": spec} for name, spec in SYMBOLS.items() if isinstance(spec, str)}
+    )
+    (given,), (said,) = read(premise, table), read(r"\dot{x} \sin x = 0", table)
+    assert equal_turns(said, [given], Definitions()) == []
 
 
 FREE = {"kind": "scalar"}

@@ -4,9 +4,12 @@ from fractions import Fraction
 from random import Random
 
 import pytest
-from judge.test_judge import judged
+from judge.test_judge import TABLE, judged
 
+from workbench.judge.kernel.judge import UNLESS_IT_LASTS
 from workbench.judge.verdict import Outcome
+from workbench.language.defining import read_definition
+from workbench.language.definitions import Definitions
 
 
 def product(roots, powers):
@@ -67,3 +70,16 @@ def test_what_holds_only_while_its_premise_lasts_asks_which_is_meant():
     assert verdict.reason.startswith("false if the condition holds at one instant only")
     assert judged(r"f = 1 \Rightarrow \dot{f} = g").outcome == Outcome.REFUTED
     assert judged(r"f = 1 \Rightarrow f g = g").outcome == Outcome.PROVED
+
+
+def test_what_is_assumed_may_last_too():
+    """An assumption is a premise: it, too, is supposed at the instant, and may be meant for all times."""
+    table = TABLE.with_specs({"v": {"kind": "vector"}, r"\theta": {"kind": "scalar"}})
+    definition, known = read_definition("v", r"f a + \dot{\theta} b", table)
+    definitions = Definitions([definition])
+    for latex, outcome in (("v = f a", Outcome.UNCHECKED), ("v = 2 f a", Outcome.REFUTED)):
+        verdict = judged(latex, (r"\theta = 0",), definitions=definitions, table=known)
+        assert verdict.outcome == outcome
+        assert (verdict.reason or "").startswith(UNLESS_IT_LASTS) == (outcome is Outcome.UNCHECKED)
+    both = (r"\theta = 0", r"\dot{\theta} = 0")
+    assert judged("v = f a", both, definitions=definitions, table=known).outcome == Outcome.PROVED

@@ -13,7 +13,7 @@ from workbench.judge.kernel.equation import IN_FORCE, Equation
 from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import WORST_FIRST, judge_family
 from workbench.judge.kernel.inequation import judge_inequation
-from workbench.judge.kernel.premises import put_in
+from workbench.judge.kernel.premises import equal_turns, put_in
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.exponentials import holds_exponentials, without_exponentials
 from workbench.judge.subject.inventory import NotExact, has_gradient
@@ -77,10 +77,10 @@ class Judge(Setting):
     def _judge_under(
         self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None
     ) -> Verdict:
-        verdict = self._judge(statement, assume)
+        verdict = self._supposing(assume, statement, ())
         if hypothesis is None or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
             return verdict
-        under = self._judge(statement, (*assume, hypothesis))
+        under = self._supposing((*assume, hypothesis), statement, ())
         if under.outcome != Outcome.PROVED:
             return under
         if verdict.counterexample is None:
@@ -144,6 +144,14 @@ class Judge(Setting):
                 verdict = replace(self, definitions=definitions)._judge(said, tuple(others))
                 if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
                     evidence = Evidence("premise", "put in as a definition", {"formula": to_latex(premise)})
+                    return replace(verdict, evidence=(evidence, *verdict.evidence))
+        with suppress(NotExact, IllFormed, Unsatisfiable, ZeroDivisionError):
+            turns = equal_turns(said, assume, self.definitions)
+            if turns and not set(turns) <= set(assume):
+                verdict = self._judge(said, (*assume, *turns))
+                if verdict.outcome in (Outcome.PROVED, Outcome.REFUTED):
+                    formulas = ", ".join(map(to_latex, turns))
+                    evidence = Evidence("premise", "equal angles", {"formula": formulas})
                     return replace(verdict, evidence=(evidence, *verdict.evidence))
         return None
 
@@ -211,21 +219,27 @@ class Judge(Setting):
             return Verdict(Outcome.UNCHECKED, reason="nothing satisfies one of its sides")
 
     def _implied(self, premise: Statement, claim: Statement, assume: tuple[Statement, ...]) -> Verdict:
-        """The claim under the premise at the instant. One that is false only if the premise does not last,
-        such as f = 1 ⇒ ḟ = 0, is not refuted: it has to say which is meant. x ≠ 0 ⇒ y ≠ 0 says that x = 0
-        where y = 0, and that y is defined where x ≠ 0."""
+        """x ≠ 0 ⇒ y ≠ 0 says that x = 0 where y = 0, and that y is defined where x ≠ 0."""
         if {_operator(premise), _operator(claim)} == {"≠"}:
             given, said = (equated("=", *[_difference(r).left] * 2) for r in (premise, claim))
             turned = self._implied(_equation(claim), _equation(premise), (*assume, given))
             defined = self._judge(_difference(said), (*assume, premise))
             return turned if defined.outcome is Outcome.PROVED else _together([turned, defined])
-        verdict = self._judge(claim, (*assume, premise))
+        return self._supposing((premise,), claim, assume)
+
+    def _supposing(
+        self, premises: Sequence[Statement], claim: Statement, assume: tuple[Statement, ...]
+    ) -> Verdict:
+        """The claim under the premises at the instant. One that is false only if they do not last, such as
+        f = 1 ⇒ ḟ = 0, is not refuted: it has to say which is meant."""
+        verdict = self._judge(claim, (*assume, *premises))
         if verdict.outcome is not Outcome.REFUTED:
             return verdict
         with suppress(Unsatisfiable, NotExact, IllFormed):
-            if not (lasting := derivatives_of(premise, claim, self.definitions)):
+            lasting = [r for each in premises for r in derivatives_of(each, claim, self.definitions)]
+            if not lasting:
                 return verdict
-            again = self._judge(claim, (*assume, premise, *lasting))
+            again = self._judge(claim, (*assume, *premises, *lasting))
             if again.outcome == Outcome.REFUTED:
                 return again
         where = "place only; if everywhere" if has_gradient(sides_of(claim)) else "instant only; if it lasts"

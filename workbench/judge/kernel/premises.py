@@ -1,8 +1,9 @@
-"""Premises that say what a free symbol is at the instant.
+"""What follows from premises beyond the ideal that they span.
 
     x = t ⇒ P(x)    says the same as    P(t)
 
-for an x that t does not hold and of which no derivative is taken: so x = t may be a definition of x.
+for an x that t does not hold and of which no derivative is taken: so x = t may be a definition of x. And
+equal angles have equal sines and cosines.
 """
 
 from __future__ import annotations
@@ -13,9 +14,10 @@ from workbench.judge.subject import Lookup, With, reached
 from workbench.judge.subject.assumptions import Assumptions
 from workbench.judge.subject.divisions import never_divides
 from workbench.judge.subject.inventory import take_inventory
+from workbench.language.typed.construct import apply, relation
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol, Term, TimeOperator
-from workbench.language.typed.types import Declaration
+from workbench.language.typed.types import SCALAR, Declaration
 
 
 def put_in(
@@ -36,6 +38,21 @@ def put_in(
             if orders.get(symbol) == 0 and symbol not in take_inventory([value], definitions).orders:
                 return premise, others, With(definitions, {symbol: value})
     return None
+
+
+def equal_turns(claim: Relation, assume: Sequence[Statement], definitions: Lookup) -> list[Relation]:
+    """The sines and cosines of both sides of the premises that equate what the claim takes sines of."""
+    premises = [premise for premise in Assumptions(assume).equations if premise.left.type == SCALAR]
+    angles = set(take_inventory((claim.left, claim.right), definitions).angles)
+    found = []
+    for premise in premises:
+        own = take_inventory((premise.left, premise.right), definitions)
+        if angles.intersection(own.orders) and not own.angles:
+            found += [
+                relation("=", *(apply(head, side) for side in (premise.left, premise.right)))
+                for head in ("sin", "cos")
+            ]
+    return found
 
 
 def _is_any(term: Term, bound: Collection[Name]) -> bool:

@@ -124,3 +124,24 @@ def test_what_is_false_of_the_norm_of_a_quotient_is_refuted(formula: str) -> Non
 )
 def test_what_is_true_of_it_is_not(formula: str) -> None:
     assert check(formula, symbols=QUOTIENTS).outcome is not Outcome.REFUTED
+
+
+#: Roots of what is a square or a sum of squares as it is written, not as it is once multiplied out.
+WRITTEN = [
+    (r"\sqrt{(x - y)^2}", r"|x - y|", "x - y"),
+    (r"\sqrt{(x - y) (x - y)}", r"|y - x|", "y - x"),
+    (r"\sqrt{x^2 \sin^2 y + x^2 \cos^2 y}", "|x|", "x"),
+    (r"\sqrt{(x \sin y)^2 + (x \cos y)^2}", "|x|", "x"),
+    (r"\sqrt{a \cdot a}", r"\|a\|", r"2 \|a\|"),
+    (r"\sqrt{(a - b) \cdot (a - b)}", r"\|b - a\|", r"\|a + b\|"),
+    (r"\sqrt{\det(T T^T)}", r"|\det T|", r"\det T"),
+    (r"\sqrt{\det(T^T T)}", r"|\det T|", r"-\det T"),
+    (r"\sqrt{(1 + x^2)^2}", "1 + x^2", "1 - x^2"),
+]
+
+
+@pytest.mark.parametrize(("root", "true", "false"), WRITTEN)
+def test_a_root_of_what_is_written_as_squares(root, true, false):
+    symbols = {"x": "scalar", "y": "scalar", "a": "vector", "b": "vector", "T": "tensor"}
+    assert check(f"{root} = {true}", symbols).outcome is Outcome.PROVED
+    assert check(f"{root} = {false}", symbols).outcome is Outcome.REFUTED

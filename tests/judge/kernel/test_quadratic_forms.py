@@ -10,8 +10,9 @@ from judge.test_extrema import TABLE, verdict
 
 from workbench.judge.first.exact import ExactEngine
 from workbench.judge.kernel.quadratics import Quadratic, solved
-from workbench.judge.kernel.varied import Varied, at_zero_part, is_seen_nonnegative
+from workbench.judge.kernel.varied import Varied, at_zero_part
 from workbench.judge.subject.inventory import NotExact, take_inventory
+from workbench.judge.subject.signs import is_seen_nonnegative
 from workbench.judge.verdict import Outcome
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
@@ -108,6 +109,9 @@ NOT_NEGATIVE = [
     r"f^2 \|b\|",
     r"\frac{f^2}{\|b\|}",
     "(f^2 + 1)^3",
+    r"a \cdot a + f f",
+    r"\det(T T^T)",
+    r"\det(T^T T) + f^2",
 ]
 PERHAPS_NEGATIVE = [
     "-3",
@@ -127,7 +131,10 @@ PERHAPS_NEGATIVE = [
     r"\sin f",
     "T^2",
     "T^2 f^2",
-    r"a \cdot a",
+    r"a \cdot b",
+    r"\det(T T)",
+    r"\underline{d} \cdot \underline{d}",
+    r"\det(T S^T)",
 ]
 
 
@@ -136,7 +143,7 @@ def test_what_is_seen_not_to_be_negative(latex):
     table = SymbolTable.build(
         {key: {"kind": "scalar"} for key in "fg"}
         | {key: {"kind": "vector"} for key in "ab"}
-        | {"T": {"kind": "tensor"}, r"\underline{d}": {"kind": "dual vector"}}
+        | {"T": {"kind": "tensor"}, "S": {"kind": "tensor"}, r"\underline{d}": {"kind": "dual vector"}}
     )
     assert is_seen_nonnegative(read_term(latex, table, frozenset("n"))) == (latex in NOT_NEGATIVE)
 

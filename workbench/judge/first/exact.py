@@ -48,6 +48,7 @@ from workbench.judge.first.quaternions import conjugate, hamilton
 from workbench.judge.first.turns import Turns
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parameters
+from workbench.judge.subject.signs import is_seen_nonnegative
 from workbench.judge.subject.slopes import seeds
 from workbench.language.typed.terms import (
     Apply,
@@ -255,7 +256,8 @@ class ExactEngine:
         return ((self._algebra.norm(self.value(term.arguments[0])),),)
 
     def _root(self, term: Apply) -> Matrix:
-        return self._algebra.root(self.value(term.arguments[0]))
+        (square,) = term.arguments
+        return self._algebra.root(self.value(square), is_seen_nonnegative(square))
 
     def _triple(self, term: Apply) -> Matrix:
         rows = tuple(transpose(self.value(a))[0] for a in term.arguments)

@@ -146,11 +146,12 @@ class ExactAlgebra:
         mixed = sum((e.re * e.du for e in entries if isinstance(e, Dual)), self.ring.zero)
         return Dual(norm, mixed * self.reciprocal(norm))
 
-    def root(self, matrix: Matrix) -> Matrix:
-        """√p where p is a sum of squares, so that it has a root everywhere; √p + ε q/(2 √p) for p + ε q."""
+    def root(self, matrix: Matrix, is_nonnegative: bool) -> Matrix:
+        """√p where p is not negative, as a sum of squares, so that it has a root everywhere; √p + ε q/(2 √p)
+        for p + ε q."""
         ((entry,),) = matrix
         square = self.ring.reduce(real_part(entry))
-        if not self._is_sum_of_squares(square):
+        if not (is_nonnegative or self._is_sum_of_squares(square)):
             raise NotExact("the root of what is not seen to be a sum of squares")
         root = self._root(square)
         if not isinstance(entry, Dual):

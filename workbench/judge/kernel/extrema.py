@@ -19,9 +19,10 @@ from workbench.judge.evidence.points import Trial
 from workbench.judge.kernel.case import Case, Setting
 from workbench.judge.kernel.ideals import has_even_powers
 from workbench.judge.kernel.quadratics import Quadratic, minus, solved, times, total
-from workbench.judge.kernel.varied import Varied, at_zero_part, is_seen_nonnegative
+from workbench.judge.kernel.varied import Varied, at_zero_part
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
+from workbench.judge.subject.signs import is_seen_nonnegative
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.definitions import expand
 from workbench.language.typed.construct import apply, block, number, power, relation, zero

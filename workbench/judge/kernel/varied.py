@@ -16,13 +16,10 @@ from workbench.language.typed.terms import (
     Conjunction,
     Derivative,
     Extremum,
-    Number,
-    Power,
     Relation,
     Statement,
     Symbol,
     Term,
-    Zero,
 )
 
 
@@ -109,23 +106,6 @@ def _sides(statement: Statement) -> list[Term]:
         case Conjunction(parts=parts):
             return [side for part in parts for side in _sides(part)]
     raise NotExact("a minimum or maximum under a premise that is no equation or inequation")
-
-
-def is_seen_nonnegative(term: Term) -> bool:
-    """Whether the form of the term says that it is not negative, wherever it is defined."""
-    match term:
-        case Zero():
-            return True
-        case Number(value=value):
-            return value >= 0
-        case Apply(head="norm" | "root"):
-            return not term.type.dual
-        case Power(base=base, exponent=exponent):
-            even = exponent.is_number and int(exponent) % 2 == 0
-            return not term.type.dual and term.type.kind == "scalar" and (even or is_seen_nonnegative(base))
-        case Apply(head="add" | "mul" | "div", arguments=arguments) if not term.type.dual:
-            return all(a.type.kind == "scalar" and is_seen_nonnegative(a) for a in arguments)
-    return False
 
 
 def at_zero_part(term: Term, is_zero: Callable[[Term], bool]) -> Term:

@@ -45,9 +45,9 @@ def written(text: str, ending: str) -> str:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        (f"Suppose that <<f \\neq 0>>. Then [[{CANCELLED}]]", Outcome.UNCHECKED),
+        (f"Suppose that <<f \\neq 0>>. Then [[{CANCELLED}]]", Outcome.CONDITIONAL),
         (f"For <<f \\neq 0>> it is said that [[{CANCELLED[:-1]}2]]", Outcome.REFUTED),
-        (f"It holds that [[{CANCELLED}]] where <<f \\neq 0>> is given.", Outcome.UNCHECKED),
+        (f"It holds that [[{CANCELLED}]] where <<f \\neq 0>> is given.", Outcome.CONDITIONAL),
         (f"It holds that [[{CANCELLED}]] without more.", Outcome.REFUTED),
         (r"With <<m > 0>> it is [[\sqrt{m^2} = m]]", Outcome.UNCHECKED),
         (r"With <<m > 0>> it is [[\sqrt{m^2} = -m]]", Outcome.REFUTED),
@@ -63,7 +63,7 @@ def written(text: str, ending: str) -> str:
         (r"With <<0 > m>> it is [[\sqrt{m^2} = -m]]", Outcome.UNCHECKED),
         (r"With <<m \geq 1>> it is [[|m| = m]]", Outcome.UNCHECKED),
         (r"With <<m > f>> it is [[|m - f| = m - f]]", Outcome.UNCHECKED),
-        (r"If <<0 = a - g b>>, then [[a \times b = 0]]", Outcome.UNCHECKED),
+        (r"If <<0 = a - g b>>, then [[a \times b = 0]]", Outcome.CONDITIONAL),
         (r"If <<0 = a - g b>>, then [[a \times b = b]]", Outcome.REFUTED),
         (r"If <<0 = a - g b>>, then it is so. The next one is [[a \times b = b \times a]]", Outcome.REFUTED),
         (r"Let <<g \neq 0>> be given. It is [[a \times b = b \times a]]", Outcome.REFUTED),
@@ -94,6 +94,20 @@ def test_the_condition_is_told_with_its_line(tmp_path: Path) -> None:
     (tmp_path / "p.toml").write_text(MODEL.format("tex"))
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
     assert r"f\neq0 (line 2)" in result.verdict.reason
+    assert result.verdict.hypothesis == r"f\neq0"
+
+
+def test_of_several_conditions_the_one_that_is_needed_is_the_hypothesis(tmp_path: Path) -> None:
+    for more in (r"<<g \neq 0>> and <<f \neq 0>>", r"<<f \neq 0>> and <<g \neq 0>>"):
+        (tmp_path / "p.tex").write_text(written(f"For {more} it is [[{CANCELLED}]]", "tex"))
+        (tmp_path / "p.toml").write_text(MODEL.format("tex"))
+        (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+        assert result.verdict.hypothesis == r"f \neq0"
+        assert result.verdict.counterexample.values["f"] == ("0",)
+    both = r"f g m = f g \Rightarrow m = 1"
+    (tmp_path / "p.tex").write_text(written(rf"For <<f \neq 0>> and <<g \neq 0>> it is [[{both}]]", "tex"))
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.hypothesis == r"f \neq0, g \neq0"
 
 
 def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:

@@ -390,10 +390,10 @@ SAID = r"""
 @pytest.mark.parametrize(
     ("formulas", "verdict", "why"),
     [
-        (r"\[ a = r \times b \] \[ a \cdot b = 0 \]", "unchecked", "holds with what the text says of a (L9)"),
+        (r"\[ a = r \times b \] \[ a \cdot b = 0 \]", "conditional", "the text says elsewhere of a (L9) what it is"),
         (r"\[ a = r \times b \] \[ a \cdot r = p \] \[ a \cdot a = 0 \]", "refuted", None),
         (r"\[ a = r \times b \] \[ a = p r \] \[ a \cdot b = 0 \]", "unchecked", "false for a free a (L9), a (L9')"),
-        (r"\[ a = r \times b \] \[ r = p b \] \[ a = 0 a \]", "unchecked", "holds with what the text says of"),
+        (r"\[ a = r \times b \] \[ r = p b \] \[ a = 0 a \]", "conditional", "the text says elsewhere of"),
         (r"\[ a = F b \] \[ b = F a \] \[ a \cdot b = 0 \]", "unchecked", "false for a free"),
         (r"\[ a \cdot b = \|a\| \|b\| \cos \theta \]", "unchecked", "says what \\theta is"),
         (r"\[ \sin^2 \theta = \cos \theta \]", "refuted", None),
@@ -402,7 +402,7 @@ SAID = r"""
         (r"\[ r \times (a + b) = r \times a - r \times b \]", "refuted", None),
         (r"\[ \dot{r} = v \] \[ v \times r = r \times v \]", "refuted", None),
         (r"\[ \dot{r} = v \] \[ r = p b \] \[ v \times r = r \times v \]", "refuted", None),
-        (r"\[ \dot{r} = v \] \[ r = p b \] \[ r \times b = 0 \]", "unchecked", "holds with what the text says of r"),
+        (r"\[ \dot{r} = v \] \[ r = p b \] \[ r \times b = 0 \]", "conditional", "the text says elsewhere of r"),
         (r"\[ \dot{r} = v \] \[ \dot{r} = a \] \[ v \times r = r \times v \]", "unchecked", "false for a free r"),
     ],
 )  # fmt: skip

@@ -212,6 +212,9 @@ class Aside:
     bound: tuple[str, str, Fraction] | None = None
     seen: bool = True
 
+    def __str__(self) -> str:
+        return f"{self.latex} (line {self.line})"
+
     def allows(self, values: Mapping[str, tuple[str, ...]]) -> bool:
         if self.bound is None or self.bound[0] not in values:
             return self.seen

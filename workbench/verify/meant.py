@@ -11,9 +11,10 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.language.definitions import Definitions
+from workbench.language.printing.printer import to_latex
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Definition, Relation, Symbol
-from workbench.papers.model import Claim, Formula, Notation, Said
+from workbench.papers.model import Aside, Claim, Formula, Notation, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.rounding import ROUNDED, is_rounded
@@ -37,8 +38,8 @@ class Meant:
         is_refuted = verdict.outcome is Outcome.REFUTED
         if is_refuted and (why := self._why_open(claim, verdict)) is not None:
             return _open(why, verdict)
-        if is_refuted and claim.corrected is None and claim.beside:
-            verdict = self._under_asides(claim, verdict)
+        if is_refuted and claim.corrected is None:
+            verdict = self._with_the_text(claim, verdict)
         if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
             return _open(_as_guessed(verdict, claim.guessed), verdict)
         return verdict
@@ -54,20 +55,22 @@ class Meant:
             return None
         if is_rounded(claim.printed.latex, verdict.counterexample):
             return ROUNDED
-        return _of_two_indices(claim) or claim.unsettled or _of_pi(claim) or self._left_open(claim)
-
-    def _left_open(self, claim: Claim) -> str | None:
-        """Why a refuted formula of a text may be true all the same: of what the text says of its symbols
-        elsewhere, the model defines nothing. One that is false with that, too, and clearly so, is false."""
         statement = claim.printed.statement
         if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
             return "the sides are equal in places: are they said to differ always, or in general?"
-        if why := self._if_special(claim, ()) or (claim.beside and self._if_special(_beside(claim), ())):
-            return why
+        return _of_two_indices(claim) or claim.unsettled or _of_pi(claim) or self._if_special(claim, ())
+
+    def _with_the_text(self, claim: Claim, refuted: Verdict) -> Verdict:
+        """A refuted formula of a text may be true all the same, with what the text says of its symbols beside
+        it or elsewhere. One that is false with that, too, and clearly so, is false."""
+        statement = claim.printed.statement
+        if claim.beside and (why := self._if_special(_beside(claim), ())) is not None:
+            return _open(why, refuted)
         unused = (said for said in claim.rests if said.statement not in claim.supposed)
         rests = [said for said in unused if not self._is_known(said, claim.notation)]
         if not rests:
-            return None if _is_said_beside(claim) else claim.says
+            why = None if _is_said_beside(claim) else claim.says
+            return self._under_asides(claim, refuted) if why is None else _open(why, refuted)
         definitions = {said.name: said.definition for said in rests if said.definition is not None}
         under = None
         if definitions.keys() == {said.name for said in rests}:
@@ -80,15 +83,18 @@ class Meant:
                 under = undisturbed(lambda: judge.judge(statement, supposed, orders=claim.orders))
         shown = ", ".join(f"{said.name} ({said.place})" for said in rests)
         if under is not None and under.outcome is Outcome.PROVED:
-            return f"holds with what the text says of {shown}; a definition makes it proved"
+            said = ", ".join(dict.fromkeys(to_latex(said.statement) for said in rests))
+            return _conditional(under, said, f"the text says elsewhere of {shown} what it is", refuted)
         is_clear = len(definitions) == len(rests)
         if under is not None and under.outcome is Outcome.REFUTED and is_clear:
             says = "" if _is_said_beside(claim) else claim.says or ""
             if says and str(claim.says_of) in definitions:
                 is_free = free_in((each.body for each in definitions.values()), claim.notation.definitions)
                 says = (of_an_example(statement) if is_free else None) or ""
-            return self._if_special(claim, tuple(definitions.values())) or says or None
-        return f"false for a free {shown}, of which the text says something; a definition makes it a claim"
+            why = self._if_special(claim, tuple(definitions.values())) or says or None
+            return self._under_asides(claim, refuted) if why is None else _open(why, refuted)
+        why = f"false for a free {shown}, of which the text says something; a definition makes it a claim"
+        return _open(why, refuted)
 
     def _if_special(self, claim: Claim, said: Sequence[Definition]) -> str | None:
         from workbench.verify.special import special_case
@@ -112,19 +118,31 @@ class Meant:
 
     def _under_asides(self, claim: Claim, refuted: Verdict) -> Verdict:
         """What is false as it stands may be meant under what the sentences around it suppose."""
-        verdict = Verdict(Outcome.UNCHECKED)
-        with suppress(Unsatisfiable):
-            judge, supposed = self._judge_of(claim.notation), _beside(claim).supposed
-            verdict = undisturbed(lambda: judge.judge(claim.printed.statement, supposed, orders=claim.orders))
+        if not claim.beside:
+            return refuted
+        premises = [aside for aside in claim.beside if aside.premise is not None]
+        verdict = self._supposing(claim, premises)
         against = verdict.counterexample
         is_allowed = against is not None and all(aside.allows(against.values) for aside in claim.beside)
         if verdict.outcome is Outcome.REFUTED and is_allowed:
             return verdict
-        said = dict.fromkeys(f"{aside.latex} (line {aside.line})" for aside in claim.beside)
-        shown = ", ".join(list(said)[:5])
-        what = "holds with" if verdict.outcome is Outcome.PROVED else "false without"
-        reason = f"{what} what the text says beside it, {shown}; an `assume` of it makes it a claim"
-        return _open(reason, refuted)
+        if verdict.outcome is not Outcome.PROVED:
+            shown = list(dict.fromkeys(map(str, claim.beside)))[:5]
+            what = f"false without what the text says beside it, {', '.join(shown)}"
+            return _open(f"{what}; an `assume` of it makes it a claim", refuted)
+        alone = ([aside] for aside in premises if len(premises) > 1)
+        needed = next((e for e in alone if self._supposing(claim, e).outcome is Outcome.PROVED), premises)
+        hypothesis = ", ".join(dict.fromkeys(aside.latex for aside in needed))
+        reason = f"the text says the condition beside it, {', '.join(dict.fromkeys(map(str, needed)))}"
+        return _conditional(verdict, hypothesis, reason, refuted)
+
+    def _supposing(self, claim: Claim, asides: Sequence[Aside]) -> Verdict:
+        premises = (Formula(aside.latex, aside.premise) for aside in asides)
+        supposed = replace(claim, assume=(*claim.assume, *premises)).supposed
+        with suppress(Unsatisfiable):
+            judge = self._judge_of(claim.notation)
+            return undisturbed(lambda: judge.judge(claim.printed.statement, supposed, orders=claim.orders))
+        return Verdict(Outcome.UNCHECKED)
 
 
 def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
@@ -177,6 +195,17 @@ def _beside(claim: Claim) -> Claim:
     """The claim under what its text supposes beside it."""
     premises = (Formula(aside.latex, aside.premise) for aside in claim.beside if aside.premise is not None)
     return replace(claim, assume=(*claim.assume, *premises))
+
+
+def _conditional(under: Verdict, hypothesis: str, reason: str, bare: Verdict) -> Verdict:
+    """The verdict on what is proved under a hypothesis and refuted without it."""
+    return replace(
+        under,
+        outcome=Outcome.CONDITIONAL,
+        hypothesis=hypothesis,
+        reason=reason,
+        counterexample=bare.counterexample,
+    )
 
 
 def _open(why: str, verdict: Verdict) -> Verdict:

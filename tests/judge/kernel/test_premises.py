@@ -84,6 +84,17 @@ def test_equal_angles_have_equal_sines_also_where_they_move(premise, true, false
     assert check(false, symbols=SYMBOLS, assume=given).outcome is Outcome.REFUTED
 
 
+@pytest.mark.parametrize("premise", [r"\|a\| = 1", r"1 = \|a\|^2", "a^2 = 1", r"a \cdot a = 1", r"1 = a^T a"])
+def test_what_has_length_1_is_a_unit_vector(premise):
+    true = r"\exp(x \tilde{a}) = \mathbf{I} + \tilde{a} \sin x + \tilde{a}^2 (1 - \cos x)"
+    assert check(true, symbols=SYMBOLS, assume=[premise]).outcome is Outcome.PROVED
+    assert check(true.replace("1 -", "1 +"), symbols=SYMBOLS, assume=[premise]).outcome is Outcome.REFUTED
+    moving = r"\frac{d}{dt} \exp(x \tilde{a}) = \dot{x} \tilde{a} \exp(x \tilde{a})"  # ȧ is said nothing of
+    assert check(moving, symbols=SYMBOLS, assume=[premise]).outcome is Outcome.UNCHECKED
+    for other in (premise.replace("1", "2"), premise.replace("a", "b"), premise.replace("=", r"\neq")):
+        assert check(true, symbols=SYMBOLS, assume=[other]).outcome is not Outcome.PROVED
+
+
 @pytest.mark.parametrize("premise", [r"\cos x = 0", "y = 1", r"x \neq 0", "x + \\cos x = 1", "a = b"])
 def test_what_equates_no_angles_says_nothing_of_sines(premise):
     table = SymbolTable().with_specs(

@@ -8,16 +8,17 @@ equal angles have equal sines and cosines.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 
 from workbench.judge.subject import Lookup, With, reached
 from workbench.judge.subject.assumptions import Assumptions
 from workbench.judge.subject.divisions import never_divides
 from workbench.judge.subject.inventory import take_inventory
-from workbench.language.typed.construct import apply, relation
+from workbench.language.typed.construct import apply, number, power, relation, symbol
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol, Term, TimeOperator
-from workbench.language.typed.types import SCALAR, Declaration
+from workbench.language.typed.types import SCALAR, VECTOR, Declaration
 
 
 def put_in(
@@ -28,15 +29,15 @@ def put_in(
     premises = Assumptions(assume).relations
     for place, premise in enumerate(premises):
         others = [*premises[:place], *premises[place + 1 :]]
-        for symbol, value in ((premise.left, premise.right), (premise.right, premise.left)):
-            if premise.operator != "=" or not _is_any(symbol, bound):
+        for own, value in _said(premise):
+            if premise.operator != "=" or not _is_any(own, bound):
                 continue
-            if symbol.type != value.type or not _is_total(value, definitions):
+            if own.type != value.type or not _is_total(value, definitions):
                 continue
             sides = [side for r in (claim, *others) for side in (r.left, r.right)]
             orders = take_inventory(sides, definitions).orders  # of the free ones
-            if orders.get(symbol) == 0 and symbol not in take_inventory([value], definitions).orders:
-                return premise, others, With(definitions, {symbol: value})
+            if orders.get(own) == 0 and own not in take_inventory([value], definitions).orders:
+                return premise, others, With(definitions, {own: value})
     return None
 
 
@@ -53,6 +54,18 @@ def equal_turns(claim: Relation, assume: Sequence[Statement], definitions: Looku
                 for head in ("sin", "cos")
             ]
     return found
+
+
+def _said(premise: Relation) -> Iterator[tuple[Term, Term]]:
+    """What may be a symbol, and what it is then: of a vector of length 1 that it is a unit vector."""
+    sides = premise.left, premise.right
+    yield from (sides, sides[::-1])
+    for part in dict.fromkeys((*premise.left.walk(), *premise.right.walk())):
+        if isinstance(part, Symbol) and part.type == VECTOR and number(1) in sides:
+            length, squared = apply("norm", part), apply("mul", apply("transpose", part), part)
+            lengths = (length, power(length, 2), power(part, 2), apply("dot", part, part), squared)
+            if any(each in sides for each in lengths):
+                yield part, symbol(replace(part.declaration, unit=True), part.index)
 
 
 def _is_any(term: Term, bound: Collection[Name]) -> bool:

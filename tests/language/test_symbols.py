@@ -151,7 +151,11 @@ BAD_SPECS = [
     ({"a b": {"kind": "vector"}}, "expected one symbol"),
     ({"a = b": {"kind": "vector"}}, "expected one symbol"),
     ({r"\dot{x}": {"kind": "vector"}}, "expected one symbol"),
-    ({r"\tilde{\omega}": {"kind": "tensor"}}, "the skew tensor of a vector"),
+    ({r"\tilde{\omega}": {"kind": "tensor"}, r"\omega": {"kind": "vector"}}, "the skew tensor of a vector"),
+    (
+        {r"\omega_i": {"kind": "vector"}, r"\tilde{\omega}_i": {"kind": "rotation"}},
+        "the skew tensor of a vector",
+    ),
     ({"x^T": {"kind": "tensor"}}, "the transpose"),
     ({"x^2": {"kind": "scalar"}}, "a power"),
     ({"x^n": {"kind": "scalar"}}, "a power"),
@@ -178,6 +182,9 @@ TILDES = {
     "y": "vector",
     "a_i": "scalar",
     r"\tilde{a}_i": "scalar",
+    "R": "rotation",
+    r"\tilde{R}": "rotation",
+    r"\tilde{T}": "tensor",
 }
 
 
@@ -190,6 +197,8 @@ TILDES = {
         (r"\tilde{\tilde{x}} y = \tilde{x} \times y", r"\tilde{\tilde{x}} y = \tilde{x} \times y"),
         (r"\tilde{y} \tilde{x} = y \times \tilde{x}", r"\tilde{y} \tilde{x} = y \times \tilde{x}"),
         (r"\tilde{a}_1 = a_1", r"\tilde{a}_{1} = a_{1}"),
+        (r"\tilde{R} x = R^T \tilde{T} \tilde{y} x", r"\tilde{R} x = R^{T} \tilde{T} \tilde{y} x"),
+        (r"\dot{\tilde{R}} = R^T \tilde{y}", r"\dot{\tilde{R}} = R^{T} \tilde{y}"),
     ],
 )  # fmt: skip
 def test_a_letter_with_a_tilde_may_be_a_symbol_of_its_own(formula, printed):

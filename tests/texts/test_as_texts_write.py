@@ -39,6 +39,8 @@ SPELLED = [
     (r"\pdv{x}{y} = y", [r"\frac{\partial x}{\partial y} = y"]),
     (r"x = ^A y + R~^B y", [r"x = {}^A y + R~{}^B y"]),
     (r"x = R\,^T y", [r"x = R\,^T y"]),
+    (r"[x]_\times^2 = [y]^\wedge_\otimes", [r"[x]_\times^2 = [y]^\wedge_\otimes"]),
+    (r"x_+^2 = y \times ^B z", [r"x_+^2 = y \times {}^B z"]),
     (r"\theta = \tan^{-1} x", [r"\theta = \arctan x"]),
     (r"x = a \ \ y = b", ["x = a", "y = b"]),
     (

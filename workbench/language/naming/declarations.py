@@ -66,8 +66,6 @@ BUILTIN = {
 def refuse_builtin(name: Name, type_: Type, key: str) -> None:
     """Raises SpecError for a name that has a meaning of its own, in which it is read and printed back."""
     meaning = BUILTIN.get(name)
-    if "\\tilde" in name.styles and type_.kind == "tensor":
-        meaning = "the skew tensor of a vector"
     if name == CLOCK.name and type_.kind == "scalar":
         meaning = "the time of x(t) and \\frac{d}{dt}"
     if meaning is not None:

@@ -282,8 +282,16 @@ def _without_tilde(name: Name) -> Name:
 
 
 def _tilded(symbols: dict[Name, Declaration]) -> dict[Name, Declaration]:
-    """The declarations, where each holds whether the same with a tilde is one too."""
-    plain = {_without_tilde(name) for name in symbols if "\\tilde" in name.styles}
+    """The declarations, where each holds whether the same with a tilde is one too. Raises SpecError for a
+    tensor that would be the skew tensor of a vector."""
+    tildes = [name for name in symbols if "\\tilde" in name.styles]
+    plain = {_without_tilde(name) for name in tildes}
+    for name in tildes:
+        own = symbols.get(_without_tilde(name))
+        if symbols[name].type.kind == "tensor" and own is not None and own.type.kind == "vector":
+            raise SpecError(
+                "it is the skew tensor of a vector; a symbol of the paper needs another name", str(name)
+            )
     owners = {declaration.name for name, declaration in symbols.items() if name in plain}
     return {n: replace(d, tilded=True) if d.name in owners else d for n, d in symbols.items()}
 

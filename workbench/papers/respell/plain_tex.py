@@ -91,7 +91,7 @@ def _behind(tokens: Sequence[Token], place: int, characters: int) -> int:
 def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:
     """A script behind a sign or a space stands on nothing: = ^A R_B as = {}^A R_B. Only a number, a transpose
     or a star behind a space is a power, moved for the eye."""
-    is_bare, is_spaced = True, False
+    is_bare, is_spaced, is_script = True, False, False
     length_until = empty_until = -1
     for place, token in enumerate(tokens):
         text = token.text
@@ -110,7 +110,8 @@ def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:
         if text == " ":
             continue
         is_spaced = text in _SPACES or text in _SPACES_WITH_ARGUMENT
-        is_bare = is_spaced or text in _SIGNS or text.startswith("\\begin{")
+        is_bare = is_spaced or (text in _SIGNS and not is_script) or text.startswith("\\begin{")
+        is_script = text in ("^", "_")  # of which a sign without braces is the script, as in [x]_\times^2
         if text in _SPACES_WITH_ARGUMENT:
             length_until = _behind_group(tokens, place + 1)
 

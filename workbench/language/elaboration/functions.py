@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.language.elaboration.determinants import of_vectors
@@ -28,7 +28,7 @@ from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import OF_ANGLES, OF_TENSORS, word_of
-from workbench.language.typed.terms import Apply, IllFormed, Integer, Number, Term, is_rate
+from workbench.language.typed.terms import Apply, Derivative, IllFormed, Integer, Number, Power, Term, is_rate
 
 
 def function(row: Row, place: int) -> Factor:
@@ -157,9 +157,17 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
         following = row.factor(end)
         own = isinstance(following.node, Leaf | Scripted) and is_function(following.node)
         mixes = head not in OF_ANGLES or following.term.type.kind == "scalar"
-        if mixes and not own:
+        if mixes and not own and not (head in OF_ANGLES and _is_rate_beside(following.term, run)):
             raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
     return row.multiply(run), end
+
+
+def _is_rate_beside(term: Term, angle: Sequence[Factor]) -> bool:
+    """Whether it is a rate, or a power of one, behind an angle that is none: \\sin\\theta \\dot{\\theta}."""
+    rate = term.base if isinstance(term, Power) else term
+    return isinstance(rate, Derivative) and not any(
+        isinstance(part, Derivative) for factor in angle for part in factor.term.walk()
+    )
 
 
 def derivative(row: Row, place: int, found: Rate) -> Factor:

@@ -9,7 +9,7 @@ from workbench.judge.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read, read_term
-from workbench.language.typed.errors import IllFormedAt
+from workbench.language.typed.errors import IllFormedAt, ReadError
 
 KINDS = {
     "A": "tensor",
@@ -98,6 +98,23 @@ def test_the_unit_tensor_is_square(unit: str, beside: str) -> None:
 def test_what_does_not_fit(formula: str, message: str) -> None:
     with pytest.raises(IllFormedAt, match=message):
         read(formula, TABLE)
+
+
+@pytest.mark.parametrize(
+    ("formula", "firm"),
+    [
+        (r"M = \begin{bmatrix} 0 & 0 \\ x^T & 1 \end{bmatrix}", r"-\mathbf{0}^T & 0"),
+        (r"M = \begin{bmatrix} 0 & x \\ 0 & 1 \end{bmatrix}^T", "0 & 0"),
+        (r"M \begin{bmatrix} 0 & 0 \\ x^T & 1 \end{bmatrix} = M", "x^T & 0"),
+    ],
+)
+def test_how_high_a_row_of_zeros_is_is_asked_where_its_height_does_not_fit(formula: str, firm: str) -> None:
+    table = SymbolTable.build({name: {"kind": kind} for name, kind in {**KINDS, "M": "matrix 4×4"}.items()})
+    with pytest.raises(ReadError, match="more zeros"):
+        read(formula, table)
+    with pytest.raises(IllFormedAt, match="x") as error:
+        read(formula.replace("0 & 0", firm).replace("0 & x", "x^T & x"), table)
+    assert "more zeros" not in str(error.value)
 
 
 @pytest.mark.parametrize(

@@ -66,6 +66,11 @@ def written(text: str, ending: str) -> str:
         (r"If <<0 = a - g b>>, then [[a \times b = 0]]", Outcome.CONDITIONAL),
         (r"If <<0 = a - g b>>, then [[a \times b = b]]", Outcome.REFUTED),
         (r"If <<0 = a - g b>>, then it is so. The next one is [[a \times b = b \times a]]", Outcome.REFUTED),
+        (r"Suppose that <<f \neq 0>>. Then [[a \times b = b \times a]]", Outcome.REFUTED),
+        (r"Suppose that <<a>> and <<b>> do not change. Then [[a \times b = b \times a]]", Outcome.UNCHECKED),
+        (r"Suppose that <<a>> and <<b>> do not change. It is [[a \times b = b \times a]]", Outcome.REFUTED),
+        (r"It is [[a \times b = b \times a]] where <<a>> is fixed.", Outcome.UNCHECKED),
+        (r"It is [[a \times b = b \times a.]] The same holds where <<a>> is fixed.", Outcome.REFUTED),
         (r"Let <<g \neq 0>> be given. It is [[a \times b = b \times a]]", Outcome.REFUTED),
     ],
 )  # fmt: skip
@@ -135,6 +140,11 @@ def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
         ("If we use the same vectors but turn both, then", Outcome.UNCHECKED),
         ("The axes may be parallel. For any motion", Outcome.REFUTED),
         ("For example, whatever they are:", Outcome.REFUTED),
+        ("Assuming pure rolling,", Outcome.UNCHECKED),
+        ("For fixed axes it is", Outcome.UNCHECKED),
+        ("This is restricted to bodies that are rigid. Then", Outcome.UNCHECKED),
+        ("This is restricted to bodies that are rigid. Now", Outcome.REFUTED),
+        ("It moves on fixed axes; there", Outcome.REFUTED),
     ],
 )
 def test_a_case_that_words_set_apart_keeps_from_a_refutation(
@@ -142,3 +152,20 @@ def test_a_case_that_words_set_apart_keeps_from_a_refutation(
 ) -> None:
     assert verdicts(tmp_path, sentence + r" \[ a \cdot b = f + a \cdot b - f + a \cdot a \]") == [outcome]
     assert verdicts(tmp_path, sentence + r" \[ a \cdot b = b \cdot a \]") == [Outcome.PROVED]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "formula", "outcome"),
+    [
+        ("For instance, the speed", "f = 10 - 3 m", Outcome.UNCHECKED),
+        ("So the speed is", "f = 10 - 3 m", Outcome.REFUTED),
+        ("For instance, the speed is such that", "2 f = 10 - 3 m", Outcome.REFUTED),
+    ],
+)
+def test_an_example_says_what_a_symbol_is_in_it(
+    tmp_path: Path, sentence: str, formula: str, outcome: Outcome
+) -> None:
+    (tmp_path / "p.tex").write_text(rf"{sentence} \[ {formula} \] is one.")
+    (tmp_path / "p.toml").write_text(MODEL.format("tex") + "\n[definitions]\n'f' = 'g + m'\n")
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.outcome is outcome

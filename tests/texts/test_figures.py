@@ -12,6 +12,7 @@ from workbench.verify.claims import judge_paper
 KINDS = {
     **dict.fromkeys((r"\mathbf{i}", r"\mathbf{j}", r"\mathbf{k}", r"\mathbf{e}_1", r"\mathbf{e}_2", r"\mathbf{e}_3"), "vector"),
     **dict.fromkeys((r"\mathbf{u}_r", r"\mathbf{u}_\theta", r"\hat{k}", r"\hat{n}", r"\hat{r}", r"\hat{\theta}", r"\hat{\phi}"), "vector"),
+    **dict.fromkeys(("p_1", "p_2", "p_3", "q_k"), "vector"),
     **dict.fromkeys((r"\mathbf{a}", r"\mathbf{b}", r"\mathbf{r}", r"\mathbf{n}", r"\vec{r}"), "vector"),
     **dict.fromkeys(("x", "y", "r", "a", "b", "l", "c", "s", r"\omega", r"\theta", r"\phi", r"\mu"), "scalar"),
     "R": "tensor", "A": "matrix 2×2", "z": "matrix 2×1",
@@ -29,6 +30,10 @@ SHOWN = [
     (r"\mathbf{a} = (\mathbf{a} \cdot \mathbf{e}_1) \mathbf{e}_1 + (\mathbf{a} \cdot \mathbf{e}_2) \mathbf{e}_2 + (\mathbf{a} \cdot \mathbf{e}_3) \mathbf{e}_3",
      r"\mathbf{e}_{1}, \mathbf{e}_{2}, \mathbf{e}_{3} axes of a frame",
      r"\mathbf{a} = (\mathbf{a} \cdot \mathbf{e}_1) \mathbf{e}_1 + (\mathbf{a} \cdot \mathbf{e}_2) \mathbf{e}_2 - (\mathbf{a} \cdot \mathbf{e}_3) \mathbf{e}_3"),
+    (r"p_1 = (p_1 \cdot p_2) p_2 + (p_1 \cdot p_3) p_3 + (p_1 \cdot p_1) p_1", "p_{1}, p_{2}, p_{3} axes of a frame",
+     r"p_1 = (p_1 \cdot p_2) p_2 + (p_1 \cdot p_3) p_3 - (p_1 \cdot p_1) p_1"),
+    (r"\mathbf{a} = \sum_{k=1}^{3} (q_k \cdot \mathbf{a}) q_k", "q_{1}, q_{2}, q_{3} axes of a frame",
+     r"\mathbf{a} = 2 \sum_{k=1}^{3} (q_k \cdot \mathbf{a}) q_k"),
     (rf"({UP}) \cdot \mathbf{{k}} = \sin(\phi - \theta) (\mathbf{{k}} \cdot \mathbf{{k}})", r"\mathbf{i}, \mathbf{j}, \mathbf{k} axes", rf"({UP}) \cdot \mathbf{{k}} = \sin(\theta - \phi) (\mathbf{{k}} \cdot \mathbf{{k}})"),
     (rf"({VELOCITY}) \cdot ({VELOCITY}) = \dot{{r}}^2 + r^2 \dot{{\theta}}^2", "axes of a frame",
      rf"({VELOCITY}) \cdot ({VELOCITY}) = \dot{{r}}^2 - r^2 \dot{{\theta}}^2"),

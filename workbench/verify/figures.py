@@ -15,7 +15,8 @@ from workbench.language.typed.types import SCALAR, TENSOR, Declaration
 from workbench.papers.said import terms_of
 from workbench.verify.resting import Supposing
 
-#: Letters of unit vectors that stand at right angles, as textbooks choose them; any with a hat is one, too.
+#: Letters of unit vectors that stand at right angles, as textbooks choose them; any with a hat is one, too, and
+#: three of any letter with the scripts 1, 2, 3 or x, y, z.
 _AXES = ("ijk", "IJK", "e", "E", "tnb", "TNB", "u")
 #: More numbers than these in a formula are not tried as the angle.
 _MOST_ANGLES = 3
@@ -69,14 +70,21 @@ def _unstyled(own: Symbol) -> tuple[Name, tuple[Linear, ...]]:
 
 def _axes(vectors: Sequence[Symbol], angles: Sequence[Symbol]) -> Iterator[Supposing]:
     """Two or three vectors that are the axes of one frame, of either handedness where no letter tells; it may
-    turn by one of the angles about the last of them."""
-    groups: dict[str, list[Symbol]] = {}
+    turn by one of the angles about the last of them. Or the first three of a family."""
+    groups: dict[str | Name, list[Symbol]] = {}
+    for own in dict.fromkeys(each.declaration for each in vectors if len(each.index) == 1):
+        members = [symbol(own, (Linear(place),)) for place in (1, 2, 3)]
+        shown = ", ".join(map(to_latex, members))
+        yield f"{shown} axes of a frame", dict(zip(members, _units(constant=False), strict=True)), []
     for each in vectors:
         name = each.declaration.name
-        if each.type.kind == "vector" and not each.index:
+        if not each.index:
             letters = [letters for letters in _AXES if name.letter in letters]
             for key in ["\\hat"] * _has_hat(each) + letters:
                 groups.setdefault(key, []).append(each)
+            if name.sub and _place(name) and not (letters or _has_hat(each)):
+                groups.setdefault(replace(name, sub=()), []).append(each)
+    groups = {key: group for key, group in groups.items() if isinstance(key, str) or len(group) == 3}
     for group in groups.values():
         names = sorted((each.declaration.name for each in group), key=_place)
         is_known = all(_place(name) for name in names)

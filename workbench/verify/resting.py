@@ -19,7 +19,8 @@ from workbench.papers.said import free_in, terms_of
 #: More vectors than these in a formula are not tried as the one that others turn with.
 _MOST_TRIED = 4
 
-Supposing = tuple[str, dict[Name, Term], list[Relation]]
+#: In words; what symbols are, by their names, or members of families by themselves; premises.
+Supposing = tuple[str, dict[Name | Symbol, Term], list[Relation]]
 
 
 def at_rest(claim: Claim, said: Sequence[Definition]) -> Iterator[Supposing]:

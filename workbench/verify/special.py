@@ -70,7 +70,9 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
         )
     )
     for (more, besides), (what, special, premises) in product(_beside(free, flags), cases):
-        if _holds(claim, lambda term, s=special, b=besides: b(_with_terms(s)(term)), said, options, premises):
+        members = [_member(own, term) for own, term in special.items() if isinstance(own, Symbol)]
+        known = [*said, *members]
+        if _holds(claim, lambda term, s=special, b=besides: b(_with_terms(s)(term)), known, options, premises):
             return what + more
     small = [each.declaration for each in _angles(claim, said)]
     is_relation = isinstance(claim.printed.statement, Relation)
@@ -272,5 +274,9 @@ def _of_positive(term: Term) -> Term:
     return symbol(replace(own.declaration, name=name, positive=True), own.index)
 
 
-def _with_terms(special: Mapping[Name, Term]) -> Callable[[Term], Term]:
+def _member(own: Symbol, body: Term) -> Definition:
+    return Definition(own.declaration, own.index, (), body)
+
+
+def _with_terms(special: Mapping[Name | Symbol, Term]) -> Callable[[Term], Term]:
     return lambda term: replaced(term, lambda own: special.get(own.declaration.name))

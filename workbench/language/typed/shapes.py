@@ -3,7 +3,7 @@ scalar or a vector beside a quaternion is one."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -122,6 +122,22 @@ def layout(entries: Sequence[Sequence[Term]]) -> tuple[tuple[int, ...], tuple[in
         tuple(height.get(i, of_zeros[i]) for i in range(len(entries))),
         tuple(width.get(j, 1) for j in range(len(entries[0]))),
     )
+
+
+def has_open_zeros(term: Term) -> bool:
+    """Whether a matrix in it that is not square has a row or a column of zeros, which may be higher or wider
+    than 1."""
+    blocks = [part for part in term.walk() if isinstance(part, Block) and not part.type.is_square]
+    lines = ((line, heights) for part in blocks for line, heights in _lines_of(part))
+    return any(all(isinstance(each, Zero) for each in line) and sizes == {1} for line, sizes in lines)
+
+
+def _lines_of(matrix: Block) -> Iterator[tuple[Sequence[Term], set[int]]]:
+    """Its rows with their heights and its columns with their widths, where it has blocks."""
+    if any(each.type.kind != "scalar" and multiple(each) != "zero" for row in matrix.entries for each in row):
+        yield from ((row, {each.type.rows for each in row}) for row in matrix.entries)
+        columns = zip(*matrix.entries, strict=True)
+        yield from ((column, {each.type.columns for each in column}) for column in columns)
 
 
 def stretched(terms: Sequence[Term]) -> tuple[Term, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.shapes import filling, shaped, stretched
+from workbench.language.typed.shapes import filling, has_open_zeros, shaped, stretched
 from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Symbol, Term, Unread, Zero
 from workbench.language.typed.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
@@ -15,6 +15,8 @@ Signature = Callable[[tuple[Term, ...]], tuple[Type, Weight]]
 
 def _abbreviated(terms: Sequence[Term]) -> str | None:
     """What authors leave out on purpose where sizes differ: the last of four, a second ^T."""
+    if any(map(has_open_zeros, terms)):
+        return "a row or column of more zeros"
     if {t.type.with_dual(False) for t in terms} == {VECTOR, Type(4, 1)}:
         return "the column of four, with a 1 (a point) or a 0 (a direction) below the vector"
     lengths = [t.type.rows for t in terms if t.type.is_column]
@@ -137,7 +139,10 @@ def mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
         product = None if entry is None else Type(left.rows * entry.rows, entry.columns)
     if product is None:
         if "matrix" in (left.kind, right.kind):
-            raise IllFormed(f"matrix product of {left} and {right}")
+            message = f"matrix product of {left} and {right}"
+            if any(map(has_open_zeros, arguments)):
+                raise Unread(f"{message}; is meant a row or column of more zeros? a `reading` says it")
+            raise IllFormed(message)
         raise IllFormed(
             f"juxtaposition of a {left} and a {right} has no meaning", _INTENTS.get((left.kind, right.kind))
         )

@@ -13,14 +13,14 @@ from fractions import Fraction
 
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Apply, Relation, Statement, Symbol, Zero
+from workbench.language.typed.terms import Apply, Relation, Statement, Symbol, Zero, sides_of
 from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Notation
 from workbench.papers.said import terms_of
 from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.texts import Display, Token, spelled
-from workbench.papers.texts.prose import sentence_around
+from workbench.papers.texts.prose import sentence_around, supposed_before
 
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
 _ORDERS = {
@@ -29,16 +29,20 @@ _ORDERS = {
     **dict.fromkeys(("\\geq", "\\ge", "\\geqslant"), "≥"),
     **dict.fromkeys(("\\leq", "\\le", "\\leqslant"), "≤"),
 }
-#: A case that words set apart.
+#: A case that words set apart; what is supposed in a formula is looked at by itself.
 _SPECIAL = re.compile(
     r"\b(?:special|particular|limiting|degenerate|this|that) case\b|\bin the limit\b"
-    r"|\bif\b[^.;:$\\]*\bthen\b|\bof the form\b"
-    r"|\bapproach(?:es|ing)?\b|\btends? to\b|\b(?:close|near) to\b|"
+    r"|\bif\b[^.;:$\\`]*\bthen\b|\bof the form\b|\bprovided that\b"
+    r"|\bapproach(?:es|ing)?\b|\btends? to\b|\b(?:close|near) to\b"
+    r"|\b(?:suppos|assum|restrict)\w*\b(?! *(?:that |for |to )?[$\\:`])|"
     r"\b(?:approximat|lineari[sz]|neglect|ignor|negligib)\w*|\bfirst[- ]order\b|\bsmall[- ]angle|"
-    r"\b(?:for|at|if|when|where|in the case)\b[^.,;:]*\b(?:degrees?|zero|parallel|perpendicular|orthogonal"
-    r"|aligned|coincid\w+|pure|planar|small|constant|stationary|at rest|identity|the same|vanish\w*)\b",
+    r"\b(?:(?:for|at|if|when|where|in the case)\b[^.,;:]*|(?:suppos|assum)\w*[^.;]*)"
+    r"\b(?:degrees?|zero|parallel|perpendicular|orthogonal"
+    r"|aligned|coincid\w+|pure|planar|small|constant|fixed|stationary|at rest|identity|the same|vanish\w*"
+    r"|(?:un|not )chang(?:ed|ing)|(?:do|does) not \w+)\b",
     re.IGNORECASE,
 )
+_EXAMPLE = re.compile(r"\b(?:for|as an?) (?:instance|example)\b|\be\.g\.", re.IGNORECASE)
 _TURNED = str.maketrans("<>≤≥", "><≥≤")
 
 
@@ -49,9 +53,15 @@ def asides_of(
     says that they are not, or are more or less than."""
     own = _symbols(statement)
     first, last = sentence_around(display.source.text, display.start, display.end)
-    found = []
-    if case := _SPECIAL.search(" ".join(display.source.text[first : display.start].split())):
-        found.append(Aside(case.group(), display.source.place(display.start)[0], None, seen=False))
+    text = display.source.text
+    around = [text[first - len(supposed_before(text, first)) : display.start]]
+    around += [behind for behind in [text[display.end : last].lstrip("$] \n.,;")] if behind[:1].islower()]
+    around = [" ".join(words.replace(":math:", "").split()) for words in around]
+    cases = [case for words in around if (case := _SPECIAL.search(words))]
+    if any(isinstance(side, Symbol) for side in sides_of(statement)):
+        cases += [case for case in map(_EXAMPLE.search, around[:1]) if case]
+    line = display.source.place(display.start)[0]
+    found = [Aside(case.group(), line, None, seen=False) for case in cases]
     for formula in inline:
         if formula.source.path != display.source.path or formula.start >= last or not formula.rows:
             continue

@@ -12,6 +12,7 @@ _DISPLAY_END = re.compile(
 )
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z$\\*`(])")
 _STOP = re.compile(r"[.!?]\s*(?:\\end\s*\{[^}]*\}|\\\]|\$\$)?$")
+_THEN = re.compile(r"\s*(?:then|hence|thus|therefore|so|consequently|it follows)\b", re.IGNORECASE)
 _COMMAND = re.compile(r"\\[A-Za-z]+\*?\s*|[{}]")
 
 
@@ -35,6 +36,14 @@ def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
     closed = _STOP.search(text[start:end].rstrip()[-40:])
     stops = [m.start() for sign in (_BLANK_LINES, _SENTENCE) if (m := sign.search(after))]
     return first + max(ends, default=0), end if closed else end + min(stops, default=len(after))
+
+
+def supposed_before(text: str, first: int) -> str:
+    """The sentence before the one at `first`, where that begins with "then" or the like: Suppose it is so. Then …"""
+    if not _THEN.match(text, first):
+        return ""
+    before = text[:first].rstrip()
+    return text[sentence_around(text, len(before) - 1, len(before))[0] : first]
 
 
 def plain(latex: str) -> str:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from workbench import check
+from workbench.judge.verdict import Outcome
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions, expand
 from workbench.language.naming.symbols import SymbolTable
@@ -12,6 +16,7 @@ from workbench.language.reader import read_term
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.instances import instantiate
 from workbench.language.typed.terms import IllFormed, Symbol, Term
+from workbench.papers import load_paper
 
 TABLE = SymbolTable.build(
     {
@@ -234,6 +239,29 @@ def test_a_letter_of_which_the_body_does_not_speak_is_a_label(entries, latex, in
     table = SymbolTable.build({name: {"kind": "vector"} for name in "ab"})
     term = read_term(latex, read_definitions(entries, table)[1])
     assert isinstance(term, Symbol) and len(term.index) == indices
+
+
+@pytest.mark.parametrize(
+    ("body", "indices"), [("Q f", 0), ("Q f_{in}", 0), ("f_i", 2), ("n f", 2)], ids=str
+)
+def test_letters_of_which_the_definition_of_a_declared_symbol_does_not_speak_are_a_label(
+    tmp_path: Path, body: str, indices: int
+) -> None:
+    """f_{in}, the f of the inertial frame."""
+    (tmp_path / "p.md").write_text("$$ v_{in} = f $$")
+    symbols = {"Q": "rotation", "f": "vector", "f_i": "vector", "f_{in}": "vector", "v_{in}": "vector"}
+    lines = [f"'{name}' = '{kind}'" for name, kind in symbols.items()]
+    model = ["source = 'p.md'", "[symbols]", *lines, "[definitions]", f"'v_{{in}}' = '{body}'"]
+    (tmp_path / "p.toml").write_text("\n".join(model))
+    table = load_paper(tmp_path / "p.toml").claims[0].notation.symbols
+    assert len(read_term("v_{in}", table, "in").index) == indices
+
+
+def test_a_member_that_a_definition_says_for_each_index_needs_no_range() -> None:
+    kinds = {"a_n": "vector", "b_n": "vector", "R": "rotation"}
+    found = check(r"a_k = R b_k", kinds, definitions=["b_n = R^T a_n"])
+    assert found.holds and found.verdict.scope.startswith("all")
+    assert check(r"a_k = R^T b_k", kinds, definitions=["b_n = R^T a_n"]).verdict.outcome is Outcome.REFUTED
 
 
 def test_a_member_of_a_declared_family_stays_one() -> None:

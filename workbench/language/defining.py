@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
@@ -10,7 +9,7 @@ from workbench.language.circles import entered
 from workbench.language.definitions import Definitions
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import Bracket, Node, Product, Scripted, in_a_row
-from workbench.language.naming.declarations import key_spelling, refuse_builtin
+from workbench.language.naming.declarations import key_spelling, refuse_builtin, speaks_of
 from workbench.language.naming.spelling import Named
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
@@ -122,8 +121,7 @@ def _labels(head: _Head, body: str, table: SymbolTable) -> frozenset[str]:
     }:
         return frozenset(found)
     own, places = head.own
-    alone = r"(?<![\\A-Za-z])%s(?![A-Za-z]|\s*_)"  # p_1 is another symbol
-    is_spoken_of = any(re.search(alone % letter, body) for letter in head.variables)
+    is_spoken_of = speaks_of(body, head.variables)
     has_members = any(own.index_of(name) is not None for name in table.symbols)
     is_step = any(place.constant for place in places)
     return frozenset() if is_spoken_of or has_members or is_step or head.formals else head.variables

@@ -145,7 +145,8 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable
                 spec = {**spec, "kind": spec["kind"].replace("quaternion", "hamilton quaternion")}
             specs[key], owners[key] = spec, file
     try:
-        return SymbolTable.build(specs, frame_labels((*files, *scopes)))
+        bodies = {key: body for _, key, body in _in_scope(files, scopes)}
+        return SymbolTable.build(specs, frame_labels((*files, *scopes)), bodies)
     except SpecError as error:
         raise owners[error.key].error_at_key(("symbols", error.key), str(error)) from None
 

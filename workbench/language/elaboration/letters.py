@@ -287,7 +287,8 @@ class _Lettering:
                     break
                 message = f"the integer variable {', '.join(missing)} in {spelling} has no range here"
                 message += f"; if {missing[0]} is no index, declare it as a symbol"
-                is_free = found[0].name not in scope.table.defined
+                members = scope.table.defined.get(found[0].name, ())
+                is_free = not any(place.is_number or place.constant for each in members for place in each)
                 return Unranged(missing[0], message, at) if is_free else Fault(message, at)
         spellings = (spell(letter, s, scope.variables) for s in (scripts, scripts.without_sup(), Scripts()))
         return Fault(scope.table.unknown(next(s for s in spellings if s is not None)), at)

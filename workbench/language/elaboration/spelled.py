@@ -68,14 +68,18 @@ def _is_letter(node: Node) -> bool:
 def _with_prefixes(scope: Scope, items: Sequence[Node]) -> list[Node]:
     found: list[Node] = []
     for item in items:
-        before = found[-1] if found else None
-        if isinstance(before, Leaf) and before.text in PREFIXES:
-            joined = prefixed(before, item)
-            if joined is not None and scope.table.has_prefixed(*_styled_letter(joined)):
-                found[-1] = joined
-                continue
-        found.append(item)
+        if found and (joined := _prefixed(scope, found[-1], item)) is not None:
+            found[-1] = joined
+        else:
+            found.append(item)
     return found
+
+
+def _prefixed(scope: Scope, before: Node, item: Node) -> Node | None:
+    """\\Delta and t as the symbol \\Delta t, if it is one."""
+    is_prefix = isinstance(before, Leaf) and before.text in PREFIXES
+    joined = prefixed(before, item) if is_prefix else None
+    return joined if joined is not None and scope.table.has_prefixed(*_styled_letter(joined)) else None
 
 
 def _with_words(scope: Scope, items: Sequence[Node]) -> list[Node]:
@@ -92,7 +96,10 @@ def _with_words(scope: Scope, items: Sequence[Node]) -> list[Node]:
 
 
 def word_of(scope: Scope, items: Sequence[Node], styles: tuple[str, ...] = ()) -> Node | None:
-    """The letters as one symbol; None where none is written so. Raises Fault where each is a symbol, too."""
+    """The letters, or a \\Delta before one, as one symbol; None where none is written so. Raises Fault where each
+    letter is a symbol, too."""
+    if not styles and len(items) == 2 and (joined := _prefixed(scope, *items)) is not None:
+        return joined
     word = in_a_word(items) if scope.table.longest_word > 1 else None
     if word is None or not ACCENTS.isdisjoint(styles):  # \\vec{AB'} is a name with all that stands in it
         return None

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -82,6 +83,11 @@ def read_key(key: str, labels: Collection[str] = ()) -> Named:
         return key_spelling(lines[0][0], key, labels).declared()
     except Fault as fault:
         raise SpecError(f"column {fault.at + 1}: {fault}", key) from None
+
+
+def speaks_of(body: str, letters: Iterable[str]) -> bool:
+    """Whether one of the letters stands alone in the LaTeX; p_1 is another symbol than p."""
+    return any(re.search(rf"(?<![\\A-Za-z]){letter}(?![A-Za-z]|\s*_)", body) for letter in letters)
 
 
 def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling:

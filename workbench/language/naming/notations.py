@@ -306,6 +306,7 @@ def _match(pattern: Any, node: Any, formals: Mapping[str, str], found: dict[str,
                 return _same(found[pattern.text], node)
             found[pattern.text] = node
             return True
+        node = _before_a_sign(pattern, node)
     if isinstance(pattern, Node | tuple):
         mine, its = list(_parts(pattern)), list(_parts(node))
         return (
@@ -314,6 +315,15 @@ def _match(pattern: Any, node: Any, formals: Mapping[str, str], found: dict[str,
             and all(_match(a, b, formals, found) for a, b in zip(mine, its, strict=True))
         )
     return pattern == node
+
+
+def _before_a_sign(pattern: Node, node: Node) -> Node:
+    """a b \\times as one factor and the sign behind it, if the pattern is x \\times."""
+    match pattern, node:
+        case Product(items=(Leaf(), Infix())), Product(items=(*factors, Infix() as sign)):
+            if len(factors) > 1 and not any(isinstance(factor, Infix) for factor in factors):
+                return Product(node.at, (Product(node.at, tuple(factors)), sign))
+    return node
 
 
 def _filled(value: Any, given: Mapping[str, Node]) -> Any:

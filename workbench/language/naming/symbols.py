@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 from workbench.language.grammar.parser import parse
@@ -19,6 +20,7 @@ from workbench.language.naming.declarations import (
     read_declaration,
     read_key,
     refuse_builtin,
+    speaks_of,
 )
 from workbench.language.naming.notations import Notation, Notations
 from workbench.language.naming.spelling import INDEX_LETTERS, Named, Spelling, refuse_operation
@@ -76,10 +78,14 @@ class SymbolTable:
     names_close: bool = True
 
     @staticmethod
-    def build(specs: Mapping[str, Mapping[str, Any]], labels: Collection[str] = ()) -> SymbolTable:
+    def build(
+        specs: Mapping[str, Mapping[str, Any]],
+        labels: Collection[str] = (),
+        bodies: Mapping[str, str] = MappingProxyType({}),
+    ) -> SymbolTable:
         """The table of a paper's [symbols]: LaTeX key → {kind, weight, constant, unit, coordinate,
-        uniform, of, aliases, note}. The letters in `labels`, such as those of frames, are no indices. Raises
-        SpecError."""
+        uniform, of, aliases, note}. The letters in `labels`, such as those of frames, are no indices, nor are
+        those of a key whose definition, in `bodies`, speaks of none of them. Raises SpecError."""
         symbols: dict[Name, Declaration] = {}
         functions: dict[Name, Sequence[str]] = {}
         kinds = (spec.get("kind") for spec in specs.values() if isinstance(spec, Mapping))
@@ -110,6 +116,9 @@ class SymbolTable:
                 symbols[other] = declared
         for key, spec in specs.items():
             name, index = read_key(key, letters)
+            own = frozenset().union(*(place.variables for place in index))
+            if own and key in bodies and not speaks_of(bodies[key], own):
+                name, index = read_key(key, {*letters, *own})
             if name not in symbols:  # T_m beside a symbol m
                 symbols[name] = read_declaration(key, name, index, _unindexed(spec))
         try:

@@ -172,10 +172,30 @@ def test_what_is_rounded_is_not_false(tmp_path: Path, formula: str, expected: st
     assert outcomes(tmp_path, f"$$ {formula} $$", "[symbols]\na = 'scalar'") == [expected]
 
 
-@pytest.mark.parametrize(("free", "expected"), [("", "unchecked"), (", free = true", "refuted")])
-def test_a_declared_pi_may_be_the_number(tmp_path: Path, free: str, expected: str) -> None:
-    model = f"[symbols]\na = 'scalar'\n'\\pi' = {{ kind = 'scalar', constant = true{free} }}"
-    assert outcomes(tmp_path, r"$$ a + \sin\pi = a $$", model) == [expected]
+@pytest.mark.parametrize("declared", ["", "'\\pi' = 'scalar'\n", "'\\pi' = { kind = 'scalar', free = true }\n"])
+@pytest.mark.parametrize(
+    ("formula", "expected", "of_any"),
+    [
+        (r"a + \sin\pi = a", "proved", "refuted"),
+        (r"\cos(\theta + \frac{\pi}{2}) = -\sin\theta", "proved", "refuted"),
+        (r"\cos(\theta + \frac{\pi}{2}) = \sin\theta", "refuted", "refuted"),
+        (r"\cos \phi = -\sin \theta", "proved", "refuted"),
+        (r"\sin 45^\circ = \cos 45^\circ", "proved", "refuted"),
+        (r"\sin(\theta - 270\degree) = \cos \theta", "proved", "refuted"),
+        (r"\sin(\theta - 270\degree) = \sin \theta", "refuted", "refuted"),
+        (r"\sin 45^{\circ} = -\cos 45^{\circ}", "unchecked", "refuted"),
+        (r"\sin(a \pi) = 0", "unchecked", "refuted"),
+        (r"\cos\pi = \pi", "unchecked", None),
+        (r"\cos(\theta + \pi) = a - \cos\theta - a", "proved", "refuted"),
+    ],
+)
+def test_pi_is_the_number_unless_it_is_declared_free(
+    tmp_path: Path, declared: str, formula: str, expected: str, of_any: str | None
+) -> None:
+    model = f"[symbols]\n'a' = {{ kind = 'scalar', free = true }}\n'\\theta' = {{ kind = 'scalar', free = true }}\n{declared}"
+    model += "'\\phi' = 'scalar'\n[definitions]\n'\\phi' = '\\theta + \\frac{\\pi}{2}'\n"
+    found = outcomes(tmp_path, f"$$ {formula} $$", model)
+    assert "free = true" in declared and of_any is None or found == [of_any if "free" in declared else expected]
 
 
 def test_two_instants_are_two_values(tmp_path: Path) -> None:

@@ -6,11 +6,13 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from workbench.language.naming.spelling import Named
-from workbench.language.typed.construct import power, rebuild, relation, zero
+from workbench.language.typed.construct import apply, number, power, rebuild, relation, zero
 from workbench.language.typed.instances import free_integers, instantiate
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
+from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import (
+    Apply,
     Definition,
     Identity,
     IllFormed,
@@ -21,6 +23,7 @@ from workbench.language.typed.terms import (
     Zero,
     sides_of,
 )
+from workbench.language.typed.types import PI, SCALAR, Declaration
 
 
 class Definitions:
@@ -69,11 +72,23 @@ class Definitions:
                     seen.add(part.declaration.name)
                     waiting += [definition.body for definition in self.about(part)]
 
-    def nonzero(self, statement: Statement) -> Iterator[Relation]:
-        """That what is declared positive is not 0, of all that the statement speaks of."""
-        reached = (part for side in sides_of(statement) for part in self.reached(side))
-        found = (part for part in reached if isinstance(part, Symbol) and part.declaration.positive)
-        yield from (relation("≠", part, zero()) for part in dict.fromkeys(found))
+    def known_of(self, statement: Statement) -> Iterator[Relation]:
+        """Of all that the statement speaks of: that what is declared positive is not 0, and what the cosine and
+        the sine of π/2 are, where one of π is taken."""
+        reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
+        found = [part for part in reached if isinstance(part, Symbol)]
+        yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)
+        turns = (part for part in reached if isinstance(part, Apply) and part.head in CIRCULAR)
+        turned = {part for turn in turns for part in self.reached(turn)}
+        for pi in [part for part in found if part in turned and self.is_pi(part.declaration)]:
+            quarter = apply("div", pi, number(2))
+            yield relation("=", apply("cos", quarter), zero())
+            yield relation("=", apply("sin", quarter), number(1))
+
+    def is_pi(self, declaration: Declaration) -> bool:
+        """Whether it is the number π, which a model may leave undeclared, and no symbol that is any."""
+        is_number = declaration.type == SCALAR and not declaration.free
+        return declaration.name == PI.name and is_number and declaration.name not in self._of
 
     def lookup(self, symbol: Symbol) -> Term | None:
         """What the symbol is defined as, one step, for its own index and arguments; None if it is primitive.

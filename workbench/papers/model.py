@@ -308,7 +308,7 @@ class Claim:
     def supposed(self) -> tuple[Statement, ...]:
         """The conditions that the text states, and what is declared of its symbols."""
         said = self.printed.statement
-        declared = () if said is None else self.notation.definitions.nonzero(said)
+        declared = () if said is None else self.notation.definitions.known_of(said)
         return (*(formula.statement for formula in self.assume), *declared)
 
     @property

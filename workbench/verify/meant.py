@@ -7,13 +7,15 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from workbench.judge.subject.angles import sum_of_products
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
-from workbench.language.definitions import Definitions
+from workbench.language.definitions import Definitions, expand
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Definition, Relation, Symbol
+from workbench.language.typed.operators import CIRCULAR
+from workbench.language.typed.terms import Apply, Definition, Relation, Symbol, Term, sides_of
 from workbench.papers.model import Aside, Claim, Formula, Notation, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
@@ -159,11 +161,26 @@ def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
 
 
 def _of_pi(claim: Claim) -> str | None:
-    """Of a declared π no more is known than that it is a number."""
+    """Of π no more is known than the cosine and sine of its half."""
+    definitions = claim.notation.definitions
     bodies = (said.definition.body for said in claim.rests if said.definition is not None)
-    free = free_in([*terms_of(claim.printed.statement), *bodies], claim.notation.definitions)
-    is_there = any(each.name.letter == "\\pi" and not each.free for each in free)
-    return "false for some values of \\pi; if it is the number, that says nothing" if is_there else None
+    terms = [expand(term, definitions) for term in [*sides_of(claim.printed.statement), *bodies]]
+    is_open = not all(_has_known_turns(term, definitions) for term in terms)
+    return "false for some values of \\pi; if it is the number, that says nothing" if is_open else None
+
+
+def _has_known_turns(term: Term, definitions: Definitions) -> bool:
+    """Whether π stands in it only where a sine or the like takes a multiple of its half, and no other angle is
+    multiplied by it."""
+
+    def is_pi(part: Term) -> bool:
+        return isinstance(part, Symbol) and definitions.is_pi(part.declaration)
+
+    if isinstance(term, Apply) and term.head in CIRCULAR:
+        addends = sum_of_products(term.arguments[0], definitions).items()
+        sizes = [(factors, size) for factors, size in addends if any(is_pi(p) for f in factors for p in f.walk())]
+        return all(len(f) == 1 and is_pi(f[0]) and (2 * size).denominator == 1 for f, size in sizes)
+    return not is_pi(term) and all(_has_known_turns(child, definitions) for child in term.children)
 
 
 def _of_two_indices(claim: Claim) -> str | None:

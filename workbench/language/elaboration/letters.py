@@ -37,7 +37,7 @@ from workbench.language.typed.errors import Fault, Misfit, Unranged
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Apply, IllFormed, Symbol, Term, Zero
-from workbench.language.typed.types import CLOCK, TENSOR, VECTOR, Declaration
+from workbench.language.typed.types import CLOCK, PI, TENSOR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
 Lettered = tuple[Term, Node | None]
@@ -248,7 +248,7 @@ class _Lettering:
             raise Fault("which first, the accent or the prime? bracket what the prime is on", node.at)
 
     def built_in(self, name: Name, scripts: Scripts, at: int) -> Term:
-        """I, ε, D, t, e^x and C_n^k."""
+        """I, ε, D, t, π, e^x and C_n^k."""
         match name.base:
             case "\\mathbf{I}" | "\\underline{\\mathbf{I}}":
                 return construct.identity(size_below(scripts.sub)[0] or TENSOR)
@@ -256,6 +256,8 @@ class _Lettering:
                 return construct.dual_unit()
             case "t":
                 return construct.symbol(CLOCK)
+            case "\\pi":
+                return construct.symbol(PI)
             case "\\mathbf{D}":
                 return construct.time_operator()
         if name in EXPONENTIALS:

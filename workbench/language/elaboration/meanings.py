@@ -13,12 +13,12 @@ from workbench.language.naming.spelling import Scripts, spell, variable_name
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.types import CLOCK, Declaration, Type
+from workbench.language.typed.types import CLOCK, PI, Declaration, Type
 
 _UNITS = frozenset((UNIT, Name("I", ("\\underline", "\\mathbf"))))
 _FONTS = ((), ("\\boldsymbol",), ("\\mathrm",), ("\\mathbb",), ("\\mathit",), ("\\mathsf",), ("\\mathcal",))
 _ANY_FONT = frozenset(Name("I", styles) for styles in _FONTS)
-_PLAIN = frozenset((Name("\\varepsilon"), Name("D", ("\\mathbf",)), CLOCK.name))
+_PLAIN = frozenset((Name("\\varepsilon"), Name("D", ("\\mathbf",)), CLOCK.name, PI.name))
 #: e^x and C_n^k.
 EXPONENTIALS = frozenset((Name("e"), Name("e", ("\\mathrm",))))
 _COMBINATIONS = frozenset((Name("C"), Name("C", ("\\mathbf",)), Name("C", ("\\mathrm",))))

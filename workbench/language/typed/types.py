@@ -128,5 +128,8 @@ class Declaration:
     introduced: bool = False
 
 
+#: The number π, of which a quarter turn is known.
+PI = Declaration(Name("\\pi"), SCALAR, None, constant=True)
+
 #: The time t.
 CLOCK = Declaration(Name("t"), SCALAR, None, independent=True, clock=True)

@@ -217,6 +217,25 @@ def _inverse_function(tokens: list[Token], place: int) -> tuple[list[Token], int
     return ([head.standing_for(f"\\arc{head.text[1:]}")], end) if printed(power) == ["-", "1"] else None
 
 
+def _degrees(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """90^\\circ as \\frac{90}{180}\\pi."""
+    head, end = tokens[place], place
+    while end < len(tokens) and tokens[end].text.isdecimal():
+        end += 1
+    is_number = end > place and not (place and (tokens[place - 1].text.isdecimal() or tokens[place - 1].text == "."))
+    sign, behind = past(tokens, end), end
+    if is_number and printed(tokens[sign : sign + 1]) == ["^"]:
+        power, behind = group(tokens, past(tokens, sign + 1))
+        is_number = printed(power) == ["\\circ"]
+    elif is_number:
+        is_number, behind = printed(tokens[sign : sign + 1]) == ["\\degree"], sign + 1
+    if not is_number:
+        return None
+    half_turn = [head.standing_for(text) for text in "180"]
+    quotient = [head.standing_for("\\frac"), *braced(head, tokens[place:end]), *braced(head, half_turn)]
+    return [*quotient, head.standing_for("\\pi"), head.standing_for(" ")], behind
+
+
 def _over(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """{a \\over b} as \\frac{a}{b}."""
     if tokens[place].text != "{":
@@ -272,6 +291,7 @@ _PATTERNS = (
     _script_on_the_left,
     _over,
     _inverse_function,
+    _degrees,
     _line,
     _variant,
     _buildrel,

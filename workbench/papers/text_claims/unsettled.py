@@ -42,7 +42,8 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             known = {definition.declaration.name for definition in claim.notation.definitions}
             symbols = [term.declaration for term in terms_of(statement) if isinstance(term, Symbol)]
             open_columns = {each.name for each in symbols if _is_open(claim, each, symbols)}
-            free = [each for each in symbols if each.name not in known - open_columns and not each.free]
+            loose = [each for each in symbols if each.name not in known - open_columns and not each.free]
+            free = [each for each in loose if not claim.notation.definitions.is_pi(each)]
             why = _of_components(free, claim) or _of_a_star(statement, text)
             within = _within(claim, symbols)
             says_of = _solved_for(statement, free, within)

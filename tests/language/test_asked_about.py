@@ -234,3 +234,13 @@ def test_a_power_that_may_be_the_label_of_a_frame_is_asked_about(kind: str, name
             read_term(f"{name}^{power}", table)
     elif kind != "vector" or power % 2 == 0:
         assert read_term(f"{name}^{power}", table) == read_term(f"({name})^{power}", table)
+
+
+@pytest.mark.parametrize("braced", ["s S", "S T", "S + T", "-s"])
+@pytest.mark.parametrize("power", ["2", "T", r"\top", "-1"])
+def test_what_braces_hold_that_print_nothing_has_no_power(braced: str, power: str) -> None:
+    """{S T}^2 prints S T²."""
+    with pytest.raises(ReadError, match="braces print nothing"):
+        read_term(f"{{{braced}}}^{{{power}}}", TABLE)
+    assert read_term(f"({braced})^{{{power}}}", TABLE) is not None
+    assert read_term(f"{{({braced})}}^{{{power}}}", TABLE) is not None

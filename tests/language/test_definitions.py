@@ -241,9 +241,7 @@ def test_a_letter_of_which_the_body_does_not_speak_is_a_label(entries, latex, in
     assert isinstance(term, Symbol) and len(term.index) == indices
 
 
-@pytest.mark.parametrize(
-    ("body", "indices"), [("Q f", 0), ("Q f_{in}", 0), ("f_i", 2), ("n f", 2)], ids=str
-)
+@pytest.mark.parametrize(("body", "indices"), [("Q f", 0), ("Q f_{in}", 0), ("f_i", 2), ("n f", 2)], ids=str)
 def test_letters_of_which_the_definition_of_a_declared_symbol_does_not_speak_are_a_label(
     tmp_path: Path, body: str, indices: int
 ) -> None:

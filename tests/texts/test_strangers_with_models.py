@@ -172,7 +172,9 @@ def test_what_is_rounded_is_not_false(tmp_path: Path, formula: str, expected: st
     assert outcomes(tmp_path, f"$$ {formula} $$", "[symbols]\na = 'scalar'") == [expected]
 
 
-@pytest.mark.parametrize("declared", ["", "'\\pi' = 'scalar'\n", "'\\pi' = { kind = 'scalar', free = true }\n"])
+@pytest.mark.parametrize(
+    "declared", ["", "'\\pi' = 'scalar'\n", "'\\pi' = { kind = 'scalar', free = true }\n"]
+)
 @pytest.mark.parametrize(
     ("formula", "expected", "of_any"),
     [
@@ -195,7 +197,9 @@ def test_pi_is_the_number_unless_it_is_declared_free(
     model = f"[symbols]\n'a' = {{ kind = 'scalar', free = true }}\n'\\theta' = {{ kind = 'scalar', free = true }}\n{declared}"
     model += "'\\phi' = 'scalar'\n[definitions]\n'\\phi' = '\\theta + \\frac{\\pi}{2}'\n"
     found = outcomes(tmp_path, f"$$ {formula} $$", model)
-    assert "free = true" in declared and of_any is None or found == [of_any if "free" in declared else expected]
+    assert ("free = true" in declared and of_any is None) or found == [
+        of_any if "free" in declared else expected
+    ]
 
 
 def test_two_instants_are_two_values(tmp_path: Path) -> None:

@@ -79,7 +79,7 @@ class Meant:
             from workbench.judge.kernel.judge import Judge
 
             known = Definitions([*claim.notation.definitions, *definitions.values()])
-            supposed = _beside(claim).supposed
+            supposed = (*_beside(claim).supposed, *known.known_of(statement))
             with suppress(Unsatisfiable):
                 judge = Judge(known, **self._options)
                 under = undisturbed(lambda: judge.judge(statement, supposed, orders=claim.orders))
@@ -178,7 +178,9 @@ def _has_known_turns(term: Term, definitions: Definitions) -> bool:
 
     if isinstance(term, Apply) and term.head in CIRCULAR:
         addends = sum_of_products(term.arguments[0], definitions).items()
-        sizes = [(factors, size) for factors, size in addends if any(is_pi(p) for f in factors for p in f.walk())]
+        sizes = [
+            (factors, size) for factors, size in addends if any(is_pi(p) for f in factors for p in f.walk())
+        ]
         return all(len(f) == 1 and is_pi(f[0]) and (2 * size).denominator == 1 for f, size in sizes)
     return not is_pi(term) and all(_has_known_turns(child, definitions) for child in term.children)
 

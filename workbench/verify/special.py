@@ -72,7 +72,9 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
     for (more, besides), (what, special, premises) in product(_beside(free, flags), cases):
         members = [_member(own, term) for own, term in special.items() if isinstance(own, Symbol)]
         known = [*said, *members]
-        if _holds(claim, lambda term, s=special, b=besides: b(_with_terms(s)(term)), known, options, premises):
+        if _holds(
+            claim, lambda term, s=special, b=besides: b(_with_terms(s)(term)), known, options, premises
+        ):
             return what + more
     small = [each.declaration for each in _angles(claim, said)]
     is_relation = isinstance(claim.printed.statement, Relation)
@@ -240,15 +242,16 @@ def _holds(
 ) -> bool:
     """Whether it does if all of its terms, and those of what the text says, have the meaning."""
     with suppress(Unsatisfiable, RecursionError, IllFormed, NotExact, EngineDisagreement):
-        known = [replace(each, body=meaning(each.body)) for each in (*claim.notation.definitions, *said)]
-        judge = Judge(Definitions(known), **options)
+        bodies = (replace(each, body=meaning(each.body)) for each in (*claim.notation.definitions, *said))
+        known = Definitions(bodies)
+        judge = Judge(known, **options)
         signs = {"=": "≈"} if approximately else {}
 
         def special(own: Relation) -> Relation:
             return relation(signs.get(own.operator, own.operator), meaning(own.left), meaning(own.right))
 
         meant = mapped(claim.printed.statement, special)
-        supposed = (*(mapped(each, special) for each in claim.supposed), *premises)
+        supposed = (*(mapped(each, special) for each in claim.supposed), *premises, *known.known_of(meant))
         verdict = judge.judge(meant, supposed, orders=claim.orders)
         return verdict.outcome in HOLDS or (verdict.reason or "").startswith(UNLESS_IT_LASTS)
     return False

@@ -26,8 +26,10 @@ from workbench.language.grammar.syntax import (
     Product,
     Scripted,
     Styled,
+    Sum,
     both_below,
     core,
+    is_function,
 )
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.scope import Scope
@@ -107,6 +109,8 @@ class _Lettering:
             return norm, scripts.sup
         if scripts.left_sub is not None or scripts.left_sup is not None:
             raise Fault("a subscript on an expression; indices belong to symbols", node.at)
+        if scripts.sup is not None and _is_braced(node):
+            raise Fault("braces print nothing: what is the superscript on? round brackets say it", node.at)
         entries = self.scope.table.notations.primes()
         if scripts.primes and not entries:
             raise Fault("a prime on an expression", node.at)
@@ -310,6 +314,16 @@ class _Lettering:
         if node.sup is not None or node.primes:
             raise Fault("the factorial of what? bracket it", node.at)
         return construct.counting("factorial", self.scope.integer(argument))
+
+
+def _is_braced(node: Node) -> bool:
+    """Whether it is a sum or several factors, with nothing around them that prints."""
+    match node:
+        case Group(parts=(Product(items=(first, *_)),)):
+            return not is_function(first)
+        case Group(parts=(Sum(),)):
+            return True
+    return False
 
 
 def _column(scope: Scope, row: Bracket) -> Term:

@@ -37,6 +37,10 @@ def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
 
 def _without_braces(item: Node, following: Node | None) -> Sequence[Node]:
     """{\\mathbf{A}} and {{}^1 x} before a bracket are the symbols."""
+    match item:  # {a b}_1 prints a b_1
+        case Scripted(nucleus=Group(parts=(Product(items=(*first, last)),)), sub=Node(), sup=None, primes=0):
+            if _is_bare_letter(last):
+                return (*first, replace(item, nucleus=last))
     behind = following.nucleus if isinstance(following, Scripted) else following
     if isinstance(item, Group) and isinstance(behind, Bracket):
         match core(item):
@@ -45,6 +49,11 @@ def _without_braces(item: Node, following: Node | None) -> Sequence[Node]:
             case Leaf(kind="LETTER") | Styled() | Accented() | Scripted() as name:
                 return (name,)
     return (item,)
+
+
+def _is_bare_letter(node: Node) -> bool:
+    inner = unstyled(node)[1]
+    return isinstance(inner, Leaf) and inner.kind == "LETTER"
 
 
 def letters_in_one_font(item: Node) -> Iterator[Node]:

@@ -3,6 +3,7 @@ within typefaces, R(t)^T."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from itertools import dropwhile, pairwise
 
@@ -13,7 +14,18 @@ from workbench.papers.respell.between import (
     transposed_row,
     wide_space,
 )
-from workbench.papers.respell.places import FACES, GAPS, TEXTS, ahead, behind, braced, group, past, printed
+from workbench.papers.respell.places import (
+    FACES,
+    GAPS,
+    TEXTS,
+    ahead,
+    behind,
+    braced,
+    group,
+    is_one_symbol,
+    past,
+    printed,
+)
 from workbench.papers.respell.rates import at_a_label, derivative_by_name, seen_from
 from workbench.papers.texts import Token
 
@@ -24,6 +36,7 @@ _LETTERS = r"""
 _GREEK = frozenset(_LETTERS.split())
 _CAPITALS = "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 _VARIANTS = frozenset(_CAPITALS.split())
+_WHY = re.compile(r"\\\w+\{\s*\(\s*(?:using|by|from|since|because|see|cf|as|eqs?)\b", re.IGNORECASE)
 
 
 def as_read(tokens: Sequence[Token]) -> list[Token]:
@@ -160,6 +173,19 @@ def _formulas_in_text(tokens: list[Token], place: int) -> tuple[list[Token], int
     return made, end
 
 
+def _note(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\text{(using } a = b\\text{)}, which says why a step holds."""
+    if tokens[place].text not in TEXTS or not _WHY.match("".join(t.text for t in tokens[place : place + 20])):
+        return None
+    depth, end = 0, place
+    for at, token in enumerate(tokens[place:], place):
+        end = behind(tokens, at + 1) if token.text in TEXTS else end
+        depth += (token.text == "(") - (token.text == ")")
+        if depth == 0 and token.text == ")":
+            return ([], end) if at < end else None
+    return None
+
+
 def _prime(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """^{\\prime\\prime} as '', ^{'T} as '^{T}."""
     if tokens[place].text != "^":
@@ -222,7 +248,9 @@ def _degrees(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     head, end = tokens[place], place
     while end < len(tokens) and tokens[end].text.isdecimal():
         end += 1
-    is_number = end > place and not (place and (tokens[place - 1].text.isdecimal() or tokens[place - 1].text == "."))
+    is_number = end > place and not (
+        place and (tokens[place - 1].text.isdecimal() or tokens[place - 1].text == ".")
+    )
     sign, behind = past(tokens, end), end
     if is_number and printed(tokens[sign : sign + 1]) == ["^"]:
         power, behind = group(tokens, past(tokens, sign + 1))
@@ -234,6 +262,51 @@ def _degrees(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     half_turn = [head.standing_for(text) for text in "180"]
     quotient = [head.standing_for("\\frac"), *braced(head, tokens[place:end]), *braced(head, half_turn)]
     return [*quotient, head.standing_for("\\pi"), head.standing_for(" ")], behind
+
+
+def _signed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\mathbf{-v}, one symbol and a sign in its face, as (-\\mathbf{v})."""
+    start = past(tokens, place + 1)
+    if tokens[place].text not in FACES or printed(tokens[start : start + 1]) != ["{"]:
+        return None
+    inside, end = group(tokens, start)
+    sign, head = past(inside, 0), tokens[place]
+    is_one = printed(inside[sign : sign + 1]) == ["-"] and is_one_symbol(inside[sign + 1 :])
+    if not is_one or printed(tokens[past(tokens, end) :])[:1] in (["^"], ["_"]):
+        return None
+    made = [inside[sign], head, *braced(head, inside[sign + 1 :])]
+    return [head.standing_for("("), *made, head.standing_for(")")], end
+
+
+def _dotted_bracket(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """(a b)\\dot{}, with the dot behind the bracket, as \\dot{(a b)}, and (a b)^\\cdot."""
+    start = place + (tokens[place].text == "\\left")
+    closing = {"(": ")", "[": "]"}.get(tokens[start].text) if start < len(tokens) else None
+    end = None if closing is None else _closed(tokens, start, closing)
+    dot = len(tokens) if end is None else past(tokens, end)
+    mark = printed(tokens[dot : dot + 1])
+    if mark not in (["\\dot"], ["^"]):
+        return None
+    inside, after = group(tokens, past(tokens, dot + 1))
+    if printed(inside) != ([] if mark == ["\\dot"] else ["\\cdot"]):
+        return None
+    return [tokens[dot].standing_for("\\dot"), *braced(tokens[dot], as_read(tokens[place:end]))], after
+
+
+def _closed(tokens: list[Token], start: int, closing: str) -> int | None:
+    """The place behind the bracket that opens at `start`."""
+    depth = 0
+    for end in range(start, len(tokens)):
+        depth += (tokens[end].text == tokens[start].text) - (tokens[end].text == closing)
+        if depth == 0:
+            return end + 1
+    return None
+
+
+def _empty_bars(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\left|\\right|, of which a tool makes two to print a norm, as \\|."""
+    is_pair = [token.text for token in tokens[place : place + 4]] == ["\\left", "|", "\\right", "|"]
+    return ([tokens[place].standing_for("\\|")], place + 4) if is_pair else None
 
 
 def _over(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
@@ -291,6 +364,9 @@ _PATTERNS = (
     _script_on_the_left,
     _over,
     _inverse_function,
+    _signed,
+    _dotted_bracket,
+    _empty_bars,
     _degrees,
     _line,
     _variant,
@@ -300,6 +376,7 @@ _PATTERNS = (
     _grouped_table,
     _label,
     _nested_text,
+    _note,
     _formulas_in_text,
     _prime,
     _of_time,

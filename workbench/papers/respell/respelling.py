@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
@@ -23,7 +24,7 @@ _DROPPED_WITH_ARGUMENT = frozenset(
 _UNWRAPPED = frozenset((
     "mathclap", "mathrlap", "mathllap", "mathord", "mathrel", "mathbin", "mathop", "mathopen",
     "mathclose", "mathinner", "boxed", "fbox", "underbrace", "overbrace", "smash", "cancel",
-    "Aboxed", "mathstrut", "substack", "displaylines",
+    "Aboxed", "bbox", "mathstrut", "substack", "displaylines",
 ))  # fmt: skip
 _UNWRAPPED_SECOND = frozenset({"textcolor", "colorbox", "raisebox"})
 _LIMITS_ARE_NOTES = frozenset({"underbrace", "overbrace"})
@@ -35,7 +36,7 @@ _NO_NOTES = frozenset({"\\sim", "\\approx", "\\cdot", "\\circ", "\\wedge", "\\tr
 _BOLD = frozenset({"\\boldmath", "\\bf", "\\bfseries"})
 #: Sets by the commands that KaTeX has for them.
 _BLACKBOARD = frozenset("RNZC")
-_TYPED = {(":", "="): ":=", ("=", ">"): "\\Rightarrow"}
+_TYPED = {(":", "="): ":=", ("=", ":"): "=", ("=", ">"): "\\Rightarrow", ("\\not", "="): "\\neq"}
 _RENAMED = {
     **dict.fromkeys(("mathbfit", "symbf", "symbfit", "bm", "pmb", "mathbold"), "\\boldsymbol"),
     "vb": "\\mathbf",
@@ -56,6 +57,7 @@ _RENAMED = {
     "defeq": ":=",
     "coloneq": ":=",
     "coloneqq": ":=",
+    "eqqcolon": "=",
     "vcentcolon": ":",
     "colon": ":",
     "triangleq": ":=",
@@ -161,15 +163,18 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
         place += 1
         if token.text in ("^", "_") and _is_empty(tokens, place) and not _is_empty(tokens, place - 3):
             place += 2
+        elif (
+            sign := _TYPED.get((token.text, "".join(each.text for each in tokens[place : place + 1])))
+        ) is not None:
+            following = tokens[place]
+            yield Token(sign, token.source, token.start, max(token.end, following.end), token.call)
+            place += 1
         elif word is None:
-            following = tokens[place] if place < len(tokens) else token
-            if (sign := _TYPED.get((token.text, following.text))) is not None:
-                yield Token(sign, token.source, token.start, max(token.end, following.end), token.call)
-                place += 1
-            else:
-                yield token
-        elif word in _DROPPED:
+            yield token
+        elif word in _DROPPED or (word == "qty" and _opens(tokens, place)):
             continue
+        elif word in _TEXTS and (blank := _blank(tokens, place)) is not None:
+            place = blank
         elif word in _TEXTS and (inner := _formula_in(tokens, place)) is not None:
             is_bold, inner, place = inner
             if is_bold:
@@ -185,6 +190,8 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
         elif word in _DROPPED_WITH_ARGUMENT:
             _, place = argument(tokens, _past(tokens, place, "*"))
         elif word in _UNWRAPPED:
+            if word == "bbox" and _opens(tokens, place):
+                place = next((i + 1 for i in range(place, len(tokens)) if tokens[i].text == "]"), place)
             inner, place = argument(tokens, place)
             yield from _respelled(inner)
             if word in _LIMITS_ARE_NOTES:
@@ -200,6 +207,18 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             yield from _respelled(inner)
         else:
             yield token.standing_for(_RENAMED.get(word, token.text))
+
+
+def _opens(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a bracket that prints stands there."""
+    return any(token.text in ("(", "[", "|") for token in tokens[place : place + 1])
+
+
+def _blank(tokens: Sequence[Token], place: int) -> int | None:
+    """The place behind the words, if they are a box with nothing in it."""
+    inside, end = argument(tokens, place)
+    printing = "".join(token.text for token in inside)
+    return end if re.fullmatch(r"\\makebox(?:\[[^]]*\])*\{\}", printing) else None
 
 
 def _is_name(tokens: Sequence[Token], place: int) -> bool:

@@ -81,11 +81,14 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
 def _without_number(tokens: Sequence[Token]) -> list[Token]:
     """Without the number that an author sets himself, behind a wide space at the end or before one."""
     spaces = [
-        place for place, (token, depth) in enumerate(with_depth(tokens)) if token.text in _FAR and not depth
+        place
+        for place, (token, depth) in enumerate(with_depth(tokens))
+        if (token.text in _FAR or token.text[5:-1] in _LINES - {"array"}) and not depth
     ]
     if spaces and NUMBER.fullmatch(joined(tokens[spaces[-1] + 1 :])):
-        return list(tokens[: spaces[-1]])
-    if spaces and NUMBER.fullmatch(joined(tokens[: spaces[0]])):
+        last = spaces[-1]
+        return list(tokens[: last + (tokens[last].text not in _FAR)])
+    if spaces and tokens[spaces[0]].text in _FAR and NUMBER.fullmatch(joined(tokens[: spaces[0]])):
         return list(tokens[spaces[0] + 1 :])
     return list(tokens)
 

@@ -95,7 +95,8 @@ def _condition(
         return
     with suppress(ReadError, IllFormedAt, ValueError):
         statement, ranges = read_statement(latex, notation, None)
-        is_equation = isinstance(statement, Relation) and statement.operator != "≈"
+        of_pi = any(map(notation.definitions.is_pi, _symbols(statement)))  # `unread` knows such angles
+        is_equation = isinstance(statement, Relation) and statement.operator != "≈" and not of_pi
         if is_equation and not ranges and (own is None or _symbols(statement) & own):
             yield _aside(spelled(tokens)[0], line, statement, order)
 

@@ -201,6 +201,10 @@ def _chain(tokens: list[Token], conditions: list[Token]) -> Iterator[tuple[list[
         else:
             sides[-1].append(token)
     sides = [trimmed(side) for side in sides]
+    while signs and not sides[-1]:  # with nothing behind it, as it ends a row that nothing follows
+        sides.pop()
+        tokens = tokens[: next(at for at, token in enumerate(tokens) if token is signs[-1][0])]
+        signs.pop()
     for place in range(len(signs) - 1, 0, -1):  # an = at the end of a row, and again before the next
         if not sides[place] and signs[place][0].text == signs[place - 1][0].text:
             del sides[place], signs[place]

@@ -17,6 +17,7 @@ from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.said import stated, terms_of, with_said
+from workbench.papers.text_claims.alignment import RELATIONS
 from workbench.papers.text_claims.asides import asides_of, own_asides
 from workbench.papers.text_claims.assigned import Placed, assigned, means, unknown_ids
 from workbench.papers.text_claims.steps import Step, steps_of
@@ -25,6 +26,7 @@ from workbench.papers.text_claims.unsettled import with_unsettled
 from workbench.papers.texts import Display, Text, Token, spelled
 from workbench.papers.toml.toml_file import TomlFile
 
+_IN_WORDS = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*(?:is|are|denotes?|represents?)\b")
 _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 
@@ -243,6 +245,8 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
             bare = replace(placed, step=placed.step.without_ranges())
             if (found := _printed(bare, orders, excused))[0].statement is not None:
                 return found
+        if _IN_WORDS.search(latex) and not any(token.text in RELATIONS for token in placed.step.tokens):
+            return Formula(latex, unread="says in words what it is, and claims nothing"), orders
         at = _at(latex, owners, error.line, error.column)
         return Formula(latex, unread=_why_unread(error, latex, placed.notation), at=at), orders
     except ValueError as error:

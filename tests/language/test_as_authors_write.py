@@ -53,6 +53,7 @@ SAME = [
     (r"\Delta t^2", r"(\Delta t)^2"),
     (r"\dot{\Delta t}", r"\Delta \dot{t}"),
     (r"\dot{\Delta\mathbf{x}}_1", r"\Delta\dot{\mathbf{x}}_1"),
+    (r"{x (\mathbf{p} \mathbf{q})}^T", r"x (\mathbf{p} \mathbf{q})^T"),
     (r"{x v}_\mathcal{B}", r"x v_\mathcal{B}"),
     (r"{\Delta\mathbf{x}}_1", r"\Delta\mathbf{x}_1"),
     (r"[\Delta\mathbf{x}_1 \times] w", r"\widetilde{\Delta\mathbf{x}_1} w"),

@@ -331,3 +331,26 @@ def test_a_backslash_at_the_end_of_a_line_is_a_space_as_in_tex():
 @pytest.mark.parametrize("formula", [r"s = 1 - t", r"s = \cos t", r"s = 3 + t^2 \alpha"])
 def test_the_time_may_stand_for_a_number(formula: str) -> None:
     assert read(formula, TABLE)
+
+
+def test_a_digit_above_a_matrix_that_is_no_symbol_without_it_is_a_label() -> None:
+    """T^2_3, from frame 2 to 3; a power of T_3 where there is one."""
+    kinds = {name: {"kind": "matrix 4×4"} for name in ("T^1_2", "T^2_3", "S")}
+    table = SymbolTable.build(kinds)
+    (said,) = read("T^1_2 T^2_3 = S", table)
+    assert [str(each.declaration.name) for each in said.left.children] == ["T_{2}^{1}", "T_{3}^{2}"]
+    for more in ({"T_3": {"kind": "matrix 4×4"}}, {"T_n": {"kind": "matrix 4×4"}}):
+        with pytest.raises(SpecError, match="read as a power"):
+            SymbolTable.build({**kinds, **more})
+    for key, kind in (("x_3^2", "scalar"), ("v_3^2", "vector"), ("T^2", "tensor"), ("T_3^{-1}", "tensor")):
+        with pytest.raises(SpecError, match="read as a power"):
+            SymbolTable.build({key: {"kind": kind}})
+
+
+def test_a_sign_that_is_the_product_of_matrices_needs_no_brackets() -> None:
+    own = {"X . Y": {"where": {"X": "tensor", "Y": "tensor"}, "means": "X Y"}}
+    table = SymbolTable.build({name: {"kind": "tensor"} for name in "ABC"})
+    assert read_term("A . B . C", table.with_notations(own)) == read_term("A B C", table)
+    crossed = {"X . Y": {"where": {"X": "tensor", "Y": "tensor"}, "means": "X Y - Y X"}}
+    with pytest.raises(ReadError, match="without brackets"):
+        read_term("A . B . C", table.with_notations(crossed))

@@ -416,6 +416,19 @@ def test_what_a_text_says_of_its_symbols_elsewhere_is_no_falsehood(
     assert why is None or why in last["reason"]
 
 
+@pytest.mark.parametrize(
+    ("sentence", "verdict"), [("the function $g(N)$", "unchecked"), ("the vector $g$", "ill-formed")]
+)
+def test_a_function_of_which_a_sentence_speaks_is_no_factor(
+    tmp_path: Path, sentence: str, verdict: str
+) -> None:
+    (tmp_path / "p.md").write_text(f"Of {sentence} we know:\n\n$$ a = R \\, g(R^T b) $$\n")
+    kinds = "'R' = 'rotation'\n" + "\n".join(f"'{name}' = 'vector'" for name in "abgN")
+    (tmp_path / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{kinds}\n")
+    (claim,) = json.loads(run("check", str(tmp_path / "p.toml"), "--no-proposals", "--json").stdout)["claims"]
+    assert claim["verdict"] == verdict
+
+
 FRAMED = """
 source = "p.tex"
 frames = { base = "N", names = ["A", "B"], dot = "N", '{}^F R^G' = "rotation to F from G" }

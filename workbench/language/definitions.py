@@ -73,8 +73,8 @@ class Definitions:
                     waiting += [definition.body for definition in self.about(part)]
 
     def known_of(self, statement: Statement) -> Iterator[Relation]:
-        """Of all that the statement speaks of: that what is declared positive is not 0, and what the cosine and
-        the sine of π/2 are, where one of π is taken."""
+        """Of all that the statement speaks of: that what is declared positive is not 0, and the cosine and sine
+        of π/2, where one of π is taken."""
         reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
         found = [part for part in reached if isinstance(part, Symbol)]
         yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)

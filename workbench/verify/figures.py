@@ -15,8 +15,8 @@ from workbench.language.typed.types import SCALAR, TENSOR, Declaration
 from workbench.papers.said import terms_of
 from workbench.verify.resting import Supposing
 
-#: Letters of unit vectors that stand at right angles, as textbooks choose them; any with a hat is one, too, and
-#: three of any letter with the scripts 1, 2, 3 or x, y, z.
+#: Letters of unit vectors that stand at right angles, as textbooks choose them; any with a hat is one, too,
+#: and three of any letter with the scripts 1, 2, 3 or x, y, z.
 _AXES = ("ijk", "IJK", "e", "E", "tnb", "TNB", "u")
 #: More numbers than these in a formula are not tried as the angle.
 _MOST_ANGLES = 3

@@ -170,8 +170,8 @@ def _of_pi(claim: Claim) -> str | None:
 
 
 def _has_known_turns(term: Term, definitions: Definitions) -> bool:
-    """Whether π stands in it only where a sine or the like takes a multiple of its half, and no other angle is
-    multiplied by it."""
+    """Whether π stands in it only where a sine or the like takes a multiple of its half, and multiplies no
+    other angle."""
 
     def is_pi(part: Term) -> bool:
         return isinstance(part, Symbol) and definitions.is_pi(part.declaration)

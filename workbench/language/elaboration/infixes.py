@@ -29,7 +29,7 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
             raise Fault(f"{what}: {OWN_SIGNS[sign.operator]}", sign.at)
         if own is not None:
             result = own
-            if result.type.kind != "quaternion":
+            if result.type.kind != "quaternion" and not _is_matrix_product(own):
                 heads.add("cross")
             if "cross" in heads and len([o for o in operands if o.type.kind != "scalar"]) > 2:
                 raise Fault("several products without brackets are ambiguous", signs[-1].at)
@@ -47,6 +47,12 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
             raise Fault("several products without brackets are ambiguous", signs[-1].at)
         result = _of_tensors(scope, sign.at, head, result, operand)
     return result
+
+
+def _is_matrix_product(term: Term) -> bool:
+    """Whether brackets change nothing in a row of such."""
+    is_product = isinstance(term, Apply) and term.head == "mul"
+    return is_product and all(factor.type.is_square for factor in term.arguments)
 
 
 def _turns_often(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool:

@@ -37,9 +37,9 @@ def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
 
 def _without_braces(item: Node, following: Node | None) -> Sequence[Node]:
     """{\\mathbf{A}} and {{}^1 x} before a bracket are the symbols."""
-    match item:  # {a b}_1 prints a b_1
-        case Scripted(nucleus=Group(parts=(Product(items=(*first, last)),)), sub=Node(), sup=None, primes=0):
-            if _is_bare_letter(last):
+    match item:  # {a b}_1 prints a b_1, and {a (b)}^T a (b)^T
+        case Scripted(nucleus=Group(parts=(Product(items=(*first, last)),)), primes=0):
+            if isinstance(last, Bracket) if item.sub is None else item.sup is None and _is_bare_letter(last):
                 return (*first, replace(item, nucleus=last))
     behind = following.nucleus if isinstance(following, Scripted) else following
     if isinstance(item, Group) and isinstance(behind, Bracket):
@@ -105,8 +105,8 @@ def _with_words(scope: Scope, items: Sequence[Node]) -> list[Node]:
 
 
 def word_of(scope: Scope, items: Sequence[Node], styles: tuple[str, ...] = ()) -> Node | None:
-    """The letters, or a \\Delta before one, as one symbol; None where none is written so. Raises Fault where each
-    letter is a symbol, too."""
+    """The letters, or a \\Delta before one, as one symbol; None where none is written so. Raises Fault where
+    each letter is a symbol, too."""
     if not styles and len(items) == 2 and (joined := _prefixed(scope, *items)) is not None:
         return joined
     word = in_a_word(items) if scope.table.longest_word > 1 else None

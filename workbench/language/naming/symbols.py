@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cached_property
@@ -110,7 +110,9 @@ class SymbolTable:
                     if read_key(alias, letters)[0] != other:
                         continue  # T_n beside T_m and symbols m and n
                     raise SpecError(f"{alias} is declared twice", key)
-                refuse_operation(other, key)
+                is_matrix = declared.type.is_square and declared.type.rows > 1
+                if not (is_matrix and _is_labelled(other, specs)):
+                    refuse_operation(other, key)
                 if other not in own:
                     refuse_builtin(other, declared.type, key)
                 symbols[other] = declared
@@ -279,6 +281,15 @@ def _with_members(
             else:
                 kept[pattern] = replace(kept[pattern], apart=(*kept[pattern].apart, index))
     return kept
+
+
+def _is_labelled(name: Name, keys: Iterable[str]) -> bool:
+    """Whether the 2 of T^2_3 is a label: there is no T_3 of which it could be the power."""
+    if not (any(name.sub) and "".join(name.sup).isdigit()):
+        return False
+    base = replace(name, sup=())
+    known = [read_key(key)[0] for key in keys]
+    return not any(each == base or each.index_of(base) is not None for each in known)
 
 
 def _unindexed(spec: Mapping[str, Any]) -> dict[str, Any]:

@@ -40,6 +40,17 @@ def net_sum(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     return [*tokens[start:end], *label], end
 
 
+def bar_of_a_set(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """The one bar in \\{x | a = b\\} as the sign that it is there."""
+    if tokens[place].text != "\\{":
+        return None
+    end = next((at for at in range(place, len(tokens)) if tokens[at].text == "\\}"), None)
+    bars = [at for at in range(place, end or place) if tokens[at].text == "|"]
+    if len(bars) != 1 or tokens[bars[0] - 1].text in ("\\left", "\\right"):
+        return None
+    return [*tokens[place : bars[0]], tokens[bars[0]].standing_for("\\mid")], bars[0] + 1
+
+
 def wide_space(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """Two spaces or more as the wide one that they print."""
     if tokens[place].text not in _SPACES_OF_A_WORD:

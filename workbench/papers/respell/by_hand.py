@@ -36,6 +36,7 @@ _LETTERS = r"""
 _GREEK = frozenset(_LETTERS.split())
 _CAPITALS = "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 _VARIANTS = frozenset(_CAPITALS.split())
+_LETTERED = re.compile(r"[a-z](?:,[a-z])*(?:=(?:\d+|n|,|\\[lc]?dots|\.)+)?")
 _WHY = re.compile(r"\\\w+\{\s*\(\s*(?:using|by|from|since|because|see|cf|as|eqs?)\b", re.IGNORECASE)
 
 
@@ -43,11 +44,11 @@ def as_read(tokens: Sequence[Token]) -> list[Token]:
     """Every token stays in its place."""
     made = list(tokens)
     for pattern in (*_PATTERNS, derivative_by_name, seen_from, at_a_label, *_BETWEEN):
-        made = _everywhere(made, pattern)
+        made = everywhere(made, pattern)
     return made
 
 
-def _everywhere(
+def everywhere(
     tokens: list[Token], pattern: Callable[[list[Token], int], tuple[list[Token], int] | None]
 ) -> list[Token]:
     made: list[Token] = []
@@ -309,6 +310,19 @@ def _empty_bars(tokens: list[Token], place: int) -> tuple[list[Token], int] | No
     return ([tokens[place].standing_for("\\|")], place + 4) if is_pair else None
 
 
+def _for_all(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\forall before i = 1, 2, 3 at the end of a row as a wide space; \\forall i alone as nothing."""
+    if tokens[place].text != "\\forall":
+        return None
+    rest = printed(tokens[place + 1 :])
+    end = next((at for at, text in enumerate(rest) if text in ("\\\\", "&")), len(rest))
+    said = "".join(text for text in rest[:end] if text not in ("\\quad", "\\qquad")).rstrip(".,;")
+    if not _LETTERED.fullmatch(said):
+        return None
+    last = next((at for at in range(place, len(tokens)) if tokens[at].text in ("\\\\", "&")), len(tokens))
+    return ([tokens[place].standing_for("\\quad")], place + 1) if "=" in said else ([], last)
+
+
 def _over(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """{a \\over b} as \\frac{a}{b}."""
     if tokens[place].text != "{":
@@ -364,6 +378,7 @@ _PATTERNS = (
     _script_on_the_left,
     _over,
     _inverse_function,
+    _for_all,
     _signed,
     _dotted_bracket,
     _empty_bars,

@@ -7,15 +7,16 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
 from workbench.language.grammar.parser import MOST_CHARACTERS
-from workbench.papers.respell.by_hand import as_read
+from workbench.papers.respell.between import bar_of_a_set
+from workbench.papers.respell.by_hand import as_read, everywhere
 from workbench.papers.respell.plain_tex import with_nuclei, with_typefaces, without_kerns
 from workbench.papers.texts import Token
 
 _DROPPED = frozenset((
     "displaystyle", "textstyle", "scriptstyle", "nolimits", "limits", "mathstrut", "strut",
     "nobreak", "allowbreak", "noindent", "centering", "smallskip", "medskip", "bigskip", "hfill",
-    "hfil", "par", "space", "left.", "right.", "null", "kern-", "protect", "relax", "linebreak", "nonumber",
-    "notag", "normalsize", "small", "footnotesize", "scriptsize", "tiny", "large", "boldmath",
+    "hfil", "par", "space", "left.", "right.", "null", "middle", "kern-", "protect", "relax", "linebreak",
+    "nonumber", "notag", "normalsize", "small", "footnotesize", "scriptsize", "tiny", "large", "boldmath",
     "unboldmath",
 ))  # fmt: skip
 _DROPPED_WITH_ARGUMENT = frozenset(
@@ -76,6 +77,7 @@ def respelled(tokens: Sequence[Token], words: Collection[str] = ()) -> list[Toke
     if len(tokens) > MOST_CHARACTERS:
         return list(tokens)
     made = list(_respelled(list(with_nuclei(as_read(list(with_typefaces(list(without_kerns(tokens)))))))))
+    made = everywhere(made, bar_of_a_set)
     if any(token.word in _OPERATORS for token in tokens):
         made = _tidied(made)
     return list(_with_words(made, words))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from workbench.language.elaboration.arguments import OR_A_PRODUCT
 from workbench.language.reader import unclaimed
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Symbol
@@ -27,6 +28,7 @@ from workbench.papers.texts import Display, Text, Token, spelled
 from workbench.papers.toml.toml_file import TomlFile
 
 _IN_WORDS = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*(?:is|are|denotes?|represents?)\b")
+_FUNCTION = re.compile(r"(\\?[A-Za-z]+(?:_\w+)?)\([^()]+\)")
 _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 
@@ -61,6 +63,8 @@ def text_paper(
         or _unusable(claim)
         for at, claim in enumerate(claims)
     ]
+    functions = {match[1] for each in text.inline if (match := _FUNCTION.fullmatch(_flat(each.latex)))}
+    claims = [_perhaps_of(claim, functions) for claim in claims]
     claims = [_with_asides(*each, text.inline) for each in zip(claims, placed, strict=True)]
     for fault in unknown_ids(entries, {claim.id for claim in claims}):
         faults.tell(fault)
@@ -77,6 +81,20 @@ def text_paper(
         faults=tuple(faults),
         warnings=tuple(text.warnings),
     )
+
+
+def _flat(latex: str) -> str:
+    return re.sub(r"[\s{}]|\\(?:left|right)(?![A-Za-z])", "", latex)
+
+
+def _perhaps_of(claim: Claim, functions: Collection[str]) -> Claim:
+    """A vector beside a vector in brackets, x (y), where a sentence speaks of x(z), is no product."""
+    printed = claim.printed
+    if "juxtaposition" not in (printed.ill_formed or ""):
+        return claim
+    is_one = any(f"{name}(" in _flat(printed.latex) for name in functions)
+    unread = replace(printed, ill_formed=None, unread=_unreadable(OR_A_PRODUCT))
+    return replace(claim, printed=unread) if is_one else claim
 
 
 def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]) -> Claim:

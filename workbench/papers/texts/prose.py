@@ -39,7 +39,7 @@ def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
 
 
 def supposed_before(text: str, first: int) -> str:
-    """The sentence before the one at `first`, where that begins with "then" or the like: Suppose it is so. Then …"""
+    """The sentence before the one at `first`, where that begins with "then": Suppose it is so. Then …"""
     if not _THEN.match(text, first):
         return ""
     before = text[:first].rstrip()

@@ -74,11 +74,36 @@ def test_a_false_sum_is_refuted_by_one_that_is_long_enough() -> None:
     assert verdict.outcome == "refuted" and verdict.reason == "for n = 2"
 
 
-def test_a_family_that_has_definitions_is_not_free() -> None:
-    verdict = check(
-        r"\sum_{i=1}^{n} x_i = \sum_{i=1}^{n} a_i \omega", SYMBOLS, definitions=[r"x_i = a_i \omega"]
-    ).verdict
-    assert verdict.outcome == "unchecked" and "holds for" in verdict.reason
+@pytest.mark.parametrize(
+    ("formula", "definitions"),
+    [
+        (r"\sum_{i=1}^{n} x_i = \sum_{i=1}^{n} a_i \omega", [r"x_i = a_i \omega"]),
+        (r"\sum_i x_i = \omega \sum_i b_i (1 + b_i)", [r"a_i = b_i^2", r"x_i = (a_i + b_i) \omega"]),
+        (r"\sum_i m_i \dot{x}_i = \sum_i m_i (\dot{\omega} + \dot{y}_i)", [r"x_k = \omega + y_k"]),
+        (
+            r"\frac{d}{dt} \sum_i x_i = \sum_i \dot{a}_i \omega + \sum_i a_i \dot{\omega}",
+            [r"x_i = a_i \omega"],
+        ),
+    ],
+)
+def test_what_is_defined_for_each_index_is_put_in(formula: str, definitions: list[str]) -> None:
+    found = check(formula, SYMBOLS, definitions=definitions)
+    assert found.verdict.outcome == "proved" and found.verdict.scope.startswith("all"), found
+    left, right = formula.split("=", 1) if r"\sum_{" not in formula else formula.split(" = ")
+    damaged = check(rf"{left} = 2 \left({right}\right)", SYMBOLS, definitions=definitions)
+    assert damaged.verdict.outcome == "refuted", damaged
+
+
+@pytest.mark.parametrize(
+    "definitions",
+    [
+        [r"x_1 = a_1 \omega", r"x_{i+1} = a_{i+1} \omega"],
+        [r"y_1 = \omega", r"a_i = y_i \cdot y_i", r"x_i = y_i^2 \omega"],
+    ],
+)
+def test_a_family_of_which_one_member_is_defined_apart_is_not_free(definitions: list[str]) -> None:
+    formula = r"\sum_{i=1}^{n} x_i = \sum_{i=1}^{n} a_i \omega"
+    assert check(formula, SYMBOLS, definitions=definitions).verdict.outcome == "unchecked"
 
 
 def test_a_sum_over_nothing_or_in_a_definition_needs_bounds() -> None:

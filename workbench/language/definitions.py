@@ -73,7 +73,7 @@ class Definitions:
                     waiting += [definition.body for definition in self.about(part)]
 
     def known_of(self, statement: Statement) -> Iterator[Relation]:
-        """Of all that the statement speaks of: that what is declared positive is not 0, and the cosine and sine
+        """Of all that the statement speaks of: that what is declared positive is not 0; the cosine and sine
         of π/2, where one of π is taken."""
         reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
         found = [part for part in reached if isinstance(part, Symbol)]

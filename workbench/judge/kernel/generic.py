@@ -10,9 +10,18 @@ from workbench.judge.kernel.in_force import InstanceJudge
 from workbench.judge.subject.addends import addend_by_addend, has_sums
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Evidence, Outcome, Verdict
-from workbench.language.definitions import Definitions
+from workbench.language.definitions import Definitions, expand
 from workbench.language.typed.instances import free_integers
-from workbench.language.typed.terms import BigSum, Conjunction, IllFormed, Relation, Statement, Symbol, Term
+from workbench.language.typed.terms import (
+    BigSum,
+    Conjunction,
+    Definition,
+    IllFormed,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+)
 
 
 @dataclass(frozen=True)
@@ -53,16 +62,30 @@ def ranges_apart(
     return [Distinct(orders, dict.fromkeys(lasts, length)) for length in lengths]
 
 
+def _for_each(statement: Relation, definitions: Definitions) -> Relation | None:
+    """The equation of free members, where what is defined is defined for each index alike."""
+    members = {part for side in (statement.left, statement.right) for part in definitions.reached(side)}
+    members = {part for part in members if isinstance(part, Symbol) and part.index}
+    known = {each for member in members for each in definitions.about(member)}
+    if any(member.declaration.apart for member in members) or not all(map(_is_for_each, known)):
+        return None
+    return replace(
+        statement, left=expand(statement.left, definitions), right=expand(statement.right, definitions)
+    )
+
+
+def _is_for_each(definition: Definition) -> bool:
+    places = definition.index
+    return bool(places) and all(not place.is_number and place.constant == 0 for place in places)
+
+
 def judge_addends(judge: InstanceJudge, statement: Statement) -> Verdict | None:
     """`proved` for an equation of sums that holds addend by addend for a free one; None for any other."""
     if not isinstance(statement, Relation) or statement.operator != "=":
         return None
-    sides = (statement.left, statement.right)
-    members = [part for t in sides for part in t.walk() if isinstance(part, Symbol) and part.index]
-    if any(member.declaration.apart or judge.definitions.about(member) for member in members):
-        return None
     try:
-        said = addend_by_addend(statement)
+        statement = _for_each(statement, judge.definitions)
+        said = None if statement is None else addend_by_addend(statement)
         verdict = None if said is None else judge.judge_instance(Conjunction(tuple(said)), (), None)
     except (NotExact, IllFormed):
         return None

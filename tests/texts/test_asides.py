@@ -141,6 +141,8 @@ def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
         ("The axes may be parallel. For any motion", Outcome.REFUTED),
         ("For example, whatever they are:", Outcome.REFUTED),
         ("Assuming pure rolling,", Outcome.UNCHECKED),
+        ("Supposing that the axes are not rotating,", Outcome.UNCHECKED),
+        ("Supposing that the turn is not an identity,", Outcome.REFUTED),
         ("For fixed axes it is", Outcome.UNCHECKED),
         ("This is restricted to bodies that are rigid. Then", Outcome.UNCHECKED),
         ("This is restricted to bodies that are rigid. Now", Outcome.REFUTED),

@@ -16,6 +16,7 @@ from workbench.language.typed.terms import (
     Definition,
     Identity,
     IllFormed,
+    Number,
     Relation,
     Statement,
     Symbol,
@@ -78,9 +79,9 @@ class Definitions:
         reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
         found = [part for part in reached if isinstance(part, Symbol)]
         yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)
-        turns = (part for part in reached if isinstance(part, Apply) and part.head in CIRCULAR)
-        turned = {part for turn in turns for part in self.reached(turn)}
-        for pi in [part for part in found if part in turned and self.is_pi(part.declaration)]:
+        pis = [part for part in found if self.is_pi(part.declaration)]
+        sides = [expand(side, self) for side in sides_of(statement)] if pis else []
+        for pi in [each for each in pis if all(only_turns(side, each) for side in sides)]:
             quarter = apply("div", pi, number(2))
             yield relation("=", apply("cos", quarter), zero())
             yield relation("=", apply("sin", quarter), number(1))
@@ -166,6 +167,21 @@ class _Expansion:
         children = tuple(self.term(child) for child in term.children)
         unchanged = all(new is old for new, old in zip(children, term.children, strict=True))
         return term if unchanged else rebuild(term, children)
+
+
+def only_turns(term: Term, pi: Symbol) -> bool:
+    """Whether π stands in it only as an addend of what a sine or the like is taken of."""
+    if isinstance(term, Apply) and term.head in CIRCULAR:
+        return all(_is_addend(each, pi) for each in term.arguments)
+    return term != pi and all(only_turns(child, pi) for child in term.children)
+
+
+def _is_addend(term: Term, pi: Symbol) -> bool:
+    is_linear = isinstance(term, Apply) and term.head in ("add", "neg", "mul", "div")
+    rest = [part for part in term.children if not isinstance(part, Number)]
+    if is_linear and (term.head in ("add", "neg") or len(rest) == 1):
+        return all(_is_addend(part, pi) for part in rest)
+    return term == pi or pi not in term.walk()
 
 
 def solve(pattern: tuple[Linear, ...], index: tuple[Linear, ...]) -> dict[str, Linear] | None:

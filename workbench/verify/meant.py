@@ -11,7 +11,7 @@ from workbench.judge.subject.angles import sum_of_products
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
-from workbench.language.definitions import Definitions, expand
+from workbench.language.definitions import Definitions, expand, only_turns
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import CIRCULAR
@@ -176,6 +176,8 @@ def _has_known_turns(term: Term, definitions: Definitions) -> bool:
     def is_pi(part: Term) -> bool:
         return isinstance(part, Symbol) and definitions.is_pi(part.declaration)
 
+    if not all(only_turns(term, part) for part in term.walk() if is_pi(part)):
+        return False
     if isinstance(term, Apply) and term.head in CIRCULAR:
         addends = sum_of_products(term.arguments[0], definitions).items()
         sizes = [

@@ -16,6 +16,7 @@ from workbench.language.typed.terms import Symbol
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
+from workbench.papers.numbered import written_out
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.said import stated, terms_of, with_said
 from workbench.papers.text_claims.alignment import RELATIONS
@@ -263,6 +264,8 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
             bare = replace(placed, step=placed.step.without_ranges())
             if (found := _printed(bare, orders, excused))[0].statement is not None:
                 return found
+        if (said := written_out(latex, placed.notation)) is not None:
+            return Formula(latex, said), orders
         if _IN_WORDS.search(latex) and not any(token.text in RELATIONS for token in placed.step.tokens):
             return Formula(latex, unread="says in words what it is, and claims nothing"), orders
         at = _at(latex, owners, error.line, error.column)

@@ -1,0 +1,53 @@
+"""e_i for i = 1, 2, 3 of symbols that are declared one by one is read as all of them; else it is unknown as before."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from workbench.papers import load_paper
+from workbench.verify.claims import judge_paper
+
+AXES = "[frames]\nbase = 'N'\ndot = 'N'\nnames = ['B']\naxes = { B = ['e_1', 'e_2', 'e_3'] }\n"
+VECTORS = "[symbols]\n'e_1' = 'vector'\n'e_2' = 'vector'\n'e_3' = 'vector'\n"
+SYMBOLS = "[symbols]\n'w' = 'vector'\n'x_1' = 'scalar'\n'x_2' = 'scalar'\n'x_3' = 'scalar'\n'y_2' = 'scalar'\n'z_1' = 'scalar'\n'z_2' = 'vector'\n"
+DEFINED = "[definitions]\n'x_1' = 'w \\cdot e_1'\n'x_2' = 'w \\cdot e_2'\n'x_3' = 'w \\cdot e_3'\n"
+RANGE = r"\quad i = 1, 2, 3"
+
+
+def outcome(folder: Path, formula: str, model: str) -> str:
+    (folder / "p.md").write_text(f"$$ {formula} $$")
+    (folder / "p.toml").write_text(f"source = 'p.md'\n{model}")
+    return judge_paper(load_paper(folder / "p.toml"))[-1].verdict.outcome.value
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (rf"e_i \cdot e_i = 1 {RANGE}", "proved"),
+        (rf"e_i \cdot e_i = 2 {RANGE}", "refuted"),
+        (rf"x_i = w \cdot e_i {RANGE}", "definition"),
+        (rf"x_i = 2 w \cdot e_i {RANGE}", "refuted"),
+        (r"w = \sum_{i=1}^{3} x_i e_i", "proved"),
+        (r"w \cdot w = \sum_{i=1}^{3} x_i^2", "proved"),
+        (r"w \cdot w = \sum_{i=1}^{2} x_i^2", "refuted"),
+        (r"\dot{e}_i \cdot e_k = -e_i \cdot \dot{e}_k \quad \forall \quad i, k = 1, 2, 3", "proved"),
+        (r"x_i = w \cdot e_i \quad i = 1, \ldots, 4", "unread"),
+        (r"e_i \times w = -w \times e_i", "unread"),
+        (r"y_i = y_i + 1, \quad i = 1, 2", "unread"),
+        (r"z_i = z_i + 1, \quad i = 1, 2", "unread"),
+    ],
+)
+def test_members_declared_one_by_one(tmp_path: Path, formula: str, expected: str) -> None:
+    model = f"{SYMBOLS}{AXES}{DEFINED}"
+    found = outcome(tmp_path, formula, model)
+    reads = load_paper(tmp_path / "p.toml").claims[0].printed.statement is not None
+    assert (found if reads else "unread") == expected
+
+
+def test_what_a_figure_shows_of_them_is_asked_about(tmp_path: Path) -> None:
+    assert (
+        outcome(tmp_path, rf"e_i \cdot (e_i \times e_i) + e_i \cdot e_i = 1 {RANGE}", VECTORS) == "unchecked"
+    )
+    assert outcome(tmp_path, rf"e_i \times (e_i \times e_i) = e_i {RANGE}", VECTORS) == "refuted"

@@ -13,6 +13,7 @@ KINDS = {
     **dict.fromkeys((r"\mathbf{i}", r"\mathbf{j}", r"\mathbf{k}", r"\mathbf{e}_1", r"\mathbf{e}_2", r"\mathbf{e}_3"), "vector"),
     **dict.fromkeys((r"\mathbf{u}_r", r"\mathbf{u}_\theta", r"\hat{k}", r"\hat{n}", r"\hat{r}", r"\hat{\theta}", r"\hat{\phi}"), "vector"),
     **dict.fromkeys(("p_1", "p_2", "p_3", "q_k"), "vector"),
+    **dict.fromkeys(("h_1", "h_2", "h_3"), "scalar"),
     **dict.fromkeys((r"\mathbf{a}", r"\mathbf{b}", r"\mathbf{r}", r"\mathbf{n}", r"\vec{r}"), "vector"),
     **dict.fromkeys(("x", "y", "r", "a", "b", "l", "c", "s", r"\omega", r"\theta", r"\phi", r"\mu"), "scalar"),
     "R": "tensor", "A": "matrix 2×2", "z": "matrix 2×1",
@@ -60,6 +61,7 @@ SHOWN = [
 
 #: Where vectors at right angles, or of constant length, would leave nothing of what is claimed, or where nothing helps.
 FALSE = [
+    r"h_1 \mathbf{a} \cdot \mathbf{a} + h_2 h_3 = h_1 \mathbf{a} \cdot \mathbf{a} + 2 h_2 h_3",
     r"(\mathbf{a} \times \mathbf{b}) \cdot (\mathbf{a} \times \mathbf{b}) = (\mathbf{a} \cdot \mathbf{a}) (\mathbf{b} \cdot \mathbf{b}) + (\mathbf{a} \cdot \mathbf{b})^2",
     r"\mathbf{a} \times (\mathbf{b} \times \mathbf{r}) = \mathbf{b} (\mathbf{a} \cdot \mathbf{r}) + \mathbf{r} (\mathbf{a} \cdot \mathbf{b})",
     r"a \mathbf{a} \cdot \mathbf{a} = 2 a^3",

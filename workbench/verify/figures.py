@@ -26,7 +26,8 @@ def figures(statement: Statement, free: Sequence[Symbol], behind: Sequence[Symbo
     """What they may be: in words, as what symbols are, and as premises. `behind`: the free symbols of which
     the statement speaks or what defines its symbols does."""
     yield from lengths(free)
-    yield from _axes(behind, [each for each in free if each.type == SCALAR and not each.index])
+    own = [each for each in behind if each.type.kind == "vector"]
+    yield from _axes(own, [each for each in free if each.type == SCALAR and not each.index])
     vectors = [each for each in free if each.type.kind == "vector"]
     for axis, arm in permutations(vectors, 2):
         if _turns_across(statement, axis, arm):

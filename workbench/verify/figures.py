@@ -26,6 +26,7 @@ def figures(statement: Statement, free: Sequence[Symbol], behind: Sequence[Symbo
     """What they may be: in words, as what symbols are, and as premises. `behind`: the free symbols of which
     the statement speaks or what defines its symbols does."""
     yield from lengths(free)
+    yield from _first_of_families(free)
     own = [each for each in behind if each.type.kind == "vector"]
     yield from _axes(own, [each for each in free if each.type == SCALAR and not each.index])
     vectors = [each for each in free if each.type.kind == "vector"]
@@ -69,14 +70,19 @@ def _unstyled(own: Symbol) -> tuple[Name, tuple[Linear, ...]]:
     return replace(own.declaration.name, styles=()), own.index
 
 
-def _axes(vectors: Sequence[Symbol], angles: Sequence[Symbol]) -> Iterator[Supposing]:
-    """Two or three vectors that are the axes of one frame, of either handedness where no letter tells; it may
-    turn by one of the angles about the last of them. Or the first three of a family."""
-    groups: dict[str | Name, list[Symbol]] = {}
-    for own in dict.fromkeys(each.declaration for each in vectors if len(each.index) == 1):
+def _first_of_families(free: Sequence[Symbol]) -> Iterator[Supposing]:
+    """The axes of a frame that are the first three members of a family."""
+    vectors = (each for each in free if each.type.kind == "vector" and len(each.index) == 1)
+    for own in dict.fromkeys(each.declaration for each in vectors):
         members = [symbol(own, (Linear(place),)) for place in (1, 2, 3)]
         shown = ", ".join(map(to_latex, members))
         yield f"{shown} axes of a frame", dict(zip(members, _units(constant=False), strict=True)), []
+
+
+def _axes(vectors: Sequence[Symbol], angles: Sequence[Symbol]) -> Iterator[Supposing]:
+    """Two or three vectors that are the axes of one frame, of either handedness where no letter tells; it may
+    turn by one of the angles about the last of them."""
+    groups: dict[str | Name, list[Symbol]] = {}
     for each in vectors:
         name = each.declaration.name
         if not each.index:

@@ -14,6 +14,7 @@ from workbench.papers.respell.between import (
     transposed_row,
     wide_space,
 )
+from workbench.papers.respell.marks import degrees, dotted_bracket, empty_bars, signed
 from workbench.papers.respell.places import (
     FACES,
     GAPS,
@@ -22,7 +23,6 @@ from workbench.papers.respell.places import (
     behind,
     braced,
     group,
-    is_one_symbol,
     past,
     printed,
 )
@@ -244,72 +244,6 @@ def _inverse_function(tokens: list[Token], place: int) -> tuple[list[Token], int
     return ([head.standing_for(f"\\arc{head.text[1:]}")], end) if printed(power) == ["-", "1"] else None
 
 
-def _degrees(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """90^\\circ as \\frac{90}{180}\\pi."""
-    head, end = tokens[place], place
-    while end < len(tokens) and tokens[end].text.isdecimal():
-        end += 1
-    is_number = end > place and not (
-        place and (tokens[place - 1].text.isdecimal() or tokens[place - 1].text == ".")
-    )
-    sign, behind = past(tokens, end), end
-    if is_number and printed(tokens[sign : sign + 1]) == ["^"]:
-        power, behind = group(tokens, past(tokens, sign + 1))
-        is_number = printed(power) == ["\\circ"]
-    elif is_number:
-        is_number, behind = printed(tokens[sign : sign + 1]) == ["\\degree"], sign + 1
-    if not is_number:
-        return None
-    half_turn = [head.standing_for(text) for text in "180"]
-    quotient = [head.standing_for("\\frac"), *braced(head, tokens[place:end]), *braced(head, half_turn)]
-    return [*quotient, head.standing_for("\\pi"), head.standing_for(" ")], behind
-
-
-def _signed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\mathbf{-v}, one symbol and a sign in its face, as (-\\mathbf{v})."""
-    start = past(tokens, place + 1)
-    if tokens[place].text not in FACES or printed(tokens[start : start + 1]) != ["{"]:
-        return None
-    inside, end = group(tokens, start)
-    sign, head = past(inside, 0), tokens[place]
-    is_one = printed(inside[sign : sign + 1]) == ["-"] and is_one_symbol(inside[sign + 1 :])
-    if not is_one or printed(tokens[past(tokens, end) :])[:1] in (["^"], ["_"]):
-        return None
-    made = [inside[sign], head, *braced(head, inside[sign + 1 :])]
-    return [head.standing_for("("), *made, head.standing_for(")")], end
-
-
-def _dotted_bracket(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """(a b)\\dot{}, with the dot behind the bracket, as \\dot{(a b)}, and (a b)^\\cdot."""
-    start = place + (tokens[place].text == "\\left")
-    closing = {"(": ")", "[": "]"}.get(tokens[start].text) if start < len(tokens) else None
-    end = None if closing is None else _closed(tokens, start, closing)
-    dot = len(tokens) if end is None else past(tokens, end)
-    mark = printed(tokens[dot : dot + 1])
-    if mark not in (["\\dot"], ["^"]):
-        return None
-    inside, after = group(tokens, past(tokens, dot + 1))
-    if printed(inside) != ([] if mark == ["\\dot"] else ["\\cdot"]):
-        return None
-    return [tokens[dot].standing_for("\\dot"), *braced(tokens[dot], as_read(tokens[place:end]))], after
-
-
-def _closed(tokens: list[Token], start: int, closing: str) -> int | None:
-    """The place behind the bracket that opens at `start`."""
-    depth = 0
-    for end in range(start, len(tokens)):
-        depth += (tokens[end].text == tokens[start].text) - (tokens[end].text == closing)
-        if depth == 0:
-            return end + 1
-    return None
-
-
-def _empty_bars(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """\\left|\\right|, of which a tool makes two to print a norm, as \\|."""
-    is_pair = [token.text for token in tokens[place : place + 4]] == ["\\left", "|", "\\right", "|"]
-    return ([tokens[place].standing_for("\\|")], place + 4) if is_pair else None
-
-
 def _for_all(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """\\forall before i = 1, 2, 3 at the end of a row as a wide space; \\forall i alone as nothing."""
     if tokens[place].text != "\\forall":
@@ -379,10 +313,10 @@ _PATTERNS = (
     _over,
     _inverse_function,
     _for_all,
-    _signed,
-    _dotted_bracket,
-    _empty_bars,
-    _degrees,
+    signed,
+    dotted_bracket,
+    empty_bars,
+    degrees,
     _line,
     _variant,
     _buildrel,

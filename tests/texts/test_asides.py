@@ -115,6 +115,18 @@ def test_of_several_conditions_the_one_that_is_needed_is_the_hypothesis(tmp_path
     assert result.verdict.hypothesis == r"f \neq0, g \neq0"
 
 
+def test_what_is_said_elsewhere_and_beside_are_hypotheses_together(tmp_path: Path) -> None:
+    for claimed, expected in (
+        (r"f m = f g \Rightarrow m = g", r"m = 2 g, f \neq0"),
+        (r"m f = 2 g f", "m = 2 g"),
+    ):
+        text = rf"It is [[m = 2 g]] always. For <<f \neq 0>> it is [[{claimed}]]"
+        (tmp_path / "p.tex").write_text(written(text, "tex"))
+        (tmp_path / "p.toml").write_text(MODEL.format("tex"))
+        last = judge_paper(load_paper(tmp_path / "p.toml"))[-1].verdict
+        assert (last.outcome, last.hypothesis) == (Outcome.CONDITIONAL, expected)
+
+
 def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
     (tmp_path / "p.tex").write_text(written(r"If <<0 = a - g b>>, then [[a \times b = 0]]", "tex"))
     model = MODEL.format("tex") + "\n[[claim]]\nat = 'line 1'\nassume = ['a = g b']\n"

@@ -65,38 +65,37 @@ class Meant:
     def _with_the_text(self, claim: Claim, refuted: Verdict) -> Verdict:
         """A refuted formula of a text may be true all the same, with what the text says of its symbols beside
         it or elsewhere. One that is false with that, too, and clearly so, is false."""
-        statement = claim.printed.statement
         if claim.beside and (why := self._if_special(_beside(claim), ())) is not None:
             return _open(why, refuted)
         unused = (said for said in claim.rests if said.statement not in claim.supposed)
         rests = [said for said in unused if not self._is_known(said, claim.notation)]
-        if not rests:
-            why = None if _is_said_beside(claim) else claim.says
-            return self._under_asides(claim, refuted) if why is None else _open(why, refuted)
-        definitions = {said.name: said.definition for said in rests if said.definition is not None}
-        under = None
-        if definitions.keys() == {said.name for said in rests}:
-            from workbench.judge.kernel.judge import Judge
+        if rests:
+            return self._with_what_is_said(claim, rests, refuted)
+        if claim.says and not _is_said_beside(claim):
+            return _open(claim.says, refuted)
+        return self._under_asides(claim, refuted)
 
-            known = Definitions([*claim.notation.definitions, *definitions.values()])
-            supposed = (*_beside(claim).supposed, *known.known_of(statement))
-            with suppress(Unsatisfiable):
-                judge = Judge(known, **self._options)
-                under = undisturbed(lambda: judge.judge(statement, supposed, orders=claim.orders))
-        shown = ", ".join(f"{said.name} ({said.place})" for said in rests)
-        if under is not None and under.outcome is Outcome.PROVED:
-            said = ", ".join(dict.fromkeys(to_latex(said.statement) for said in rests))
-            return _conditional(under, said, f"the text says elsewhere of {shown} what it is", refuted)
-        is_clear = len(definitions) == len(rests)
-        if under is not None and under.outcome is Outcome.REFUTED and is_clear:
-            says = "" if _is_said_beside(claim) else claim.says or ""
-            if says and str(claim.says_of) in definitions:
-                is_free = free_in((each.body for each in definitions.values()), claim.notation.definitions)
-                says = (of_an_example(statement) if is_free else None) or ""
-            why = self._if_special(claim, tuple(definitions.values())) or says or None
-            return self._under_asides(claim, refuted) if why is None else _open(why, refuted)
-        why = f"false for a free {shown}, of which the text says something; a definition makes it a claim"
-        return _open(why, refuted)
+    def _with_what_is_said(self, claim: Claim, rests: Sequence[Said], refuted: Verdict) -> Verdict:
+        """With what formulas elsewhere say of its symbols."""
+        definitions = {said.name: said.definition for said in rests if said.definition is not None}
+        known, shown = tuple(definitions.values()), ", ".join(f"{said.name} ({said.place})" for said in rests)
+        under = Verdict(Outcome.UNCHECKED)
+        if definitions.keys() == {said.name for said in rests}:
+            under = self._supposing(claim, _premises(claim), known)
+        if under.outcome is Outcome.PROVED:
+            alone = self._supposing(claim, (), known).outcome is Outcome.PROVED
+            hypotheses = [to_latex(said.statement) for said in rests]
+            hypotheses += [] if alone else [aside.latex for aside in _premises(claim)]
+            return _conditional(under, hypotheses, f"the text says elsewhere of {shown} what it is", refuted)
+        if under.outcome is not Outcome.REFUTED or len(definitions) < len(rests):
+            why = f"false for a free {shown}, of which the text says something; a definition makes it a claim"
+            return _open(why, refuted)
+        says = None if _is_said_beside(claim) else claim.says
+        if says and str(claim.says_of) in definitions:
+            is_free = free_in((each.body for each in known), claim.notation.definitions)
+            says = of_an_example(claim.printed.statement) if is_free else None
+        why = self._if_special(claim, known) or says
+        return self._under_asides(claim, refuted) if why is None else _open(why, refuted)
 
     def _if_special(self, claim: Claim, said: Sequence[Definition]) -> str | None:
         from workbench.verify.special import special_case
@@ -122,7 +121,7 @@ class Meant:
         """What is false as it stands may be meant under what the sentences around it suppose."""
         if not claim.beside:
             return refuted
-        premises = [aside for aside in claim.beside if aside.premise is not None]
+        premises = _premises(claim)
         verdict = self._supposing(claim, premises)
         against = verdict.counterexample
         is_allowed = against is not None and all(aside.allows(against.values) for aside in claim.beside)
@@ -134,16 +133,20 @@ class Meant:
             return _open(f"{what}; an `assume` of it makes it a claim", refuted)
         alone = ([aside] for aside in premises if len(premises) > 1)
         needed = next((e for e in alone if self._supposing(claim, e).outcome is Outcome.PROVED), premises)
-        hypothesis = ", ".join(dict.fromkeys(aside.latex for aside in needed))
         reason = f"the text says the condition beside it, {', '.join(dict.fromkeys(map(str, needed)))}"
-        return _conditional(verdict, hypothesis, reason, refuted)
+        return _conditional(verdict, [aside.latex for aside in needed], reason, refuted)
 
-    def _supposing(self, claim: Claim, asides: Sequence[Aside]) -> Verdict:
-        premises = (Formula(aside.latex, aside.premise) for aside in asides)
-        supposed = replace(claim, assume=(*claim.assume, *premises)).supposed
+    def _supposing(
+        self, claim: Claim, asides: Sequence[Aside], definitions: Sequence[Definition] = ()
+    ) -> Verdict:
+        from workbench.judge.kernel.judge import Judge
+
+        statement, notation = claim.printed.statement, claim.notation
+        known = Definitions([*notation.definitions, *definitions])
+        supposed = (*_under(claim, asides).supposed, *known.known_of(statement))
+        judge = Judge(known, **self._options) if definitions else self._judge_of(notation)
         with suppress(Unsatisfiable):
-            judge = self._judge_of(claim.notation)
-            return undisturbed(lambda: judge.judge(claim.printed.statement, supposed, orders=claim.orders))
+            return undisturbed(lambda: judge.judge(statement, supposed, orders=claim.orders))
         return Verdict(Outcome.UNCHECKED)
 
 
@@ -207,23 +210,30 @@ def _as_guessed(verdict: Verdict, names: Sequence[str]) -> str:
 
 def _is_said_beside(claim: Claim) -> bool:
     """Whether a sentence speaks of the symbol that the formula may say something of."""
-    premises = (aside.premise for aside in claim.beside if aside.premise is not None)
-    parts = (part for premise in premises for part in terms_of(premise))
+    parts = (part for aside in _premises(claim) for part in terms_of(aside.premise))
     return any(part.declaration.name == claim.says_of for part in parts if isinstance(part, Symbol))
 
 
 def _beside(claim: Claim) -> Claim:
     """The claim under what its text supposes beside it."""
-    premises = (Formula(aside.latex, aside.premise) for aside in claim.beside if aside.premise is not None)
+    return _under(claim, _premises(claim))
+
+
+def _under(claim: Claim, asides: Sequence[Aside]) -> Claim:
+    premises = (Formula(aside.latex, aside.premise) for aside in asides)
     return replace(claim, assume=(*claim.assume, *premises))
 
 
-def _conditional(under: Verdict, hypothesis: str, reason: str, bare: Verdict) -> Verdict:
-    """The verdict on what is proved under a hypothesis and refuted without it."""
+def _premises(claim: Claim) -> list[Aside]:
+    return [aside for aside in claim.beside if aside.premise is not None]
+
+
+def _conditional(under: Verdict, hypotheses: Sequence[str], reason: str, bare: Verdict) -> Verdict:
+    """The verdict on what is proved under hypotheses and refuted without them."""
     return replace(
         under,
         outcome=Outcome.CONDITIONAL,
-        hypothesis=hypothesis,
+        hypothesis=", ".join(dict.fromkeys(hypotheses)),
         reason=reason,
         counterexample=bare.counterexample,
     )

@@ -116,6 +116,21 @@ MARKDOWN = [
     ),
     ("mdBook", "\\\\[ a\\_1 = b \\\\]\n\nText \\\\( x \\\\)\n", ["a_1 = b"]),
     (
+        "a row gap",
+        "$$a = \\begin{bmatrix} b \\\\[4pt] c \\end{bmatrix}$$\n\n$$b \\\\ c$$\n",
+        ["a = \\begin{bmatrix} b \\\\[4pt] c \\end{bmatrix}", "b \\\\ c"],
+    ),
+    (
+        "a row in a bracket",
+        "$$a = \\begin{bmatrix} b \\\\(c + d) \\end{bmatrix}$$\n\nText $x \\\\) y$.\n",
+        ["a = \\begin{bmatrix} b \\\\(c + d) \\end{bmatrix}"],
+    ),
+    (
+        "a row gap outside",
+        "\\begin{align} a &= b \\\\[1ex] c &= d \\end{align}\n\nText \\\\] here.\n",
+        ["a &= b \\\\ c &= d"],
+    ),
+    (
         "GitHub's escapes",
         "$$\n\\mathbf{q}\\_0 = a\\_{\\text{b\\_c}} + b\\\\_1\n$$\n\n$$\n\\{\\{f_f}*c({d}) } = \\{m * ({r}*\\{v_x})}\n$$\n",
         [r"\mathbf{q}_0 = a_{\text{b\_c}} + b_1", "{{f_f}*c({d}) } = {m * ({r}*{v_x})}"],

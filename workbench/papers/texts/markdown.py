@@ -27,6 +27,9 @@ _UNDERLINE = re.compile(r"(?:={3,}|-{3,})[ \t]*")
 _QUOTE = re.compile(r"(?m)^[ \t]*>[ ]?")
 _TICKS = re.compile(r"`+")
 _SINGLE = re.compile(r"(?<![\\$])\$(?!\$)[^$\n]+\$(?!\$)")
+_DOLLARS = re.compile(rf"\$\$.*?\$\$|{_SINGLE.pattern}", re.DOTALL)
+#: \\[4pt] behind a row.
+_ROW_GAP = re.compile(r"\\\\\[\s*-?[\d.]+\s*[a-z]{2}\s*\]")
 _NEAR = 200
 _ESCAPED = re.compile(r"\\([!-/:-@\[-`{-~])")
 
@@ -51,7 +54,7 @@ def _all(view: View) -> Iterator[tuple[Found, int]]:
     for start, inner, inner_end, end in ticked:
         environment = "\\[" if _is_a_paragraph(view.text, start, end) else "$"
         yield Found(view.cut(inner, inner_end), view.at[start], view.at[end - 1] + 1, environment), start
-    escaped = "\\\\[" in searched or "\\\\(" in searched
+    escaped = _has_escaped_brackets(searched)
     in_paragraph = _is_kramdown(view.text, searched)
     for found, start, end in formulas(view, searched, escaped):
         environment = found.environment
@@ -61,6 +64,13 @@ def _all(view: View) -> Iterator[tuple[Found, int]]:
             environment = "$"
         label = _LABEL.match(searched, end)
         yield replace(_unmarked(found, escaped), environment=environment).named(label and label[1]), start
+
+
+def _has_escaped_brackets(text: str) -> bool:
+    """Whether formulas stand in \\\\[ … \\\\], and not only rows of a matrix begin with a bracket."""
+    outside = _ROW_GAP.sub("", _DOLLARS.sub("", text))
+    pairs = (("\\\\[", "\\\\]"), ("\\\\(", "\\\\)"))
+    return any(opening in outside and closing in outside for opening, closing in pairs)
 
 
 def _unmarked(found: Found, escaped: bool) -> Found:

@@ -156,6 +156,8 @@ def test_an_assumption_of_the_model_is_a_premise(tmp_path: Path) -> None:
         ("Supposing that the axes are not rotating,", Outcome.UNCHECKED),
         ("Supposing that the turn is not an identity,", Outcome.REFUTED),
         ("For fixed axes it is", Outcome.UNCHECKED),
+        ("If you want to use a fixed frame, it is", Outcome.REFUTED),
+        ("If you use a fixed frame, it is", Outcome.UNCHECKED),
         ("This is restricted to bodies that are rigid. Then", Outcome.UNCHECKED),
         ("This is restricted to bodies that are rigid. Now", Outcome.REFUTED),
         ("It moves on fixed axes; there", Outcome.REFUTED),

@@ -31,6 +31,8 @@ _ORDERS = {
 }
 #: What is false but for a few, "supposing that it is not an identity", is false.
 _NOT_A = r"(?![^.;]*\b(?:is|are) not an? )"
+#: “If you want …” is no condition.
+_WISH = r"(?! (?:you|we|one) (?:want|wish|need|like|prefer))"
 #: A case that words set apart; what is supposed in a formula is looked at by itself.
 _SPECIAL = re.compile(
     r"\b(?:special|particular|limiting|degenerate|this|that) case\b|\bin the limit\b"
@@ -38,7 +40,7 @@ _SPECIAL = re.compile(
     r"|\bapproach(?:es|ing)?\b|\btends? to\b|\b(?:close|near) to\b"
     rf"|\b(?:suppos|assum|restrict)\w*\b(?! *(?:that |for |to )?[$\\:`]){_NOT_A}|"
     r"\b(?:approximat|lineari[sz]|neglect|ignor|negligib)\w*|\bfirst[- ]order\b|\bsmall[- ]angle|"
-    rf"\b(?:(?:for|at|if|when|where|in the case)\b[^.,;:]*|(?:suppos|assum)\w*{_NOT_A}[^.;]*)"
+    rf"\b(?:(?:for|at|if{_WISH}|when{_WISH}|where|in the case)\b[^.,;:]*|(?:suppos|assum)\w*{_NOT_A}[^.;]*)"
     r"\b(?:degrees?|zero|parallel|perpendicular|orthogonal"
     r"|aligned|coincid\w+|pure|planar|small|constant|fixed|stationary|at rest|identity|the same|vanish\w*"
     r"|(?:un|not )chang(?:ed|ing)|(?:do|does) not \w+)\b",

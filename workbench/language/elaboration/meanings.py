@@ -97,9 +97,10 @@ def _built_in(letter: Name, scripts: Scripts) -> Meaning | None:
         return None
     sub, sup = scripts.sub, scripts.sup
     size, is_single = size_below(sub)
-    if letter in _ANY_FONT and size and size.is_square and not is_single:
+    is_unit = size is not None and size.is_square and size.rows > 1  # \mathbf{I}_1 is that of a body 1
+    if letter in _ANY_FONT and is_unit and not is_single:
         return Meaning(UNIT, sup)  # I_{3 \times 3}
-    if (sub is None and letter in _PLAIN | _UNITS) or (size and size.is_square and letter in _UNITS):
+    if (sub is None and letter in _PLAIN | _UNITS) or (is_unit and letter in _UNITS):
         return Meaning(letter, sup)
     if sup is not None and letter in (EXPONENTIALS if sub is None else _COMBINATIONS):
         return Meaning(letter, None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.language.elaboration.arguments import is_own_variable, refuse_member
+from workbench.language.elaboration.arguments import OR_A_PRODUCT, is_own_variable, refuse_member
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
@@ -172,11 +172,18 @@ def _factor(row: Row, place: int) -> Factor:
             if found is not None:
                 return derivative(row, place, found)
             return Factor(quotient(row.scope, item), item.at, place + 1, item)
+        case Bracket(kind="(", parts=(part,)) if row.scope.is_time(part) and _is_value(row.items[:place]):
+            raise Fault(OR_A_PRODUCT, item.at)
         case Scripted(nucleus=Group(parts=())):
             return _with_left_scripts(row, place)
         case Leaf(kind="LETTER") | Styled() | Accented() | Scripted():
             return _name(row, place, item, Scripts())
     return Factor(row.scope.term(item), item.at, place + 1, item)
+
+
+def _is_value(before: Sequence[Node]) -> bool:
+    """Whether what stands before (t) may be taken at that time: (x + y)(t), and no 2(t)."""
+    return bool(before) and not is_numeral(before[-1])
 
 
 def _as_name(scope: Scope, item: Node) -> Node | None:

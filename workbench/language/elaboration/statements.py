@@ -112,9 +112,9 @@ def _rows_of(lines: Lines) -> list[list[Node]]:
     for line in lines.lines:
         first, *rest = line
         if isinstance(first, Lines):
-            conditions = [clause for clause in rest if _is_condition(clause)]
+            conditions = [_given(clause) for clause in rest if _is_condition(clause)]
             rows += [[*row, *conditions] for row in _rows_of(first)]
-            rows += [[clause] for clause in rest if clause not in conditions]
+            rows += [[clause] for clause in rest if not _is_condition(clause)]
         elif rows and wants_value(rows[-1][-1]):
             rows[-1] += line
         else:
@@ -129,6 +129,12 @@ def _is_condition(clause: Node) -> bool:
         case Chain(relations=relations, universal=universal):
             return universal or not any(sign == "=" for sign, _ in relations)
     return not isinstance(clause, Conditional | Joined | Lines)
+
+
+def _given(condition: Node) -> Node:
+    """f ≠ 0 behind an environment is no claim of a line that states a range only."""
+    is_unequal = isinstance(condition, Chain) and {sign for sign, _ in condition.relations} == {"≠"}
+    return Given(condition.at, (condition,)) if is_unequal else condition
 
 
 @dataclass

@@ -38,10 +38,6 @@ from workbench.language.typed.terms import (
     is_accented_symbol,
 )
 
-_ZEROS = {"scalar": "0", "vector": "\\mathbf{0}", "tensor": "\\mathbf{0}_{3 \\times 3}"}
-_ZEROS["covector"] = "\\mathbf{0}_{1 \\times 3}"
-
-
 def to_latex(formula: Term | Statement) -> str:
     """The formula as LaTeX: what a person checks the reading against."""
     match formula:
@@ -113,7 +109,7 @@ def _plain(term: Term) -> Text:
         case Counting():
             return _counting(term)
         case Zero():
-            return Text(_ZEROS.get(term.type.kind, "\\mathbf{0}"), ATOM)
+            return Text(_zero(term), ATOM)
         case Identity():
             return _unit(term)
         case DualUnit():
@@ -146,6 +142,19 @@ def _unit(term: Identity) -> Text:
     return Text(latex.scripted("\\mathbf{I}", size), ATOM)
 
 
+def _zero(term: Zero) -> str:
+    if term.type.kind == "scalar":
+        return "0"
+    size = f"{term.type.rows} \\times {term.type.columns}" if _has_size(term) else None
+    return latex.scripted("\\mathbf{0}", size)
+
+
+def _has_size(term: Zero) -> bool:
+    """Whether its size stands below it: a bare 𝟎 is a vector, and takes no size beside operators and
+    quaternions."""
+    return term.type.kind in ("covector", "tensor", "matrix")
+
+
 def _number(numerator: int, denominator: int) -> Text:
     if denominator == 1:
         return Text(str(numerator), ATOM if numerator >= 0 else SUM)
@@ -172,8 +181,8 @@ def _entries(term: Block) -> list[list[str]]:
 
 
 def _entry(term: Term, has_shape: bool) -> str:
-    if isinstance(term, Zero) and (has_shape or term.type.kind not in ("tensor", "covector")):
-        return "0" if term.type.kind == "scalar" else "\\mathbf{0}"
+    if isinstance(term, Zero) and has_shape and term.type.kind != "scalar":
+        return "\\mathbf{0}"
     return _print(term).text
 
 

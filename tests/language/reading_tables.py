@@ -1,0 +1,200 @@
+"""The tables of symbols that the lines of `readings/` are read with, and what a line says of what is read."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable
+from dataclasses import fields, replace
+from functools import cache
+from typing import Any
+
+from workbench.language.defining import read_definitions
+from workbench.language.grammar.lines import split_lines
+from workbench.language.naming.notations import Notation
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.printing.printer import to_latex
+from workbench.language.reader import read_formula, read_term
+from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import IllFormed, Symbol, Term
+from workbench.language.typed.types import Declaration
+
+PLAIN = """
+\\lambda scalar;  \\mu scalar;  \\underline{s} dual scalar;  c_{ij} scalar;  x vector;  y vector;  z_n vector
+\\underline{x} dual vector;  A tensor;  B tensor;  \\underline{A} dual tensor;  R rotation;  R_1 rotation
+g transform;  H matrix 4×4;  u matrix 6×1;  J matrix 6×7;  P operator;  q_1 scalar;  DV vector;  \\Delta x vector
+[BN] rotation;  \\vec{AB} vector;  {}^a v_b vector;  x' vector;  a^{[n]} vector;  x_{rel} vector
+"""
+TRAITS: dict[str, dict[str, Any]] = {
+    "e": {"kind": "vector", "unit": True},
+    "f": {"kind": "scalar", "of": ["q_1"]},
+    r"\omega": {"kind": "vector", "weight": 1},
+    r"\Phi_n": {"kind": "tensor", "weight": "n"},
+    "r": {"kind": "vector", "coordinate": True},
+    r"\rho": {"kind": "scalar", "constant": True},
+    "m": {"kind": "scalar", "positive": True},
+    r"\epsilon": {"kind": "scalar", "small": True},
+}
+QUATERNIONS = "q hamilton quaternion;  p hamilton quaternion;  \\underline{q} dual hamilton quaternion;  k_4 matrix 4×1"
+NOTATION = {
+    r"x^\wedge": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+    r"x^\vee": {"where": {"x": "tensor"}, "means": r"\operatorname{vect}(x)"},
+    r"[x]_\times": {"where": {"x": "vector"}, "means": r"\tilde{x}"},
+    r"\hat{x}": {"where": {"x": "vector"}, "means": r"\tilde{x}"},
+    "x'": {"where": {"x": "tensor"}, "means": "x^T"},
+    r"x \wedge y": {"where": {"x": "vector", "y": "vector"}, "means": r"x \times y"},
+    r"\mathds{1}": {"means": r"\mathbf{I}"},
+    "[x, y]": {"where": {"x": "tensor", "y": "tensor"}, "means": "x y - y x"},
+    "S(x)": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+    r"\mathrm{c} x": {"where": {"x": "scalar"}, "means": r"\cos x"},
+    r"x_\perp": {"where": {"x": "vector"}, "means": "x - e"},
+    r"\operatorname{Exp}(x)": {"where": {"x": "tensor"}, "means": r"\exp(x)"},
+    r"x \times": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+}
+#: The symbols that definitions and notations stand beside.
+OWN = "s scalar;  S tensor;  c_n vector;  P_n operator;  \\underline{d} dual vector;  x vector;  y vector"
+OWN_TRAITS = {
+    "a": {"kind": "vector", "weight": 1},
+    "b": {"kind": "vector", "weight": 1},
+    "w_n": {"kind": "vector", "weight": "n"},
+    "h": {"kind": "vector", "constant": True},
+}
+VARIABLES = ("n", "k_1")
+
+
+def kinds(text: str) -> dict[str, dict[str, Any]]:
+    """x vector;  A tensor → what [symbols] says of them."""
+    pairs = [entry.strip() for line in text.split("\n") for entry in line.split(";") if entry.strip()]
+    found = {}
+    for pair in pairs:
+        at = min(pair.find(f" {kind}") for kind in KIND_WORDS if f" {kind}" in pair)
+        found[pair[:at].strip()] = {"kind": pair[at:].strip()}
+    return found
+
+
+KIND_WORDS = ("dual", "scalar", "vector", "tensor", "rotation", "transform", "matrix", "operator", "hamilton")
+
+
+@cache
+def tables() -> dict[str, SymbolTable]:
+    plain = SymbolTable.build(kinds(PLAIN) | TRAITS)
+    own = {name: spec for name, spec in (kinds(PLAIN) | TRAITS).items() if name != "x'"}
+    spins = SymbolTable.build(kinds(PLAIN) | TRAITS | kinds("w vector"))
+    frames = replace(
+        spins,
+        frames={"A": read_term(r"\mathbf{0}", spins), "B": read_term("w", spins)},
+        turns={"B": read_term("R", spins)},
+        dot="A",
+    )
+    points = replace(plain, directions=frozenset({Name("e"), Name("y")}))
+    return {
+        "plain": plain,
+        "quaternions": SymbolTable.build(kinds(PLAIN) | TRAITS | kinds(QUATERNIONS)),
+        "notation": SymbolTable.build(own).with_notations(NOTATION),
+        "rows": replace(plain, gradient="row"),
+        "columns": replace(plain, gradient="column"),
+        "frames": frames,
+        "frames without a dot": replace(frames, dot=None),
+        "arguments": replace(plain, arguments=frozenset({Name("q", sub=("1",))})),
+        "points": points,
+        "moved points": replace(points, keeps_points=True),
+        "own": SymbolTable.build(kinds(OWN) | OWN_TRAITS),
+    } | {word: replace(plain, loose=frozenset({word})) for word in ("dyads", "unit", "values")}
+
+
+def outcome(make: Callable[[], str]) -> str:
+    try:
+        return make()
+    except (ReadError, IllFormedAt) as error:
+        verdict = "refused" if isinstance(error, ReadError) else "misfit"
+        intent = getattr(error, "intent", None)
+        hint = f" [{intent}]" if intent else ""
+        return f"{verdict} {error.line}:{error.column} {error.message}{hint}"
+    except SpecError as error:
+        return f"refused {error.key}: {error.message}"
+    except IllFormed as error:
+        return f"ill-formed {error}"
+
+
+def _term(latex: str, table: SymbolTable) -> str:
+    return _shown(read_term(latex, table, VARIABLES))
+
+
+def _shown(term: Term) -> str:
+    return f"{to_latex(term)} : {term.type}" + (f" of weight {term.weight}" if term.weight is not None else "")
+
+
+def _formula(latex: str, table: SymbolTable, as_condition: bool = False) -> str:
+    found = read_formula(latex, table, ("n",), as_condition)
+    ranges = (f"{r.variable} from {r.lower} to {r.upper}{' as any' if r.generic else ''}" for r in found.ranges)
+    return " ;; ".join([*map(to_latex, found.statements), *ranges])
+
+
+def _lines(latex: str, _: SymbolTable) -> str:
+    found = (f"{line.latex!r} at {line.place(1, 1)[1]}" for line in split_lines(latex))
+    return " ;; ".join(found)
+
+
+def _symbols(specs: str, _: SymbolTable) -> str:
+    table = SymbolTable.build(tomllib.loads(specs.replace(" ;; ", "\n")))
+    return " ;; ".join(f"{name}: {declared(d)}" for name, d in sorted(table.symbols.items(), key=str))
+
+
+def declared(declaration: Declaration) -> str:
+    """Whatever a declaration says that is not said where nothing is."""
+    said = [str(declaration.name), str(declaration.type)]
+    plain = Declaration(declaration.name, declaration.type)
+    for field in fields(declaration):
+        value = getattr(declaration, field.name)
+        if value != getattr(plain, field.name):
+            shown = ", ".join(map(_place, value)) if isinstance(value, tuple) else value
+            said.append(field.name if value is True else f"{field.name} {shown}")
+    return " ".join(said)
+
+
+def _place(value: Any) -> str:
+    """A symbol that one is a function of, or the indices of a member that is declared apart."""
+    return to_latex(value) if isinstance(value, Symbol) else "".join(map(str, value))
+
+
+#: What is looked up once the definitions are read.
+_ASKED = ("K", "K_0", "K_1", "K_2", "K_3", "K_n", "K_{n+1}", "K(a)", "K_2(a)", "c_1", "c_3", "w_2")
+
+
+def _definitions(specs: str, table: SymbolTable) -> str:
+    entries = dict(entry.split(" := ") for entry in specs.split(" ;; "))
+    definitions, table = read_definitions(entries, table)
+    said = [declared(definition.declaration) for definition in definitions]
+    for asked in _ASKED:
+        try:
+            term = read_term(asked, table, ("n",))
+            body = definitions.lookup(term) if isinstance(term, Symbol) else None
+        except (ReadError, IllFormedAt, IllFormed):
+            continue
+        if body is not None:
+            said.append(f"{asked} is {_shown(body)}")
+    return " ;; ".join(said)
+
+
+def _notation(spec: str, table: SymbolTable) -> str:
+    ((key, entry),) = tomllib.loads(spec).items()
+    notation = Notation.read(key, entry)
+    table.with_notations({key: entry})
+    spelt = notation.spelt({letter: rf"\mathbf{{{letter}}}" for letter in notation.formals})
+    places = "".join(f" {letter} {place}" for letter, place in notation.places.items())
+    return f"{notation.form}{places}, as in {spelt}"
+
+
+SORTS: dict[str, Callable[[str, SymbolTable], str]] = {
+    "term": _term,
+    "formula": _formula,
+    "condition": lambda latex, table: _formula(latex, table, True),
+    "lines": _lines,
+    "symbols": _symbols,
+    "definitions": _definitions,
+    "notation": _notation,
+}
+
+
+def said(sort: str, table: str, text: str) -> str:
+    return outcome(lambda: SORTS[sort](text, tables()[table]))

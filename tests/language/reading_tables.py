@@ -9,14 +9,16 @@ from functools import cache
 from typing import Any
 
 from workbench.language.defining import read_definitions
+from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.lines import split_lines
+from workbench.language.grammar.parser import parse
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula, read_term
-from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
+from workbench.language.typed.errors import Fault, IllFormedAt, ReadError, SpecError
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import IllFormed, Symbol, Term
+from workbench.language.typed.terms import IllFormed, Naming, Statement, Symbol, Term
 from workbench.language.typed.types import Declaration
 
 PLAIN = """
@@ -35,7 +37,9 @@ TRAITS: dict[str, dict[str, Any]] = {
     "m": {"kind": "scalar", "positive": True},
     r"\epsilon": {"kind": "scalar", "small": True},
 }
-QUATERNIONS = "q hamilton quaternion;  p hamilton quaternion;  \\underline{q} dual hamilton quaternion;  k_4 matrix 4×1"
+QUATERNIONS = (
+    "q hamilton quaternion;  p hamilton quaternion;  \\underline{q} dual hamilton quaternion;  k_4 matrix 4×1"
+)
 NOTATION = {
     r"x^\wedge": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
     r"x^\vee": {"where": {"x": "tensor"}, "means": r"\operatorname{vect}(x)"},
@@ -59,6 +63,12 @@ OWN_TRAITS = {
     "w_n": {"kind": "vector", "weight": "n"},
     "h": {"kind": "vector", "constant": True},
 }
+#: Names with labels, and what may be an argument.
+LABELS = """
+x vector;  x_B vector;  x_{1,B} vector;  x_n vector;  C rotation;  C_B rotation;  \\tilde{y}_B vector;  y scalar
+\\operatorname{Ad}_T matrix 6×6;  t_0 scalar;  u matrix 6×1;  A tensor;  s scalar;  CoM vector;  x_{\\text{rel}} vector
+x_{cm} vector;  \\hat{n} vector;  {}^0 T_1 transform;  k_R scalar;  x^{B/A} vector;  p_{t|t-1} vector;  d scalar
+"""
 VARIABLES = ("n", "k_1")
 
 
@@ -98,6 +108,7 @@ def tables() -> dict[str, SymbolTable]:
         "arguments": replace(plain, arguments=frozenset({Name("q", sub=("1",))})),
         "points": points,
         "moved points": replace(points, keeps_points=True),
+        "labels": SymbolTable.build(kinds(LABELS)),
         "own": SymbolTable.build(kinds(OWN) | OWN_TRAITS),
     } | {word: replace(plain, loose=frozenset({word})) for word in ("dyads", "unit", "values")}
 
@@ -121,13 +132,29 @@ def _term(latex: str, table: SymbolTable) -> str:
 
 
 def _shown(term: Term) -> str:
-    return f"{to_latex(term)} : {term.type}" + (f" of weight {term.weight}" if term.weight is not None else "")
+    return f"{to_latex(term)} : {term.type}" + (
+        f" of weight {term.weight}" if term.weight is not None else ""
+    )
 
 
 def _formula(latex: str, table: SymbolTable, as_condition: bool = False) -> str:
     found = read_formula(latex, table, ("n",), as_condition)
-    ranges = (f"{r.variable} from {r.lower} to {r.upper}{' as any' if r.generic else ''}" for r in found.ranges)
-    return " ;; ".join([*map(to_latex, found.statements), *ranges])
+    ranges = (
+        f"{r.variable} from {r.lower} to {r.upper}{' as any' if r.generic else ''}" for r in found.ranges
+    )
+    return " ;; ".join([*map(_statement, found.statements), *ranges])
+
+
+def _statement(statement: Statement) -> str:
+    """Of a set or a map also what must be true, what is given, and what is not decided."""
+    if not isinstance(statement, Naming):
+        return to_latex(statement)
+    parts = [
+        f" | {what} {', '.join(map(to_latex, said))}"
+        for what, said in (("must be", statement.parts), ("given", statement.given))
+        if said
+    ]
+    return statement.said + "".join(parts) + (f" | {statement.undecided}" if statement.undecided else "")
 
 
 def _lines(latex: str, _: SymbolTable) -> str:
@@ -155,6 +182,15 @@ def declared(declaration: Declaration) -> str:
 def _place(value: Any) -> str:
     """A symbol that one is a function of, or the indices of a member that is declared apart."""
     return to_latex(value) if isinstance(value, Symbol) else "".join(map(str, value))
+
+
+def _tree(latex: str) -> str:
+    """The tree as it is written, and again."""
+    try:
+        written = latex_of(parse(latex))
+    except Fault as fault:
+        return f"refused {fault.at + 1}: {fault}"
+    return written if latex_of(parse(written)) == written else f"{written}, then {latex_of(parse(written))}"
 
 
 #: What is looked up once the definitions are read.
@@ -190,6 +226,7 @@ SORTS: dict[str, Callable[[str, SymbolTable], str]] = {
     "formula": _formula,
     "condition": lambda latex, table: _formula(latex, table, True),
     "lines": _lines,
+    "tree": lambda latex, _: _tree(latex),
     "symbols": _symbols,
     "definitions": _definitions,
     "notation": _notation,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from workbench.language.elaboration.arguments import OR_A_PRODUCT, is_own_variable, refuse_member
+from workbench.language.elaboration.arguments import OR_A_PRODUCT, is_argument, is_own_variable, refuse_member
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.functions import derivative, function
 from workbench.language.elaboration.infixes import explained, infix
@@ -172,7 +172,7 @@ def _factor(row: Row, place: int) -> Factor:
             if found is not None:
                 return derivative(row, place, found)
             return Factor(quotient(row.scope, item), item.at, place + 1, item)
-        case Bracket(kind="(", parts=(part,)) if row.scope.is_time(part) and _is_value(row.items[:place]):
+        case Bracket(kind="(", parts=(part,)) if place and _is_place(row.scope, row.items[place - 1], part):
             raise Fault(OR_A_PRODUCT, item.at)
         case Scripted(nucleus=Group(parts=())):
             return _with_left_scripts(row, place)
@@ -181,9 +181,11 @@ def _factor(row: Row, place: int) -> Factor:
     return Factor(row.scope.term(item), item.at, place + 1, item)
 
 
-def _is_value(before: Sequence[Node]) -> bool:
-    """Whether what stands before (t) may be taken at that time: (x + y)(t), and no 2(t)."""
-    return bool(before) and not is_numeral(before[-1])
+def _is_place(scope: Scope, value: Node, part: Node) -> bool:
+    """Whether what stands before (t) or (q) may be taken there: (x + y)(t), and no 2(t)."""
+    if scope.is_time(part):
+        return not is_numeral(value)
+    return isinstance(value, Bracket) and is_argument(scope, part)
 
 
 def _as_name(scope: Scope, item: Node) -> Node | None:

@@ -101,20 +101,21 @@ class _Builder(Transformer):
 
     def summation(self, children):
         at = children[0].start_pos
-        scripts = _scripts(Leaf(at, "MARK", "∑"), children[1:])
-        if scripts.primes or scripts.factorial:
+        sub, sup, primes, factorial = _scripts(children[1:])
+        if primes or factorial:
             raise Fault("a sum has a lower and an upper bound only", at)
-        return Summation(at, scripts.sub, scripts.sup)
+        return Summation(at, sub, sup)
 
     def extremal(self, children):
         at = children[0].start_pos
-        scripts = _scripts(Leaf(at, "MARK", "∑"), children[1:])
-        if scripts.primes or scripts.factorial or scripts.sup is not None:
+        sub, sup, primes, factorial = _scripts(children[1:])
+        if primes or factorial or sup is not None:
             raise Fault("expected nothing but letters and their sets under a minimum or maximum", at)
-        return Extremal(at, children[0] == "min", scripts.sub)
+        return Extremal(at, children[0] == "min", sub)
 
     def factor(self, children):
-        return children[0] if len(children) == 1 else _scripts(children[0], children[1:])
+        nucleus, *scripts = children
+        return Scripted(nucleus.at, nucleus, *_scripts(scripts)) if scripts else nucleus
 
     def sup(self, children):
         return ("sup", children[0].start_pos, _braced(children[1]))
@@ -186,7 +187,8 @@ def _braced(argument: Node) -> Node:
     return argument
 
 
-def _scripts(nucleus: Node, scripts: Sequence[tuple[str, int, Node | None]]) -> Scripted:
+def _scripts(scripts: Sequence[tuple[str, int, Node | None]]) -> tuple[Node | None, Node | None, int, bool]:
+    """The subscript, the superscript, the number of primes, and whether it is a factorial."""
     found: dict[str, Node] = {}
     primes, factorial = 0, False
     for kind, at, body in scripts:
@@ -200,7 +202,7 @@ def _scripts(nucleus: Node, scripts: Sequence[tuple[str, int, Node | None]]) -> 
             raise Fault(f"a second {kind}erscript".replace("suberscript", "subscript"), at)
         else:
             found[kind] = body
-    return Scripted(nucleus.at, nucleus, found.get("sub"), found.get("sup"), primes, factorial)
+    return found.get("sub"), found.get("sup"), primes, factorial
 
 
 class _Tokens(Lexer):

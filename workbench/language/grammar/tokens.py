@@ -88,11 +88,13 @@ _EVALUATED = "a bar that says where something is evaluated is not read"
 
 
 class Tokenizer:
-    """alignments: where an & stands in lines, and how many environments it stands in."""
+    """alignments: where an & stands in lines, and how many environments it stands in.
+    end: where the last match ends."""
+
+    end: int
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.end = 0
         self.alignments: list[tuple[int, int]] = []
         self.out: list[Token] = []
         self.open: list[_Open] = []

@@ -288,7 +288,8 @@ def spell_label(node: Node) -> str | None:
 def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
     node = core(node)
     value = None if isinstance(node, Bracket) else linear(node, variables)
-    if value is not None:
+    is_label = isinstance(node, Sum) and len(node.addends) > 1 and value is not None and value.is_number
+    if value is not None and not is_label:  # 3-2-1 is no 0
         return [value]
     match node:
         case Leaf(kind="FUNCTION", name=name):

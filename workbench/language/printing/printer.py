@@ -38,6 +38,7 @@ from workbench.language.typed.terms import (
     is_accented_symbol,
 )
 
+
 def to_latex(formula: Term | Statement) -> str:
     """The formula as LaTeX: what a person checks the reading against."""
     match formula:

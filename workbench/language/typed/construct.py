@@ -34,6 +34,7 @@ from workbench.language.typed.terms import (
     Symbol,
     Term,
     TimeOperator,
+    Unread,
     Zero,
 )
 from workbench.language.typed.types import OPERATOR, SCALAR, TENSOR, VECTOR, Declaration, Type, Weight
@@ -211,6 +212,8 @@ def as_quaternion(term: Term) -> Term:
             return apply(head, *map(as_quaternion, addends))
         case Apply(head="mul", arguments=(factor, column)) if column.type == term.type:
             return apply("mul", factor, as_quaternion(column))
+    if isinstance(term, Block):
+        raise Unread("a column of four beside a quaternion, whose scalar part stands first")
     first, *rest = ([number(int(i == j)) if i == j else zero() for j in range(4)] for i in range(4))
     return apply("quaternion", apply("mul", block([first]), term), apply("mul", block(rest), term))
 

@@ -56,11 +56,11 @@ class Name:
     of: tuple[Any, ...] = ()
 
     @staticmethod
-    def styled(styles: Iterable[str], letter: str, primes: int = 0) -> Name:
+    def styled(styles: Iterable[str], letter: str) -> Name:
         """\\underline outermost, the font next to the letter, whatever the order in the source."""
         order = {style: place for place, style in enumerate(_OUTERMOST_FIRST)}
         innermost_first = sorted(dict.fromkeys(styles), key=lambda s: order.get(s, len(order)), reverse=True)
-        return Name(letter, tuple(reversed(innermost_first)), primes)
+        return Name(letter, tuple(reversed(innermost_first)))
 
     @property
     def base(self) -> str:

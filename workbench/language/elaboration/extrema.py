@@ -26,9 +26,10 @@ def extrema(reader: Elaborator, chain: Chain) -> list[Extremum]:
         if sign != "=":
             raise Fault(f"a minimum or maximum is said to be equal to something; {sign} is not read here", at)
     values = [side for side in chain.sides if not is_extremal(side)]
-    if len(values) != 1:
-        at = values[1].at if values else chain.at
-        raise Fault("of a minimum or maximum a formula says what it is: expected one such side", at)
+    if not values:
+        raise Fault("of a minimum or maximum a formula says what it is: expected such a side", chain.at)
+    if len(values) > 1:
+        raise Fault("several sides beside a minimum or maximum; write one equation for each", values[1].at)
     value = reader.term(values[0])
     return [_extremum(reader, side, value) for side in chain.sides if is_extremal(side)]
 

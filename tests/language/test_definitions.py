@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -276,3 +277,17 @@ def test_on_the_argument_of_a_function_stands_nothing_but_a_superscript(scripts:
         assert read_term(f"{value}^{power}", table) == read_term(f"({value})^{power}", table)
         with pytest.raises(ReadError, match="scripts on the argument of a function"):
             read_term(f"{value}{scripts}", table)
+
+
+@pytest.mark.parametrize(
+    "spec", [{}, {"weight": 2}, {"constant": True}, {"uniform": True, "weight": 0}, {"free": True}]
+)
+def test_what_is_positive_is_the_square_of_a_root_that_is_as_constant_and_as_uniform(spec: dict) -> None:
+    table = SymbolTable.build({"m_n": {"kind": "scalar", "positive": True} | spec})
+    member = read_term("m_3", table)
+    squared = Definitions().lookup(member)
+    root = squared.base.declaration
+    assert to_latex(squared) == r"{}_{\surd}m_{3}^{2}"
+    assert (squared.weight, squared.base.weight, squared.base.index) == (None, None, member.index)
+    assert root == replace(member.declaration, name=root.name, weight=None, positive=False)
+    assert Definitions().lookup(squared.base) is None

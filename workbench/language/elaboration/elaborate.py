@@ -146,7 +146,7 @@ class Elaborator(Scope):
             is_determinant = node.kind == "|" and own.is_square and own.rows > 1
             if own.columns > 1 and not is_determinant:
                 raise Fault(f"which norm of a {own}? \\|T\\|_F is read", node.at)
-            return self.apply(node.at, "det" if is_determinant else "norm", terms[0])
+            return construct.apply("det" if is_determinant else "norm", terms[0])
         if len(terms) == 1 and node.kind not in ("\\langle", "\\lfloor"):
             return terms[0]
         if len(terms) == 3 and node.kind == "(" and all(term.type.kind == "scalar" for term in terms):

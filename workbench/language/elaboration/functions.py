@@ -103,7 +103,7 @@ def _root(row: Row, leaf: Leaf, place: int) -> Factor:
     if term.type.kind == "quaternion":
         if not _is_norm_squared(term):
             raise Fault("the root of a quaternion, which is no number", leaf.at)
-        term = row.scope.apply(leaf.at, "scalar part", term)
+        term = construct.apply("scalar part", term)
     return Factor(rooted(row.scope, leaf.at, term), leaf.at, place + 2, leaf)
 
 

@@ -84,11 +84,11 @@ def _of_tensors(scope: Scope, at: int, head: str, left: Term, right: Term) -> Te
     kinds = (left.type.kind, right.type.kind)
     has_dyads = "dyads" in scope.table.loose
     if head == "cross" and kinds == ("vector", "tensor"):
-        return scope.apply(at, "mul", scope.apply(at, "skew", left), right)
+        return scope.apply(at, "mul", construct.apply("skew", left), right)
     if head == "cross" and kinds == ("tensor", "vector") and has_dyads:
-        return scope.apply(at, "mul", left, scope.apply(at, "skew", right))
+        return scope.apply(at, "mul", left, construct.apply("skew", right))
     if head == "mul" and kinds == ("vector", "tensor") and has_dyads:
-        return scope.apply(at, "mul", scope.apply(at, "transpose", right), left)
+        return scope.apply(at, "mul", construct.apply("transpose", right), left)
     if head == "cross" and set(kinds) == {"scalar"}:
         raise Fault("× of two numbers: if it is their product, write \\cdot", at)
     if head == "cross" and "quaternion" in kinds:

@@ -114,14 +114,14 @@ def _derived(scope: Scope, sign: Del, body: Term, by: Term) -> Term:
     if power is not None:
         if not (isinstance(power, Leaf) and power.text == "2") or sign.sign or kind != "scalar":
             raise Fault("a power of ∇; ∇² of a scalar is read", at)
-        return scope.apply(at, "trace", _slopes(scope, at, _gradient(scope, at, body, by), by))
+        return construct.apply("trace", _slopes(scope, at, _gradient(scope, at, body, by), by))
     if sign.sign:
         if body.type != by.type or (sign.sign == "×" and by.type != VECTOR):
             raise Misfit(IllFormed(f"∇{sign.sign} of a {body.type}, where the place is a {by.type}"), at)
         slopes = _slopes(scope, at, body, by)
         if sign.sign == "·":
-            return scope.apply(at, "trace", slopes)
-        return scope.apply(at, "mul", construct.number(2), scope.apply(at, "vect", slopes))
+            return construct.apply("trace", slopes)
+        return construct.apply("mul", construct.number(2), construct.apply("vect", slopes))
     if kind != "scalar":
         raise Fault(
             f"∇ of a {body.type}: which index is that of ∇? write \\frac{{\\partial v}}{{\\partial x}}", at
@@ -132,11 +132,11 @@ def _derived(scope: Scope, sign: Del, body: Term, by: Term) -> Term:
 def _along(scope: Scope, sign: Del, body: Term, by: Term, direction: Term) -> Term:
     if sign.power is not None or sign.sign or direction.type != by.type:
         raise Fault("expected a direction, (a \\cdot \\nabla)", sign.at)
-    return scope.apply(sign.at, "mul", _slopes(scope, sign.at, body, by), direction)
+    return construct.apply("mul", _slopes(scope, sign.at, body, by), direction)
 
 
 def _gradient(scope: Scope, at: int, body: Term, by: Term) -> Term:
-    return scope.apply(at, "transpose", _slopes(scope, at, body, by))
+    return construct.apply("transpose", _slopes(scope, at, body, by))
 
 
 def _slopes(scope: Scope, at: int, body: Term, by: Term) -> Term:

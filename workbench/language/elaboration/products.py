@@ -35,6 +35,7 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Scripts, spell_label
+from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.operators import CIRCULAR, GRADIENTS, OF_TENSORS, word_of
 from workbench.language.typed.terms import Apply, Term
@@ -222,7 +223,7 @@ def _in_frame(scope: Scope, label: Node, column: Matrix) -> Term:
     term, turn = scope.term(column), scope.table.turns.get(spell_label(label) or "")
     if turn is None or term.type != VECTOR:
         raise Fault("the components in that frame, or the vector that has them?", label.at)
-    return scope.apply(label.at, "mul", turn, term)
+    return construct.apply("mul", turn, term)
 
 
 def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:

@@ -22,6 +22,7 @@ from workbench.language.grammar.syntax import (
 from workbench.language.grammar.vocabulary import FONTS
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import in_a_word, prefixed
+from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.names import ACCENTS, PREFIXES, Name
 from workbench.language.typed.terms import Term
@@ -145,7 +146,7 @@ def subscripted_norm(scope: Scope, node: Node, sub: Node) -> Term | None:
     if body.type.rows == 1 or is_column != (letter.text == "2"):
         return None
     if is_column:
-        return scope.apply(node.at, "norm", body)
+        return construct.apply("norm", body)
     square = scope.apply(node.at, "mul", scope.apply(node.at, "transpose", body), body)
     return scope.apply(node.at, "root", scope.apply(node.at, "trace", square))
 

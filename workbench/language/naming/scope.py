@@ -97,7 +97,7 @@ class Scope(ABC):
             raise Fault("a derivative of an order n, in a frame", at)
         for _ in range(int(order)):
             rate = self.build(at, construct.derivative, body, 1)
-            turning = self.apply(at, "neg", self.apply(at, "cross", spin, body))
+            turning = construct.apply("neg", construct.apply("cross", spin, body))
             body = self.apply(at, "add", rate, turning)
         return body
 
@@ -115,7 +115,7 @@ class Scope(ABC):
             raise Fault('rows or columns? [conventions] gradient = "row" or "column" says it', at)
         slope = self.apply(at, head, body, by)
         is_column = self.table.gradient == "column" and body.type.kind == "scalar"
-        return self.apply(at, "transpose", slope) if is_column else slope
+        return construct.apply("transpose", slope) if is_column else slope
 
     def frame(self, label: Node) -> Term:
         """The angular velocity of the frame of that label; \\mathcal{B} is B, where nothing else is."""

@@ -37,6 +37,7 @@ from workbench.language.typed.terms import (
     Zero,
     is_accented_symbol,
 )
+from workbench.language.typed.types import Type
 
 
 def to_latex(formula: Term | Statement) -> str:
@@ -110,7 +111,7 @@ def _plain(term: Term) -> Text:
         case Counting():
             return _counting(term)
         case Zero():
-            return Text(_zero(term), ATOM)
+            return Text(_zero(term.type), ATOM)
         case Identity():
             return _unit(term)
         case DualUnit():
@@ -143,17 +144,12 @@ def _unit(term: Identity) -> Text:
     return Text(latex.scripted("\\mathbf{I}", size), ATOM)
 
 
-def _zero(term: Zero) -> str:
-    if term.type.kind == "scalar":
+def _zero(type_: Type) -> str:
+    """A bare 𝟎 is a vector; beside operators and quaternions it is written so, too."""
+    if type_.kind == "scalar":
         return "0"
-    size = f"{term.type.rows} \\times {term.type.columns}" if _has_size(term) else None
-    return latex.scripted("\\mathbf{0}", size)
-
-
-def _has_size(term: Zero) -> bool:
-    """Whether its size stands below it: a bare 𝟎 is a vector, and takes no size beside operators and
-    quaternions."""
-    return term.type.kind in ("covector", "tensor", "matrix")
+    has_size = type_.kind in ("covector", "tensor", "matrix")
+    return latex.scripted("\\mathbf{0}", f"{type_.rows} \\times {type_.columns}" if has_size else None)
 
 
 def _number(numerator: int, denominator: int) -> Text:

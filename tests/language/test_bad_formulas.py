@@ -341,3 +341,11 @@ def test_a_derivative_of_three_indices_is_not_read() -> None:
         with pytest.raises(ReadError, match="more than two indices") as caught:
             read(r"\frac{\partial \Phi_1}{\partial \omega} = 0", replace(TABLE, gradient=gradient))
         assert not isinstance(caught.value, IllFormedAt)
+
+
+def test_a_product_of_as_many_factors_as_terms_may_nest_is_read() -> None:
+    product = r"\alpha " * 120
+    assert read(f"{product} = {product}", TABLE)
+    with pytest.raises(ReadError, match="nests deeper than 120") as caught:
+        read(f"{product} = {product} \\alpha", TABLE)
+    assert caught.value.column == len(product) + 4

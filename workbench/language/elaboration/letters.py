@@ -85,9 +85,12 @@ class _Lettering:
             case Accented(accent="~") if (found := self.own_tilde(node, scripts, styles)) is not None:
                 return found
             case Accented():
-                term, sup = self.read(node.body, scripts, styles)
+                over_all = scripts.sup if _is_braced(node.body) else None  # \widetilde{x + y}^T
+                term, sup = self.read(
+                    node.body, scripts if over_all is None else scripts.without_sup(), styles
+                )
                 self.refuse_primed(node, scripts)
-                return self.accent(node, term), sup
+                return self.accent(node, term), sup if over_all is None else over_all
             case Scripted(factorial=True):
                 return self.factorial(node), scripts.sup
             case Scripted():

@@ -88,10 +88,9 @@ _EVALUATED = "a bar that says where something is evaluated is not read"
 
 
 class Tokenizer:
-    """alignments: where an & stands in lines, and how many environments it stands in.
-    end: where the last match ends."""
+    """alignments: where an & stands in lines, and how many environments it stands in."""
 
-    end: int
+    end: int  # of the last match
 
     def __init__(self, text: str) -> None:
         self.text = text

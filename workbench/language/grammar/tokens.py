@@ -90,8 +90,6 @@ _EVALUATED = "a bar that says where something is evaluated is not read"
 class Tokenizer:
     """alignments: where an & stands in lines, and how many environments it stands in."""
 
-    end: int  # of the last match
-
     def __init__(self, text: str) -> None:
         self.text = text
         self.alignments: list[tuple[int, int]] = []

@@ -364,3 +364,25 @@ def test_what_nests_too_deep_for_the_engines_ends_no_file():
         raise RecursionError
 
     assert undisturbed(judge).outcome == Outcome.UNCHECKED
+
+
+class TestReachOfARate:
+    """d/dt A P is the rate of the product; where that is false and it holds with that of A alone, it is asked."""
+
+    @pytest.mark.parametrize(
+        ("latex", "expected"),
+        [
+            (r"\frac{d}{dt} A P = \dot{A} P + A \dot{P}", "proved"),
+            (r"\frac{d}{dt} A P = \dot{A} P - A \dot{P}", "refuted"),
+            (r"\frac{d}{dt} A P = \dot{A} P", "unchecked"),
+            (r"\frac{d}{dt} s P = \dot{s} P", "unchecked"),
+            (r"\frac{d}{dt} s c = \dot{s} c", "proved"),
+            (r"\frac{d}{dt} s c = 2 \dot{s} c", "refuted"),
+            (r"A \frac{d}{dt} A P = A \dot{A} P + A^2 \dot{P}", "proved"),
+        ],
+    )
+    def test_what_it_differentiates(self, latex, expected):
+        kinds = {"A": "tensor", "P": "vector", "s": "scalar", "c": {"kind": "vector", "constant": True}}
+        found = check(latex, kinds)
+        assert found.outcome == expected
+        assert expected != "unchecked" or "how far does d/dt reach" in found.verdict.reason

@@ -113,7 +113,7 @@ def test_a_transpose_is_no_power() -> None:
         (r"\frac{d \lambda x}{dt}", r"refused 1: how far does d/dt reach? bracket what it dif"),
         (r"\frac{\mathrm{d} \lambda x}{\mathrm{d} t}", r"\left(\lambda x\right)^{(1)}"),
         (r"\frac{d (\lambda x)}{dt}", r"\left(\lambda x\right)^{(1)}"),
-        (r"\frac{d}{dt} \lambda x", r"refused 1: how far does d/dt reach? bracket what it dif"),
+        (r"\frac{d}{dt} \lambda x", r"\left(\lambda x\right)^{(1)}"),
         (r"\frac{d}{dt} (\lambda x)", r"\left(\lambda x\right)^{(1)}"),
         (r"\frac{d}{dt} (\lambda) x", r"\dot{\lambda} x"),
         (r"\frac{d}{dt} \lambda^2", r"\left(\lambda^{2}\right)^{(1)}"),

@@ -51,3 +51,48 @@ def test_what_a_figure_shows_of_them_is_asked_about(tmp_path: Path) -> None:
         outcome(tmp_path, rf"e_i \cdot (e_i \times e_i) + e_i \cdot e_i = 1 {RANGE}", VECTORS) == "unchecked"
     )
     assert outcome(tmp_path, rf"e_i \times (e_i \times e_i) = e_i {RANGE}", VECTORS) == "refuted"
+
+
+TWO = (
+    "[symbols]\n'v' = 'vector'\n"
+    + "".join(f"'\\omega_{{{i}{j}}}' = 'scalar'\n" for i in (1, 2, 3) for j in (1, 2, 3))
+    + AXES
+    + "[definitions]\n"
+    + "".join(f"'\\omega_{{{i}{j}}}' = '\\dot{{e}}_{i} \\cdot e_{j}'\n" for i in (1, 2, 3) for j in (1, 2, 3))
+)
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (rf"\dot{{e}}_i = \sum_{{j=1}}^{{3}} \omega_{{ij}} e_j {RANGE}", "proved"),
+        (rf"\dot{{e}}_i = \sum_{{j=1}}^{{3}} \omega_{{ji}} e_j {RANGE}", "refuted"),
+        (rf"\dot{{e}}_i = \sum_{{j=1}}^{{2}} \omega_{{ij}} e_j {RANGE}", "refuted"),
+        (r"\omega_{ij} = -\omega_{ji} \quad i, j = 1, 2, 3", "proved"),
+        (r"\omega_{ij} = \omega_{ji} \quad i, j = 1, 2, 3", "refuted"),
+        (r"\dot{e}_1 = \sum_{j=1}^{3} \omega_{1j} e_j", "proved"),
+        (r"e_i \cdot e_j = \delta_{ij} \quad i, j = 1, 2, 3", "proved"),
+        (r"e_i \cdot e_j = 2\delta_{ij} \quad i, j = 1, 2, 3", "refuted"),
+        (rf"v \cdot e_i = \sum_{{k=1}}^{{3}} \delta_{{ik}} v \cdot e_k {RANGE}", "proved"),
+        (r"\omega_{1 2} = -\omega_{21}", "proved"),
+        (r"\dot{e}_i = \omega_{ij} e_j \quad i, j = 1, 2, 3", "unread"),  # a sum over j, for some
+        (rf"\omega_{{ii}} = 0 {RANGE}", "unread"),  # and this one over i
+        (r"\delta_{ii} = 3 \quad i = 1, 2, 3", "unread"),
+        (r"e_i \cdot e_j = \delta_{ij}", "unread"),
+        (r"\omega_{ij} = -\omega_{ji} \quad i, j = 1, \ldots, 4", "unread"),
+    ],
+)
+def test_members_of_two_indices(tmp_path: Path, formula: str, expected: str) -> None:
+    found = outcome(tmp_path, formula, TWO)
+    reads = load_paper(tmp_path / "p.toml").claims[0].printed.statement is not None
+    assert (found if reads else "unread") == expected
+
+
+@pytest.mark.parametrize("declared", ["\\delta", "\\delta_i"])
+def test_a_declared_delta_is_no_kronecker_delta(tmp_path: Path, declared: str) -> None:
+    outcome(
+        tmp_path,
+        r"e_i \cdot e_j = \delta_{ij} \quad i, j = 1, 2, 3",
+        f"[symbols]\n'{declared}' = 'scalar'\n{AXES}",
+    )
+    assert load_paper(tmp_path / "p.toml").claims[0].printed.statement is None

@@ -13,9 +13,11 @@ from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
 from workbench.language.definitions import Definitions, expand, only_turns
 from workbench.language.printing.printer import to_latex
+from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import Apply, Definition, Relation, Symbol, Term, sides_of
+from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Formula, Notation, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
@@ -26,6 +28,8 @@ if TYPE_CHECKING:
 
 #: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
+
+_REACH = "how far does d/dt reach? bracket what it differentiates"
 
 
 class Meant:
@@ -60,7 +64,25 @@ class Meant:
         statement = claim.printed.statement
         if claim.span is not None and isinstance(statement, Relation) and statement.operator == "≠":
             return "the sides are equal in places: are they said to differ always, or in general?"
-        return _of_two_indices(claim) or claim.unsettled or _of_pi(claim) or self._if_special(claim, ())
+        return (
+            _of_two_indices(claim)
+            or claim.unsettled
+            or _of_pi(claim)
+            or self._if_special(claim, ())
+            or self._of_reach(claim)
+        )
+
+    def _of_reach(self, claim: Claim) -> str | None:
+        """d/dt A P is the rate of the product, unless that is false and that with the rate of A is proved."""
+        symbols = claim.notation.symbols
+        near = replace(claim.notation, symbols=replace(symbols, loose=symbols.loose | {"near"}))
+        with suppress(ReadError, IllFormedAt, ValueError):
+            statement, _ = read_statement(claim.printed.latex, near, claim.orders)
+            printed = replace(claim.printed, statement=statement)
+            if statement != claim.printed.statement:
+                verdict = self._supposing(replace(claim, printed=printed), ())
+                return _REACH if verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION) else None
+        return None
 
     def _with_the_text(self, claim: Claim, refuted: Verdict) -> Verdict:
         """A refuted formula of a text may be true all the same, with what the text says of its symbols beside

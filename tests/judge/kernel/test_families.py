@@ -103,7 +103,14 @@ def test_examples_of_indices_that_may_be_any_prove_nothing():
         (r"\operatorname{div}(y_n + \rho) = \operatorname{div} y_n + 3", True),
         (r"\operatorname{curl}(\rho^{(n)} + \rho) = \operatorname{curl} \rho^{(n)}", False),
         (r"\operatorname{div}(f^{(n)} \rho) = 3 f^{(n)}", True),
-        (r"\frac{\partial q_n}{\partial q_n} = 1", False),
+        (r"\frac{\partial q_n}{\partial q_n} = 1", True),
+        (r"\frac{\partial}{\partial q_n} (q_n q_{n+1}^2) = q_{n+1}^2", True),
+        (r"\frac{\partial}{\partial q_n} (q_n + q) = 1", True),
+        (r"\frac{\partial}{\partial q_n} (q_n + q_4) = 1", False),
+        (r"\frac{\partial q_n}{\partial q_m} = 0", False),
+        (r"\frac{\partial h}{\partial q_n} = 0", False),
+        (r"\frac{\partial z_n}{\partial q_n} = 0", False),
+        (r"\frac{\partial c_n}{\partial q_n} = 2 q_n", True),
         (r"\frac{\partial}{\partial q} (q + p_n) = 1", False),
         (r"\frac{\partial q^2}{\partial q} p_n = 2 q p_n", True),
     ],
@@ -114,14 +121,17 @@ def test_what_differentiates_a_field_of_every_order_is_judged_member_by_member(l
             r"\rho": {"kind": "vector", "coordinate": True},
             "y_n": {"kind": "vector", "uniform": True},
             "f": {"kind": "scalar", "uniform": True},
-            **{name: {"kind": "scalar", "independent": True} for name in ("q", "q_n")},
+            **{name: {"kind": "scalar", "independent": True} for name in ("q", "q_n", "z_n")},
             "p_n": {"kind": "scalar", "of": ["q"]},
+            "h": {"kind": "scalar", "of": ["q_1"]},
         }
     )
     known = []
-    for key, body in {"x_0": r"\rho", "x_{n+1}": r"\dot{x}_n"}.items():
+    bodies = {"x_0": r"\rho", "x_{n+1}": r"\dot{x}_n", "z_5": "q_5", "c_n": "q_n^2"}
+    for key, body in bodies.items():
         definition, table = read_definition(key, body, table)
         known.append(definition)
-    (claim,) = read(latex, table, "n")
-    found = Judge(Definitions(known)).judge(claim, orders=Orders.parse("n = 1..2"))
+    (claim,) = read(latex, table, "nm")
+    ranges = "n = 1..2, m = 3..3" if "_m" in latex else "n = 1..2"
+    found = Judge(Definitions(known)).judge(claim, orders=Orders.parse(ranges))
     assert (found.scope or "").startswith("all") == proved, (found.outcome, found.reason, found.scope)

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from typing import Protocol
 
 from workbench.judge.kernel.beyond import OrderRanges, beyond
@@ -41,6 +42,7 @@ from workbench.language.typed.terms import (
     Term,
     sides_of,
 )
+from workbench.language.typed.types import Declaration
 
 
 class InstanceJudge(Protocol):
@@ -211,7 +213,7 @@ def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Stateme
     """Raises NotExact where div or curl would be taken of a free function that stands for a field."""
     for term in _all_terms(statements):
         for slope in (t for t in term.walk() if isinstance(t, Apply) and t.head in PARTIALS):
-            if not all(_is_numbered(part) for part in slope.walk()):
+            if not _is_apart(slope, judge.definitions):
                 raise NotExact("a partial derivative with an integer variable in it")
         for gradient in (t for t in term.walk() if isinstance(t, Apply) and t.head in GRADIENTS):
             for part in gradient.walk():
@@ -225,10 +227,22 @@ def _refuse_hidden_coordinate(judge: InstanceJudge, statements: Sequence[Stateme
                     raise NotExact(f"the {gradient.head} of a field of every order")
 
 
-def _is_numbered(term: Term) -> bool:
-    if isinstance(term, Derivative | Symbol):
-        return all(i.is_number for i in (term.index if isinstance(term, Symbol) else (term.order,)))
-    return not isinstance(term, BigSum)
+def _is_apart(slope: Term, definitions: Definitions) -> bool:
+    """Whether two members of a family in it are two for every n, or one, and none hides a function."""
+    parts = list(slope.walk())
+    symbols = [part for part in parts if isinstance(part, Symbol)]
+    for own in symbols:  # longer with each
+        symbols += own.declaration.of
+    indices: dict[Declaration, list[Linear]] = {}
+    for own in symbols:
+        if len(own.index) > 1 and not all(place.is_number for place in own.index):
+            return False
+        indices.setdefault(own.declaration, []).extend(own.index)
+        if any(not place.is_number for place in own.index) and definitions.about(own):
+            return False
+    steps = [one - other for several in indices.values() for one, other in pairwise(several)]
+    orders = [part.order for part in parts if isinstance(part, Derivative)]
+    return not any(isinstance(part, BigSum) for part in parts) and all(n.is_number for n in (*steps, *orders))
 
 
 def _indices(statements: Sequence[Statement], orders: Sequence[Linear] = ()) -> list[Linear]:

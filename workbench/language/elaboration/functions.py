@@ -192,10 +192,10 @@ def derivative(row: Row, place: int, found: Rate) -> Factor:
 
 
 def _differentiated(row: Row, place: int, found: Rate, rate: Callable[[Term], Term]) -> Factor:
-    """What stands behind the upper d, all of it, or else the factor behind the fraction."""
-    item = row.items[place]
+    """What stands behind the upper d, all of it, or else the factors behind the fraction; a bracket alone."""
+    scope, item = row.scope, row.items[place]
     if found.behind:
-        body = row.scope.term(in_a_row(item.at, found.behind))
+        body = scope.term(in_a_row(item.at, found.behind))
         lone = len(found.behind) == (2 if is_left_script(found.behind[0]) else 1) or (
             isinstance(found.behind[-1], Bracket) and is_rate(body)
         )
@@ -208,9 +208,9 @@ def _differentiated(row: Row, place: int, found: Rate, rate: Callable[[Term], Te
     nucleus = following.nucleus if isinstance(following, Scripted) else None
     if isinstance(nucleus, Bracket) and nucleus.kind in ("(", "[", "\\{"):
         raise Fault("a power of the derivative or of its argument? bracket it", following.at)
-    factor = row.factor(place + 1)
+    run = [row.factor(place + 1)]
     if not isinstance(following, Bracket):
         row.open_head = "d/dt"
-    if factor.end < len(row.items) and not isinstance(following, Bracket):
-        raise Fault("how far does d/dt reach? bracket what it differentiates", item.at)
-    return Factor(rate(factor.term), item.at, factor.end, item)
+        while run[-1].end < len(row.items) and "near" not in scope.table.loose:
+            run.append(row.factor(run[-1].end))
+    return Factor(rate(row.multiply(run)), item.at, run[-1].end, item)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -120,7 +120,8 @@ def linear(node: Node, variables: Collection[str]) -> Linear | None:
             return total
         case Product(items=(Leaf(kind="NUMBER") as factor, other)):
             size, value = linear(factor, ()), linear(other, variables)
-            return None if size is None or value is None or value.is_number else value * int(size)
+            is_multiple = size not in (None, Linear(1)) and value is not None and not value.is_number
+            return value * int(size) if is_multiple else None  # 1j are two indices
     name = variable_name(node)
     return Linear.variable(name) if name in variables else None
 
@@ -178,13 +179,44 @@ class Spelling:
 
     def candidates(self) -> list[Named]:
         """The names that may be meant, each with the indices it then has: the exact name first, then with
-        more and more of its integers as indices."""
+        more and more of its integers as indices. x_{12} is a member of x_{ij} before it is one of x_i, and
+        x_{1 2} may be an exact x_{12}."""
         count = len(self.places)
         choices = sorted(range(2 ** min(count, 6)), key=lambda choice: (choice.bit_count(), choice))
-        return [self.named([bool(choice >> bit & 1) for bit in range(count)]) for choice in choices]
+        first, *others = [self.named([bool(choice >> bit & 1) for bit in range(count)]) for choice in choices]
+        regrouped = [*self._regrouped()]
+        return [first, *regrouped, *others] if count == 1 else [first, *others, *regrouped]
+
+    def _regrouped(self) -> Iterator[Named]:
+        """With other signs, or none, between the indices of a script: 12 for 1 2, and both for 1,2."""
+        for field, pieces in self.scripts:
+            parts, between = pieces[::2], {*pieces[1::2]}
+            if not parts or not all(isinstance(part, Linear) for part in parts) or not between <= {" ", ","}:
+                continue
+            if not between:
+                parts = _apart(parts[0])
+            elif all(part.is_number and part.constant < 10 for part in parts):
+                yield replace(self, scripts=self._with(field, ["".join(map(str, parts))])).exact, ()
+            for sign in (" ", ",") if len(parts) > 1 else ():
+                apart = [piece for part in parts for piece in (sign, part)][1:]
+                other = replace(self, scripts=self._with(field, apart))
+                yield other.named([True] * len(other.places))
+
+    def _with(self, field: str, pieces: Sequence[Piece]) -> tuple[tuple[str, tuple[Piece, ...]], ...]:
+        return tuple((own, tuple(pieces) if own == field else kept) for own, kept in self.scripts)
 
     def __str__(self) -> str:
         return str(self.exact)
+
+
+def _apart(index: Linear) -> Sequence[Linear]:
+    """12 as 1 and 2, 2j as 2 and j."""
+    match index.coefficients:
+        case () if index.constant > 9:
+            return [Linear(int(figure)) for figure in str(index)]
+        case ((name, factor),) if 1 < factor < 10 and not index.constant:
+            return [Linear(factor), Linear.variable(name)]
+    return [index]
 
 
 def _with_figures_together(pieces: Sequence[Piece]) -> tuple[Piece, ...]:

@@ -114,6 +114,11 @@ MARKDOWN = [
         "```{admonition} So\n$$ e = f $$\n```\n$$ g = h $$\n```python\n'$$ x = y $$'\n```\n",
         ["a = b", "c = d", "e = f", "g = h"],
     ),
+    (
+        "no mdBook",
+        "$$ a = b \\\\[4pt] c = d $$\n\n$$ a = b \\\\ \\{c\\} = d $$\n",
+        [r"a = b \\[4pt] c = d", r"a = b \\ \{c\} = d"],
+    ),
     ("mdBook", "\\\\[ a\\_1 = b \\\\]\n\nText \\\\( x \\\\)\n", ["a_1 = b"]),
     (
         "a row gap",

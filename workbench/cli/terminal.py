@@ -105,7 +105,7 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
     yield from _field("our formula", claim.our_formula)
     yield from _field("goal", claim.goal.latex if claim.goal else None)
     yield from _field("for", str(claim.orders or ""))
-    for condition in claim.assume:
+    for condition in (*claim.assume, *claim.given):
         yield from _field("assuming", condition.latex)
     yield Text.assemble(f"{'verdict':>15}  ", outcome_text(verdict.outcome))
     yield from _field("scope", verdict.scope)

@@ -251,6 +251,7 @@ class Claim:
     corrected: Formula | None = None
     hypothesis: Formula | None = None
     assume: tuple[Formula, ...] = ()
+    given: tuple[Formula, ...] = ()
     orders: Orders | None = None
     note: str = ""
     inherits: tuple[str, ...] = ()
@@ -306,10 +307,15 @@ class Claim:
 
     @property
     def supposed(self) -> tuple[Statement, ...]:
-        """The conditions that the text states, and what is declared of its symbols."""
-        said = self.printed.statement
-        declared = () if said is None else self.notation.definitions.known_of(said)
-        return (*(formula.statement for formula in self.assume), *declared)
+        """The conditions that the text states, what is given, always, and what is declared of its symbols."""
+        said, definitions = self.printed.statement, self.notation.definitions
+        declared = () if said is None else definitions.known_of(said)
+        given = [formula.statement for formula in self.given]
+        if given and said is not None:
+            from workbench.judge.subject.assumptions import lasting
+
+            given = lasting(given, said, definitions)
+        return (*(formula.statement for formula in self.assume), *given, *declared)
 
     @property
     def instances(self) -> list[dict[str, int]]:

@@ -49,7 +49,7 @@ def claim_json(result: ClaimResult) -> dict[str, Any]:
         "reading": _form(claim.reading, result.reading),
         "corrected": _form(claim.corrected, result.corrected),
         "hypothesis": result.hypothesis,
-        "assume": [formula.latex for formula in claim.assume],
+        "assume": [formula.latex for formula in (*claim.assume, *claim.given)],
         "orders": str(claim.orders) if claim.orders else None,
         "counterexample": against.to_dict() if against else None,
         "evidence": [evidence.to_dict() for evidence in verdict.evidence],

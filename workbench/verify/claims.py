@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Protocol
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.theorems.proofs import Proven
-from workbench.judge.verdict import Outcome, Verdict
+from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.printing.authors import in_the_hand_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
 from workbench.papers.selection import select_claims
@@ -153,7 +154,8 @@ class ClaimJudge:
             return self._seen(verdict, claim, claim.printed, claim.hypothesis)
         if claim.skip is not None:
             return Verdict(Outcome.UNCHECKED, reason=f"left out: {claim.skip}")
-        return self._meant.verdict(claim, self._verdict(claim, claim.printed, claim.hypothesis))
+        verdict = self._meant.verdict(claim, self._verdict(claim, claim.printed, claim.hypothesis))
+        return _as_given(verdict, claim) if claim.given else verdict
 
     @cached_property
     def _of_theorems(self) -> TheoremJudge:
@@ -196,6 +198,14 @@ class ClaimJudge:
                 **self.options,
             )
         return self._judges[id(notation)]
+
+
+def _as_given(verdict: Verdict, claim: Claim) -> Verdict:
+    given = ", ".join(map(str, claim.given))
+    evidence = (*verdict.evidence, Evidence("given", "holds always", {"formula": given}))
+    is_open = verdict.outcome is Outcome.UNCHECKED and verdict.reason is not None
+    reason = f"{verdict.reason}; given is {given}" if is_open else verdict.reason
+    return replace(verdict, reason=reason, evidence=evidence)
 
 
 class PaperJudge(ClaimJudge):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from workbench.judge.subject.angles import sum_of_products
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
+from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Outcome, Verdict
 from workbench.language.definitions import Definitions, expand, only_turns
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
@@ -81,7 +81,8 @@ class Meant:
             printed = replace(claim.printed, statement=statement)
             if statement != claim.printed.statement:
                 verdict = self._supposing(replace(claim, printed=printed), ())
-                return _REACH if verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION) else None
+                holds = verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION) or verdict.reason == SAME_TERM
+                return _REACH if holds else None
         return None
 
     def _with_the_text(self, claim: Claim, refuted: Verdict) -> Verdict:

@@ -8,6 +8,7 @@ assumed to vanish, too.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 from workbench.judge.subject import reached
 from workbench.judge.subject.inventory import Lookup, NotExact, take_inventory
@@ -18,6 +19,7 @@ from workbench.language.typed.terms import (
     Apply,
     Conjunction,
     Derivative,
+    IllFormed,
     Relation,
     Statement,
     Symbol,
@@ -57,6 +59,16 @@ def derivatives_of(premise: Statement, claim: Statement, definitions: Lookup) ->
         for k in range(1, more + 1):
             found += [_each_side(each, lambda side, k=k: derivative(side, k)) for each in (relation, *slopes)]
     return tuple(found)
+
+
+def lasting(premises: Sequence[Statement], claim: Statement, definitions: Lookup) -> list[Statement]:
+    """The premises, and the derivatives that the claim, and these, take of what they speak of."""
+    found: list[Statement] = []
+    with suppress(NotExact, IllFormed):
+        for _ in premises:
+            together = Conjunction((claim, *premises, *found))
+            found = [each for premise in premises for each in derivatives_of(premise, together, definitions)]
+    return [*premises, *found]
 
 
 def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> list[Relation]:

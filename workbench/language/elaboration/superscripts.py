@@ -148,6 +148,8 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
     if is_odd and term.type.kind == "vector" and scope.table.has_quaternions:
         raise Fault("an odd power of a vector: is it a quaternion? write (0, x)", sup.at)
     if exponent.is_number and exponent.constant < 0:
+        if scope.table.has_quaternions and (term.type.rows, term.type.columns) == (4, 1):
+            term = construct.as_quaternion(term)
         base = term if exponent.constant == -1 else scope.build(sup.at, construct.power, term, -exponent)
         return scope.apply(sup.at, "inverse", base)
     return scope.build(sup.at, construct.power, term, exponent)

@@ -113,7 +113,7 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
                     given.append(Formula(latex, statement))
                 except (ReadError, IllFormedAt) as error:
                     raise table.error_at_value(("given",), f"given: {at}: {error.message}") from None
-    return replace(claim, assume=(*claim.assume, *given)) if given else claim
+    return replace(claim, given=tuple(given)) if given else claim
 
 
 def _with_asides(claim: Claim, placed: Placed, inline: Sequence[Display]) -> Claim:

@@ -1,0 +1,57 @@
+"""An equation that is given holds always: what the claim differentiates of it is a premise, too."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from workbench.judge.verdict import Verdict
+from workbench.papers import load_paper
+from workbench.verify.claims import judge_paper
+
+MODEL = r"""source = "p.md"
+[symbols]
+'x' = "vector"
+'y' = "vector"
+'w' = "vector"
+'f' = "vector"
+[[claim]]
+at = "line 3"
+given = ["line 1", "line 2"]
+"""
+
+
+def verdict(folder: Path, *formulas: str) -> Verdict:
+    (folder / "p.md").write_text("\n".join(f"$$ {each} $$" for each in formulas))
+    (folder / "p.toml").write_text(MODEL)
+    return judge_paper(load_paper(folder / "p.toml"))[-1].verdict
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "claim", "expected"),
+    [
+        (r"\dot{x} = w \times y", r"\ddot{x} = f", r"f = \dot{w} \times y + w \times \dot{y}", "proved"),
+        (
+            r"\dot{x} = w \times y",
+            r"\ddot{x} = f",
+            r"f \cdot f = 2 \ddot{x} \cdot \ddot{x}",
+            "refuted",
+        ),
+        (r"x = y + w", r"\ddot{w} = 0", r"\ddot{x} = \ddot{y}", "proved"),
+        (r"x = y + w", r"\dot{w} = 0", r"\ddot{x} = \ddot{y}", "proved"),
+        (r"x = y + w", r"\ddot{w} = 0", r"\dot{x} \cdot \dot{x} = \dot{y} \cdot \dot{y}", "refuted"),
+        (r"x \cdot y = 1", r"\dot{y} = 0", r"\dot{x} \cdot y = 0", "proved"),
+    ],
+)
+def test_its_derivatives_are_given(
+    tmp_path: Path, first: str, second: str, claim: str, expected: str
+) -> None:
+    found = verdict(tmp_path, first, second, claim)
+    assert found.outcome == expected
+    assert any(each.method == "given" and first in each.figures["formula"] for each in found.evidence)
+
+
+def test_what_is_open_says_what_is_given(tmp_path: Path) -> None:
+    found = verdict(tmp_path, r"\dot{x} = w", r"\dot{y} = w", r"\dot{f} = x")
+    assert found.outcome == "unchecked" and r"given is \dot{x} = w, \dot{y} = w" in found.reason

@@ -49,6 +49,7 @@ SAME = [
     (r"\sum_{k=1}^{n} a_k/k", r"\sum_{k=1}^{n} \frac{a_k}{k}"),
     (r"d\alpha/dt + \mathrm{d}s/\mathrm{d}t", r"\dot{\alpha} + \dot{s}"),
     (r"\frac{d}{dt} \|a\|^2", r"\frac{d}{dt} (\|a\|^2)"),
+    (r"\sqrt{s}^2 + s", r"(\sqrt{s})^2 + s"),
     (r"\frac{d}{dt} T a", r"\frac{d}{dt} (T a)"),
     (r"\frac{d}{dt} T a + a", r"\frac{d}{dt} (T a) + a"),
     (r"T \frac{d}{dt} T a", r"T \frac{d}{dt} (T a)"),

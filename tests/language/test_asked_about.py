@@ -45,7 +45,7 @@ def test_vectors_that_may_be_quaternions_are_asked_about(formula: str) -> None:
 def test_the_inverse_of_a_column_of_four_is_that_of_a_quaternion_where_there_are_any() -> None:
     column = r"\begin{bmatrix} s \\ a \end{bmatrix}^{-1}"
     table = TABLE.with_specs({"e": {"kind": "hamilton quaternion"}})
-    assert read_term(column, table) == read_term(r"\operatorname{quat}(s, a)^{-1}", table)
+    assert read_term(column, table) == read_term(r"(\operatorname{quat}(s, a))^{-1}", table)
     with pytest.raises(IllFormedAt, match="the inverse of a matrix 4×1"):
         read_term(column, TABLE)
 

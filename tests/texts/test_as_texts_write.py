@@ -41,6 +41,11 @@ SPELLED = [
     (r"x = R\,^T y", [r"x = R\,^T y"]),
     (r"[x]_\times^2 = [y]^\wedge_\otimes", [r"[x]_\times^2 = [y]^\wedge_\otimes"]),
     (r"x_+^2 = y \times ^B z", [r"x_+^2 = y \times {}^B z"]),
+    (r"x = a y_1{}^2", [r"x = a y_1^2"]),
+    (r"x_1{}^2 = a (y{}^2)", [r"x_1^2 = a (y{}^2)"]),
+    (r"x = R{}^2 y + {}^2 a", [r"x = R{}^2 y + {}^2 a"]),
+    (r"x = \textrm{Adj}\left(A\right)", [r"x = \operatorname{Adj}\left(A\right)"]),
+    (r"x_\text{ref}(t) = y \text{ if}(x)", [r"x_\text{ref}(t) = y \text{ if}(x)"]),
     (r"\theta = \tan^{-1} x", [r"\theta = \arctan x"]),
     (r"x = a \ \ y = b", ["x = a", "y = b"]),
     (

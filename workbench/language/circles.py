@@ -13,6 +13,8 @@ from workbench.language.typed.integers import Linear, as_linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Definition, Symbol, Term
 
+USED_ABOVE = "this symbol is used above its definition"
+
 
 def entered(key: str, definition: Definition, table: SymbolTable) -> SymbolTable:
     """The table that knows the definition, too. Raises SpecError for its key."""
@@ -55,7 +57,7 @@ def _refuse_circle(key: str, definition: Definition, table: SymbolTable) -> None
     name = definition.declaration.name
     for used, index in table.primitive:
         if used == name and solve(definition.index, index) is not None:
-            raise SpecError("this symbol is used above its definition", key)
+            raise SpecError(USED_ABOVE, key)
     own = definition.index
     members = [term.index for term in _symbols(definition.body) if term.declaration.name == name]
     exact = [place for place in table.defined.get(name, ()) if all(i.is_number for i in place)]

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from workbench.language.circles import USED_ABOVE
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.naming.declarations import read_key
@@ -50,7 +51,7 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     table = _spellings(files, table)
     table, definitions, turns = framed([*files, *scopes], table)
     made_by_frames = frozenset(definition.declaration.name for definition in definitions)
-    entries = list(_in_scope(files, scopes))
+    entries = _in_order(list(_in_scope(files, scopes)), table) if scopes else list(_in_scope(files, scopes))
     found, table = _definitions(entries, scopes, table)
     definitions += found
     if made_by_frames:
@@ -65,6 +66,31 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     notation = Notation(table, known, bound, robots[-1] if robots else None)
     notation = replace(notation, words=_words(files), framed=made_by_frames)
     return replace(notation, on_motions=dict(f for file in files for f in formulas(file, notation)))
+
+
+def _in_order(
+    entries: list[tuple[TomlFile, str, str]], table: SymbolTable
+) -> list[tuple[TomlFile, str, str]]:
+    """Each before those that use it, as a scope that defines anew may need it; as they are, where no order is
+    such."""
+    order = list(entries)
+    for _ in range(2 * len(entries)):
+        if (late := _used_above(order, table)) is None:
+            return order
+        order.insert(0, order.pop(late))
+    return entries
+
+
+def _used_above(entries: list[tuple[TomlFile, str, str]], table: SymbolTable) -> int | None:
+    for place, (_, key, body) in enumerate(entries):
+        try:
+            _, table = read_definition(key, body, table)
+        except SpecError as error:
+            if error.message == USED_ABOVE:
+                return place
+        except (ReadError, IllFormedAt):
+            pass
+    return None
 
 
 def _definitions(

@@ -96,7 +96,9 @@ def _of_the_paper(row: Row, item: Node, leaf: Leaf, place: int) -> Factor | None
 
 
 def _root(row: Row, leaf: Leaf, place: int) -> Factor:
-    item = row.items[place + 1]
+    item, power = row.items[place + 1], None
+    if isinstance(item, Scripted) and item == Scripted(item.at, item.nucleus, sup=item.sup):  # (√x)²
+        item, power = item.nucleus, item.sup
     if not isinstance(item, Group) or row.items[place] is not leaf:
         raise Fault("expected a square root, \\sqrt{x}", leaf.at)
     term = row.scope.term(item)
@@ -104,7 +106,8 @@ def _root(row: Row, leaf: Leaf, place: int) -> Factor:
         if not _is_norm_squared(term):
             raise Fault("the root of a quaternion, which is no number", leaf.at)
         term = construct.apply("scalar part", term)
-    return Factor(rooted(row.scope, leaf.at, term), leaf.at, place + 2, leaf)
+    root = rooted(row.scope, leaf.at, term)
+    return Factor(root if power is None else raised(row.scope, root, power), leaf.at, place + 2, leaf)
 
 
 def _is_norm_squared(term: Term) -> bool:

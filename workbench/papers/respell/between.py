@@ -40,6 +40,19 @@ def net_sum(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     return [*tokens[start:end], *label], end
 
 
+def power_at_the_end(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """x_1{}^2 with nothing behind it that the script could belong to, as x_1^2."""
+    before = ahead(tokens, place)
+    script = past(tokens, place + 2)
+    if before is None or printed(tokens[place : script + 1]) != ["{", "}", "^"]:
+        return None
+    inside, end = group(tokens, past(tokens, script + 1))
+    after = past(tokens, end)
+    is_last = after >= len(tokens) or tokens[after].text in _ENDS_A_SUM
+    is_power = tokens[before].text not in _ENDS_A_SUM | _OPEN and "".join(printed(inside)).isdigit()
+    return (tokens[script:end], end) if is_last and is_power else None
+
+
 def bar_of_a_set(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """The one bar in \\{x | a = b\\} as the sign that it is there."""
     if tokens[place].text != "\\{":

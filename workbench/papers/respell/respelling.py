@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
 from workbench.language.grammar.parser import MOST_CHARACTERS
+from workbench.language.grammar.vocabulary import WORDS
 from workbench.papers.respell.between import bar_of_a_set
 from workbench.papers.respell.by_hand import as_read, everywhere
 from workbench.papers.respell.plain_tex import with_nuclei, with_typefaces, without_kerns
@@ -186,6 +187,8 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             yield token.standing_for("}")
         elif word in _TEXTS | {"textbf"} and _is_name(tokens, place):
             yield token.standing_for("\\mathbf" if word == "textbf" else "\\mathrm")
+        elif word in _TEXTS and _is_function(tokens, place):
+            yield token.standing_for("\\operatorname")
         elif word in _OVER and (sign := _noted_sign(tokens, place)) is not None:
             yield tokens[sign[0]]
             place = sign[1]
@@ -227,6 +230,16 @@ def _is_name(tokens: Sequence[Token], place: int) -> bool:
     """Whether \\text holds one letter, or the name of a group: v in \\text{v}, SO in \\textrm{SO}(3)."""
     inside = "".join(token.text for token in argument(tokens, place)[0])
     return (len(inside) == 1 and inside.isalpha()) or inside in _GROUPS
+
+
+def _is_function(tokens: Sequence[Token], place: int) -> bool:
+    """Whether \\text holds a word in front of a bracket: Adj in \\textrm{Adj}(A)."""
+    inside, end = argument(tokens, place)
+    word = "".join(token.text for token in inside)
+    behind = [token.text for token in tokens[end:] if token.text not in (" ", "\\left")][:1]
+    is_label = any(token.text in ("_", "^") for token in tokens[:place][-2:-1])
+    is_word = word.isascii() and word.isalpha() and word.lower() not in WORDS
+    return behind == ["("] and is_word and not is_label
 
 
 def _noted_sign(tokens: Sequence[Token], place: int) -> tuple[int, int] | None:

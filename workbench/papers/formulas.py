@@ -13,6 +13,7 @@ from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Conjunction, Statement
 from workbench.papers.model import Formula, Notation
 from workbench.papers.orders import Orders, orders_within
+from workbench.papers.respell.in_models import or_respelled
 from workbench.papers.toml.toml_file import TomlFile
 from workbench.papers.toml.toml_places import KeyPath
 
@@ -47,7 +48,7 @@ class FormulaReader:
     def reading(self, line: Line) -> tuple[Formula, FormulaReader]:
         """The intended reading, and the reader of what belongs to it."""
         try:
-            statement, ranges = self._read(line.latex)
+            statement, ranges = self._read_by_hand(line.latex)
         except (ReadError, IllFormedAt) as error:
             self._fail(("reading",), line, error)
         return Formula(line.latex, statement), self._within("reading", ranges)
@@ -66,7 +67,7 @@ class FormulaReader:
     def _intended(self, place: KeyPath, line: Line) -> Formula:
         try:
             as_condition = place[0] in ("hypothesis", "assume")
-            return Formula(line.latex, self._read(line.latex, as_condition)[0])
+            return Formula(line.latex, self._read_by_hand(line.latex, as_condition)[0])
         except (ReadError, IllFormedAt) as error:
             self._fail(place, line, error)
 
@@ -79,6 +80,9 @@ class FormulaReader:
 
     def _read(self, latex: str, as_condition: bool = False) -> tuple[Statement, tuple[Range, ...]]:
         return read_statement(latex, self.notation, self.orders, as_condition)
+
+    def _read_by_hand(self, latex: str, as_condition: bool = False) -> tuple[Statement, tuple[Range, ...]]:
+        return or_respelled(latex, self.notation.words, lambda text: self._read(text, as_condition))
 
     def _fail(self, place: KeyPath, within: Line, error: ReadError | IllFormedAt) -> NoReturn:
         inside = within.place(error.line, error.column)

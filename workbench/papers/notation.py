@@ -17,6 +17,7 @@ from workbench.language.typed.terms import Definition, Symbol
 from workbench.papers.frames import frame_labels, framed, require_rotations
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot
+from workbench.papers.respell.in_models import or_respelled
 from workbench.papers.ties import ties
 from workbench.papers.toml.toml_file import TomlFile
 
@@ -84,7 +85,7 @@ def _in_order(
 def _used_above(entries: list[tuple[TomlFile, str, str]], table: SymbolTable) -> int | None:
     for place, (_, key, body) in enumerate(entries):
         try:
-            _, table = read_definition(key, body, table)
+            _, table = _read(key, body, table)
         except SpecError as error:
             if error.message == USED_ABOVE:
                 return place
@@ -249,9 +250,13 @@ def _keys(files: Sequence[TomlFile], table: str) -> Iterator[tuple[TomlFile, lis
 def _definition(file: TomlFile, key: str, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
     path = ("definitions", key)
     try:
-        return read_definition(key, body, table)
+        return _read(key, body, table)
     except SpecError as error:
         raise file.error_at_key(path, str(error)) from None
     except (ReadError, IllFormedAt) as error:
         message = f"{key}: {error.message}"
         raise file.error_in_string(path, error.line, error.column, message) from None
+
+
+def _read(key: str, body: str, table: SymbolTable) -> tuple[Definition, SymbolTable]:
+    return or_respelled(body, (), lambda text: read_definition(key, text, table))

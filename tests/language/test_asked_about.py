@@ -48,6 +48,8 @@ def test_the_inverse_of_a_column_of_four_is_that_of_a_quaternion_where_there_are
     assert read_term(column, table) == read_term(r"(\operatorname{quat}(s, a))^{-1}", table)
     with pytest.raises(IllFormedAt, match="the inverse of a matrix 4×1"):
         read_term(column, TABLE)
+    three = read_term(r"\begin{bmatrix} s \\ s \\ s \end{bmatrix}^{-2}", table)
+    assert three.type.kind == "scalar"
 
 
 @pytest.mark.parametrize("name", ["atan2", "arctan2"])

@@ -109,7 +109,7 @@ class SymbolTable:
                 if other in symbols:
                     if read_key(alias, letters)[0] != other:
                         continue  # T_n beside T_m and symbols m and n
-                    why = "; letters that are no indices are `labels` in [frames]" if index else ""
+                    why = "; letters that are no indices are `labels` in [frames]" if len(index) > 1 else ""
                     raise SpecError(f"{alias} is declared twice{why}", key)
                 is_matrix = declared.type.is_square and declared.type.rows > 1
                 if not (is_matrix and _is_labelled(other, specs)):

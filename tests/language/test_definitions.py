@@ -291,3 +291,11 @@ def test_what_is_positive_is_the_square_of_a_root_that_is_as_constant_and_as_uni
     assert (squared.weight, squared.base.weight, squared.base.index) == (None, None, member.index)
     assert root == replace(member.declaration, name=root.name, weight=None, positive=False)
     assert Definitions().lookup(squared.base) is None
+
+
+def test_the_letter_of_a_symbol_is_a_label_of_what_is_defined_by_that_symbol() -> None:
+    kinds = {"f": "vector", "l": "vector", "f_l": "vector"}
+    table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})
+    definition, after = read_definition("f_l", r"f + f \times l", table)
+    assert (definition.declaration, definition.index) == (read_term("f_l", table).declaration, ())
+    assert to_latex(Definitions([definition]).lookup(read_term("f_l", after))) == r"f + f \times l"

@@ -73,3 +73,28 @@ def test_what_is_declared_free_does_neither(tmp_path: Path) -> None:
 def test_what_moves_in_the_formula_does_neither(tmp_path: Path) -> None:
     assert verdict(tmp_path, r"\frac{d}{dt}(m v) = m \dot{v} + 2 \dot{m} v").outcome is Outcome.REFUTED
     assert verdict(tmp_path, rf"{OF_R} = {TURNED} + 2 \dot{{r}}").outcome is Outcome.REFUTED
+
+
+#: A formula that holds if a symbol of which only definitions speak is constant, and one that is false then, too.
+BEHIND = [
+    (r"a = 'R u'", r"\dot{a} = \dot{R} R^T a", "a constant u", r"\dot{a} = -\dot{R} R^T a"),
+    (r"a = 'm v'", r"\dot{a} = \frac{a \cdot v}{v \cdot v} \frac{\dot{v}}{1}", "a constant m",
+     r"\dot{a} = 2 \frac{a \cdot v}{v \cdot v} \dot{v}"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("definition", "formula", "what", "false"), BEHIND)
+def test_what_rests_may_stand_in_definitions_alone(
+    tmp_path: Path, definition: str, formula: str, what: str, false: str
+) -> None:
+    asked = verdict(tmp_path, formula, definition)
+    assert asked.outcome is Outcome.UNCHECKED and what in asked.reason
+    assert verdict(tmp_path, false, definition).outcome is Outcome.REFUTED
+
+
+def test_what_moves_elsewhere_in_the_text_does_not_rest_behind_a_definition(tmp_path: Path) -> None:
+    across, rate = r"\dot{a} \times \dot{u} = 0", r"\dot{a} = \dot{l} u + l \dot{u}"
+    assert "a constant l" in verdict(tmp_path, across, "a = 'l u'").reason
+    (tmp_path / "p.md").write_text(f"$$ {across} $$\n\n$$ {rate} $$")
+    lost, right = (each.verdict for each in judge_paper(load_paper(tmp_path / "p.toml")))
+    assert lost.outcome is Outcome.REFUTED and right.outcome is Outcome.PROVED

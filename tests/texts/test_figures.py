@@ -99,3 +99,22 @@ def test_axes_of_which_only_definitions_speak_are_axes_too(tmp_path: Path) -> No
     asked = verdict(tmp_path, across, definitions)
     assert asked.outcome is Outcome.UNCHECKED and r"\mathbf{i}, \mathbf{j} axes of a frame" in asked.reason
     assert verdict(tmp_path, across.replace("+", "-"), definitions).outcome is Outcome.REFUTED
+
+
+def test_axes_that_are_declared_constant_stay_so(tmp_path: Path) -> None:
+    model = r"""source = 'p.md'
+[symbols]
+'x' = 'scalar'
+'y' = 'scalar'
+'\mathbf{r}' = 'vector'
+'\mathbf{i}' = { kind = 'vector', unit = true, constant = true }
+'\mathbf{j}' = { kind = 'vector', unit = true, constant = true }
+[definitions]
+'\mathbf{r}' = 'x \mathbf{i} + y \mathbf{j}'
+"""
+    (tmp_path / "p.toml").write_text(model)
+    speeds = r"\dot{\mathbf{r}} \cdot \dot{\mathbf{r}} = \dot{x}^2 + \dot{y}^2"
+    (tmp_path / "p.md").write_text(f"$$ {speeds} $$\n\n$$ {speeds.replace(' +', ' -')} $$")
+    asked, false = (each.verdict for each in judge_paper(load_paper(tmp_path / "p.toml")))
+    assert asked.outcome is Outcome.UNCHECKED and r"\mathbf{i}, \mathbf{j} axes of a frame" in asked.reason
+    assert false.outcome is Outcome.REFUTED

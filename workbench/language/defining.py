@@ -46,6 +46,10 @@ def read_definition(key: str, body: str, table: SymbolTable) -> tuple[Definition
     Raises SpecError for the key, ReadError and IllFormedAt for the body.
     """
     head = _head(key, table)
+    if letters := {
+        letter for letter in head.variables if Name(letter) in table.symbols
+    }:  # T_m beside a symbol m
+        head = _head(key, table, letters)
     declaration = _known(head, table)
     if declaration is None and (labels := _labels(head, body, table)):
         head = _head(key, table, labels)

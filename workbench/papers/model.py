@@ -239,7 +239,7 @@ class Claim:
     `states` the symbol that it may define, `guessed` its symbols whose kinds nobody has confirmed, `rests`
     what earlier claims say of its symbols, `beside` what its sentence and earlier ones suppose of them,
     `says` and `unsettled` why it may be true although it is false for free symbols: it may say what one is
-    (`says_of`), or the text says more of them than was read.
+    (`says_of`), or the text says more of them than was read; `moving` of what the text writes rates.
     """
 
     id: str
@@ -277,6 +277,7 @@ class Claim:
     says: str | None = None
     says_of: Name | None = None
     beside: tuple[Aside, ...] = ()
+    moving: frozenset[Name] = frozenset()
 
     @property
     def expected(self) -> Outcome:

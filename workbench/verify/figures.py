@@ -96,8 +96,9 @@ def _axes(vectors: Sequence[Symbol], angles: Sequence[Symbol]) -> Iterator[Suppo
         names = sorted((each.declaration.name for each in group), key=_place)
         is_known = all(_place(name) for name in names)
         shown = f"{', '.join(map(to_latex, group))} axes of a frame"
+        rests = all(each.declaration.constant for each in group)
         for order in [(0, 1, 2), (1, 0, 2)][: 1 if is_known else 2] if 1 < len(group) < 4 else []:
-            yield shown, _along(names, _units(constant=False), order), []
+            yield shown, _along(names, _units(constant=rests), order), []
             for angle in angles if len(angles) <= _MOST_ANGLES else []:
                 turned = _turned(_units(constant=True), angle)
                 yield f"{shown} that turns by {to_latex(angle)}", _along(names, turned, order), []

@@ -30,12 +30,18 @@ def at_rest(claim: Claim, said: Sequence[Definition]) -> Iterator[Supposing]:
     rates = [part.body for term in written for part in term.walk() if isinstance(part, Derivative)]
     moving = {each.declaration for each in rates if isinstance(each, Symbol)}
     shown = {part.declaration for part in terms_of(claim.printed.statement) if isinstance(part, Symbol)}
-    free = sorted(free_in(terms_of(claim.printed.statement), known) & shown, key=lambda each: str(each.name))
-    plain = [each for each in free if not (each.free or each.indices or each.parameters or each.type.dual)]
-    may = [each for each in plain if not each.constant and each.weight in (None, Linear(0))]
-    rests = [each for each in may if each not in moving]
+    free = sorted(free_in(terms_of(claim.printed.statement), known), key=lambda each: str(each.name))
+    behind = [each for each in free if not (each.free or each.indices or each.parameters or each.type.dual)]
+    plain = [each for each in behind if each in shown]
+    may = [each for each in behind if not each.constant and each.weight in (None, Linear(0))]
+    rests = [each for each in may if each in shown and each not in moving]
+    never = [each for each in may if each not in moving and each.name not in claim.moving]
+    if any(free_in([rate.body], known) <= {*never} for rate in rates):  # what is a rate would be none
+        never = []
+    for still in (never, rests):
+        if rates and still:
+            yield from _constant([each for each in still if not each.rotation])
     if rates and rests:
-        yield from _constant([each for each in rests if not each.rotation])
         vectors = [symbol(each) for each in plain if each.type.kind == "vector"]
         for spin in vectors[:_MOST_TRIED]:
             yield from _turning([each for each in rests if each.name != spin.declaration.name], spin)

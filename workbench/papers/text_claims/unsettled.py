@@ -11,6 +11,7 @@ from workbench.language.typed.names import Name
 from workbench.language.typed.terms import (
     Apply,
     Conjunction,
+    Derivative,
     Implication,
     Number,
     Relation,
@@ -35,6 +36,7 @@ _COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
     """Each claim with what of the text leaves its falsehood open."""
     unread = said_unread(claims, text.inline)
+    moving = _moving(claims)
     made = []
     for claim in claims:
         statement = claim.printed.statement
@@ -52,9 +54,19 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
                 says = of_an_example(statement)
             open_by, values = left_open(free, claim, unread, with_values=says is None)
             beside = (*claim.beside, *values)
-            claim = replace(claim, unsettled=open_by or why, says=says, says_of=says_of, beside=beside)
+            claim = replace(
+                claim, unsettled=open_by or why, says=says, says_of=says_of, beside=beside, moving=moving
+            )
         made.append(claim)
     return made
+
+
+def _moving(claims: Sequence[Claim]) -> frozenset[Name]:
+    """The symbols of which the formulas write rates."""
+    statements = (claim.printed.statement for claim in claims if claim.printed.statement is not None)
+    terms = (term for statement in statements for term in terms_of(statement))
+    rates = (part for term in terms if isinstance(term, Derivative) for part in term.walk())
+    return frozenset(part.declaration.name for part in rates if isinstance(part, Symbol))
 
 
 def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:

@@ -36,7 +36,7 @@ def at_rest(claim: Claim, said: Sequence[Definition]) -> Iterator[Supposing]:
     may = [each for each in behind if not each.constant and each.weight in (None, Linear(0))]
     rests = [each for each in may if each in shown and each not in moving]
     never = [each for each in may if each not in moving and each.name not in claim.moving]
-    if any(free_in([rate.body], known) <= {*never} for rate in rates):  # what is a rate would be none
+    if any(free_in([rate], known) <= {*never} for rate in rates):  # what is a rate would be none
         never = []
     for still in (never, rests):
         if rates and still:

@@ -117,7 +117,7 @@ def test_of_several_conditions_the_one_that_is_needed_is_the_hypothesis(tmp_path
 
 def test_what_is_said_elsewhere_and_beside_are_hypotheses_together(tmp_path: Path) -> None:
     for claimed, expected in (
-        (r"f m = f g \Rightarrow m = g", r"m = 2 g, f \neq0"),
+        (r"f a = f m b \Rightarrow a = 2 g b", r"m = 2 g, f \neq0"),
         (r"m f = 2 g f", "m = 2 g"),
     ):
         text = rf"It is [[m = 2 g]] always. For <<f \neq 0>> it is [[{claimed}]]"
@@ -185,3 +185,23 @@ def test_an_example_says_what_a_symbol_is_in_it(
     (tmp_path / "p.toml").write_text(MODEL.format("tex") + "\n[definitions]\n'f' = 'g + m'\n")
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
     assert result.verdict.outcome is outcome
+
+
+DEFINED = "\n[definitions]\n'a' = '\\dot{m} b + f b'\n'g' = 'm^2'\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "outcome"),
+    [
+        (r"With <<m = 0>> it is [[a^2 = f^2 b^2]]", Outcome.UNCHECKED),  # and if m stays 0, it holds
+        (r"With <<m = 0>> it is [[a^2 = 4 f^2 b^2]]", Outcome.REFUTED),
+        (r"Let <<\dot{g} = f>> always. It is so. Now [[\dot{g}^2 = f^2]]", Outcome.CONDITIONAL),
+        (r"Let <<\dot{g} = f>> always. It is so. Now [[\dot{g}^2 = 2 f^2]]", Outcome.REFUTED),
+    ],
+)
+def test_what_is_said_of_what_a_definition_holds_and_of_rates_anywhere_before(
+    tmp_path: Path, text: str, outcome: Outcome
+) -> None:
+    (tmp_path / "p.tex").write_text(written(text, "tex"))
+    (tmp_path / "p.toml").write_text(MODEL.format("tex") + DEFINED)
+    assert [result.verdict.outcome for result in judge_paper(load_paper(tmp_path / "p.toml"))] == [outcome]

@@ -61,7 +61,7 @@ def outcomes(folder: Path, said: str, *displays: str) -> list[Outcome]:
 def test_a_formula_is_judged_with_the_value_that_the_text_gives(
     tmp_path: Path, said: str, true: str, false: str
 ) -> None:
-    assert outcomes(tmp_path, said, true, false) == [Outcome.UNCHECKED, Outcome.REFUTED]
+    assert outcomes(tmp_path, said, true, false) == [Outcome.CONDITIONAL, Outcome.REFUTED]
     assert outcomes(tmp_path, "z", true, false) == [Outcome.REFUTED] * 2
 
 

@@ -88,6 +88,8 @@ class Meant:
     def _with_the_text(self, claim: Claim, refuted: Verdict) -> Verdict:
         """A refuted formula of a text may be true all the same, with what the text says of its symbols beside
         it or elsewhere. One that is false with that, too, and clearly so, is false."""
+        if (held := self._with_asides(claim, refuted)) is not None:
+            return held
         if claim.beside and (why := self._if_special(_beside(claim), ())) is not None:
             return _open(why, refuted)
         unused = (said for said in claim.rests if said.statement not in claim.supposed)
@@ -150,10 +152,16 @@ class Meant:
         is_allowed = against is not None and all(aside.allows(against.values) for aside in claim.beside)
         if verdict.outcome is Outcome.REFUTED and is_allowed:
             return verdict
+        shown = list(dict.fromkeys(map(str, claim.beside)))[:5]
+        what = f"false without what the text says beside it, {', '.join(shown)}"
+        return _open(f"{what}; an `assume` of it makes it a claim", refuted)
+
+    def _with_asides(self, claim: Claim, refuted: Verdict) -> Verdict | None:
+        """What is proved with them is conditional on those that the proof needs."""
+        premises = _premises(claim)
+        verdict = self._supposing(claim, premises) if premises else Verdict(Outcome.UNCHECKED)
         if verdict.outcome is not Outcome.PROVED:
-            shown = list(dict.fromkeys(map(str, claim.beside)))[:5]
-            what = f"false without what the text says beside it, {', '.join(shown)}"
-            return _open(f"{what}; an `assume` of it makes it a claim", refuted)
+            return None
         alone = ([aside] for aside in premises if len(premises) > 1)
         needed = next((e for e in alone if self._supposing(claim, e).outcome is Outcome.PROVED), premises)
         reason = f"the text says the condition beside it, {', '.join(dict.fromkeys(map(str, needed)))}"

@@ -7,13 +7,13 @@ Nothing is proved by them. They keep a formula that is false without them from b
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
 
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Apply, Relation, Statement, Symbol, Zero, sides_of
+from workbench.language.typed.terms import Apply, Relation, Statement, Symbol, Term, Zero, sides_of
 from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Notation
@@ -23,6 +23,8 @@ from workbench.papers.texts import Display, Token, spelled
 from workbench.papers.texts.prose import sentence_around, supposed_before
 
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
+#: What an equation that is a law for the rest of the text is told by.
+_RATES = frozenset({"\\dot", "\\ddot", "\\dddot"})
 _ORDERS = {
     **dict.fromkeys((">", "\\gt"), ">"),
     **dict.fromkeys(("<", "\\lt"), "<"),
@@ -53,9 +55,10 @@ _TURNED = str.maketrans("<>≤≥", "><≥≤")
 def asides_of(
     display: Display, statement: Statement, notation: Notation, inline: Sequence[Display]
 ) -> tuple[Aside, ...]:
-    """What the sentence of the display says of the symbols in the statement, and what any sentence before it
-    says that they are not, or are more or less than."""
-    own = _symbols(statement)
+    """What the sentence of the display says of the symbols in the statement and in what defines these, and
+    what any sentence before it says that they are not, or are more or less than, or of their rates."""
+    reached = map(notation.definitions.reached, sides_of(statement))
+    own = _symbols(part for parts in reached for part in parts)
     first, last = sentence_around(display.source.text, display.start, display.end)
     text = display.source.text
     around = [text[first - len(supposed_before(text, first)) : display.start]]
@@ -73,8 +76,8 @@ def asides_of(
     return tuple(dict.fromkeys(found))
 
 
-def _symbols(statement: Statement) -> set[Declaration]:
-    return {part.declaration for part in terms_of(statement) if isinstance(part, Symbol)}
+def _symbols(parts: Iterable[Term]) -> set[Declaration]:
+    return {part.declaration for part in parts if isinstance(part, Symbol)}
 
 
 def _conditions(
@@ -95,13 +98,15 @@ def _condition(
     if order:
         at = signs[0]
         latex = spelled([*tokens[:at], tokens[at].standing_for("="), *tokens[at + 1 :]])[0]
-    elif not (with_equations or any(token.text in _UNEQUAL for token in tokens)):
+    elif not (with_equations or any(token.text in _UNEQUAL | _RATES for token in tokens)):
         return
     with suppress(ReadError, IllFormedAt, ValueError):
         statement, ranges = read_statement(latex, notation, None)
-        of_pi = any(map(notation.definitions.is_pi, _symbols(statement)))  # `unread` knows such angles
+        of_pi = any(
+            map(notation.definitions.is_pi, _symbols(terms_of(statement)))
+        )  # `unread` knows such angles
         is_equation = isinstance(statement, Relation) and statement.operator != "≈" and not of_pi
-        if is_equation and not ranges and (own is None or _symbols(statement) & own):
+        if is_equation and not ranges and (own is None or _symbols(terms_of(statement)) & own):
             yield _aside(spelled(tokens)[0], line, statement, order)
 
 

@@ -173,9 +173,10 @@ class Meant:
         from workbench.judge.kernel.judge import Judge
 
         statement, notation = claim.printed.statement, claim.notation
-        known = Definitions([*notation.definitions, *definitions])
-        supposed = (*_under(claim, asides).supposed, *known.known_of(statement))
-        judge = Judge(known, **self._options) if definitions else self._judge_of(notation)
+        judge, supposed = self._judge_of(notation), _under(claim, asides).supposed
+        if definitions:
+            known = Definitions([*notation.definitions, *definitions])
+            judge, supposed = Judge(known, **self._options), (*supposed, *known.known_of(statement))
         with suppress(Unsatisfiable):
             return undisturbed(lambda: judge.judge(statement, supposed, orders=claim.orders))
         return Verdict(Outcome.UNCHECKED)
@@ -198,7 +199,11 @@ def _of_pi(claim: Claim) -> str | None:
     """Of π no more is known than the cosine and sine of its half."""
     definitions = claim.notation.definitions
     bodies = (said.definition.body for said in claim.rests if said.definition is not None)
-    terms = [expand(term, definitions) for term in [*sides_of(claim.printed.statement), *bodies]]
+    said = [*sides_of(claim.printed.statement), *bodies]
+    reached = (part for term in said for part in definitions.reached(term) if isinstance(part, Symbol))
+    if not any(definitions.is_pi(part.declaration) for part in reached):
+        return None
+    terms = [expand(term, definitions) for term in said]
     is_open = not all(_has_known_turns(term, definitions) for term in terms)
     return "false for some values of \\pi; if it is the number, that says nothing" if is_open else None
 

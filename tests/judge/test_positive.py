@@ -100,3 +100,47 @@ def test_it_is_an_angle_of_no_other_number() -> None:
 def test_only_scalars_are(spec: dict) -> None:
     with pytest.raises(SpecError, match="positive"):
         SymbolTable.build({"a": spec})
+
+
+PLACES = {
+    "r": {**POSITIVE, "independent": True},
+    r"\theta": {"kind": "scalar", "independent": True},
+    "m": {**POSITIVE, "constant": True},
+    r"\mu": {**POSITIVE, "constant": True},
+    "L": "scalar",
+}
+LAGRANGIAN = [r"L = \frac{1}{2} m (\dot r^2 + r^2 \dot\theta^2) + \frac{\mu m}{r}"]
+SLOPES = {
+    r"\frac{\partial}{\partial r} (r \cos \theta)": r"\cos \theta",
+    r"\frac{\partial}{\partial r} r^3": "3 r^2",
+    r"\frac{\partial^2}{\partial r^2} (r^2 \theta)": r"2 \theta",
+    r"\frac{\partial L}{\partial r}": r"m r \dot\theta^2 - \frac{\mu m}{r^2}",
+    r"\frac{\partial L}{\partial \dot r}": r"m \dot r",
+    r"\frac{\partial L}{\partial \dot\theta}": r"m r^2 \dot\theta",
+    r"\frac{d}{dt} \frac{\partial L}{\partial \dot r}": r"m \ddot r",
+}
+
+
+def _slope(left: str, right: str):
+    return check(f"{left} = {right}", symbols=PLACES, definitions=LAGRANGIAN).verdict
+
+
+@pytest.mark.parametrize(("left", "right"), SLOPES.items())
+def test_it_is_a_coordinate_that_is_differentiated_by(left: str, right: str) -> None:
+    assert _slope(left, right).outcome is Outcome.PROVED
+    for wrong in (f"-({right})", f"2 ({right})", f"{right} + 1"):
+        refuted = _slope(left, wrong)
+        assert refuted.outcome in (Outcome.REFUTED, Outcome.UNCHECKED)
+        if refuted.outcome is Outcome.REFUTED:
+            assert float(*refuted.counterexample.values.get("r", ("1",))) > 0
+
+
+def test_what_holds_of_it_only_where_it_is_positive_is_not_refuted() -> None:
+    assert _slope(r"\frac{\partial}{\partial r} \sqrt{r^2}", "1").outcome is not Outcome.REFUTED
+    assert _slope(r"\frac{\partial}{\partial r} \sqrt{r^2}", "-1").outcome is not Outcome.PROVED
+
+
+def test_a_counterexample_tells_it_and_not_its_root() -> None:
+    against = check(r"\sqrt{m r} = \sqrt{m} r", symbols=SYMBOLS).verdict.counterexample
+    (m,), (r,), (left,), (right,) = against.values["m"], against.values["r"], against.left, against.right
+    assert float(left) ** 2 == float(m) * float(r) and float(right) ** 2 == float(m) * float(r) ** 2

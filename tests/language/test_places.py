@@ -169,3 +169,17 @@ def test_where_only_what_it_depends_on_fits_the_bracket_is_asked_about(formula: 
     with pytest.raises(IllFormedAt, match="juxtaposition"):
         read("A(x) v y = f", TABLE)
     assert to_latex(*read("A(x) = f", replace(TABLE, arguments=frozenset()))) == "A x = f"
+
+
+@pytest.mark.parametrize("inside", [r"\dot\theta e", r"\theta e", r"\ddot\theta e", r"e \times f"])
+def test_a_vector_is_no_other_place_of_a_number(inside: str) -> None:
+    """r(θ̇ e) is a product where something depends on θ."""
+    kinds = {"r": "scalar", r"\theta": "scalar", "e": "vector", "f": "vector"}
+    table = replace(
+        SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()}),
+        arguments=frozenset({Name("\\theta"), Name("t")}),
+    )
+    assert read(rf"\dot r({inside}) = f", table) == read(rf"\dot r [{inside}] = f", table)
+    for scalar in (r"2 \theta", r"\theta + 1", r"\Delta \theta"):
+        with pytest.raises(ReadError):
+            read(rf"r({scalar}) = r", table)

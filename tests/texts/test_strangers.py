@@ -32,6 +32,8 @@ SPELLED = {
     r"a = \omega_\mathcal{{B}/\cal{N}}": r"a = \omega_{\mathcal{B}/\mathcal{N}}",
     r"v = (x_1 \hspace{.1 in} y \quad z)^T": r"v = (x_1 , y , z)^T",
     r"v = [ x \hspace{1cm} y ]^T": r"v = [ x , y ]^T",
+    r"v = [-\sin\theta \; \cos \theta \; 0]^T": r"v = [-\sin\theta , \cos \theta , 0]^T",
+    r"v = [\dot x \; -y_1 \; 1]^T": r"v = [\dot x , -y_1 , 1]^T",
     r"v = x \hspace{-2mm} y \hspace*{1pt} z \kern2em w": r"v = x y z \quad w",
     r"\pd[2]{f}{x} = \od{y}{t}": r"\frac{\partial^{2} f}{\partial x^{2}} = \frac{d y}{d t}",
 }
@@ -41,6 +43,8 @@ AS_IT_IS = [
     r"r_{P/O} = x^{1/2}",
     r"{}^{A/B} x = y",
     r"v (t) = x",
+    r"v = [a \; -b]^T",
+    r"v = [\sin a \; \cos a b]^T",
     r"\text{v/c} = x",
 ]
 

@@ -26,6 +26,9 @@ from workbench.language.typed.terms import (
 )
 from workbench.language.typed.types import PI, SCALAR, Declaration
 
+#: At the left of the name of a positive number, it names its root.
+_ROOT = ("\\surd",)
+
 
 class Definitions:
     """The definitions of a paper, asked for one symbol at a time.
@@ -128,9 +131,18 @@ def squared_root(symbol: Symbol) -> Term:
     """x = r², of a positive x: every such x has an r that is as smooth, and of every r but 0 the square is
     one."""
     own = symbol.declaration
-    name = replace(own.name, left_sub=("\\surd", *own.name.left_sub))
+    name = replace(own.name, left_sub=(*_ROOT, *own.name.left_sub))
     root = replace(own, name=name, weight=None, positive=False)
     return power(replace(symbol, declaration=root, weight=None), 2)
+
+
+def number_behind(root: Symbol) -> Symbol:
+    """The positive number of which `squared_root` made this root; any other symbol itself."""
+    own = root.declaration
+    if own.name.left_sub[:1] != _ROOT:
+        return root
+    name = replace(own.name, left_sub=own.name.left_sub[1:])
+    return replace(root, declaration=replace(own, name=name, positive=True))
 
 
 def expand(term: Term, definitions: Definitions) -> Term:

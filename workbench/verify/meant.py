@@ -139,7 +139,7 @@ class Meant:
                     lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders)
                 )
             is_for_all = (verdict.scope or "all").startswith("all")
-            self._known[key] = verdict.outcome is Outcome.PROVED and is_for_all
+            self._known[key] = verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION) and is_for_all
         return self._known[key]
 
     def _under_asides(self, claim: Claim, refuted: Verdict) -> Verdict:

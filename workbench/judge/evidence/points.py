@@ -19,6 +19,7 @@ from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import SPHERES, Parameter
 from workbench.judge.subject.slopes import indices
 from workbench.judge.verdict import Counterexample
+from workbench.language.definitions import number_behind
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, derivative
 from workbench.language.typed.terms import Derivative, Relation, Symbol, Term
@@ -142,7 +143,8 @@ def counterexample(
     values: dict[str, tuple[str, ...]] = {}
     behind: list[str] = []
     spoken_of = list(_symbols(relation.left, relation.right))
-    for symbol, order in inventory.orders.items():
+    for primitive, order in inventory.orders.items():
+        symbol = number_behind(primitive)
         if symbol.declaration.of or symbol.declaration.clock:
             values |= _of_function(trial, symbol, order)
             continue

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 from workbench.judge.kernel.beyond import OrderRanges
 from workbench.judge.kernel.branches import holds_arc, judge_branch
@@ -14,9 +15,11 @@ from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import WORST_FIRST, judge_family
 from workbench.judge.kernel.inequation import judge_inequation
 from workbench.judge.kernel.premises import equal_turns, put_in
+from workbench.judge.subject import Without
 from workbench.judge.subject.assumptions import Unsatisfiable, derivatives_of
 from workbench.judge.subject.exponentials import holds_exponentials, without_exponentials
 from workbench.judge.subject.inventory import NotExact, has_gradient
+from workbench.judge.subject.slopes import positive_coordinates
 from workbench.judge.subject.small import to_first_order
 from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
 from workbench.language.printing.printer import to_latex
@@ -71,8 +74,32 @@ class Judge(Setting):
         """The verdict where no integer variable is left to bind. Raises NotExact outside the exact world."""
         asked = self, statement, assume, hypothesis
         if asked not in self._known:
-            self._known[asked] = self._judge_under(statement, assume, hypothesis)
+            try:
+                self._known[asked] = self._judge_under(statement, assume, hypothesis)
+            except NotExact:
+                coordinates = positive_coordinates(sides_of(statement), self.definitions)
+                if not coordinates:
+                    raise
+                self._known[asked] = self._of_any_sign(coordinates, statement, assume, hypothesis)
         return self._known[asked]
+
+    def _of_any_sign(
+        self,
+        coordinates: frozenset[Symbol],
+        statement: Statement,
+        assume: tuple[Statement, ...],
+        hypothesis: Statement | None,
+    ) -> Verdict:
+        """What is found if the positive numbers by which is differentiated may be negative, too."""
+        judge = replace(self, definitions=Without(self.definitions, coordinates))
+        verdict = judge.judge_instance(statement, assume, hypothesis)
+        if verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION):
+            return verdict
+        values = {} if verdict.counterexample is None else verdict.counterexample.values
+        for name in map(to_latex, coordinates):
+            if name in values and Fraction(*values[name]) <= 0:
+                return Verdict(Outcome.UNCHECKED, reason=f"not decided where {name} is positive")
+        return verdict
 
     def _judge_under(
         self, statement: Statement, assume: tuple[Statement, ...], hypothesis: Statement | None

@@ -1,6 +1,6 @@
 """What a statement is about, before any arithmetic: the one thing that the two engines share."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -22,6 +22,17 @@ class With:
 
     def lookup(self, symbol: Symbol) -> Term | None:
         return self.more.get(symbol) or self.definitions.lookup(symbol)
+
+
+@dataclass(frozen=True)
+class Without:
+    """The definitions but those of some symbols, which are free."""
+
+    definitions: Lookup
+    free: Collection[Symbol]
+
+    def lookup(self, symbol: Symbol) -> Term | None:
+        return None if symbol in self.free else self.definitions.lookup(symbol)
 
 
 def reached(term: Term, definitions: Lookup) -> Iterator[Term]:

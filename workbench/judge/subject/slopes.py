@@ -16,7 +16,8 @@ from fractions import Fraction
 from itertools import combinations_with_replacement
 from typing import NamedTuple
 
-from workbench.judge.subject import Lookup, NotExact
+from workbench.judge.subject import Lookup, NotExact, reached
+from workbench.language.typed.operators import PARTIALS
 from workbench.language.typed.terms import Apply, Block, Derivative, Number, Symbol, Term
 
 
@@ -46,6 +47,14 @@ def seeds(by: Term, definitions: Lookup) -> list[Seed]:
             count = by.type.rows * by.type.columns
             return [Seed(by, 0, component, Fraction(1)) for component in range(count)]
     raise NotExact("a partial derivative by what is no free coordinate")
+
+
+def positive_coordinates(sides: Iterable[Term], definitions: Lookup) -> frozenset[Symbol]:
+    """The positive numbers by which something is differentiated: none is free, each being a square."""
+    parts = [part for side in sides for part in reached(side, definitions)]
+    by = [part.arguments[1] for part in parts if isinstance(part, Apply) and part.head in PARTIALS]
+    symbols = (part for term in by for part in reached(term, definitions) if isinstance(part, Symbol))
+    return frozenset(s for s in symbols if s.declaration.positive and definitions.lookup(s) is not None)
 
 
 def require_known_dependence(

@@ -73,14 +73,14 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
 
 def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
     """Whether it is a name or a number beside a scalar, a scalar behind a tensor, a time, t - t_0, or another
-    place of a declared argument, k + 1 or \\Delta k."""
+    place of a declared argument, of its kind: k + 1 or \\Delta k."""
     value, is_symbol = scope.term(part), is_accented_symbol(function)
     inside = [each.declaration for each in value.walk() if isinstance(each, Symbol)]
     if any(each.clock for each in inside):
         return is_symbol
     kinds = (function.type.kind, value.type.kind)
     is_difference = isinstance(value, Symbol) and "scalar" in kinds and not _is_name(part)
-    names = {each.name for each in inside}
+    names = {each.name for each in inside if each.type == value.type}
     if is_difference or names.union(map(_without_prefix, names)) & scope.table.arguments:
         return not _is_constant(function)
     if _is_name(part):

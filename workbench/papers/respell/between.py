@@ -16,6 +16,7 @@ _SIGNS = frozenset(
 #: What relates or separates the parts of a bracket in another way, or ends it as a large one.
 _NO_ROW = _SIGNS | frozenset([";", "|", "\\text", "\\mathrm", "\\in", "\\right", "\\left"])
 _ARROWS = frozenset(["\\to", "\\rightarrow", "\\longrightarrow", "\\mapsto", "\\longmapsto"])
+_TURNS = frozenset(["\\sin", "\\cos", "\\tan"])
 _ENDS_A_SUM = frozenset(["=", "&", "+", "-", ",", ".", "\\\\"])
 
 
@@ -124,7 +125,8 @@ def _is_large(tokens: list[Token], place: int) -> bool:
 
 
 def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """[x \\; y \\; z]^T or (x \\quad y \\quad z)^T, of symbols alone, as [x, y, z]^T."""
+    """[x \\; y \\; z]^T or (x \\quad y \\quad z)^T, of symbols alone, as [x, y, z]^T; so are, beside a number or
+    the sine of a symbol, others with a sign."""
     closing = {"[": "]", "(": ")"}.get(tokens[place].text)
     if closing is None:
         return None
@@ -149,9 +151,23 @@ def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] |
             parts[-1].append(token)
     if not printed(parts[-1]):
         parts.pop()
-    if len(parts) < least or not all(is_one_symbol(part) for part in parts):
+    if len(parts) < least or not (all(map(is_one_symbol, parts)) or _are_scalars(parts)):
         return None
     made = [tokens[place], *parts[0]]
     for gap, part in zip(gaps, parts[1:], strict=False):
         made += [gap.standing_for(","), *part]
     return [*made, *tokens[place + 1 + len(inside) : end]], end
+
+
+def _are_scalars(parts: list[list[Token]]) -> bool:
+    """Whether each is a symbol, a number or the sine or the like of a symbol, with a sign, and not all are
+    symbols."""
+    bare = [part[past(part, 1) :] if part[0].text in ("-", "+") else part for part in map(_trimmed, parts)]
+    numbers = ["".join(printed(part)).isdigit() for part in bare]
+    turns = [part[0].text in _TURNS and is_one_symbol(part[1:]) for part in bare]
+    known = [number or turn for number, turn in zip(numbers, turns, strict=True)]
+    return any(known) and all(k or is_one_symbol(part) for k, part in zip(known, bare, strict=True))
+
+
+def _trimmed(part: list[Token]) -> list[Token]:
+    return part[past(part, 0) :]

@@ -125,8 +125,8 @@ def _is_large(tokens: list[Token], place: int) -> bool:
 
 
 def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """[x \\; y \\; z]^T or (x \\quad y \\quad z)^T, of symbols alone, as [x, y, z]^T; so are, beside a number or
-    the sine of a symbol, others with a sign."""
+    """[x \\; y \\; z]^T or (x \\quad y \\quad z)^T, of symbols alone, as [x, y, z]^T; beside a number or
+    the sine of a symbol those with a sign, too."""
     closing = {"[": "]", "(": ")"}.get(tokens[place].text)
     if closing is None:
         return None

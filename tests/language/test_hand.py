@@ -38,6 +38,7 @@ HANDS = (
         r"x \vee y": {"where": {"x": "vector", "y": "vector"}, "means": r"x \otimes y"},
         r"x^\dagger": {"where": TENSOR, "means": "x^{-1}"},
         r"\mathbb{I}_{3 \times 3}": {"means": r"\mathbf{I}"},
+        r"\mathrm{S}_x": {"where": VECTOR, "means": r"x \otimes x"},
     },
     {
         r"[x]_\times": {"where": VECTOR, "means": r"\operatorname{skew}(x)"},

@@ -34,9 +34,18 @@ TABLE = SymbolTable.build(
         r"\mathrm{c} x": {"where": {"x": "scalar"}, "means": r"\cos x"},
         "S(x)": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
         r"x \times": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+        r"s_\alpha": {"where": {r"\alpha": "scalar"}, "means": r"\sin \alpha"},
+        r"\mathrm{S}_x": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+        r"\mathrm{S}_\alpha": {"where": {r"\alpha": "scalar"}, "means": r"\tan \alpha"},
     }
 )
 SAME = [
+    (r"s_\beta v", r"\sin(\beta) v"),
+    (r"s_{\beta_1}^2 v", r"(\sin \beta_1)^2 v"),
+    (r"s^2_\beta s_{\beta + \beta_1}", r"(\sin \beta)^2 \sin(\beta + \beta_1)"),
+    (r"\dot{s_\beta} v", r"\frac{d}{dt}(\sin \beta) v"),
+    (r"\mathrm{S}_{2 a}^T v", r"(\operatorname{skew}(2 a))^T v"),
+    (r"\mathrm{S}_\beta v", r"\tan(\beta) v"),
     (r"\mathrm{c}\beta_1 \mathrm{c}(2 \beta) v", r"\cos\beta_1 \cos(2 \beta) v"),
     (r"\mathrm{c}(\beta)^2", r"(\cos\beta)^2"),
     (r"{{\bar{r}}}^{P/O}", r"\bar{r}^{P/O}"),
@@ -122,6 +131,19 @@ def test_braces_around_a_formula_print_nothing_and_an_ampersand_is_and(written: 
     assert [str(each) for each in read(written, TABLE)][:1] == [str(read("v = a", TABLE)[0])]
 
 
+@pytest.mark.parametrize("formula", ["s_1 = s_1", "s_{12} = s_{12}", r"s_{a} = s_{a}", "{}^B s_\\beta = 1"])
+def test_what_is_no_argument_below_a_letter_is_its_label(formula: str) -> None:
+    """s_1 is often the sine of θ₁, and never that of 1."""
+    with pytest.raises(ReadError, match="unknown symbol|of a vector"):
+        read(formula, TABLE)
+
+
+def test_a_name_with_a_letter_below_comes_first() -> None:
+    table = TABLE.with_symbol(SymbolTable.build({r"s_\beta": {"kind": "vector"}}).symbols.popitem()[1])
+    (relation,) = read(r"s_\beta = v", table)
+    assert relation.left.type.kind == "vector"
+
+
 def test_a_declared_name_comes_first() -> None:
     (relation,) = read(r"\hat{n} \times a = v", TABLE)
     assert relation.left.type.kind == "vector"
@@ -166,7 +188,7 @@ def test_what_is_not_explained_is_refused(formula: str) -> None:
         {"x + y": {"where": {"x": "vector", "y": "vector"}, "means": "x"}},
         {r"\dot{x}": {"where": {"x": "vector"}, "means": "x"}},
         {"x_s^B": {"where": {"x": "vector"}, "means": "x"}},
-        {"e_x": {"where": {"x": "vector"}, "means": "x"}},
+        {"e_x^B": {"where": {"x": "vector"}, "means": "x"}},
         {"x T": {"where": {"x": "vector"}, "means": "x"}},
         {"x^\\wedge = y": {"where": {"x": "vector"}, "means": "x"}},
         {
@@ -185,7 +207,7 @@ def test_what_is_not_explained_is_refused(formula: str) -> None:
             "a dot",
             "two scripts",
         ),
-        *("an argument below", "nothing before it", "no expression", "two for one"),
+        *("an argument below and a label", "nothing before it", "no expression", "two for one"),
     ],
 )
 def test_a_notation_that_cannot_be_used(specs) -> None:

@@ -27,10 +27,12 @@ LEFT_OUT = [
     (f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - 2 (q_2^2 + q_3^2))", "length 1: q_{0}, q_{1}, q_{2}, q_{3}", f"q_0 q_1 ({SQUARES}) = q_0 q_1 (1 - q_2^2 - q_3^2)"),
     (r"a \sin\theta = a \theta", r"a small \theta, to first order", r"a \sin\theta = 2 a \theta"),
     (r"\exp \tilde{v} = \mathbf{I} + \tilde{v}", "a small v, to first order", r"\exp \tilde{v} = \mathbf{I} - \tilde{v}"),
+    ("Q Q^T I a = I^2 a", "the unit matrix I", "Q Q^T I a = 2 I^2 a"),
+    ("R^{-1} R E x = E^2 x", "the unit matrix E", "R^{-1} R E x = -E^2 x"),
     (OF_A_TURN, "length 1: s, v", OF_A_TURN.replace("- s =", "+ s =").replace("- s", "- 2 s")),
 ]  # fmt: skip
 KINDS = {
-    **dict.fromkeys(("R", "S"), "matrix 2×2"), "M": "matrix 6×6", **dict.fromkeys("xy", "matrix 2×1"),
+    **dict.fromkeys(("R", "S"), "matrix 2×2"), "M": "matrix 6×6", "E": "matrix 2×2", "I": "tensor", **dict.fromkeys("xy", "matrix 2×1"),
     **dict.fromkeys((r"c_\theta", r"s_\theta", "q_0", "q_1", "q_2", "q_3", "s"), "scalar"), "v": "vector",
     "K": "matrix 2×2", "Q": "rotation", r"\Omega": "tensor", "a": "vector", "b": "vector", r"\Delta": "scalar", r"\theta": "scalar",
 }  # fmt: skip
@@ -70,3 +72,14 @@ def test_what_the_text_says_of_a_matrix_may_stand_for_an_example(tmp_path: Path)
     assert example.outcome is Outcome.UNCHECKED and "the numbers of an example" in example.reason
     _, false = verdicts(tmp_path, r"K = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", applied)
     assert false.outcome is Outcome.REFUTED
+
+
+def test_a_unit_matrix_has_the_letter_of_another_one(tmp_path: Path) -> None:
+    """A text with an inertia I, which its model defines, writes R R^T = I all the same."""
+    (tmp_path / "p.md").write_text("$$ Q Q^T = I $$\n\n$$ Q I = I Q $$\n\n$$ Q Q^T = -I $$")
+    model = "source = 'p.md'\n[symbols]\nQ = 'rotation'\nI = 'tensor'\n[definitions]\n"
+    model += r"I = '\begin{bmatrix} 2 & 0 & 0 \\ 0 & 3 & 0 \\ 0 & 0 & 4 \end{bmatrix}'"
+    (tmp_path / "p.toml").write_text(model)
+    meant, also, false = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    assert [each.outcome for each in (meant, also)] == [Outcome.UNCHECKED] * 2
+    assert "the unit matrix I" in meant.reason and false.outcome is Outcome.REFUTED

@@ -45,6 +45,9 @@ _FLAGS = {
     "quaternion": {"unit": "unit"},
 }
 
+#: Letters of unit matrices.
+_UNITS = frozenset({"I", "E", "U"})
+
 
 def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str, object]) -> str | None:
     """What a symbol of the formula must be for it to hold: "a unit n". `said`: definitions that the text
@@ -53,6 +56,9 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
         return "vectors that are quaternions without a scalar part"
     if claim.span is None:
         return None
+    for unit in _unit_matrices(claim):
+        if _holds(claim, _with_terms({unit.declaration.name: identity(unit.type)}), said, options):
+            return f"the unit matrix {to_latex(unit)}"
     flags = list(_candidates(claim, said))
     for flag, declarations in flags:
         if _holds(claim, _with_flag(flag, declarations), said, options):
@@ -81,6 +87,18 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
     if small and is_relation and _holds(claim, _with_flag("small", small), said, options, approximately=True):
         return f"a small {', '.join(str(each.name) for each in small)}, to first order"
     return None
+
+
+def _unit_matrices(claim: Claim) -> list[Symbol]:
+    """The symbols of the formula by whose letters a unit matrix goes, whatever the model says of them: a text
+    that has an inertia I writes R R^T = I all the same."""
+    symbols = dict.fromkeys(t for t in terms_of(claim.printed.statement) if isinstance(t, Symbol))
+    squares = (each for each in symbols if each.type.kind in ("tensor", "matrix") and each.type.is_square)
+    return [
+        each
+        for each in squares
+        if each.declaration.name.letter in _UNITS and not (each.declaration.free or each.index)
+    ]
 
 
 def _angles(claim: Claim, said: Sequence[Definition]) -> list[Symbol]:

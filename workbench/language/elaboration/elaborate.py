@@ -29,7 +29,7 @@ from workbench.language.grammar.syntax import (
     Summation,
     core,
 )
-from workbench.language.naming.notations import Known
+from workbench.language.naming.patterns import Known
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed import construct

@@ -196,6 +196,8 @@ class _Lettering:
         """The term of a letter, with the superscript as part of the name if there is such a name."""
         scope = self.scope
         found = meaning(scope.table, scope.variables, leaf, styles, scripts, self.bracket is not None)
+        if found is None and (term := self.of_what_is_below(leaf, styles, scripts)) is not None:
+            return term, scripts.sup
         if found is None and leaf.kind == "MARK":
             raise Fault(f"{leaf.text} cannot stand here", leaf.at)
         if found is None:
@@ -206,6 +208,19 @@ class _Lettering:
             term = notated(scope, leaf.at, scope.table.notations.primes(), term, "the prime")
         self.below = found.below
         return term, found.sup
+
+    def of_what_is_below(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Term | None:
+        """c_\\theta, where the paper says what that is of an angle; of a number below, it is a label."""
+        if scripts != Scripts(sub=scripts.sub, sup=scripts.sup) or scripts.sub is None:
+            return None
+        letter: Node = leaf
+        for style in reversed(styles):
+            letter = Styled(leaf.at, style, letter)
+        entries = self.scope.table.notations.letters(letter)
+        term = self.scope.term(scripts.sub) if entries else None
+        if term is None or not any(isinstance(part, Symbol) for part in term.walk()):
+            return None
+        return notated(self.scope, leaf.at, entries, term, leaf.text)
 
     def meant(self, found: Meaning, leaf: Leaf, scripts: Scripts) -> Term:
         match found.what:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, fields, replace
-from functools import cache, cached_property
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 from workbench.language.grammar.latex import latex_of
@@ -21,10 +21,10 @@ from workbench.language.grammar.syntax import (
     Product,
     Scripted,
     Styled,
-    Sum,
     core,
     is_own_word,
 )
+from workbench.language.naming.patterns import Known, agrees, fill, occurs, parts_of, same
 from workbench.language.naming.spelling import refuse_operation, spell_label
 from workbench.language.typed.construct import zero
 from workbench.language.typed.errors import Fault, SpecError
@@ -36,14 +36,10 @@ from workbench.language.typed.types import KINDS, type_of_kind
 Place = Literal["alone", "marked", "beside"]
 
 _ALLOWED = ("where", "means")
-_FORMS = "a bracket, an accent, a mark above or below an argument, a sign behind or between, a word before it"
-
-
-@dataclass(frozen=True, slots=True)
-class Known(Node):
-    """A term that stands for a formal argument."""
-
-    term: Term
+_FORMS = (
+    "a bracket, an accent, a mark above or below an argument, a sign behind or between, a word before it,"
+    " a letter that it stands below"
+)
 
 
 @dataclass(frozen=True)
@@ -71,7 +67,7 @@ class Notation:
         kinds = {letter: str(type_of_kind(kind) or kind) for letter, kind in formals.items()}
         notation = Notation(key, kinds, _one(key, key), _one(spec["means"], key))
         for letter in formals:
-            if not _occurs(letter, notation.pattern):
+            if not occurs(letter, notation.pattern):
                 raise SpecError(f"where: {letter} does not stand in it", key)
             kind = formals[letter].removeprefix("dual ")
             if type_of_kind(kind) is None and kind not in map(str, KINDS.values()):
@@ -97,12 +93,12 @@ class Notation:
             letter: zero(type_of_kind(self.formals[letter]) or term.type) if isinstance(term, Zero) else term
             for letter, term in terms.items()
         }
-        return _filled(self.means, {letter: Known(0, term) for letter, term in typed.items()})
+        return fill(self.means, {letter: Known(0, term) for letter, term in typed.items()})
 
     def spelt(self, texts: Mapping[str, str]) -> str:
         """The notation with these texts for the formal arguments."""
         return latex_of(
-            _filled(self.pattern, {letter: Leaf(0, "LETTER", text) for letter, text in texts.items()})
+            fill(self.pattern, {letter: Leaf(0, "LETTER", text) for letter, text in texts.items()})
         )
 
     @cached_property
@@ -124,7 +120,7 @@ class Notation:
     def matched(self, node: Node) -> dict[str, Node] | None:
         """The nodes in the places of the formal arguments; None if the node is not spelt so."""
         found: dict[str, Node] = {}
-        return found if _match(self.pattern, node, self.formals, found) else None
+        return found if agrees(self.pattern, node, self.formals, found) else None
 
     @property
     def accent(self) -> str | None:
@@ -143,7 +139,7 @@ class Notation:
                 return True
             case Product(items=(one, _)):
                 return not self._is_formal(_without_scripts(one))
-        said = (self.accent, self.mark, self.below, self.sign)
+        said = (self.accent, self.mark, self.below, self.letter, self.sign)
         return any(said) or self.is_prime or self.is_constant or is_shape(pattern)
 
     @property
@@ -152,6 +148,15 @@ class Notation:
         match self.pattern:
             case Scripted(nucleus=nucleus, sub=Node() as sub, sup=None, primes=0) if self._is_formal(nucleus):
                 return core(sub)
+        return None
+
+    @property
+    def letter(self) -> Node | None:
+        """The letter below which its one argument stands, as the angle of c_\\theta."""
+        match self.pattern:
+            case Scripted(nucleus=nucleus, sub=Node() as sub, sup=None, primes=0) if self._is_formal(sub):
+                is_letter = _letter(nucleus) is not None and not isinstance(nucleus, Scripted)
+                return nucleus if is_letter and not self._is_formal(nucleus) else None
         return None
 
     @property
@@ -210,10 +215,13 @@ class Notations:
         return [entry for entry in self.entries if entry.accent == style]
 
     def marks(self, sup: Node) -> list[Notation]:
-        return [entry for entry in self.entries if entry.mark is not None and _same(entry.mark, core(sup))]
+        return [entry for entry in self.entries if entry.mark is not None and same(entry.mark, core(sup))]
 
     def below(self, sub: Node | None) -> list[Notation]:
-        return [entry for entry in self.entries if entry.below is not None and _same(entry.below, core(sub))]
+        return [entry for entry in self.entries if entry.below is not None and same(entry.below, core(sub))]
+
+    def letters(self, letter: Node) -> list[Notation]:
+        return [entry for entry in self.entries if entry.letter is not None and same(entry.letter, letter)]
 
     def primes(self) -> list[Notation]:
         return [entry for entry in self.entries if entry.is_prime]
@@ -271,72 +279,6 @@ def _is_alike(pattern: Node, node: Node) -> bool:
     return False
 
 
-@cache
-def _fields(kind: type[Node]) -> tuple[str, ...]:
-    """What a kind of node says, but its place."""
-    return tuple(each.name for each in fields(kind) if each.name != "at" and each.compare)
-
-
-def _parts(value: Any) -> Iterable[Any]:
-    """The fields of a node but its place, and what they hold."""
-    if isinstance(value, Sum):
-        return [(sign, addend) for sign, _, addend in value.addends]
-    if isinstance(value, Chain):
-        return [*value.sides, *(sign for sign, _ in value.relations)]
-    if isinstance(value, Node):
-        return [getattr(value, name) for name in _fields(type(value))]
-    return value if isinstance(value, tuple) else ()
-
-
-def _occurs(letter: str, value: Any) -> bool:
-    if isinstance(value, Leaf):
-        return value.text == letter
-    return any(_occurs(letter, part) for part in _parts(value))
-
-
-def _same(one: Any, other: Any) -> bool:
-    return _match(one, other, {}, {})
-
-
-def _match(pattern: Any, node: Any, formals: Mapping[str, str], found: dict[str, Node]) -> bool:
-    if isinstance(pattern, Node) and isinstance(node, Node):
-        pattern, node = core(pattern), core(node)
-        if isinstance(pattern, Leaf) and pattern.text in formals:
-            if pattern.text in found:
-                return _same(found[pattern.text], node)
-            found[pattern.text] = node
-            return True
-        node = _before_a_sign(pattern, node)
-    if isinstance(pattern, Node | tuple):
-        mine, its = list(_parts(pattern)), list(_parts(node))
-        return (
-            type(pattern) is type(node)
-            and len(mine) == len(its)
-            and all(_match(a, b, formals, found) for a, b in zip(mine, its, strict=True))
-        )
-    return pattern == node
-
-
-def _before_a_sign(pattern: Node, node: Node) -> Node:
-    """a b \\times as one factor and the sign behind it, if the pattern is x \\times."""
-    match pattern, node:
-        case Product(items=(Leaf(), Infix())), Product(items=(*factors, Infix() as sign)):
-            if len(factors) > 1 and not any(isinstance(factor, Infix) for factor in factors):
-                return Product(node.at, (Product(node.at, tuple(factors)), sign))
-    return node
-
-
-def _filled(value: Any, given: Mapping[str, Node]) -> Any:
-    if isinstance(value, Leaf) and value.kind == "LETTER" and value.text in given:
-        return replace(given[value.text], at=value.at)
-    if isinstance(value, Node):
-        changed = {name: _filled(getattr(value, name), given) for name in _fields(type(value))}
-        return type(value)(value.at, **changed)
-    if isinstance(value, tuple):
-        return tuple(_filled(part, given) for part in value)
-    return value
-
-
 def _places(value: Any, formals: Mapping[str, str], place: Place) -> Iterator[tuple[str, Place]]:
     if isinstance(value, Leaf) and value.text in formals:
         yield value.text, place
@@ -349,14 +291,14 @@ def _places(value: Any, formals: Mapping[str, str], place: Place) -> Iterator[tu
         return
     elif isinstance(value, Node) and core(value) is value:
         place = "beside"
-    for part in _parts(value):
+    for part in parts_of(value):
         yield from _places(part, formals, place)
 
 
 def _collide(one: Notation, other: Notation) -> bool:
     """Whether one spelling can be both: the same pattern, with formals of the same kinds."""
     found: dict[str, Node] = {}
-    if not _match(one.pattern, other.pattern, one.formals, found):
+    if not agrees(one.pattern, other.pattern, one.formals, found):
         return False
     letters = {letter: core(node).text for letter, node in found.items() if isinstance(core(node), Leaf)}
     return len(letters) == len(one.formals) and all(

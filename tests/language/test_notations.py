@@ -134,7 +134,7 @@ def test_braces_around_a_formula_print_nothing_and_an_ampersand_is_and(written: 
 @pytest.mark.parametrize("formula", ["s_1 = s_1", "s_{12} = s_{12}", r"s_{a} = s_{a}", "{}^B s_\\beta = 1"])
 def test_what_is_no_argument_below_a_letter_is_its_label(formula: str) -> None:
     """s_1 is often the sine of θ₁, and never that of 1."""
-    with pytest.raises(ReadError, match="unknown symbol|of a vector"):
+    with pytest.raises(ReadError, match=r"unknown symbol|of a vector"):
         read(formula, TABLE)
 
 

@@ -11,15 +11,17 @@ and what they refute is false. Written in columns of the base:
     x, resolved in F        Q_Fᵀ x             origin of G in F              o_G − o_F, resolved in F
     P fixed in F            p_P = o_F + Q_F c, c constant
     P at x from O           p_P = p_O + x
+    x constant in F         Q_F c, of a tensor Q_F c Q_Fᵀ, c constant
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from workbench.language.typed.construct import apply, block, derivative, number, symbol, zero
 from workbench.language.typed.errors import SpecError
+from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import Definition, Term, Zero
 from workbench.language.typed.types import TENSOR, VECTOR, Declaration, Type, type_of_kind
@@ -107,6 +109,19 @@ class Frames:
             self.declarations[name] = Declaration(name, type_)
             self.definitions.append(Definition(self.declarations[name], (), (), body))
         return symbol(self.declarations[name], ())
+
+    def kept(self, declaration: Declaration, frame: str) -> Declaration:
+        """The symbol that is constant in a frame, and perhaps in no other."""
+        turn = self.orientation(frame)
+        name, moving = declaration.name, replace(declaration, constant=False)
+        own = replace(declaration, name=replace(name, left_sub=("\\mathsf{c}", *name.left_sub)))
+        index = tuple(Linear.variable(f"@{place}") for place in range(declaration.indices))
+        self.declarations[own.name] = own
+        body = turned(turn, symbol(own, index))
+        if declaration.type.is_square:
+            body = apply("mul", body, apply("transpose", turn))
+        self.definitions.append(Definition(moving, index, (), body))
+        return moving
 
     # what the texts write
 

@@ -106,6 +106,18 @@ class _Reader:
             self.known(label(frame), frames.labels, "orientation")
             later = {label(other) for other in list(orientations)[place:]}
             frames.given[label(frame)] = self.orientation(label(frame), said, later)
+        phrases = [
+            str(said)
+            for table in self.entries.values()
+            for key, said in table.items()
+            if key not in (*_FRAME_KEYS, *_POINT_KEYS)
+        ]
+        has_components = any(re.search(_OF_COMPONENTS, said) for said in phrases)
+        dot = self.entries["frames"].get("dot", frames.base if self.are_columns(phrases) else None)
+        if dot is not None:
+            self.known(label(str(dot)), frames.labels, "dot")
+            if not has_components:
+                self.keep_constants(label(dot))
         for point, fixed in _table(self.entries["points"], "fixed").items():
             self.known(label(point), frames.points, "fixed")
             for frame in [fixed] if isinstance(fixed, str) else fixed:
@@ -126,24 +138,14 @@ class _Reader:
         for at, (point, said) in enumerate(placed.items()):
             later = {label(other) for other in list(placed)[at:]}
             frames.define(frames.place(label(point)), self.placed(said, later))
-        phrases = [
-            str(said)
-            for table in self.entries.values()
-            for key, said in table.items()
-            if key not in (*_FRAME_KEYS, *_POINT_KEYS)
-        ]
-        has_components = any(re.search(_OF_COMPONENTS, said) for said in phrases)
         turns = {} if has_components else {frame: frames.orientation(frame) for frame in frames.labels}
-        dot = self.entries["frames"].get("dot", frames.base if self.are_columns(phrases) else None)
-        if dot is not None:
-            self.known(label(str(dot)), frames.labels, "dot")
         for declaration in frames.declarations.values():
             if self.table.symbols.get(declaration.name) is declaration:
                 continue
             if declaration.name in self.table.symbols:
                 raise SpecError("this symbol is known already", str(declaration.name))
             self.table = self.table.with_symbol(declaration)
-        defined = {definition.declaration.name: ((),) for definition in frames.definitions}
+        defined = {each.declaration.name: (each.index,) for each in frames.definitions}
         table = replace(
             self.table,
             frames=spins,
@@ -153,6 +155,18 @@ class _Reader:
             directions=None if self.table.directions is None else frozenset(frames.directions),
         )
         return table, frames.definitions
+
+    def keep_constants(self, dot: str) -> None:
+        """A vector or tensor that is constant has no rate in the frame of the dot."""
+        if dot == self.frames.base:
+            return
+        moved = {
+            declaration.name: self.frames.kept(declaration, dot)
+            for declaration in dict.fromkeys(self.table.symbols.values())
+            if declaration.constant and declaration.type in (VECTOR, TENSOR)
+        }
+        symbols = {name: moved.get(own.name, own) for name, own in self.table.symbols.items()}
+        self.table = replace(self.table, symbols=symbols, kept=frozenset(moved))
 
     def are_columns(self, phrases: Sequence[str]) -> bool:
         """Whether all vectors are columns of components, whose dot needs no frame."""

@@ -191,7 +191,7 @@ class Notation:
 @dataclass(frozen=True)
 class Said:
     """What the claim `place` of a text says of the symbol `name`, perhaps as a definition: its statement,
-    under what it supposes."""
+    under what it supposes. earlier: whether it stands before what it is said for."""
 
     name: str
     place: str
@@ -199,6 +199,7 @@ class Said:
     statement: Statement
     supposed: tuple[Statement, ...]
     orders: Orders | None
+    earlier: bool = True
 
 
 @dataclass(frozen=True)
@@ -237,9 +238,10 @@ class Claim:
     of fault the claim shows.   Of a text: `span` is where the formula stands, `chain` the ids of the steps
     before it in its chain, `skip` why its author leaves it out, `unread` why its model expects no verdict,
     `states` the symbol that it may define, `guessed` its symbols whose kinds nobody has confirmed, `rests`
-    what earlier claims say of its symbols, `beside` what its sentence and earlier ones suppose of them,
-    `says` and `unsettled` why it may be true although it is false for free symbols: it may say what one is
-    (`says_of`), or the text says more of them than was read; `moving` of what the text writes rates.
+    what earlier claims say of its symbols, `laws` the claims that write rates of the same, `beside` what its
+    sentence and earlier ones suppose of them, `says` and `unsettled` why it may be true although it is false
+    for free symbols: it may say what one is (`says_of`), or the text says more of them than was read;
+    `moving` of what the text writes rates.
     """
 
     id: str
@@ -273,6 +275,7 @@ class Claim:
     states: str | None = None
     guessed: tuple[str, ...] = ()
     rests: tuple[Said, ...] = ()
+    laws: tuple[Said, ...] = ()
     unsettled: str | None = None
     says: str | None = None
     says_of: Name | None = None

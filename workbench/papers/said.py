@@ -131,6 +131,34 @@ def with_said(claims: Sequence[Claim]) -> list[Claim]:
     return made
 
 
+def with_laws(claims: Sequence[Claim]) -> list[Claim]:
+    """The claims, each with the equations that hold rates of the same free symbols, the last before it first:
+    any of them may be a law of the motion that it speaks of."""
+    moving = [_moving(claim) for claim in claims]
+    made = []
+    for at, claim in enumerate(claims):
+        alike = [place for place, own in enumerate(moving) if place != at and not own.isdisjoint(moving[at])]
+        laws = tuple(_law(claims[place], place < at) for place in sorted(alike, key=lambda p: (p > at, -p)))
+        made.append(replace(claim, laws=laws))
+    return made
+
+
+def _law(claim: Claim, earlier: bool) -> Said:
+    said = claim.printed.statement
+    return Said(claim.printed.latex, claim.id, None, said, claim.supposed, claim.orders, earlier)
+
+
+def _moving(claim: Claim) -> set[Declaration]:
+    """The free symbols of which an equation takes rates, in what defines its symbols, too."""
+    definitions = claim.notation.definitions
+    statement = claim.printed.statement
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return set()
+    parts = (part for side in sides_of(statement) for part in definitions.reached(side))
+    free = free_in((part.body for part in parts if isinstance(part, Derivative)), definitions)
+    return {each for each in free if not (each.constant or each.free or each.clock)}
+
+
 def _rests(
     statement: Statement, definitions: Definitions, said: dict[Declaration, list[Said]]
 ) -> tuple[Said, ...]:

@@ -21,6 +21,7 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Formula, Notation, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
+from workbench.verify.laws import has_laws, is_law, laws_of, says_no_more
 from workbench.verify.rounding import ROUNDED, is_rounded
 
 if TYPE_CHECKING:
@@ -46,6 +47,8 @@ class Meant:
             return _open(why, verdict)
         if is_refuted and claim.corrected is None:
             verdict = self._with_the_text(claim, verdict)
+        if claim.span and claim.laws and verdict.outcome is Outcome.UNCHECKED and is_law(claim):
+            verdict = self._by_laws(claim, verdict) or verdict
         if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
             return _open(_as_guessed(verdict, claim.guessed), verdict)
         return verdict
@@ -86,6 +89,55 @@ class Meant:
         return None
 
     def _with_the_text(self, claim: Claim, refuted: Verdict) -> Verdict:
+        verdict = self._with_what_it_says(claim, refuted)
+        if verdict.outcome is Outcome.CONDITIONAL or not claim.laws:
+            return verdict
+        if (held := self._by_laws(claim, refuted)) is not None:
+            return held
+        said = [law for law in has_laws(claim) if not self._is_known(law, claim.notation)]
+        if not said:
+            return verdict
+        if self._is_false_anyway(claim, said):
+            return refuted
+        if verdict.outcome is not Outcome.REFUTED:
+            return verdict
+        places = ", ".join(law.place for law in said)
+        why = (
+            f"false for any motion, and the text states a law of it ({places}); `given` says what it follows"
+        )
+        return _open(f"{why} from", refuted)
+
+    def _is_false_anyway(self, claim: Claim, laws: Sequence[Said]) -> bool:
+        """Whether the text says no more of its symbols than these laws, and it is false under each."""
+        places = {law.place for law in laws}
+        is_all = not (claim.beside or claim.says) and all(each.place in places for each in claim.rests)
+        return (
+            is_all
+            and says_no_more(laws, claim)
+            and all(self._given(claim, [law]).outcome is Outcome.REFUTED for law in laws)
+        )
+
+    def _by_laws(self, claim: Claim, bare: Verdict) -> Verdict | None:
+        """What is proved of the motions of which earlier formulas are laws."""
+        said = [law for law in laws_of(claim) if not self._is_known(law, claim.notation)]
+        definitions = {each.name: each.definition for each in claim.rests if each.definition is not None}
+        if not said:
+            return None
+        under = self._given(claim, said, tuple(definitions.values()))
+        if under.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
+            return None
+        used = [each for each in claim.rests if each.name in definitions]
+        hypotheses = (to_latex(each.statement) for each in (*used, *said))
+        places = ", ".join(dict.fromkeys(each.place for each in (*used, *said)))
+        why = [f"the text says so elsewhere ({places})", *([under.reason] if under.reason else [])]
+        return _conditional(under, hypotheses, "; ".join(why), bare)
+
+    def _given(self, claim: Claim, laws: Sequence[Said], definitions: Sequence[Definition] = ()) -> Verdict:
+        """The verdict if the laws hold always."""
+        given = tuple(Formula(law.name, law.statement) for law in laws)
+        return self._supposing(replace(claim, given=(*claim.given, *given)), (), definitions)
+
+    def _with_what_it_says(self, claim: Claim, refuted: Verdict) -> Verdict:
         """A refuted formula of a text may be true all the same, with what the text says of its symbols beside
         it or elsewhere. One that is false with that, too, and clearly so, is false."""
         if (held := self._with_asides(claim, refuted)) is not None:

@@ -28,6 +28,7 @@ from workbench.language.typed.terms import (
     Relation,
     Symbol,
     Term,
+    Zero,
 )
 from workbench.language.typed.types import Declaration
 from workbench.papers.model import Claim
@@ -71,6 +72,7 @@ def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str,
     cases = list(
         chain(
             _conditions(free),
+            _spins(claim, _behind(claim, said)),
             figures(claim.printed.statement, free, _behind(claim, said)),
             at_rest(claim, said),
         )
@@ -161,6 +163,14 @@ def _conditions(free: Sequence[Symbol]) -> Iterator[Supposing]:
     names = "; ".join(", ".join(map(to_latex, group)) for group in groups)
     if groups:
         yield f"components of length 1: {names}", {}, premises
+
+
+def _spins(claim: Claim, free: Sequence[Symbol]) -> Iterator[Supposing]:
+    """A vector that is the angular velocity of a declared frame, which no spelling of the model says."""
+    for frame, spin in claim.notation.symbols.frames.items():
+        for each in free:
+            if each.type == spin.type and not isinstance(spin, Zero):
+                yield f"the angular velocity {to_latex(each)} of {frame}", {each.declaration.name: spin}, []
 
 
 def _skew(matrix: Symbol) -> Relation:

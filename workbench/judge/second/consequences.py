@@ -30,7 +30,22 @@ def recheck(relation: Relation, engine: SympyEngine, assumptions: Assumptions) -
     )
     zeros = [p for tops in supposed for p in tops if p]
     elsewhere = [_square(ring, tops) for tops in apart]
+    elsewhere += ring.over_rationals(_divided_by(engine, assumptions.equations))
     return _Supposed(ring, zeros, elsewhere).imply(ring.over_rationals(tops))
+
+
+def _divided_by(engine: SympyEngine, premises: Iterable[Relation]) -> list[PolyElement]:
+    """What is not 0 since the premises divide by it, as often as they do."""
+    ring = engine.ring
+    powers: dict[int, int] = {}
+    for premise in premises:
+        for value in engine.differences(premise.left, premise.right):
+            for place, exponent in ring.lift(value).below.items():
+                powers[place] = max(exponent, powers.get(place, 0))
+    return [
+        reduce(lambda p, q: ring.normal(p * q), [ring.denominators[place]] * exponent)
+        for place, exponent in powers.items()
+    ]
 
 
 def recheck_distance(relation: Relation, engine: SympyEngine) -> bool:

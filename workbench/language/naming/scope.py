@@ -83,6 +83,10 @@ class Scope(ABC):
             and not isinstance(self.frame(frame), Zero)
         ):
             raise Fault(f"the derivative of a {body.type} in a frame: of its components, or of itself?", at)
+        if body.type.kind == "tensor" and frame is None and self._holds_kept(body):
+            if isinstance(body, Symbol):
+                return construct.zero(body.type)
+            raise Fault("the derivative of a tensor, in which frame? write out that of each factor", at)
         if body.type.kind != "vector" or (frame is None and not self.table.frames):
             return self.build(at, construct.derivative, body, order)
         if frame is None:
@@ -100,6 +104,10 @@ class Scope(ABC):
             turning = construct.apply("neg", construct.apply("cross", spin, body))
             body = self.apply(at, "add", rate, turning)
         return body
+
+    def _holds_kept(self, body: Term) -> bool:
+        kept = self.table.kept
+        return bool(kept) and any(p.declaration.name in kept for p in body.walk() if isinstance(p, Symbol))
 
     def partial(self, at: int, head: str, body: Term, by: Term) -> Term:
         """∂f/∂x, a row or a column as the paper says."""

@@ -67,6 +67,8 @@ class SymbolTable:
     gradient: str | None = None
     #: the frame in which \\dot differentiates vectors; None with frames: it is not said
     dot: str | None = None
+    #: what is constant in that frame, and turns with it
+    kept: frozenset[Name] = frozenset()
     #: where a transform acts on points as columns of four: the vectors that are no points
     directions: frozenset[Name] | None = None
     #: whether T p of a point p is the moved point itself, R p + t

@@ -164,7 +164,7 @@ def _are_scalars(parts: list[list[Token]]) -> bool:
     symbols."""
     bare = [part[past(part, 1) :] if part[0].text in ("-", "+") else part for part in map(_trimmed, parts)]
     numbers = ["".join(printed(part)).isdigit() for part in bare]
-    turns = [part[0].text in _TURNS and is_one_symbol(part[1:]) for part in bare]
+    turns = [{part.text for part in each[:1]} <= _TURNS and is_one_symbol(each[1:]) for each in bare]
     known = [number or turn for number, turn in zip(numbers, turns, strict=True)]
     return any(known) and all(k or is_one_symbol(part) for k, part in zip(known, bare, strict=True))
 

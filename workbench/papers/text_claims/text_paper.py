@@ -18,7 +18,7 @@ from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.numbered import written_out
 from workbench.papers.orders import Orders, orders_within
-from workbench.papers.said import stated, terms_of, with_said
+from workbench.papers.said import stated, terms_of, with_laws, with_said
 from workbench.papers.text_claims.alignment import RELATIONS
 from workbench.papers.text_claims.asides import asides_of, own_asides
 from workbench.papers.text_claims.assigned import Placed, assigned, means, unknown_ids
@@ -76,7 +76,7 @@ def text_paper(
         doi,
         paths,
         notations[0][1],
-        tuple(with_said(with_unsettled(claims, text))),
+        tuple(with_laws(with_said(with_unsettled(claims, text)))),
         citation=citation or {},
         text=text,
         faults=tuple(faults),

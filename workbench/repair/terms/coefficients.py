@@ -19,7 +19,7 @@ from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.arithmetic import times
 from workbench.repair.terms.edits import without
 from workbench.repair.terms.linear import addend_places, alone
-from workbench.repair.terms.places import Place, replaced, subterm
+from workbench.repair.terms.places import Place, find, replaced, subterm
 
 #: Numerators and denominators beyond this are no misprint.
 LARGEST = 720
@@ -165,14 +165,12 @@ def factor_between(one: Vector, other: Vector) -> Fraction | None:
 
 
 def scaled(relation: Relation, scaling: Scaling) -> Relation | None:
-    """The relation with the new coefficients; addends with factor 0 go. None where a side would be empty."""
-    changed = relation
-    for place, factor in scaling.factors:
-        if factor != 0:
-            changed = replaced(changed, place, times(factor, subterm(relation, place)))
+    """The relation with the new coefficients; addends with factor 0 go. None where a side would be empty, or
+    where a new addend joins the sum around it, so that the places before it are others."""
+    changed: Relation | None = relation
     for place, factor in sorted(scaling.factors, reverse=True):
-        if factor == 0:
-            changed = without(changed, place)
-            if changed is None:
-                return None
+        part = subterm(relation, place)
+        if changed is None or find(changed, place) != part:
+            return None
+        changed = without(changed, place) if factor == 0 else replaced(changed, place, times(factor, part))
     return changed

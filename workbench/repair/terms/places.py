@@ -75,6 +75,14 @@ def subterm(statement: Statement, place: Place) -> Term:
     return node
 
 
+def find(statement: Statement, place: Place) -> Term | None:
+    """The same; None where there is no such place."""
+    try:
+        return subterm(statement, place)
+    except IndexError:
+        return None
+
+
 def replaced(node: Changed, place: Place, new: Term) -> Changed:
     """The statement or term with `new` at the place; all that does not lie above the place stays the same
     object. Raises IllFormed where `new` does not fit."""

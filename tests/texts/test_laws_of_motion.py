@@ -1,0 +1,118 @@
+"""What a text says of a motion by a law holds for its later formulas, and excuses those before it."""
+
+from pathlib import Path
+
+import pytest
+
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.papers.load import load_paper
+from workbench.verify.claims import judge_paper
+
+KINDS = """
+x = "scalar"
+y = "scalar"
+F = "scalar"
+m = { kind = "scalar", constant = true, positive = true }
+c = { kind = "scalar", constant = true }
+k = { kind = "scalar", constant = true }
+'\\mu' = { kind = "scalar", constant = true }
+'\\vec r' = "vector"
+'\\vec v' = "vector"
+'\\vec h' = "vector"
+'\\vec \\omega' = "vector"
+'\\vec L' = "vector"
+J = { kind = "tensor", symmetric = true, constant = true }
+[definitions]
+'\\vec v' = '\\dot{\\vec r}'
+'\\vec h' = '\\vec r \\times \\vec v'
+"""
+ENERGY = r"\frac{d}{dt} (\frac{1}{2} m \dot x^2 + \frac{1}{2} k x^2)"
+KEPLER = r"\ddot{\vec r} = -\frac{\mu}{\|\vec r\|^3} \vec r"
+EULER = r"J \dot{\vec\omega} + \vec\omega \times J \vec\omega = \vec L"
+
+
+def verdicts(folder: Path, *displays: str, more: str = "") -> list[Verdict]:
+    (folder / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in displays))
+    (folder / "p.toml").write_text(f"source = 'p.md'\n[symbols]{KINDS}{more}")
+    return [result.verdict for result in judge_paper(load_paper(folder / "p.toml"))]
+
+
+#: A law, what follows from it, and what does not.
+FOLLOWING = [
+    (r"m \ddot x = -k x", f"{ENERGY} = 0", f"{ENERGY} = k x \\dot x"),
+    (r"m \ddot x = F", r"\ddot x = \frac{F}{m}", r"\ddot x = \frac{F}{m} + c"),
+    (r"m \ddot x = -k x - c \dot x", f"{ENERGY} = -c \\dot x^2", f"{ENERGY} = c \\dot x^2"),
+    (r"\ddot x = c \dot x", r"x^{(3)} = c^2 \dot x", r"x^{(3)} = c \dot x"),
+    (KEPLER, r"\dot{\vec h} = 0", r"\ddot{\vec h} = \vec h"),
+    (KEPLER, r"\frac{d}{dt} (\frac{1}{2} \vec v^2 - \frac{\mu}{\|\vec r\|}) = 0", r"\frac{d}{dt} (\frac{1}{2} \vec v^2 + \frac{\mu}{\|\vec r\|}) = 0"),
+    (EULER, r"\frac{d}{dt} (\frac{1}{2} \vec\omega \cdot J \vec\omega) = \vec\omega \cdot \vec L", r"\frac{d}{dt} (\frac{1}{2} \vec\omega \cdot J \vec\omega) = 2 \vec\omega \cdot \vec L"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("law", "follows", "does_not"), FOLLOWING)
+def test_what_follows_from_a_law_before_it_is_conditional_on_it(
+    tmp_path: Path, law: str, follows: str, does_not: str
+) -> None:
+    stated, held, failed = verdicts(tmp_path, law, follows, does_not)
+    assert stated.outcome is Outcome.UNCHECKED and "states a law" in stated.reason
+    assert held.outcome is Outcome.CONDITIONAL and "(L1)" in held.reason and held.hypothesis
+    assert failed.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL)
+
+
+def test_a_law_of_each_rate_is_the_last_one_before(tmp_path: Path) -> None:
+    laws = [r"\ddot x = -k x", r"\ddot x = -c x", r"\ddot y = k y"]
+    *_, of_the_second, of_the_first, of_both = verdicts(
+        tmp_path,
+        *laws,
+        r"\frac{d}{dt} (\dot x^2 + c x^2) = 0",
+        r"\frac{d}{dt} (\dot x^2 + k x^2) = 0",
+        r"\frac{d}{dt} (\dot x \dot y) = k y \dot x - c x \dot y",
+    )
+    assert of_the_second.outcome is of_both.outcome is Outcome.CONDITIONAL
+    assert of_the_first.outcome is Outcome.UNCHECKED
+    assert "-k x" not in of_both.hypothesis
+
+
+def test_two_laws_for_one_rate_contradict_nothing(tmp_path: Path) -> None:
+    """They are of two motions; the later one is not false."""
+    for each in verdicts(tmp_path, r"\ddot x = -k x", r"\ddot x = -k x - c \dot x", r"\ddot x = k"):
+        assert each.outcome is Outcome.UNCHECKED and "states a law" in each.reason
+
+
+def test_what_a_law_may_make_true_is_not_refuted(tmp_path: Path) -> None:
+    """In motion without a torque, which words alone say, or by a law that stands behind."""
+    rest = r"\frac{d}{dt} (\vec\omega \cdot J \vec\omega) = 0"
+    for displays in ([EULER, rest], [rest, EULER]):
+        found = verdicts(tmp_path, *displays)[displays.index(rest)]
+        assert found.outcome is Outcome.UNCHECKED
+
+
+def test_what_is_false_whatever_the_law_is_refuted(tmp_path: Path) -> None:
+    *_, false = verdicts(tmp_path, r"\ddot x + x^2 = 0", r"\frac{d}{dt} (x \dot x \dot x) = \dot x^3")
+    assert false.outcome is Outcome.REFUTED
+    alone, *_ = verdicts(tmp_path, r"\frac{d}{dt} (m \dot x \dot x) = m \ddot x")
+    assert alone.outcome is Outcome.REFUTED
+
+
+FRAMES = """
+[frames]
+base = "N"
+names = ["B"]
+dot = "B"
+"""
+MOMENTUM = r"\frac{{}^N d}{dt} (J \vec\omega) = J \dot{\vec\omega} + \vec\omega \times J \vec\omega"
+
+
+def test_what_is_constant_has_no_rate_in_the_frame_of_the_dot(tmp_path: Path) -> None:
+    turning = "'{}^F\\vec\\omega^G' = 'angular velocity of G in F'\n"
+    told = MOMENTUM.replace(r"\vec\omega", r"{}^N\vec\omega^B")
+    displays = (told, told.replace("= J", "= 2 J"), r"\dot J = 0", r"\frac{d}{dt} (J J) = 0")
+    held, false, still, _ = found = verdicts(tmp_path, *displays, more=FRAMES + turning)
+    assert held.outcome is Outcome.PROVED and false.outcome is Outcome.REFUTED
+    assert still.outcome is not Outcome.REFUTED and "in which frame" in found[-1].reason
+
+
+def test_a_vector_may_be_the_angular_velocity_of_a_frame(tmp_path: Path) -> None:
+    meant, false = verdicts(tmp_path, MOMENTUM, MOMENTUM.replace("= J", "= 2 J"), more=FRAMES)
+    assert meant.outcome is Outcome.UNCHECKED and "the angular velocity" in meant.reason
+    assert false.outcome is Outcome.REFUTED

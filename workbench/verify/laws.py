@@ -1,0 +1,72 @@
+"""The laws of motion that a text states elsewhere, of what a claim of it takes rates of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+
+from workbench.judge.kernel.laws import law_for
+from workbench.judge.subject.inventory import Inventory, NotExact, take_inventory
+from workbench.language.typed.terms import IllFormed, Relation, Statement, Symbol, Term, sides_of
+from workbench.papers.model import Claim, Notation, Said
+from workbench.papers.said import free_in, terms_of
+
+
+def laws_of(claim: Claim) -> list[Said]:
+    """For each rate that the claim reaches, or a law for such a rate does, the last one before it."""
+    reached = dict(_inventory(claim.printed.statement, claim.notation).orders)
+    known = [(law, _given(law.statement, claim.notation)) for law in claim.laws if law.earlier]
+    found: list[Said] = []
+    covered: set[Symbol] = set()
+    for _ in known:
+        for law, rates in known:
+            is_new = law not in found and law.statement not in claim.supposed and not covered & rates.keys()
+            if is_new and _reaches(reached, rates):
+                found.append(law)
+                covered |= rates.keys()
+                for symbol, order in _inventory(law.statement, claim.notation).orders.items():
+                    reached[symbol] = max(order, reached.get(symbol, 0))
+    return found
+
+
+def has_laws(claim: Claim) -> list[Said]:
+    """The laws anywhere in the text for a rate that the claim reaches."""
+    reached = _inventory(claim.printed.statement, claim.notation).orders
+    unused = (law for law in claim.laws if law.statement not in claim.supposed)
+    return [law for law in unused if _reaches(reached, _given(law.statement, claim.notation))]
+
+
+def is_law(claim: Claim) -> bool:
+    """Whether it is an equation for a rate that nothing defines."""
+    is_equation = isinstance(claim.printed.statement, Relation)
+    return is_equation and bool(_given(claim.printed.statement, claim.notation))
+
+
+def says_no_more(laws: Sequence[Said], claim: Claim) -> bool:
+    """Whether the laws speak of nothing but what the claim does, so that no more is to be known of that."""
+    definitions = claim.notation.definitions
+    others = free_in((term for law in laws for term in terms_of(law.statement)), definitions)
+    return others <= free_in(terms_of(claim.printed.statement), definitions)
+
+
+def _reaches(reached: Mapping[Symbol, int], rates: Mapping[Symbol, int]) -> bool:
+    return any(reached.get(symbol, 0) >= order for symbol, order in rates.items())
+
+
+def _given(said: Relation, notation: Notation) -> dict[Symbol, int]:
+    """The symbols for a rate of which the equation is a law, and its order; empty where it is none."""
+    inventory, rate = _inventory(said, notation), None
+    with suppress(NotExact, IllFormed):
+        rate = law_for(said, inventory, notation.definitions)
+    behind = {} if rate is None else _inventory_of([rate], notation).orders
+    return {symbol: order for symbol, order in behind.items() if order}
+
+
+def _inventory(statement: Statement, notation: Notation) -> Inventory:
+    return _inventory_of(sides_of(statement), notation)
+
+
+def _inventory_of(terms: Iterable[Term], notation: Notation) -> Inventory:
+    with suppress(NotExact, IllFormed):
+        return take_inventory(terms, notation.definitions)
+    return Inventory()

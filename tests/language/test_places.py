@@ -171,6 +171,24 @@ def test_where_only_what_it_depends_on_fits_the_bracket_is_asked_about(formula: 
     assert to_latex(*read("A(x) = f", replace(TABLE, arguments=frozenset()))) == "A x = f"
 
 
+@pytest.mark.parametrize("written", [r"J(q) v + \dot J(q, \dot q) u", r"J(q) v + \dot J(q, \dot{q}) u"])
+def test_a_rate_beside_what_it_is_of_is_no_other_place(written: str) -> None:
+    kinds = {"q": "vector", "J": "tensor", "v": "vector", "u": "vector", "M": "tensor", r"\tau": "vector"}
+    kinds |= {"g": "vector", "C": "tensor"}
+    table = replace(
+        SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()}),
+        arguments=frozenset({Name("q")}),
+    )
+    assert read(f"{written} = v", table) == read(r"J v + \dot J u = v", table)
+    with pytest.raises(ReadError, match="at two places"):
+        read(r"J(q) v + \dot J(\dot q) u = v", table)
+    forces = r"\tau - C(q, \dot q) \dot q - g(q)"
+    assert read(rf"M^{{-1}}(q) ({forces}) = v", table) == read(r"M^{-1} [\tau - C \dot q - g] = v", table)
+    for place in ("q + v", "2 q"):
+        with pytest.raises(ReadError, match="or a product"):
+            read(f"M({place}) = v", table)
+
+
 @pytest.mark.parametrize("inside", [r"\dot\theta e", r"\theta e", r"\ddot\theta e", r"e \times f"])
 def test_a_vector_is_no_other_place_of_a_number(inside: str) -> None:
     """r(θ̇ e) is a product where something depends on θ."""

@@ -73,6 +73,14 @@ def test_a_law_of_each_rate_is_the_last_one_before(tmp_path: Path) -> None:
     assert "-k x" not in of_both.hypothesis
 
 
+def test_a_law_that_inverts_a_matrix_follows_and_leads_nowhere(tmp_path: Path) -> None:
+    solved = r"\dot{\vec\omega} = J^{-1} (\vec L - \vec\omega \times J \vec\omega)"
+    energy = r"\frac{d}{dt} (\frac{1}{2} \vec\omega \cdot J \vec\omega) = \vec\omega \cdot \vec L"
+    _, follows, by_the_first = verdicts(tmp_path, EULER, solved, energy)
+    assert follows.outcome is by_the_first.outcome is Outcome.CONDITIONAL
+    assert "(L1)" in by_the_first.reason
+
+
 def test_two_laws_for_one_rate_contradict_nothing(tmp_path: Path) -> None:
     """They are of two motions; the later one is not false."""
     for each in verdicts(tmp_path, r"\ddot x = -k x", r"\ddot x = -k x - c \dot x", r"\ddot x = k"):

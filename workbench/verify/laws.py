@@ -7,15 +7,17 @@ from contextlib import suppress
 
 from workbench.judge.kernel.laws import law_for
 from workbench.judge.subject.inventory import Inventory, NotExact, take_inventory
-from workbench.language.typed.terms import IllFormed, Relation, Statement, Symbol, Term, sides_of
+from workbench.language.typed.terms import Apply, IllFormed, Relation, Statement, Symbol, Term, sides_of
 from workbench.papers.model import Claim, Notation, Said
 from workbench.papers.said import free_in, terms_of
 
 
 def laws_of(claim: Claim) -> list[Said]:
-    """For each rate that the claim reaches, or a law for such a rate does, the last one before it."""
+    """For each rate that the claim reaches, or a law for such a rate does, the last one before it without the
+    inverse of a matrix, by which hardly anything is ever found to follow."""
     reached = dict(_inventory(claim.printed.statement, claim.notation).orders)
-    known = [(law, _given(law.statement, claim.notation)) for law in claim.laws if law.earlier]
+    before = (law for law in claim.laws if law.earlier and not _inverts(law.statement))
+    known = [(law, _given(law.statement, claim.notation)) for law in before]
     found: list[Said] = []
     covered: set[Symbol] = set()
     for _ in known:
@@ -27,6 +29,15 @@ def laws_of(claim: Claim) -> list[Said]:
                 for symbol, order in _inventory(law.statement, claim.notation).orders.items():
                     reached[symbol] = max(order, reached.get(symbol, 0))
     return found
+
+
+def defined_beside(laws: Sequence[Said], claim: Claim) -> tuple[Said, ...]:
+    """What formulas say of symbols of the claim of which the laws do not speak."""
+    spoken_of = free_in(
+        (term for law in laws for term in terms_of(law.statement)), claim.notation.definitions
+    )
+    said = (each for each in claim.rests if each.definition is not None)
+    return tuple(each for each in said if each.definition.declaration not in spoken_of)
 
 
 def has_laws(claim: Claim) -> list[Said]:
@@ -47,6 +58,11 @@ def says_no_more(laws: Sequence[Said], claim: Claim) -> bool:
     definitions = claim.notation.definitions
     others = free_in((term for law in laws for term in terms_of(law.statement)), definitions)
     return others <= free_in(terms_of(claim.printed.statement), definitions)
+
+
+def _inverts(statement: Statement) -> bool:
+    parts = (part for side in sides_of(statement) for part in side.walk())
+    return any(isinstance(p, Apply) and p.head == "inverse" and p.type.rows > 1 for p in parts)
 
 
 def _reaches(reached: Mapping[Symbol, int], rates: Mapping[Symbol, int]) -> bool:

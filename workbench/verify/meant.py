@@ -21,7 +21,7 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Formula, Notation, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
-from workbench.verify.laws import has_laws, is_law, laws_of, says_no_more
+from workbench.verify.laws import defined_beside, has_laws, is_law, laws_of, says_no_more
 from workbench.verify.rounding import ROUNDED, is_rounded
 
 if TYPE_CHECKING:
@@ -43,12 +43,13 @@ class Meant:
     def verdict(self, claim: Claim, verdict: Verdict) -> Verdict:
         """The verdict on what is printed, given that on its formula."""
         is_refuted = verdict.outcome is Outcome.REFUTED
-        if is_refuted and (why := self._why_open(claim, verdict)) is not None:
+        is_open = verdict.outcome is Outcome.UNCHECKED and bool(claim.laws) and is_law(claim)
+        if (is_refuted or is_open) and (held := self._by_laws(claim, verdict)) is not None:
+            verdict = held
+        elif is_refuted and (why := self._why_open(claim, verdict)) is not None:
             return _open(why, verdict)
-        if is_refuted and claim.corrected is None:
+        elif is_refuted and claim.corrected is None:
             verdict = self._with_the_text(claim, verdict)
-        if claim.span and claim.laws and verdict.outcome is Outcome.UNCHECKED and is_law(claim):
-            verdict = self._by_laws(claim, verdict) or verdict
         if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
             return _open(_as_guessed(verdict, claim.guessed), verdict)
         return verdict
@@ -90,10 +91,8 @@ class Meant:
 
     def _with_the_text(self, claim: Claim, refuted: Verdict) -> Verdict:
         verdict = self._with_what_it_says(claim, refuted)
-        if verdict.outcome is Outcome.CONDITIONAL or not claim.laws:
+        if verdict.outcome is Outcome.CONDITIONAL:
             return verdict
-        if (held := self._by_laws(claim, refuted)) is not None:
-            return held
         said = [law for law in has_laws(claim) if not self._is_known(law, claim.notation)]
         if not said:
             return verdict
@@ -119,18 +118,18 @@ class Meant:
 
     def _by_laws(self, claim: Claim, bare: Verdict) -> Verdict | None:
         """What is proved of the motions of which earlier formulas are laws."""
+        if claim.corrected is not None:
+            return None
         said = [law for law in laws_of(claim) if not self._is_known(law, claim.notation)]
-        definitions = {each.name: each.definition for each in claim.rests if each.definition is not None}
-        if not said:
-            return None
-        under = self._given(claim, said, tuple(definitions.values()))
-        if under.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
-            return None
-        used = [each for each in claim.rests if each.name in definitions]
-        hypotheses = (to_latex(each.statement) for each in (*used, *said))
-        places = ", ".join(dict.fromkeys(each.place for each in (*used, *said)))
-        why = [f"the text says so elsewhere ({places})", *([under.reason] if under.reason else [])]
-        return _conditional(under, hypotheses, "; ".join(why), bare)
+        for defined in dict.fromkeys([(), defined_beside(said, claim)]) if said else ():
+            definitions = [each.definition for each in defined]
+            under = self._given(claim, said, definitions)
+            if under.outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
+                used = (*defined, *said)
+                places = ", ".join(dict.fromkeys(each.place for each in used))
+                why = [f"the text says so elsewhere ({places})", *([under.reason] if under.reason else [])]
+                return _conditional(under, [to_latex(each.statement) for each in used], "; ".join(why), bare)
+        return None
 
     def _given(self, claim: Claim, laws: Sequence[Said], definitions: Sequence[Definition] = ()) -> Verdict:
         """The verdict if the laws hold always."""

@@ -3,6 +3,8 @@ a bracket, since f(x) and f(y) are two values."""
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator
+
 from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Product, Scripted, Styled, Sum
 from workbench.language.naming.declarations import key_spelling
@@ -19,6 +21,7 @@ from workbench.language.typed.terms import (
     TimeOperator,
     is_accented_symbol,
 )
+from workbench.language.typed.types import Declaration
 
 OR_A_PRODUCT = (
     "a function of what is in the bracket, or a product?"
@@ -80,13 +83,28 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
         return is_symbol
     kinds = (function.type.kind, value.type.kind)
     is_difference = isinstance(value, Symbol) and "scalar" in kinds and not _is_name(part)
-    names = {each.name for each in inside if each.type == value.type}
-    if is_difference or names.union(map(_without_prefix, names)) & scope.table.arguments:
+    names = {each.name for each in _taken(value) if each.type == value.type}
+    alike = {name for name in scope.table.arguments if _may_be_of(scope, name, value)}
+    if is_difference or names.union(map(_without_prefix, names)) & alike:
         return not _is_constant(function)
     if _is_name(part):
         return "scalar" in kinds
     is_tensor = function.type.is_square and function.type.kind != "scalar"
     return is_symbol and is_tensor and value.type.kind == "scalar"
+
+
+def _taken(value: Term) -> Iterator[Declaration]:
+    """The symbols of which it holds the value, and not only a rate."""
+    if isinstance(value, Symbol):
+        yield value.declaration
+    if not isinstance(value, Derivative):
+        for child in value.children:
+            yield from _taken(child)
+
+
+def _may_be_of(scope: Scope, argument: Name, value: Term) -> bool:
+    declared = scope.table.symbols.get(argument)
+    return declared is None or declared.type == value.type
 
 
 def _without_prefix(name: Name) -> Name:
@@ -140,7 +158,8 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     """Raises Fault where a symbol is taken at another place in the formula, or by its definition."""
     _take_instant(scope, bracket, function)
     parts = [_without_time(scope, part) for part in bracket.parts if not scope.is_time(part)]
-    place = tuple(map(latex_of, parts))
+    known = {latex_of(part) for part in parts}
+    place = tuple(latex_of(part) for part in parts if not _is_rate_of(part, known))  # (q, \\dot{q}) as (q)
     inside = set().union(*map(_names, parts))
     inside = inside.union(*(scope.table.depends.get(name, ()) for name in inside))
     for name, index in _symbols(function):
@@ -150,6 +169,11 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
             raise Fault(
                 f"{name} is defined by {min(map(str, missing))}, and taken at another place", bracket.at
             )
+
+
+def _is_rate_of(part: Node, known: Collection[str]) -> bool:
+    is_dotted = isinstance(part, Accented) and part.accent != "~"
+    return is_dotted and latex_of(part.body) in known
 
 
 def _take_instant(scope: Scope, bracket: Bracket, function: Term) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 
 from workbench.judge.kernel.laws import law_for
@@ -13,17 +13,17 @@ from workbench.papers.said import free_in, terms_of
 
 
 def laws_of(claim: Claim) -> list[Said]:
-    """For each rate that the claim reaches, or a law for such a rate does, the last one before it without the
-    inverse of a matrix, by which hardly anything is ever found to follow."""
+    """For each rate that the claim reaches, or a law for such a rate does, the last one before it, in a
+    formula or in a sentence. None of those by which hardly anything is ever found to follow: with the inverse
+    of a matrix, and for less than the highest rate of a rotation."""
     reached = dict(_inventory(claim.printed.statement, claim.notation).orders)
-    before = (law for law in claim.laws if law.earlier and not _inverts(law.statement))
-    known = [(law, _given(law.statement, claim.notation)) for law in before]
+    known = [(law, _given(law.statement, claim.notation)) for law in _before(claim)]
     found: list[Said] = []
     covered: set[Symbol] = set()
     for _ in known:
         for law, rates in known:
-            is_new = law not in found and law.statement not in claim.supposed and not covered & rates.keys()
-            if is_new and _reaches(reached, rates):
+            is_new = law not in found and not covered & rates.keys()
+            if is_new and _reaches(reached, rates) and not _turns_on(reached, rates):
                 found.append(law)
                 covered |= rates.keys()
                 for symbol, order in _inventory(law.statement, claim.notation).orders.items():
@@ -31,11 +31,21 @@ def laws_of(claim: Claim) -> list[Said]:
     return found
 
 
+def _before(claim: Claim) -> Iterator[Said]:
+    in_sentences = (
+        Said(each.latex, f"line {each.line}", None, each.premise, (), None)
+        for each in claim.beside
+        if each.premise is not None
+    )
+    for law in (*(each for each in claim.laws if each.earlier), *in_sentences):
+        if law.statement not in claim.supposed and not _inverts(law.statement):
+            yield law
+
+
 def defined_beside(laws: Sequence[Said], claim: Claim) -> tuple[Said, ...]:
     """What formulas say of symbols of the claim of which the laws do not speak."""
-    spoken_of = free_in(
-        (term for law in laws for term in terms_of(law.statement)), claim.notation.definitions
-    )
+    sides = [term for law in laws for term in terms_of(law.statement)]
+    spoken_of = free_in(sides, claim.notation.definitions)
     said = (each for each in claim.rests if each.definition is not None)
     return tuple(each for each in said if each.definition.declaration not in spoken_of)
 
@@ -58,6 +68,11 @@ def says_no_more(laws: Sequence[Said], claim: Claim) -> bool:
     definitions = claim.notation.definitions
     others = free_in((term for law in laws for term in terms_of(law.statement)), definitions)
     return others <= free_in(terms_of(claim.printed.statement), definitions)
+
+
+def _turns_on(reached: Mapping[Symbol, int], rates: Mapping[Symbol, int]) -> bool:
+    turning = (each for each in rates if each.declaration.rotation or each.declaration.unit)
+    return any(reached.get(each, 0) > rates[each] for each in turning)
 
 
 def _inverts(statement: Statement) -> bool:

@@ -43,7 +43,7 @@ class Meant:
     def verdict(self, claim: Claim, verdict: Verdict) -> Verdict:
         """The verdict on what is printed, given that on its formula."""
         is_refuted = verdict.outcome is Outcome.REFUTED
-        is_open = verdict.outcome is Outcome.UNCHECKED and bool(claim.laws) and is_law(claim)
+        is_open = verdict.outcome is Outcome.UNCHECKED and bool(claim.laws or claim.beside) and is_law(claim)
         if (is_refuted or is_open) and (held := self._by_laws(claim, verdict)) is not None:
             verdict = held
         elif is_refuted and (why := self._why_open(claim, verdict)) is not None:

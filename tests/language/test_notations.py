@@ -182,6 +182,7 @@ def test_what_is_not_explained_is_refused(formula: str) -> None:
     [
         {"x^\\wedge": {"where": {"x": "vector"}}},
         {"x^\\wedge": {"where": {"y": "vector"}, "means": "y"}},
+        {"x^\\wedge": {"where": {"x": "vector"}, "means": "v"}},
         {"[NB]^T": {"means": "1"}},
         {"[NB]_0^{-1}": {"means": "1"}},
         {"v^2": {"means": "1"}},
@@ -200,6 +201,7 @@ def test_what_is_not_explained_is_refused(formula: str) -> None:
         *(
             "no meaning",
             "no such letter",
+            "a letter that means nothing",
             "a transpose",
             "an inverse",
             "a power",

@@ -255,3 +255,9 @@ def test_a_function_of_others_is_free_and_nothing_else(flag):
     else:
         with pytest.raises(SpecError, match=f"whose values are free, not for (a )?{flag}"):
             SymbolTable.build(specs)
+
+
+@pytest.mark.parametrize("letter", ["I", "E"])
+def test_a_letter_of_unit_matrices_that_nothing_declares_gets_a_hint(letter: str) -> None:
+    with pytest.raises(ReadError, match=r"if it is the unit tensor, \[notation\] says so"):
+        read(f"{letter} = {letter}", SymbolTable.build({"a": {"kind": "vector"}}))

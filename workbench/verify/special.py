@@ -14,6 +14,7 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome
 from workbench.language.definitions import Definitions, replaced
+from workbench.language.naming.symbols import UNIT_LETTERS
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, identity, number, rebuild, relation, symbol
 from workbench.language.typed.integers import Linear
@@ -45,9 +46,6 @@ _FLAGS = {
     "vector": {"unit": "unit", "constant": "constant"},
     "quaternion": {"unit": "unit"},
 }
-
-#: Letters of unit matrices.
-_UNITS = frozenset({"I", "E", "U"})
 
 
 def special_case(claim: Claim, said: Sequence[Definition], options: Mapping[str, object]) -> str | None:
@@ -99,7 +97,7 @@ def _unit_matrices(claim: Claim) -> list[Symbol]:
     return [
         each
         for each in squares
-        if each.declaration.name.letter in _UNITS and not (each.declaration.free or each.index)
+        if each.declaration.name.letter in UNIT_LETTERS and not (each.declaration.free or each.index)
     ]
 
 

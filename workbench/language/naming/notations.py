@@ -69,6 +69,8 @@ class Notation:
         for letter in formals:
             if not occurs(letter, notation.pattern):
                 raise SpecError(f"where: {letter} does not stand in it", key)
+            if not occurs(letter, notation.means):
+                raise SpecError(f"where: {letter} does not stand in what it means", key)
             kind = formals[letter].removeprefix("dual ")
             if type_of_kind(kind) is None and kind not in map(str, KINDS.values()):
                 raise SpecError(f"where: {letter} is {kind!r}; expected a kind such as vector", key)

@@ -31,6 +31,9 @@ from workbench.language.typed.names import PREFIXES, Name
 from workbench.language.typed.terms import IllFormed, Symbol, Term
 from workbench.language.typed.types import CLOCK, Declaration, Type
 
+#: Letters by which unit matrices go.
+UNIT_LETTERS = frozenset({"I", "E", "U"})
+
 _PREFIXES = frozenset((prefix,) for prefix in PREFIXES)
 
 
@@ -246,6 +249,9 @@ class SymbolTable:
                 return f"{text} is not defined; defined before it: {', '.join(known)}"
         if not self.names_close:
             return f"unknown symbol {text}"
+        if text in UNIT_LETTERS:
+            meant = f"'{text}' = {{ means = '\\mathbf{{I}}' }}"
+            return f"unknown symbol {text}; if it is the unit tensor, [notation] says so: {meant}"
         letters = {str(d.name): d.name.letter for d in (*self.symbols.values(), *self.functions.values())}
         alike = sorted(name for name, letter in letters.items() if letter == spelling.letter.letter)
         alike += [

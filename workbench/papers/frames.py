@@ -15,12 +15,13 @@ from workbench.language.naming.declarations import key_spelling
 from workbench.language.naming.spelling import Spelling, in_bracket, spell_label, under_accent
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read_term
-from workbench.language.typed.construct import apply, block, identity, number, relation, zero
+from workbench.language.typed.construct import apply, block, identity, zero
 from workbench.language.typed.errors import Fault, ReadError, SpecError
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Conjunction, Definition, IllFormed, Term
+from workbench.language.typed.terms import Definition, IllFormed, Term
 from workbench.language.typed.types import TENSOR, VECTOR, Declaration
 from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minus, plus, turned
+from workbench.papers.promises import is_rotation, unseen
 from workbench.papers.toml.toml_file import TomlFile
 
 _FRAME_KEYS = ("base", "names", "axes", "dot", "orientation")
@@ -41,20 +42,10 @@ class Turn(NamedTuple):
 
 def require_rotations(turns: Sequence[Turn], definitions: Definitions) -> None:
     """Raises PaperError for a matrix that is not seen to be a rotation wherever it is defined."""
-    if not turns:
-        return
-    from workbench.judge.kernel.judge import Judge
-    from workbench.judge.verdict import Outcome
-
     for turn in turns:
-        square = relation("=", apply("mul", apply("transpose", turn.matrix), turn.matrix), identity())
-        proper = relation("=", apply("det", turn.matrix), number(1))
-        verdict = Judge(definitions).judge(Conjunction((square, proper)))
-        if verdict.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL):
-            why = f"is not seen to be a rotation: {verdict.reason or verdict.outcome}"
-            raise turn.file.error_at_key(
-                ("frames", "orientation"), f"orientation: that of {turn.frame} {why}"
-            )
+        if (why := unseen(is_rotation(turn.matrix), definitions)) is not None:
+            message = f"orientation: that of {turn.frame} is not seen to be a rotation: {why}"
+            raise turn.file.error_at_key(("frames", "orientation"), message)
 
 
 def frame_labels(files: Sequence[TomlFile]) -> frozenset[str]:

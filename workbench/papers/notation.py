@@ -17,6 +17,7 @@ from workbench.language.typed.terms import Definition, Symbol
 from workbench.papers.frames import frame_labels, framed, require_rotations
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.motion import CLAIMS, ROBOT, bindings, formulas, robot
+from workbench.papers.promises import Promise, require_kept, without_promises
 from workbench.papers.respell.in_models import or_respelled
 from workbench.papers.ties import ties
 from workbench.papers.toml.toml_file import TomlFile
@@ -40,8 +41,9 @@ FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
 def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> Notation:
     """The notation that the files give together, the first one first. Each of the scopes declares anew what
     it names, and with it goes what defined it. Raises PaperError."""
+    table, promises = _table(files, scopes)
     table = replace(
-        _table(files, scopes),
+        table,
         arguments=_arguments(files),
         gradient=_convention(files, "gradient"),
         directions=frozenset() if _convention(files, "points") else None,
@@ -64,6 +66,7 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     tied = ties(bound, Definitions(definitions))
     known = Definitions([*definitions, *tied])
     require_rotations(turns, known)
+    require_kept(promises, {key: file for file, key, _ in entries}, table, known)
     notation = Notation(table, known, bound, robots[-1] if robots else None)
     notation = replace(notation, words=_words(files), framed=made_by_frames)
     return replace(notation, on_motions=dict(f for file in files for f in formulas(file, notation)))
@@ -159,7 +162,7 @@ def with_definitions(notation: Notation, entries: Mapping[str, str]) -> Notation
     return replace(notation, symbols=symbols, definitions=Definitions([*notation.definitions, *more]))
 
 
-def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable:
+def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> tuple[SymbolTable, list[Promise]]:
     specs: dict[str, Any] = {}
     owners: dict[str, TomlFile] = {}
     hamilton = any(_says_hamilton(file) for file in files)
@@ -173,7 +176,8 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> SymbolTable
             specs[key], owners[key] = spec, file
     try:
         bodies = {key: body for _, key, body in _in_scope(files, scopes)}
-        return SymbolTable.build(specs, frame_labels((*files, *scopes)), bodies)
+        plain, promises = without_promises(specs, bodies)
+        return SymbolTable.build(plain, frame_labels((*files, *scopes)), bodies), promises
     except SpecError as error:
         raise owners[error.key].error_at_key(("symbols", error.key), str(error)) from None
 

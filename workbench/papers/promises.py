@@ -1,0 +1,75 @@
+"""What is declared of symbols that definitions give: it must be seen to hold wherever these are defined."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from typing import Any, NamedTuple
+
+from workbench.language.definitions import Definitions
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.typed.construct import apply, derivative, identity, number, relation, symbol, zero
+from workbench.language.typed.terms import Conjunction, Statement, Term
+from workbench.papers.toml.toml_file import TomlFile
+
+
+class Promise(NamedTuple):
+    """A symbol that has a definition, and what is declared of it beside its kind."""
+
+    key: str
+    flag: str
+
+
+def is_rotation(matrix: Term) -> Statement:
+    square = relation("=", apply("mul", apply("transpose", matrix), matrix), identity())
+    return Conjunction((square, relation("=", apply("det", matrix), number(1))))
+
+
+#: The equation that a flag is.
+_SAYS: Mapping[str, Callable[[Term], Statement]] = {
+    "constant": lambda x: relation("=", derivative(x, 1), zero(x.type)),
+    "unit": lambda x: relation("=", apply("norm", x), number(1)),
+    "symmetric": lambda x: relation("=", apply("transpose", x), x),
+    "rotation": is_rotation,
+}
+
+
+def without_promises(
+    specs: Mapping[str, Mapping[str, Any]], defined: Collection[str]
+) -> tuple[dict[str, Mapping[str, Any]], list[Promise]]:
+    """The declarations of [symbols], those of defined symbols without what their definitions are to keep."""
+    plain: dict[str, Mapping[str, Any]] = {}
+    promises = []
+    for key, spec in specs.items():
+        plain[key] = spec
+        if key in defined:
+            flags = [flag for flag in _SAYS if spec.get(flag) is True or spec.get("kind") == flag]
+            promises += [Promise(key, flag) for flag in flags]
+            kind = "tensor" if "rotation" in flags else spec.get("kind")
+            plain[key] = {**{name: said for name, said in spec.items() if name not in flags}, "kind": kind}
+    return plain, promises
+
+
+def require_kept(
+    promises: Collection[Promise], owners: Mapping[str, TomlFile], table: SymbolTable, known: Definitions
+) -> None:
+    """Raises PaperError for what is not seen to hold. owners: the files of the definitions."""
+    for key, flag in promises:
+        declared, index = table.symbols[read_key(key)[0]], read_key(key)[1]
+        if (why := unseen(_SAYS[flag](symbol(declared, index)), known)) is not None:
+            message = f"{key}: declared as {flag}, which its definition is not seen to be: {why}"
+            raise owners[key].error_at_key(("definitions", key), message)
+
+
+def unseen(statement: Statement, definitions: Definitions) -> str | None:
+    """Why the statement is not seen to hold wherever it is defined; None if it is."""
+    from workbench.judge.kernel.judge import Judge
+    from workbench.judge.subject.inventory import NotExact
+    from workbench.judge.verdict import Outcome
+
+    try:
+        verdict = Judge(definitions).judge(statement)
+    except NotExact as outside:
+        return str(outside)
+    holds = verdict.outcome in (Outcome.PROVED, Outcome.CONDITIONAL)
+    return None if holds else verdict.reason or str(verdict.outcome)

@@ -148,6 +148,21 @@ def test_what_is_taken_at_another_time_is_no_product(symbol: str, time: str) -> 
     assert read(to_latex(product), table) == (product,)
 
 
+@pytest.mark.parametrize("inside", [r"1 + \cos(\omega t)", r"\sin(\omega t) - e^{-\omega t}"])
+def test_what_depends_on_the_time_by_a_function_is_no_time(inside: str) -> None:
+    kinds = {
+        "s": {"kind": "scalar"},
+        "b": {"kind": "scalar", "constant": True},
+        r"\omega": {"kind": "scalar"},
+    }
+    table = SymbolTable.build(kinds)
+    for factor in ("s", "b"):
+        assert read(rf"s = {factor} ({inside})", table) == read(rf"s = {factor} [{inside}]", table)
+    assert read("s = b (t - 2)", table) == read("s = b [t - 2]", table)
+    with pytest.raises(ReadError, match="or a product"):
+        read("s = s (t - 2)", table)
+
+
 @pytest.mark.parametrize(("formula", "read_as"), [("s(Q) = s", "s = s"), ("c(q) = q c", "c q = q c")])
 def test_of_two_scalars_one_that_is_constant_is_a_factor(formula: str, read_as: str) -> None:
     kinds = {"s": "scalar", "q": "scalar", "c": {"kind": "scalar", "constant": True}}

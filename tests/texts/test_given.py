@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.judge.verdict import Verdict
+from workbench.judge.verdict import Outcome, Verdict
 from workbench.papers import load_paper
 from workbench.verify.claims import judge_paper
 
@@ -55,3 +55,24 @@ def test_its_derivatives_are_given(
 def test_what_is_open_says_what_is_given(tmp_path: Path) -> None:
     found = verdict(tmp_path, r"\dot{x} = w", r"\dot{y} = w", r"\dot{f} = x")
     assert found.outcome == "unchecked" and r"given is \dot{x} = w, \dot{y} = w" in found.reason
+
+
+CANCELLED = """
+source = "p.md"
+[symbols]
+m = { kind = "scalar", positive = true }
+x = { kind = "scalar", free = true }
+y = { kind = "scalar", free = true }
+[[claim]]
+at = "line 3"
+"""
+
+
+@pytest.mark.parametrize("premise", ["given = ['line 1']", "assume = ['m x = m y']"])
+def test_a_positive_number_of_a_premise_is_not_0(tmp_path: Path, premise: str) -> None:
+    """m x = m y and x = y was refuted at m = 0, since the claim does not speak of m."""
+    (tmp_path / "p.md").write_text("$$ m x = m y $$\n\n$$ x = y $$\n")
+    (tmp_path / "p.toml").write_text(CANCELLED + premise)
+    given, follows = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    assert follows.outcome is Outcome.PROVED
+    assert given.outcome is (Outcome.UNCHECKED if "given" in premise else Outcome.REFUTED)

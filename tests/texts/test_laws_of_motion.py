@@ -137,3 +137,18 @@ def test_a_vector_may_be_the_angular_velocity_of_a_frame(tmp_path: Path) -> None
     meant, false = verdicts(tmp_path, MOMENTUM, MOMENTUM.replace("= J", "= 2 J"), more=FRAMES)
     assert meant.outcome is Outcome.UNCHECKED and "the angular velocity" in meant.reason
     assert false.outcome is Outcome.REFUTED
+
+
+def test_a_vector_of_components_that_nothing_defines_may_be_any(tmp_path: Path) -> None:
+    """The law d/dt H = M with M along the axes of a frame was refuted at M = 0."""
+    axes = "axes = { B = ['\\hat b_x', '\\hat b_y', '\\hat b_z'] }\n"
+    frames = FRAMES.replace('dot = "B"', 'dot = "N"')
+    known = "'\\vec M' = 'x \\hat b_x + y \\hat b_y + F \\hat b_z'\n'\\vec u' = 'c \\hat b_x'\n"
+    law, false = verdicts(
+        tmp_path,
+        r"\frac{d}{dt} (c \hat b_x + k \hat b_y) = \vec M",
+        r"\dot{\vec u} = 2 \vec u",
+        more=known + frames + axes,
+    )
+    assert law.outcome is Outcome.UNCHECKED and "says what" in law.reason
+    assert false.outcome is Outcome.REFUTED

@@ -313,13 +313,15 @@ class Claim:
     def supposed(self) -> tuple[Statement, ...]:
         """The conditions that the text states, what is given, always, and what is declared of its symbols."""
         said, definitions = self.printed.statement, self.notation.definitions
-        declared = () if said is None else definitions.known_of(said)
         given = [formula.statement for formula in self.given]
         if given and said is not None:
             from workbench.judge.subject.assumptions import lasting
 
             given = lasting(given, said, definitions)
-        return (*(formula.statement for formula in self.assume), *given, *declared)
+        premises = (*(formula.statement for formula in self.assume), *given)
+        spoken = premises if said is None else (said, *premises)
+        declared = dict.fromkeys(each for part in spoken for each in definitions.known_of(part))
+        return (*premises, *declared)
 
     @property
     def instances(self) -> list[dict[str, int]]:

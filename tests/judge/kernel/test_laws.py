@@ -250,3 +250,14 @@ def test_what_a_definition_ties_is_no_law() -> None:
 def test_a_law_that_is_assumed_proves() -> None:
     said = check(r"\dot{p} \cdot \ddot{p} = \dot{p} \cdot g", SYMBOLS, assume=[r"\ddot{p} = g"])
     assert said.outcome == Outcome.PROVED
+
+
+@pytest.mark.parametrize(
+    ("rate", "outcome"), [(r"\ddot\phi", "refuted"), (r"\dot\phi", "proved"), (r"2 \dot\phi", "refuted")]
+)
+def test_a_wrong_rate_of_what_is_defined_is_no_law(rate: str, outcome: str) -> None:
+    """ė = φ̈ n of e = (cos φ, sin φ, 0) was a law for φ̈."""
+    columns = {"e": r"\cos\phi \\ \sin\phi", "n": r"-\sin\phi \\ \cos\phi"}
+    known = [rf"{name} = \begin{{bmatrix}} {body} \\ 0 \end{{bmatrix}}" for name, body in columns.items()]
+    symbols = {r"\phi": "scalar", "g": {"kind": "scalar", "constant": True}}
+    assert check(rf"\dot e = {rate} n", symbols=symbols, definitions=known).outcome == outcome

@@ -8,7 +8,7 @@ tells it from a mistaken product rule such as d/dt(f g) = f ġ, which would be a
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from random import Random
@@ -57,6 +57,9 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
         for symbol, order, alone in _occurrences(term, definitions, 0, True):
             kept = found if definitions.lookup(symbol) is None else named
             kept[symbol].append(_Occurrence(side, order, alone))
+    orders = {symbol: inventory.orders.get(symbol, 0) for symbol in found}
+    if any(_rates_a_definition(symbol, named[symbol], orders, definitions) for symbol in named):
+        return None
     for whole, entries in [*((s, (s,)) for s in found), *_composed(named, inventory, definitions)]:
         orders = {inventory.orders.get(symbol, 0) for symbol in entries}
         highest = [o for symbol in entries for o in found[symbol] if o.order in orders]
@@ -73,6 +76,21 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
             if (alone or foreign) and _has_solutions(relation, inventory, definitions, entries, order):
                 return derivative(whole, said.order) if said.order else whole
     return None
+
+
+def _rates_a_definition(
+    defined: Symbol, occurrences: list[_Occurrence], orders: Mapping[Symbol, int], definitions: Lookup
+) -> bool:
+    """Whether the equation takes a rate of what is defined by all that it speaks of, and a higher one beside
+    that: it says what the rate is, be it wrongly, as ė = φ̈ n of e = (cos φ, sin φ)."""
+    inside = _occurrences(defined, definitions, max(each.order for each in occurrences), True)
+    reached = {symbol: order for symbol, order, _ in sorted(inside, key=lambda each: each[1])}
+    is_moved = any(each.order for each in occurrences)
+    return (
+        is_moved
+        and all(symbol in reached for symbol in orders)
+        and any(order > reached[symbol] for symbol, order in orders.items())
+    )
 
 
 def _may_be_given(declared: Declaration) -> bool:

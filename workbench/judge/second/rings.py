@@ -117,6 +117,8 @@ class FloatRing:
         return a / b
 
     def root(self, square: float) -> float:
+        if square < 0:
+            raise NotExact("the root of a negative number")
         return sqrt(square)
 
 

@@ -12,6 +12,7 @@ from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Named, Spelling
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.names import PREFIXES, Name
+from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import (
     Apply,
     Derivative,
@@ -78,9 +79,8 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
     """Whether it is a name or a number beside a scalar, a scalar behind a tensor, a time, t - t_0, or another
     place of a declared argument, of its kind: k + 1 or \\Delta k."""
     value, is_symbol = scope.term(part), is_accented_symbol(function)
-    inside = [each.declaration for each in value.walk() if isinstance(each, Symbol)]
-    if any(each.clock for each in inside):
-        return is_symbol
+    if any(each.clock for each in _outside_of_functions(value)):
+        return is_symbol and not _is_constant(function)
     kinds = (function.type.kind, value.type.kind)
     is_difference = isinstance(value, Symbol) and "scalar" in kinds and not _is_name(part)
     names = {each.name for each in _taken(value) if each.type == value.type}
@@ -91,6 +91,15 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
         return "scalar" in kinds
     is_tensor = function.type.is_square and function.type.kind != "scalar"
     return is_symbol and is_tensor and value.type.kind == "scalar"
+
+
+def _outside_of_functions(value: Term) -> Iterator[Declaration]:
+    """The symbols of t + h, and none of 1 + cos ω t, which is no instant."""
+    if isinstance(value, Symbol):
+        yield value.declaration
+    if not (isinstance(value, Apply) and value.head in CIRCULAR | {"exp"}):
+        for child in value.children:
+            yield from _outside_of_functions(child)
 
 
 def _taken(value: Term) -> Iterator[Declaration]:

@@ -44,11 +44,12 @@ _ENDS = frozenset({".", ",", ";"})
 @dataclass
 class Line:
     """`rows`: of each of its rows the last token, the number and labels. `opens`: whether it begins behind an
-    alignment mark, as what goes on with the line before does."""
+    alignment mark, as what goes on with the line before does. `begins`: that something is before one."""
 
     tokens: list[Token]
     rows: list[tuple[Token, str | None, tuple[str, ...]]]
     opens: bool = False
+    begins: bool = False
 
 
 def lines_of(display: Display, words: Collection[str]) -> list[Line]:
@@ -59,11 +60,11 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
         tokens = respelled(_without_number(row.tokens), words)
         inner = None if several else _inside(tokens)
         for piece in [tokens] if inner is None else _split(inner, "\\\\"):
-            for column, (cell, opens) in enumerate(_columns(_with_implications(piece))):
+            for column, (cell, opens, begins) in enumerate(_columns(_with_implications(piece))):
                 cell = trimmed(cell)
                 if not cell:
                     continue
-                line = Line(cell, [(cell[-1], row.number, row.labels)], opens)
+                line = Line(cell, [(cell[-1], row.number, row.labels)], opens, begins)
                 before = in_column.get(column)
                 if before is not None and _goes_on(before, line):
                     before.tokens = [
@@ -147,30 +148,34 @@ def _goes_on(before: Line, line: Line) -> bool:
     first, last = (_KINDS.get(token.text, "") for token in (line.tokens[0], _stripped(before.tokens)[-1]))
     if first == "IMPLICATION":  # a line of its own: what follows from the one before
         return False
+    if last == "RELATION" and before.begins and line.begins:  # x &= … of a right side that is left out
+        return False
     is_addend = line.opens or not any(token.text in RELATIONS for token in top(line.tokens))
     return _left_open(before.tokens) or goes_on(last, first, is_addend)
 
 
-def _columns(tokens: list[Token]) -> list[tuple[list[Token], bool]]:
-    """The formulas of a row, parted by every second alignment mark, and whether each begins behind one; the
-    two marks of a &=& b part nothing."""
-    cells: list[tuple[list[Token], bool]] = [([], False)]
+def _columns(tokens: list[Token]) -> list[tuple[list[Token], bool, bool]]:
+    """The formulas of a row, parted by every second alignment mark, whether each begins behind one, and
+    whether it has something before one; the two marks of a &=& b part nothing."""
+    cells: list[tuple[list[Token], bool, bool]] = [([], False, False)]
     marks = 0
     around = _around_signs(tokens)
     for token, depth in with_depth(tokens):
-        cell, _ = cells[-1]
+        cell, opens, begins = cells[-1]
         if id(token) in around:
             marks += around[id(token)]
-            cells[-1] = (cell, cells[-1][1] or not _stripped(cell))
+            is_empty = not _stripped(cell)
+            cells[-1] = (cell, opens or is_empty, begins or not (opens or is_empty))
             continue
         if token.text != "&" or depth:
             cell.append(token)
             continue
         marks += 1
         if marks % 2 == 0:
-            cells.append(([], False))
-        elif not _stripped(cell):
-            cells[-1] = (cell, True)
+            cells.append(([], False, False))
+        else:
+            is_empty = not _stripped(cell)
+            cells[-1] = (cell, opens or is_empty, begins or not is_empty)
     return cells
 
 

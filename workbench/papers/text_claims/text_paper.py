@@ -64,6 +64,8 @@ def text_paper(
         or _unusable(claim)
         for at, claim in enumerate(claims)
     ]
+    if any(fault.path[:1] == ("scope",) for fault in faults):  # what is in force anywhere is not known
+        claims = [replace(claim, guessed=(*claim.guessed, "[[scope]]")) for claim in claims]
     functions = {match[1] for each in text.inline if (match := _FUNCTION.fullmatch(_flat(each.latex)))}
     claims = [_perhaps_of(claim, functions) for claim in claims]
     claims = [_with_asides(*each, text.inline) for each in zip(claims, placed, strict=True)]

@@ -21,13 +21,14 @@ from workbench.language.typed.terms import (
     Zero,
     column_of_symbols,
 )
-from workbench.language.typed.types import Declaration
+from workbench.language.typed.types import SCALAR, Declaration
 from workbench.papers.model import Claim
 from workbench.papers.said import SAYS, terms_of
 from workbench.papers.text_claims.unread import left_open, said_unread
 from workbench.papers.texts import Text
 
 _EXAMPLE = "gives the numbers of an example, which nothing defines; a definition makes it a claim"
+_GIVEN = "other formulas follow from it: it is given, and no claim"
 _ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _NO_ADJUGATE = "^* is read as the adjugate, of which the text does not speak; [notation] can say what it is"
 _COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
@@ -37,6 +38,7 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
     """Each claim with what of the text leaves its falsehood open."""
     unread = said_unread(claims, text.inline)
     moving = _moving(claims)
+    given = {formula.statement for claim in claims for formula in claim.given}
     made = []
     for claim in claims:
         statement = claim.printed.statement
@@ -46,7 +48,7 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             open_columns = {each.name for each in symbols if _is_open(claim, each, symbols)}
             loose = [each for each in symbols if each.name not in known - open_columns and not each.free]
             free = [each for each in loose if not claim.notation.definitions.is_pi(each)]
-            why = _of_components(free, claim) or _of_a_star(statement, text)
+            why = _GIVEN if statement in given else _of_components(free, claim) or _of_a_star(statement, text)
             within = _within(claim, symbols)
             says_of = _solved_for(statement, free, within)
             says = None if says_of is None else SAYS.format(says_of)
@@ -93,15 +95,24 @@ def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
 
 
 def _is_open(claim: Claim, column: Declaration, symbols: Sequence[Declaration]) -> bool:
-    """Whether the symbol is a column of symbols that nothing defines and that the claim has nowhere else."""
+    """Whether the symbol is made of components that nothing defines and that the claim has nowhere else."""
     bodies = [each.body for each in claim.notation.definitions if each.declaration == column]
-    parts = column_of_symbols(bodies[0] if len(bodies) == 1 else None)
+    parts = _components_of(bodies[0]) if len(bodies) == 1 else ()
     entries = {part.declaration.name for part in parts if not part.declaration.free}
     if not entries:
         return False
     others = [each for each in symbols if each != column]
     known = {each.declaration.name for each in claim.notation.definitions}
     return entries.isdisjoint(known | {each.name for each in others} | _within(claim, others))
+
+
+def _components_of(body: Term) -> tuple[Symbol, ...]:
+    """The symbols of a column of such, or of x i + y j + z k."""
+    addends = body.arguments if isinstance(body, Apply) and body.head == "add" else ()
+    factors = [part for each in addends for part in each.children]
+    along = tuple(part for part in factors if isinstance(part, Symbol) and part.type == SCALAR)
+    is_sum = len(set(along)) == len(addends) > 1 and body.type.is_column
+    return along if is_sum else column_of_symbols(body)
 
 
 def _within(claim: Claim, symbols: Sequence[Declaration]) -> set[Name]:

@@ -27,7 +27,8 @@ _INLINE = re.compile(r"(?=[^\s$])[^$\n]*?(?<![\s\\])\$(?![\d$])")
 @dataclass(frozen=True)
 class Found:
     """A formula in the view of its text: `view` is what stands inside, `start` and `end` are offsets in the
-    author's file. `environment`: as Display has it. `section`: the heading it stands below."""
+    author's file. `environment`: as Display has it. `section`: the heading it stands below; `passed`: those
+    between it and the formula before it."""
 
     view: View
     start: int
@@ -35,6 +36,7 @@ class Found:
     environment: str = "\\["
     label: str | None = None
     section: str = ""
+    passed: tuple[str, ...] = ()
 
     def named(self, label: str | None) -> Found:
         return replace(self, label=label)

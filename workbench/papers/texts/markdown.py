@@ -24,6 +24,8 @@ _OPTION = re.compile(r"(?m)^[ \t]*:(\w+):[ \t]*(.*)\n?")
 _LABEL = re.compile(r"[ \t]*\(([\w:.-]+)\)[ \t]*(?=\n|\Z)")
 _HEADING = re.compile(r" {0,3}#{1,6}[ \t]+(\S.*)")
 _UNDERLINE = re.compile(r"(?:={3,}|-{3,})[ \t]*")
+#: What stands between --- and --- in a directive.
+_KEY = re.compile(r"[\w-]+:(?:\s|$)")
 _QUOTE = re.compile(r"(?m)^[ \t]*>[ ]?")
 _TICKS = re.compile(r"`+")
 _SINGLE = re.compile(r"(?<![\\$])\$(?!\$)[^$\n]+\$(?!\$)")
@@ -42,9 +44,10 @@ _BRACE = re.compile(r"\\(?:left|right|[bB]igg?[lrm]?)\s*\\[{}]|\\\\|\\?[{}]")
 
 def markdown(view: View) -> Iterator[Found]:
     """The formulas in reading order."""
-    headings = _headings(view.text)
+    headings, position = _headings(view.text), 0
     for found, start in sorted(_all(view), key=lambda pair: pair[1]):
-        yield replace(found, section=headings.at(start))
+        yield replace(found, section=headings.at(start), passed=headings.between(position, start))
+        position = start
 
 
 def _all(view: View) -> Iterator[tuple[Found, int]]:
@@ -225,6 +228,11 @@ class _Headings:
         place = bisect_right(self.starts, position)
         return self.names[place - 1] if place else ""
 
+    def between(self, start: int, end: int) -> tuple[str, ...]:
+        return tuple(
+            self.names[bisect_right(self.starts, start) if start else 0 : bisect_right(self.starts, end)]
+        )
+
 
 def _headings(text: str) -> _Headings:
     searched, _, _ = _without_code(text)
@@ -233,7 +241,7 @@ def _headings(text: str) -> _Headings:
     for line in searched.split("\n"):
         if match := _HEADING.match(line):
             entries.append((start, plain(match[1].rstrip("# \t"))))
-        elif _UNDERLINE.fullmatch(line) and before.strip():
+        elif _UNDERLINE.fullmatch(line) and before.strip() and not _KEY.match(before):
             entries.append((start - len(before) - 1, plain(before)))
         start, before = start + len(line) + 1, line
     return _Headings(entries)

@@ -78,6 +78,8 @@ def _read_found(reader: TexReader, found: Found) -> None:
         reader.run()
         return
     found = within(found)
+    for heading in found.passed:
+        reader.starts.setdefault(heading, len(reader.displays))
     reader.heading = found.section
     opening = Token("\\[", found.view.source, found.start, found.start + 1)
     if (closing := CLOSING.get(found.environment)) is not None:

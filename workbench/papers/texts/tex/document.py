@@ -24,7 +24,8 @@ _VERBATIM = frozenset((
 class Text:
     """What was read. `labels`: label → number. `warnings`: with the file, line and column of each. `fences`:
     macros that could not be expanded and seem to be brackets, each with its body. `inline`: the formulas
-    inside of sentences. `starts`: label outside of displays → place of the display that follows."""
+    inside of sentences. `starts`: heading, or label outside of displays → place of the display that
+    follows."""
 
     path: Path
     sources: list[Source] = field(default_factory=list)
@@ -155,6 +156,7 @@ class TexReader(FileReader):
         starred = self.star()
         self.optional()
         self.heading = plain(joined(self.argument()))
+        self.starts.setdefault(self.heading, len(self.displays))
         self.counters.step_section(name, starred)
 
     def unnumbered(self, token: Token) -> None:

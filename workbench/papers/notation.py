@@ -112,7 +112,7 @@ def _definitions(
             if not scopes:
                 raise
             waiting.append((file, key, body))
-            refused += [error] if file in scopes else []
+            refused += [error] if file is scopes[-1] else []
         else:
             found.append(definition)
     if len(waiting) < len(entries) and refused:
@@ -176,7 +176,8 @@ def _table(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> tuple[Symbo
             specs[key], owners[key] = spec, file
     try:
         bodies = {key: body for _, key, body in _in_scope(files, scopes)}
-        plain, promises = without_promises(specs, bodies)
+        anew = {key for scope in scopes for key in scope.value(("definitions",), dict, {})}
+        plain, promises = without_promises(specs, bodies, anew)
         return SymbolTable.build(plain, frame_labels((*files, *scopes)), bodies), promises
     except SpecError as error:
         raise owners[error.key].error_at_key(("symbols", error.key), str(error)) from None

@@ -35,9 +35,10 @@ _SAYS: Mapping[str, Callable[[Term], Statement]] = {
 
 
 def without_promises(
-    specs: Mapping[str, Mapping[str, Any]], defined: Collection[str]
+    specs: Mapping[str, Mapping[str, Any]], defined: Collection[str], anew: Collection[str] = ()
 ) -> tuple[dict[str, Mapping[str, Any]], list[Promise]]:
-    """The declarations of [symbols], those of defined symbols without what their definitions are to keep."""
+    """The declarations of [symbols], those of defined symbols without what their definitions are to keep.
+    anew: those that a scope defines, which are free before it."""
     plain: dict[str, Mapping[str, Any]] = {}
     promises = []
     for key, spec in specs.items():
@@ -46,6 +47,7 @@ def without_promises(
             flags = [flag for flag in _SAYS if spec.get(flag) is True or spec.get("kind") == flag]
             promises += [Promise(key, flag) for flag in flags]
             kind = "tensor" if "rotation" in flags else spec.get("kind")
+            flags += ["free"] * (key in anew)
             plain[key] = {**{name: said for name, said in spec.items() if name not in flags}, "kind": kind}
     return plain, promises
 

@@ -11,10 +11,12 @@ from functools import cached_property
 
 from workbench.language.definitions import expand
 from workbench.language.typed.construct import apply, derivative, number, relation, zero
+from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.operators import CIRCULAR
-from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term, sides_of
+from workbench.language.typed.terms import Apply, Derivative, IllFormed, Relation, Symbol, Term, sides_of
 from workbench.language.typed.types import Declaration
-from workbench.papers.model import Aside, Claim
+from workbench.papers.formulas import read_statement
+from workbench.papers.model import Aside, Claim, Notation
 from workbench.papers.texts import Display
 
 _WHY = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
@@ -82,6 +84,8 @@ def left_open(
     asides: list[Aside] = []
     for declaration in free:
         for unread in said.get(_flat(str(declaration.name)), ()):
+            if _is_by_definition(unread, claim.notation):
+                continue
             terms = _expanded(claim)
             own = _own(declaration, terms)
             values = unread.asides(own, terms) if own and with_values else []
@@ -89,6 +93,15 @@ def left_open(
                 return _WHY.format(declaration.name, unread), []
             asides += values
     return None, asides
+
+
+def _is_by_definition(unread: Unread, notation: Notation) -> bool:
+    """Whether its sides are the same by what is defined, so that it says nothing."""
+    with suppress(ReadError, IllFormedAt, IllFormed, ValueError):
+        said, _ = read_statement(unread.latex, notation, None)
+        if isinstance(said, Relation):
+            return expand(said.left, notation.definitions) == expand(said.right, notation.definitions)
+    return False
 
 
 def _quarters(right: str) -> int | None:

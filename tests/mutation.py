@@ -3,9 +3,9 @@
     uv run --group mutation python tests/mutation.py judge --sample 400
     uv run --group mutation python tests/mutation.py language --sample 100
 
-pyproject.toml says which files and which tests are meant by these names. mutmut writes the mutants and finds which
-test calls which function. Each mutant of the sample then gets a process of its own, which runs the tests of its
-function, those first that killed others of it, until one fails. A test that takes five times its processor time and
+pyproject.toml says which files and which tests are meant by these names. mutmut writes the mutants; all tests run
+once, to see which of them calls which function. Each mutant of the sample then gets a process of its own, which runs
+the tests of its function, those first that killed others of it, until one fails. A test that takes five times its processor time and
 ten seconds more does not end: that is a kill, too. Mutants that only change a message, or what `zip` asserts, are left
 out. A mutant that no test notices is printed with its difference; those that `survivors.toml` beside the tests
 explains are not tried. One line a file and one a package say how many of the sample were killed, how many are
@@ -26,16 +26,17 @@ import sys
 import time
 import tomllib
 from collections import Counter, defaultdict
-from functools import cache
+from functools import cache, wraps
 from itertools import accumulate, pairwise
 from pathlib import Path
 
 import pytest
+from mutmut.mutation import trampoline
 
 ROOT = Path("mutants").resolve()
 
-#: Which test calls which function; mutmut writes it once all mutants are written, before it looks for a name.
-STATISTICS = ROOT / "mutmut-stats.json"
+#: Which tests call which function, and how long they take.
+STATISTICS = ROOT / "statistics.json"
 
 #: What became of each mutant that was tried.
 RESULTS = ROOT / "results.json"
@@ -47,10 +48,12 @@ SETTINGS = tomllib.loads(Path("pyproject.toml").read_text())["tool"]
 
 #: mutmut with other settings than the file's.
 WRITE = """
-from mutmut.__main__ import cli
+from pathlib import Path
+from mutmut.__main__ import copy_also_copy_files, copy_src_dir, create_mutants
 from mutmut.configuration import config
 vars(config()).update({0})
-cli(["run", "--max-children", "1", "no.such.mutant"])
+Path("mutants").mkdir(exist_ok=True)
+copy_src_dir(), copy_also_copy_files(), create_mutants(1)
 """
 
 MEGABYTES = 3000
@@ -148,16 +151,51 @@ def explained(pool, sample, path):
     return of_classes | {mutant for mutant, key in found.items() if key in said}
 
 
+#: The functions that have been called since a test began.
+called = set()
+
+
+def replaceable(mutants):
+    """In place of what mutmut writes above each function, which costs more than most of them."""
+
+    def decorated(function):
+        @wraps(function)
+        def call(*arguments, **named):
+            called.add(function)
+            return mutants.get("chosen", function)(*arguments, **named)
+
+        return call
+
+    return decorated
+
+
+def choose(mutant):
+    """From here on the mutant is called; also in processes that the tests start."""
+    os.environ["MUTANT_UNDER_TEST"] = mutant
+    module, _, name = mutant.rpartition(".")
+    mutants = vars(sys.modules[module])[f"mutants_{name.partition('__mutmut_')[0]}__mutmut"]
+    mutants["chosen"] = mutants[name]
+
+
+def mutmut_name(function):
+    *owner, name = function.__qualname__.split(".")
+    return f"{function.__module__}.{f'xǁ{owner[0]}ǁ' if owner else 'x_'}{name}"
+
+
+def in_fork(run):
+    """The exit code of a fork of this process that runs it."""
+    process = os.fork()
+    if process:
+        return os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])
+    run()
+    os._exit(0)
+
+
 class Trials:
     """Tries the mutants where pytest would run the tests that it has collected: each in a fork of this process."""
 
-    def __init__(self, names, seconds, until, tell):
-        statistics = json.loads(STATISTICS.read_text())
-        self.by_function = statistics["tests_by_mangled_function_name"]
-        wall = statistics["duration_by_test"]  # of a machine that does other things, too
-        share = min(1.0, statistics["stats_time"] / sum(wall.values()))
-        self.durations = {test: duration * share for test, duration in wall.items()}
-        self.names, self.seconds, self.until, self.tell = names, seconds, until, tell
+    def __init__(self, names, seconds, minutes, tell):
+        self.names, self.seconds, self.minutes, self.tell = names, seconds, minutes, tell
         self.kills = Counter()
 
     def pytest_runtestloop(self, session):
@@ -165,10 +203,12 @@ class Trials:
             raise SystemExit("the tests do not import the mutants")
         items = {item.nodeid: item for item in session.items}
         gc.freeze()  # nothing of it is garbage in a fork
-        if self.outcome("", [items[test] for test in list(items)[:20]]) != "survived":
-            raise SystemExit("tests fail without a mutant")
+        if not STATISTICS.exists() and (result := in_fork(lambda: self.count(session.items))) != 0:
+            raise SystemExit(f"the tests without a mutant ended with {result}; see {KILLER}")
+        self.by_function, self.durations = json.loads(STATISTICS.read_text())
+        end = time.monotonic() + 60 * self.minutes
         for name in self.names:
-            if time.monotonic() > self.until:
+            if time.monotonic() > end:
                 break
             function = name.partition("__mutmut_")[0]
             known = sorted(self.by_function.get(function, ()), key=lambda test: self.place(function, test))
@@ -184,27 +224,36 @@ class Trials:
         """First those that have killed most of the function's, then most of all, then the short ones."""
         return -self.kills[function, test], -self.kills[test], self.durations[test]
 
+    def count(self, items):
+        """Writes which tests call which function, and the processor time of each."""
+        tests, durations = defaultdict(list), {}
+        for item, following in pairwise([*items, None]):
+            called.clear()
+            start = time.process_time()
+            item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
+            durations[item.nodeid] = time.process_time() - start
+            for function in called:
+                tests[mutmut_name(function)].append(item.nodeid)
+        STATISTICS.write_text(json.dumps([tests, durations]))
+
     def outcome(self, mutant, items):
         """ "killed", "does not end", "survived" or what else happened, by the tests in a process of their own."""
-        process = os.fork()
-        if process:
-            _, status = os.waitpid(process, 0)
-            code = os.waitstatus_to_exitcode(status)
-            if code == 1:
-                self.kills.update(
-                    (KILLER.read_text(), (mutant.partition("__mutmut_")[0], KILLER.read_text()))
-                )
-            known = {0: "survived", 1: "killed", -signal.SIGPROF: "does not end"}
-            return known.get(code, f"ended with {code}")
-        signal.signal(signal.SIGPROF, signal.SIG_DFL)
-        resource.setrlimit(resource.RLIMIT_DATA, (MEGABYTES * 10**6, resource.RLIM_INFINITY))
-        nowhere = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nowhere, 1), os.dup2(nowhere, 2)
-        os.environ["MUTANT_UNDER_TEST"] = mutant
-        for item, following in pairwise([*items, None]):
-            signal.setitimer(signal.ITIMER_PROF, 5 * self.durations[item.nodeid] + 10)
-            item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
-        os._exit(0)
+
+        def run():
+            signal.signal(signal.SIGPROF, signal.SIG_DFL)
+            resource.setrlimit(resource.RLIMIT_DATA, (MEGABYTES * 10**6, resource.RLIM_INFINITY))
+            nowhere = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(nowhere, 1), os.dup2(nowhere, 2)
+            choose(mutant)
+            for item, following in pairwise([*items, None]):
+                signal.setitimer(signal.ITIMER_PROF, 5 * self.durations[item.nodeid] + 10)
+                item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
+
+        code = in_fork(run)
+        if code == 1:
+            self.kills.update((KILLER.read_text(), (mutant.partition("__mutmut_")[0], KILLER.read_text())))
+        known = {0: "survived", 1: "killed", -signal.SIGPROF: "does not end"}
+        return known.get(code, f"ended with {code}")
 
     def pytest_runtest_logreport(self, report):
         if report.failed:
@@ -231,15 +280,11 @@ def main():
     parser.add_argument("--more", action="store_true", help="only those of the sample that were never tried")
     parser.add_argument("--as-written", action="store_true", help="the mutants and tests of the last run")
     options = parser.parse_args()
-    until = time.monotonic() + 60 * options.minutes
     chosen = SETTINGS["mutation"][options.which]
     tests = chosen["pytest_add_cli_args_test_selection"]
     if not options.as_written:
-        subprocess.run(
-            [sys.executable, "-P", "-c", WRITE.format(chosen)], check=False, stderr=subprocess.DEVNULL
-        )
-    if not STATISTICS.exists():
-        raise SystemExit("mutmut did not find which test calls which function: see what it printed above")
+        subprocess.run([sys.executable, "-P", "-c", WRITE.format(chosen)], check=True)
+        STATISTICS.unlink(missing_ok=True)
     files = [path.with_suffix("") for glob in chosen["only_mutate"] for path in ROOT.glob(f"{glob}.meta")]
     pool = sorted(name for path in files for name in mutants_of(path))
     named = [name for name in pool if place_of(name).startswith(tuple(options.only))]
@@ -262,8 +307,9 @@ def main():
     os.chdir(ROOT)
     sys.path.insert(0, str(ROOT))
     os.environ["MUTANT_UNDER_TEST"] = ""
+    trampoline.wrap_in_trampoline = replaceable
     quiet = ["--rootdir=.", "-o", "addopts=", "-p", "no:terminal"]
-    if pytest.main([*quiet, *arguments], plugins=[Trials(names, options.seconds, until, tell)]) != 0:
+    if pytest.main([*quiet, *arguments], plugins=[Trials(names, options.seconds, options.minutes, tell)]) != 0:
         raise SystemExit("the tests cannot be collected")
     counts = defaultdict(Counter)
     counted = [name for name in sample if name in equal or name in results]

@@ -12,6 +12,7 @@ from workbench.language.defining import read_definitions
 from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.lines import split_lines
 from workbench.language.grammar.parser import parse
+from workbench.language.grammar.tokens import tokenize
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
@@ -193,6 +194,14 @@ def _tree(latex: str) -> str:
     return written if latex_of(parse(written)) == written else f"{written}, then {latex_of(parse(written))}"
 
 
+def _tokens(latex: str) -> str:
+    """Each with its kind, and the column where it stands."""
+    try:
+        return "  ".join(f"{token.type} {token} {token.start_pos + 1}" for token in tokenize(latex))
+    except Fault as fault:
+        return f"refused {fault.at + 1}: {fault}"
+
+
 #: What is looked up once the definitions are read.
 _ASKED = ("K", "K_0", "K_1", "K_2", "K_3", "K_n", "K_{n+1}", "K(a)", "K_2(a)", "c_1", "c_3", "w_2")
 
@@ -226,6 +235,7 @@ SORTS: dict[str, Callable[[str, SymbolTable], str]] = {
     "formula": _formula,
     "condition": lambda latex, table: _formula(latex, table, True),
     "lines": _lines,
+    "tokens": lambda latex, _: _tokens(latex),
     "tree": lambda latex, _: _tree(latex),
     "symbols": _symbols,
     "definitions": _definitions,

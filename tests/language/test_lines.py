@@ -5,6 +5,7 @@ from itertools import product
 import pytest
 
 from workbench.language.grammar.lines import split_lines
+from workbench.language.grammar.tokens import MOST_CHARACTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
 from workbench.language.typed.errors import ReadError
@@ -124,3 +125,13 @@ def test_a_text_is_cut_into_the_lines_of_a_formula(rows, tmp_path):
     (tmp_path / "paper.tex").write_text(rf"\begin{{document}}\[ {formula} \]\end{{document}}")
     (display,) = read_text(tmp_path / "paper.tex").displays
     assert len(lines_of(display, ())) == len(split_lines(formula)) == count
+
+
+def test_a_formula_of_as_many_characters_as_are_read_has_lines_and_no_longer_one():
+    rows = r"a &= b \\ c &= d"
+    latex = rf"\begin{{aligned}} {' ' * (MOST_CHARACTERS - len(rows) - 30)}{rows} \end{{aligned}}"
+    assert len(latex) == MOST_CHARACTERS
+    assert len(split_lines(latex)) == len(read(latex, TABLE)) == 2
+    assert len(split_lines(f"{latex} ")) == 1
+    with pytest.raises(ReadError, match="column 1: a formula of 20001 characters"):
+        read(f"{latex} ", TABLE)

@@ -20,9 +20,9 @@ def marked(tokens: list[Token]) -> list[Token]:
             alone = before[-1:] in (["SUP"], ["SUB"]) or (
                 before in (["SUP", "LBRACE"], ["SUB", "LBRACE"]) and closes
             )
-            if token == "*" and token.type == "MARK" and before[-1:] and before[-1] in ENDS_A_FACTOR:
+            if token == "*" and token.type == "MARK" and ENDS_A_FACTOR.intersection(before[-1:]):
                 token = Token.new_borrow_pos("INFIX", "*", token)
-            elif token.type != "MARK" and alone:
+            elif alone:
                 text = f"\\{token}" if token.type == "EXTREMAL" else str(token)
                 token = Token.new_borrow_pos("MARK", text, token)
         found.append(token)
@@ -36,7 +36,7 @@ def join_lines(tokens: list[Token]) -> list[Token]:
     in_cases: list[bool] = [False]  # of each environment: whether its lines are the values of a side
     for place, token in enumerate(tokens):
         if token.type == "BEGIN_LINES":
-            in_cases.append(bool(joined) and joined[-1].type == "RELATION")
+            in_cases.append(any(each.type == "RELATION" for each in joined[-1:]))
         elif token.type == "END_LINES":
             in_cases.pop()
         elif token.type == "BREAK" and joined and place + 1 < len(tokens):
@@ -62,7 +62,7 @@ def _relates(tokens: list[Token]) -> bool:
         depth += (token.type in _OPENS) - (token.type in _CLOSES)
         if depth < 0 or (depth == 0 and token.type in ("COMMA", "BREAK", "GIVEN")):
             return False
-        if depth == 0 and token.type in ("RELATION", "IMPLICATION", "AND"):
+        if depth == 0 and token.type == "RELATION":
             return True
     return False
 

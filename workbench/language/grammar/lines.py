@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 
 from workbench.language.grammar.context import join_lines
-from workbench.language.grammar.tokens import Tokenizer
+from workbench.language.grammar.tokens import MOST_CHARACTERS, Tokenizer
 from workbench.language.typed.errors import place
 
 _LEFT_BRACE = re.compile(r"\s*(?:\\left\s*\\\{\s*)?")
@@ -42,7 +42,7 @@ def split_lines(latex: str) -> list[Line]:
     What stands behind the environment (such as ", n \\geq 1") belongs to each line. A map f : A \\to B and
     what f(x) is are one line.
     """
-    if r"\\" not in latex:
+    if r"\\" not in latex or len(latex) > MOST_CHARACTERS:
         return [whole_line(latex)]
     tokenizer = Tokenizer(latex)
     tokens = tokenizer.legible()

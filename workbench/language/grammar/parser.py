@@ -35,7 +35,7 @@ from workbench.language.grammar.syntax import (
     core,
     in_a_row,
 )
-from workbench.language.grammar.tokens import tokenize
+from workbench.language.grammar.tokens import MOST_CHARACTERS, tokenize
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.operators import FUNCTIONS
 
@@ -227,10 +227,6 @@ _NAMES = {
     "END_LINES": "the end of the environment",
     "$END": "the end of the formula",
 }
-
-
-#: A longer formula is not read; none of a book is as long.
-MOST_CHARACTERS = 20_000
 
 
 @lru_cache(maxsize=4096)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from lark import Token
@@ -16,8 +15,8 @@ from workbench.language.grammar.vocabulary import (
     COMMANDS,
     DOTS,
     ENDS_A_FACTOR,
+    ENVIRONMENTS,
     EXPECTED,
-    LINES,
     MATRICES,
     NAMES,
     SIZES,
@@ -38,8 +37,8 @@ _RELATES = re.compile(r"\s*(?:=|:|\\(?:approx|equiv|neq?|triangleq|coloneqq?)(?!
 
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
 
-#: No formula is longer, or nests brackets deeper.
-LONGEST = 50_000
+#: No formula that is read is longer, or nests brackets deeper; none of a book is as long.
+MOST_CHARACTERS = 20_000
 DEEPEST = 40
 
 _TOKEN = re.compile(
@@ -71,12 +70,12 @@ class _Open(NamedTuple):
     contents: str = ""
 
 
-@dataclass
-class _Prescript:
-    """depth: how many brackets are open around it.   argument: which of its three comes."""
+class _Script(NamedTuple):
+    """The first or second argument of \\prescript{A}{B}{x} that is yet to come. depth: how many brackets are
+    open around it."""
 
     depth: int
-    argument: int = 1
+    below: bool
 
 
 def tokenize(text: str) -> Iterator[Token]:
@@ -95,13 +94,11 @@ class Tokenizer:
         self.alignments: list[tuple[int, int]] = []
         self.out: list[Token] = []
         self.open: list[_Open] = []
-        self.size: str | None = None  # a pending \left, \right, \bigl …
-        self.prescripts: list[_Prescript] = []
-        self.refused: Fault | None = None  # told if the brackets match
+        self.size = ""  # a pending \left, \right, \bigl …
+        self.scripts: list[_Script] = []
+        self.refused: list[Fault] = []  # the first is told if the brackets match
 
     def tokens(self) -> list[Token]:
-        if len(self.text) > LONGEST:
-            raise Fault(f"a formula of {len(self.text)} characters; at most {LONGEST} are read", LONGEST)
         if found := _CONTROL.search(self.text):
             raise Fault(f"the character U+{ord(found[0]):04X} cannot stand in a formula", found.start())
         for match in _TOKEN.finditer(self.text):
@@ -113,22 +110,24 @@ class Tokenizer:
         if self.size:
             raise Fault(f"\\{self.size} without a bracket", len(self.text))
         if self.refused:
-            raise self.refused
+            raise self.refused[0]
         return join_lines(marked(self.out))
 
     def legible(self) -> list[Token]:
         """What can be told of the tokens of a formula that may be garbled, its lines not yet joined."""
-        if len(self.text) > LONGEST:
-            return []
         for match in _TOKEN.finditer(self.text):
             try:
                 self.match(match)
             except Fault:
-                self.size = None
+                self.size = ""
         return marked(self.out)
 
     def emit(self, kind: str, value: str, at: int) -> None:
         self.out.append(Token(kind, value, start_pos=at, end_pos=self.end))
+
+    def ends(self, *kinds: str) -> bool:
+        """Whether the last token is of one of these kinds."""
+        return any(token.type in kinds for token in self.out[-1:])
 
     def match(self, match: re.Match[str]) -> None:
         kind, text, at = match.lastgroup, match[0], match.start()
@@ -141,9 +140,9 @@ class Tokenizer:
             case "defined" | "assign":
                 self.emit("RELATION", "=", at)
             case "ring":
-                self.command("mathring", text, at)
+                self.command("mathring", at)
             case "prose":
-                if self.out and self.out[-1].type not in ("BREAK", "BEGIN_LINES"):
+                if self.out and not self.ends("BREAK", "BEGIN_LINES"):
                     raise Fault(f"{text}: words in a formula", at)
             case "said":
                 raise Fault(words_in_a_formula(text), at)
@@ -152,18 +151,18 @@ class Tokenizer:
             case "name":
                 self.environment(match["environment"], match["name"], at)
             case "newline":
-                self.emit("ROW" if self.inside() == "matrix" else "BREAK", text, at)
+                self.emit("ROW" if self.inside("matrix") else "BREAK", text, at)
             case "function":
                 self.emit("FUNCTION", text, at)
             case "command":
-                self.command(match["command"], text, at)
-            case "number" if self.out and self.out[-1].type == "FRACTION" and len(text) == 2:
+                self.command(match["command"], at)
+            case "number" if self.ends("FRACTION") and len(text) == 2:
                 self.emit("NUMBER", text[0], at)  # \frac12
                 self.emit("NUMBER", text[1], at + 1)
             case "number":
                 self.emit("NUMBER", text, at)
             case "letters":
-                if len(text) > 1 and self.out and self.out[-1].type in ("SUB", "SUP"):
+                if self.ends("SUB", "SUP"):
                     self.emit("LETTER", text[0], at)  # k_Re is k_R e
                     at, text = at + 1, text[1:]
                 if text in FUNCTIONS:
@@ -181,7 +180,7 @@ class Tokenizer:
 
     def words(self, text: str, words: str, at: int) -> None:
         plain = " ".join(words.replace(",", " ").split()).rstrip(".")
-        is_script = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
+        is_script = self.ends("SUB", "SUP")
         is_label = is_script or [token.type for token in self.out[-2:]] == ["SUB", "LBRACE"]
         is_name = plain[-1:].isalpha() or plain[:1].isdecimal()  # 3-2-1
         if is_label and is_name and not (plain in FUNCTIONS and not is_script):
@@ -193,7 +192,7 @@ class Tokenizer:
         elif plain and not text.startswith("\\op") and (self.in_script() or is_upright(text, plain)):
             self.label(words.strip(" ,."), at)
         elif plain in EXPECTED:
-            self.refused = self.refused or Fault(f"{text}: {EXPECTED[plain]}", at)
+            self.refused.append(Fault(f"{text}: {EXPECTED[plain]}", at))
         elif plain in UPRIGHT_NAMES or (text.startswith("\\operatorname") and plain.isalpha()):
             self.emit("FUNCTION", f"\\{plain}", at)  # the paper may say what it is
         elif plain:
@@ -201,19 +200,16 @@ class Tokenizer:
 
     def in_script(self) -> bool:
         """Whether what comes is a script, or the first letter of what comes."""
-        opens = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
-        return opens or any(opened.contents == "script" for opened in self.open)
+        return self.ends("SUB", "SUP") or any(opened.contents == "script" for opened in self.open)
 
     def joining(self, kind: str, word: str, at: int) -> None:
         """ "and", "where" and the like: a comma before them goes; "for all" without one begins conditions."""
         if kind == "FORALL":
-            if self.out and self.out[-1].type not in _OPENS_A_CLAUSE:
+            if self.out and not self.ends(*_OPENS_A_CLAUSE):
                 self.emit("GIVEN", word, at)
-        elif self.out and self.out[-1].type == "COMMA":
+        elif self.ends("COMMA"):
             self.out.pop()
-        if kind == "GIVEN" and self.out and self.out[-1].type == "GIVEN":
-            return
-        if not (kind == "AND" and self.out and self.out[-1].type == "GIVEN"):
+        if not (kind in ("GIVEN", "AND") and self.ends("GIVEN")):
             self.emit(kind, {"IMPLICATION": "⇔", "FORALL": "∀"}.get(kind, word), at)
 
     def label(self, letters: str, at: int, braced: bool = False) -> None:
@@ -223,16 +219,17 @@ class Tokenizer:
             self.emit("LBRACE", "{", at)
         if letters[:1].isdecimal():
             self.emit("NUMBER", letters.replace("-", ""), at)
-        for i, letter in enumerate(letters):
+        for letter in letters:
             if letter == ",":
-                self.emit("COMMA", ",", at + i)
+                self.emit("COMMA", letter, at)
             elif letter.isalpha():
                 self.emit("STYLE", "\\mathrm", at)
-                self.emit("LETTER", letter, at + i)
+                self.emit("LETTER", letter, at)
         if braced:
             self.emit("RBRACE", "}", at)
 
-    def command(self, name: str, text: str, at: int) -> None:
+    def command(self, name: str, at: int) -> None:
+        text = f"\\{name}"
         if name in SPACING or name.isspace():
             return
         if name in SIZES:
@@ -240,7 +237,7 @@ class Tokenizer:
         elif name == "prescript":
             for kind, value in (("LBRACE", "{"), ("RBRACE", "}"), ("SUP", "^")):
                 self.emit(kind, value, at)
-            self.prescripts.append(_Prescript(len(self.open)))
+            self.scripts += [_Script(len(self.open), below) for below in (True, False)]
         elif text in BRACKETS:
             self.bracket(text, at)
         elif name in COMMANDS:
@@ -250,40 +247,39 @@ class Tokenizer:
         elif name in DOTS:
             raise Fault(guessed(text), at)
         elif name in EXPECTED:
-            self.refused = self.refused or Fault(f"{text}: {EXPECTED[name]}", at)
+            self.refused.append(Fault(f"{text}: {EXPECTED[name]}", at))
         else:
             raise Fault(f"unknown command {text}", at)
 
     def bound_prefixes(self, kind: str, at: int) -> None:
         """\\dot\\dot\\dot… nests without brackets."""
-        if kind in ("ACCENT", "STYLE") and all(t.type == kind for t in self.out[-9:]) and len(self.out) > 8:
+        if kind in ("ACCENT", "STYLE") and [token.type for token in self.out[-9:]] == [kind] * 9:
             raise Fault("more than nine accents on one another", at)
 
     def character(self, text: str, at: int) -> None:
         if text in CHARACTERS:
             self.emit(*CHARACTERS[text], at)
         elif text == "{":
-            if self.prescript_at(2):
+            if any(script.below for script in self.script_here()):
                 self.emit("SUB", "_", at)
-            is_script = bool(self.out) and self.out[-1].type in ("SUB", "SUP")
-            self.push("{", at, "script" if is_script else "")
+            self.push(text, at, "script" * self.ends("SUB", "SUP"))
             self.emit("LBRACE", text, at)
         elif text == "}":
-            self.pop("{", "}", at)
-            if self.prescript_at(1, 2) and [t.type for t in self.out[-1:]] == ["LBRACE"]:
+            self.pop("{", text, at)
+            is_script = bool(self.script_here())
+            if is_script and self.ends("LBRACE"):
                 del self.out[-2:]  # a script that is empty
             else:
                 self.emit("RBRACE", text, at)
-            if self.prescript_at(1, 2, 3):
-                self.prescripts[-1].argument += 1
+            if is_script:
+                self.scripts.pop()
         elif text == "&":
-            inside = self.inside()
-            if inside == "cases" and not _RELATES.match(self.text, at + 1):
-                self.joining("GIVEN", "if", at)  # the value, and behind the mark its condition
-            elif inside == "matrix":
+            if self.inside("cases") and not _RELATES.match(self.text, at + 1):
+                self.joining("GIVEN", text, at)  # the value, and behind the mark its condition
+            elif self.inside("matrix"):
                 if self.text[at - 1 : at] != "&":  # && leaves room between two columns
                     self.emit("CELL", text, at)
-            elif inside in ("lines", "cases"):
+            elif self.inside("lines", "cases"):
                 self.alignments.append((at, sum(each.what.startswith("\\begin") for each in self.open)))
             else:
                 raise Fault("& outside of a matrix or an aligned environment", at)
@@ -298,38 +294,31 @@ class Tokenizer:
         elif text in BRACKETS:
             self.bracket(text, at)
         elif text in EXPECTED:
-            self.refused = self.refused or Fault(f"{text}: {EXPECTED[text]}", at)
+            self.refused.append(Fault(f"{text}: {EXPECTED[text]}", at))
         elif text == "/":
             self.emit("MARK" if self.in_script() else "INFIX", text, at)  # r^{P/O}
         else:
             raise Fault(f"unexpected character {text!r} (U+{ord(text):04X})", at)
 
-    def prescript_at(self, *arguments: int) -> bool:
-        """Whether a brace here is that of one of these arguments of \\prescript{A}{B}{x}, {}^A_B x."""
-        while self.prescripts and self.prescripts[-1].argument > 3:
-            self.prescripts.pop()
-        open_ = self.prescripts[-1] if self.prescripts else None
-        return open_ is not None and open_.argument in arguments and open_.depth == len(self.open)
+    def script_here(self) -> list[_Script]:
+        """The argument of \\prescript that a brace here is one of."""
+        return [script for script in self.scripts[-1:] if script.depth == len(self.open)]
 
     def null_delimiter(self, at: int) -> None:
         """\\left\\{ \\begin{array} … \\right. is a brace around lines; no other bracket is one-sided."""
-        size, self.size = self.size, None
-        if size != "right" or not self.open or self.open[-1].what != "\\left\\{":
+        size, self.size = self.size, ""
+        if size != "right" or not self.is_open("\\left\\{"):
             raise Fault(f"a one-sided bracket \\left. or \\right.; {_EVALUATED}", at)
         self.open.pop()
 
     def bracket(self, text: str, at: int) -> None:
         kind, side = BRACKETS[text]
-        size, self.size = self.size, None
+        size, self.size = self.size, ""
         if size == "left" and kind == "\\{" and re.match(r"\s*\\begin", self.text[at + len(text) :]):
-            self.open.append(_Open("\\left\\{", at, "lines"))
-            return
-        if side == 0 and size is None and self.parts_a_script(text, at):
+            self.push("\\left\\{", at)
+        elif side == 0 and not size and self.parts_a_script(text, at):
             self.emit("MARK", text, at)
-            return
-        if side == 0:
-            side = self.side_of_bar(kind, size)
-        if side > 0:
+        elif side > 0 or (side == 0 and self.opens(kind, size)):
             self.push(kind, at)
             self.emit("OPEN", kind, at)
         else:
@@ -339,37 +328,30 @@ class Tokenizer:
     def parts_a_script(self, bar: str, at: int) -> bool:
         """The one bar of x_{t|t-1} or v_{\\|} is no bracket."""
         rest = self.text[at + len(bar) :].partition("}")[0]
-        return bool(self.open) and self.open[-1].contents == "script" and bar not in rest
+        return self.inside("script") and bar not in rest
 
-    def side_of_bar(self, kind: str, size: str | None) -> int:
-        if size and size.endswith(("l", "left")):
-            return 1
-        if size and size.endswith(("r", "right")):
-            return -1
-        closes = self.open and self.open[-1].what == kind and self.out[-1].type in ENDS_A_FACTOR
-        return -1 if closes else 1
+    def opens(self, kind: str, size: str) -> bool:
+        """Whether a bar is an opening one."""
+        if size.endswith(("l", "left", "r", "right")):
+            return size.endswith(("l", "left"))
+        return not (self.is_open(kind) and self.ends(*ENDS_A_FACTOR))
 
     def environment(self, side: str, name: str, at: int) -> None:
-        behind = self.text[at:].partition(f"\\end{{{name}}}")[2].lstrip()
-        in_brace = [each.what for each in self.open[-1:]] == ["\\left\\{"] and behind.startswith("\\right.")
-        if name == "array" or (name == "matrix" and in_brace):
-            is_matrix = bool(self.out) and self.out[-1].type == "OPEN" if side == "begin" else None
-        elif name in MATRICES | LINES:
-            is_matrix = name in MATRICES
-        else:
-            known = ", ".join(sorted(MATRICES | LINES | {"array"}))
-            raise Fault(f"unknown environment {name}; known: {known}", at)
-        if side == "begin" and name == "vmatrix":
-            self.emit("FUNCTION", "\\det", at)
-        if side == "begin":
-            is_side = [token.type for token in self.out[-1:]] == ["RELATION"]
-            lines = "cases" if is_side and (name == "cases" or in_brace) else "lines"
-            self.push(f"\\begin{{{name}}}", at, "matrix" if is_matrix else lines)
-            self.emit("BEGIN_MATRIX" if is_matrix else "BEGIN_LINES", name, at)
-        else:
-            kind = self.inside()
+        if name not in ENVIRONMENTS:
+            raise Fault(f"unknown environment {name}; known: {', '.join(sorted(ENVIRONMENTS))}", at)
+        if side == "end":
+            is_matrix = self.inside("matrix")
             self.pop(f"\\begin{{{name}}}", f"\\end{{{name}}}", at)
-            self.emit("END_MATRIX" if kind == "matrix" else "END_LINES", name, at)
+            self.emit("END_MATRIX" if is_matrix else "END_LINES", name, at)
+            return
+        in_brace = self.is_open("\\left\\{")
+        undecided = name == "array" or (name == "matrix" and in_brace)
+        is_matrix = self.ends("OPEN") if undecided else name in MATRICES
+        if name == "vmatrix":
+            self.emit("FUNCTION", "\\det", at)
+        in_cases = self.ends("RELATION") and (name == "cases" or in_brace)
+        self.push(f"\\begin{{{name}}}", at, "matrix" if is_matrix else "cases" if in_cases else "lines")
+        self.emit("BEGIN_MATRIX" if is_matrix else "BEGIN_LINES", name, at)
 
     def push(self, what: str, at: int, contents: str = "") -> None:
         if len(self.open) >= DEEPEST:
@@ -383,6 +365,10 @@ class Tokenizer:
         if opened.what != what:
             raise Fault(f"{text} cannot close the {opened.what} opened before it", at)
 
-    def inside(self) -> str:
-        """What the innermost bracket or environment holds: "matrix", "lines" or ""."""
-        return self.open[-1].contents if self.open else ""
+    def is_open(self, what: str) -> bool:
+        """Whether it is the innermost bracket or environment."""
+        return any(each.what == what for each in self.open[-1:])
+
+    def inside(self, *contents: str) -> bool:
+        """Whether that holds one of these: "matrix", "lines", "cases", "script"."""
+        return any(each.contents in contents for each in self.open[-1:])

@@ -151,6 +151,7 @@ MATRICES = frozenset(
     {"matrix", "bmatrix", "pmatrix", "Bmatrix", "smallmatrix", "bsmallmatrix", "psmallmatrix", "vmatrix"}
 )
 LINES = frozenset({"cases", "aligned", "align", "align*", "gathered", "split"})
+ENVIRONMENTS = MATRICES | LINES | {"array"}
 
 #: Relations of two vectors, and the product that is then zero.
 ORIENTATIONS = {"\\perp": "dot", "\\parallel": "cross"}

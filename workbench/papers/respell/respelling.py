@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
-from workbench.language.grammar.parser import MOST_CHARACTERS
+from workbench.language.grammar.tokens import MOST_CHARACTERS
 from workbench.language.grammar.vocabulary import WORDS
 from workbench.papers.respell.between import bar_of_a_set
 from workbench.papers.respell.by_hand import as_read, everywhere

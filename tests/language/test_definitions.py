@@ -13,7 +13,7 @@ from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions, expand
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
-from workbench.language.reader import read_term
+from workbench.language.reader import read, read_term
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.instances import instantiate
 from workbench.language.typed.terms import IllFormed, Symbol, Term
@@ -299,3 +299,23 @@ def test_the_letter_of_a_symbol_is_a_label_of_what_is_defined_by_that_symbol() -
     definition, after = read_definition("f_l", r"f + f \times l", table)
     assert (definition.declaration, definition.index) == (read_term("f_l", table).declaration, ())
     assert to_latex(Definitions([definition]).lookup(read_term("f_l", after))) == r"f + f \times l"
+
+
+QUARTER = (r"\cos\left(\frac{\pi}{2}\right) = 0", r"\sin\left(\frac{\pi}{2}\right) = 1")
+
+
+@pytest.mark.parametrize(
+    ("latex", "known"),
+    [
+        (r"\sin(s + \pi/2) = m", {r"m \neq 0", *QUARTER}),
+        (r"\cos(s - 2 \pi) = \pi", set()),
+        (r"\cos(s \pi) = s", set()),
+        (r"\cos(-\pi/3 + s) = \cos s", {*QUARTER}),
+        ("s = m s", {r"m \neq 0"}),
+        ("s = s", set()),
+    ],
+)
+def test_of_pi_and_of_what_is_positive_something_is_known(latex, known):
+    table = SymbolTable.build({"s": {"kind": "scalar"}, "m": {"kind": "scalar", "positive": True}})
+    (statement,) = read(latex, table)
+    assert set(map(to_latex, Definitions().known_of(statement))) == known

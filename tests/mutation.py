@@ -309,7 +309,8 @@ def main():
     os.environ["MUTANT_UNDER_TEST"] = ""
     trampoline.wrap_in_trampoline = replaceable
     quiet = ["--rootdir=.", "-o", "addopts=", "-p", "no:terminal"]
-    if pytest.main([*quiet, *arguments], plugins=[Trials(names, options.seconds, options.minutes, tell)]) != 0:
+    trials = Trials(names, options.seconds, options.minutes, tell)
+    if pytest.main([*quiet, *arguments], plugins=[trials]) != 0:
         raise SystemExit("the tests cannot be collected")
     counts = defaultdict(Counter)
     counted = [name for name in sample if name in equal or name in results]

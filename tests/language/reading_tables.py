@@ -97,6 +97,7 @@ def tables() -> dict[str, SymbolTable]:
         turns={"B": read_term("R", spins)},
         dot="A",
     )
+    labels = SymbolTable.build(kinds(LABELS))
     points = replace(plain, directions=frozenset({Name("e"), Name("y")}))
     return {
         "plain": plain,
@@ -107,9 +108,10 @@ def tables() -> dict[str, SymbolTable]:
         "frames": frames,
         "frames without a dot": replace(frames, dot=None),
         "arguments": replace(plain, arguments=frozenset({Name("q", sub=("1",))})),
+        "instants": replace(labels, arguments=frozenset({Name("t", sub=("0",))})),
         "points": points,
         "moved points": replace(points, keeps_points=True),
-        "labels": SymbolTable.build(kinds(LABELS)),
+        "labels": labels,
         "own": SymbolTable.build(kinds(OWN) | OWN_TRAITS),
     } | {word: replace(plain, loose=frozenset({word})) for word in ("dyads", "unit", "values")}
 

@@ -94,6 +94,11 @@ def test_a_law_may_stand_in_a_sentence(tmp_path: Path) -> None:
     assert false.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL)
 
 
+def test_a_rate_and_a_higher_one_have_laws_each(tmp_path: Path) -> None:
+    *_, held = verdicts(tmp_path, r"\dot x = F", r"\ddot x = \dot F", r"\dot x \ddot x = F \dot F")
+    assert held.outcome is Outcome.CONDITIONAL
+
+
 def test_two_laws_for_one_rate_contradict_nothing(tmp_path: Path) -> None:
     """They are of two motions; the later one is not false."""
     for each in verdicts(tmp_path, r"\ddot x = -k x", r"\ddot x = -k x - c \dot x", r"\ddot x = k"):

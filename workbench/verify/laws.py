@@ -19,13 +19,13 @@ def laws_of(claim: Claim) -> list[Said]:
     reached = dict(_inventory(claim.printed.statement, claim.notation).orders)
     known = [(law, _given(law.statement, claim.notation)) for law in _before(claim)]
     found: list[Said] = []
-    covered: set[Symbol] = set()
+    covered: set[tuple[Symbol, int]] = set()
     for _ in known:
         for law, rates in known:
-            is_new = law not in found and not covered & rates.keys()
+            is_new = law not in found and not covered & rates.items()
             if is_new and _reaches(reached, rates) and not _turns_on(reached, rates):
                 found.append(law)
-                covered |= rates.keys()
+                covered |= rates.items()
                 for symbol, order in _inventory(law.statement, claim.notation).orders.items():
                     reached[symbol] = max(order, reached.get(symbol, 0))
     return found

@@ -17,6 +17,7 @@ import numpy as np
 
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import FloatRing, PointSource, RationalRing, sample
+from workbench.judge.subject import reached
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parts
 from workbench.language.typed.construct import derivative
@@ -118,8 +119,16 @@ def _is_moved_by(entries: tuple[Symbol, ...], whole: Symbol, definitions: Lookup
 
 
 def _free_inside(term: Term, definitions: Lookup) -> dict[Symbol, None]:
-    found = (symbol for symbol, *_ in _occurrences(term, definitions, 0, True))
-    return dict.fromkeys(symbol for symbol in found if definitions.lookup(symbol) is None)
+    """The free symbols in the term and in the definitions there, and what such are functions of."""
+    found: dict[Symbol, None] = {}
+    waiting = [term]
+    while waiting:
+        parts = (part for part in reached(waiting.pop(), definitions) if isinstance(part, Symbol))
+        for part in parts:
+            if part not in found and definitions.lookup(part) is None:
+                found[part] = None
+                waiting += part.declaration.of
+    return found
 
 
 def _occurrences(

@@ -83,3 +83,27 @@ def test_a_unit_matrix_has_the_letter_of_another_one(tmp_path: Path) -> None:
     meant, also, false = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
     assert [each.outcome for each in (meant, also)] == [Outcome.UNCHECKED] * 2
     assert "the unit matrix I" in meant.reason and false.outcome is Outcome.REFUTED
+
+
+COORDINATES = """source = 'p.md'
+[symbols]
+q_n = { kind = "scalar", independent = true }
+x = { kind = "vector", of = ['q_1', 'q_2'] }
+[definitions]
+'g_n' = '\\frac{\\partial x}{\\partial q_n}'
+"""
+
+
+def test_what_the_slopes_of_any_function_are_said_to_be_is_a_condition_on_it(tmp_path: Path) -> None:
+    """Of coordinates that are to be orthogonal, in words of any language; a false identity is no condition."""
+    square = r"\dot x^2 = (g_1 \dot q_1)^2 + (g_2 \dot q_2)^2"
+    formulas = [r"g_1 \cdot g_2 = 0", square, r"\frac{\partial \dot x}{\partial q_1} = 2 \dot g_1"]
+    (tmp_path / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in formulas))
+    (tmp_path / "p.toml").write_text(COORDINATES)
+    condition, follows, false = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    assert condition.outcome is Outcome.UNCHECKED and "a condition on x" in condition.reason
+    assert follows.outcome is Outcome.UNCHECKED and "(L1)" in follows.reason
+    assert false.outcome is not Outcome.PROVED
+    (tmp_path / "p.toml").write_text(COORDINATES.replace("'q_2'] }", "'q_2'], free = true }"))
+    free, *_ = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    assert free.outcome is Outcome.REFUTED

@@ -77,12 +77,13 @@ class Definitions:
                     waiting += [definition.body for definition in self.about(part)]
 
     def known_of(self, statement: Statement) -> Iterator[Relation]:
-        """Of all that the statement speaks of: that what is declared positive is not 0; the cosine and sine
-        of π/2, where one of π is taken."""
+        """Of all that the statement speaks of: that what is declared positive is not 0, nor π; the cosine and
+        sine of π/2, where one of π is taken."""
         reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
         found = [part for part in reached if isinstance(part, Symbol)]
         yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)
         pis = [part for part in found if self.is_pi(part.declaration)]
+        yield from (relation("≠", pi, zero()) for pi in pis)
         sides = [expand(side, self) for side in sides_of(statement)] if pis else []
         for pi in [each for each in pis if all(only_turns(side, each) for side in sides)]:
             quarter = apply("div", pi, number(2))

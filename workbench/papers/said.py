@@ -13,7 +13,7 @@ from dataclasses import replace
 from workbench.language.definitions import Definitions, expand
 from workbench.language.grammar.vocabulary import COMMANDS
 from workbench.language.typed.names import Name
-from workbench.language.typed.operators import CIRCULAR
+from workbench.language.typed.operators import CIRCULAR, PARTIALS
 from workbench.language.typed.terms import (
     Apply,
     Block,
@@ -124,6 +124,7 @@ def with_said(claims: Sequence[Claim]) -> list[Claim]:
             symbol, definition = found
             is_framed = symbol.declaration.name in notation.framed
             about = free_in([symbol], notation.definitions) if is_framed else {symbol.declaration}
+        about |= conditioned(statement, notation.definitions)
         for declaration in about:
             name = str(symbol.declaration.name if found else declaration.name)
             saying = Said(name, claim.id, definition, statement, claim.supposed, claim.orders)
@@ -157,6 +158,21 @@ def _moving(claim: Claim) -> set[Declaration]:
     parts = (part for side in sides_of(statement) for part in definitions.reached(side))
     free = free_in((part.body for part in parts if isinstance(part, Derivative)), definitions)
     return {each for each in free if not (each.constant or each.free or each.clock)}
+
+
+def conditioned(statement: Statement, definitions: Definitions) -> set[Declaration]:
+    """The functions, of which no more is said, whose slopes are said to make a number: those of coordinates
+    that are orthogonal by e_n · e_m = 0."""
+    known = {definition.declaration.name for definition in definitions}
+    found: set[Declaration] = set()
+    for said in _equations(statement):
+        sides = (said.left, said.right)
+        is_number = [not any(isinstance(part, Symbol) for part in side.walk()) for side in sides]
+        parts = [part for side in sides for part in definitions.reached(side)]
+        if any(is_number) and any(isinstance(part, Apply) and part.head in PARTIALS for part in parts):
+            symbols = (part.declaration for part in parts if isinstance(part, Symbol))
+            found |= {each for each in symbols if each.of and not each.free and each.name not in known}
+    return found
 
 
 def _rests(

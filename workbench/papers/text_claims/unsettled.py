@@ -23,7 +23,7 @@ from workbench.language.typed.terms import (
 )
 from workbench.language.typed.types import SCALAR, Declaration
 from workbench.papers.model import Claim
-from workbench.papers.said import SAYS, terms_of
+from workbench.papers.said import SAYS, conditioned, terms_of
 from workbench.papers.text_claims.unread import left_open, said_unread
 from workbench.papers.texts import Text
 
@@ -48,7 +48,10 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             open_columns = {each.name for each in symbols if _is_open(claim, each, symbols)}
             loose = [each for each in symbols if each.name not in known - open_columns and not each.free]
             free = [each for each in loose if not claim.notation.definitions.is_pi(each)]
-            why = _GIVEN if statement in given else _of_components(free, claim) or _of_a_star(statement, text)
+            why = _of_components(free, claim) or _of_a_star(statement, text)
+            for function in conditioned(statement, claim.notation.definitions):
+                why = f"a condition on {function.name}, of which nothing else is said?"
+            why = _GIVEN if statement in given else why
             within = _within(claim, symbols)
             says_of = _solved_for(statement, free, within)
             says = None if says_of is None else SAYS.format(says_of)

@@ -308,10 +308,10 @@ QUARTER = (r"\cos\left(\frac{\pi}{2}\right) = 0", r"\sin\left(\frac{\pi}{2}\righ
 @pytest.mark.parametrize(
     ("latex", "known"),
     [
-        (r"\sin(s + \pi/2) = m", {r"m \neq 0", PI, *QUARTER}),
+        (r"\sin(s + \pi/2) = m", {r"m \neq 0", *QUARTER}),
         (r"\cos(s - 2 \pi) = \pi", {PI}),
         (r"\cos(s \pi) = s", {PI}),
-        (r"\cos(-\pi/3 + s) = \cos s", {PI, *QUARTER}),
+        (r"\cos(-\pi/3 + s) = \cos s", {*QUARTER}),
         ("s = m s", {r"m \neq 0"}),
         ("s = s", set()),
     ],

@@ -77,18 +77,20 @@ class Definitions:
                     waiting += [definition.body for definition in self.about(part)]
 
     def known_of(self, statement: Statement) -> Iterator[Relation]:
-        """Of all that the statement speaks of: that what is declared positive is not 0, nor π; the cosine and
-        sine of π/2, where one of π is taken."""
+        """Of all that the statement speaks of: that what is declared positive is not 0; of π the same, or, where
+        only sines and the like hold it, the cosine and sine of its half."""
         reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
         found = [part for part in reached if isinstance(part, Symbol)]
         yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)
         pis = [part for part in found if self.is_pi(part.declaration)]
-        yield from (relation("≠", pi, zero()) for pi in pis)
         sides = [expand(side, self) for side in sides_of(statement)] if pis else []
-        for pi in [each for each in pis if all(only_turns(side, each) for side in sides)]:
+        for pi in pis:
             quarter = apply("div", pi, number(2))
-            yield relation("=", apply("cos", quarter), zero())
-            yield relation("=", apply("sin", quarter), number(1))
+            if all(only_turns(side, pi) for side in sides):
+                yield relation("=", apply("cos", quarter), zero())
+                yield relation("=", apply("sin", quarter), number(1))
+            else:
+                yield relation("≠", pi, zero())
 
     def is_pi(self, declaration: Declaration) -> bool:
         """Whether it is the number π, which a model may leave undeclared, and no symbol that is any."""

@@ -77,8 +77,8 @@ class Definitions:
                     waiting += [definition.body for definition in self.about(part)]
 
     def known_of(self, statement: Statement) -> Iterator[Relation]:
-        """Of all that the statement speaks of: that what is declared positive is not 0; of π the same, or, where
-        only sines and the like hold it, the cosine and sine of its half."""
+        """Of all that the statement speaks of: that what is declared positive is not 0; that π is not, or,
+        where only sines and the like hold it, the cosine and sine of its half."""
         reached = dict.fromkeys(part for side in sides_of(statement) for part in self.reached(side))
         found = [part for part in reached if isinstance(part, Symbol)]
         yield from (relation("≠", part, zero()) for part in found if part.declaration.positive)

@@ -56,3 +56,11 @@ def test_one_that_is_not_seen_to_is_refused_at_its_place(
     ) as told:
         load_paper(written(tmp_path, kind, flags, body, "X = X"))
     assert told.value.line == 9
+
+
+def test_a_letter_that_is_a_symbol_is_no_index_of_what_is_kept(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("$$ \\dot X_m = 0 $$")
+    symbols = "X_m = { kind = 'scalar', constant = true }\nm = { kind = 'scalar', constant = true }\n"
+    (tmp_path / "p.toml").write_text(f"source = 'p.md'\n[symbols]\n{symbols}[definitions]\nX_m = '2 m'\n")
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.outcome is Outcome.PROVED

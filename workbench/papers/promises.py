@@ -7,9 +7,10 @@ from typing import Any, NamedTuple
 
 from workbench.language.definitions import Definitions
 from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.construct import apply, derivative, identity, number, relation, symbol, zero
-from workbench.language.typed.terms import Conjunction, Statement, Term
+from workbench.language.typed.terms import Conjunction, IllFormed, Statement, Term
 from workbench.papers.toml.toml_file import TomlFile
 
 
@@ -57,8 +58,13 @@ def require_kept(
 ) -> None:
     """Raises PaperError for what is not seen to hold. owners: the files of the definitions."""
     for key, flag in promises:
-        declared, index = table.symbols[read_key(key)[0]], read_key(key)[1]
-        if (why := unseen(_SAYS[flag](symbol(declared, index)), known)) is not None:
+        names = (read_key(key, INDEX_LETTERS), read_key(key))  # T_m may be one name, m being a symbol
+        name, index = next(each for each in names if each[0] in table.symbols)
+        try:
+            why = unseen(_SAYS[flag](symbol(table.symbols[name], index)), known)
+        except IllFormed as fault:
+            why = str(fault)
+        if why is not None:
             message = f"{key}: declared as {flag}, which its definition is not seen to be: {why}"
             raise owners[key].error_at_key(("definitions", key), message)
 

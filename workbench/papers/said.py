@@ -167,9 +167,10 @@ def conditioned(statement: Statement, definitions: Definitions) -> set[Declarati
     found: set[Declaration] = set()
     for said in _equations(statement):
         sides = (said.left, said.right)
-        is_number = [not any(isinstance(part, Symbol) for part in side.walk()) for side in sides]
+        if all(any(isinstance(part, Symbol) for part in side.walk()) for side in sides):
+            continue
         parts = [part for side in sides for part in definitions.reached(side)]
-        if any(is_number) and any(isinstance(part, Apply) and part.head in PARTIALS for part in parts):
+        if any(isinstance(part, Apply) and part.head in PARTIALS for part in parts):
             symbols = (part.declaration for part in parts if isinstance(part, Symbol))
             found |= {each for each in symbols if each.of and not each.free and each.name not in known}
     return found

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from functools import lru_cache
 
 from workbench.judge.kernel.laws import law_for
 from workbench.judge.subject.inventory import Inventory, NotExact, take_inventory
+from workbench.language.definitions import Definitions
 from workbench.language.typed.terms import Apply, IllFormed, Relation, Statement, Symbol, Term, sides_of
-from workbench.papers.model import Claim, Notation, Said
+from workbench.papers.model import Claim, Said
 from workbench.papers.said import free_in, terms_of
 
 
@@ -16,8 +18,8 @@ def laws_of(claim: Claim) -> list[Said]:
     """For each rate that the claim reaches, or a law for such a rate does, the last one before it, in a
     formula or in a sentence. None of those by which hardly anything is ever found to follow: with the inverse
     of a matrix, and for less than the highest rate of a rotation."""
-    reached = dict(_inventory(claim.printed.statement, claim.notation).orders)
-    known = [(law, _given(law.statement, claim.notation)) for law in _before(claim)]
+    reached = dict(_inventory(claim.printed.statement, claim.notation.definitions).orders)
+    known = [(law, _rates(law.statement, claim.notation.definitions)) for law in _before(claim)]
     found: list[Said] = []
     covered: set[tuple[Symbol, int]] = set()
     for _ in known:
@@ -26,7 +28,7 @@ def laws_of(claim: Claim) -> list[Said]:
             if is_new and _reaches(reached, rates) and not _turns_on(reached, rates):
                 found.append(law)
                 covered |= rates.items()
-                for symbol, order in _inventory(law.statement, claim.notation).orders.items():
+                for symbol, order in _inventory(law.statement, claim.notation.definitions).orders.items():
                     reached[symbol] = max(order, reached.get(symbol, 0))
     return found
 
@@ -52,15 +54,15 @@ def defined_beside(laws: Sequence[Said], claim: Claim) -> tuple[Said, ...]:
 
 def has_laws(claim: Claim) -> list[Said]:
     """The laws anywhere in the text for a rate that the claim reaches."""
-    reached = _inventory(claim.printed.statement, claim.notation).orders
+    reached = _inventory(claim.printed.statement, claim.notation.definitions).orders
     unused = (law for law in claim.laws if law.statement not in claim.supposed)
-    return [law for law in unused if _reaches(reached, _given(law.statement, claim.notation))]
+    return [law for law in unused if _reaches(reached, _rates(law.statement, claim.notation.definitions))]
 
 
 def is_law(claim: Claim) -> bool:
     """Whether it is an equation for a rate that nothing defines."""
     is_equation = isinstance(claim.printed.statement, Relation)
-    return is_equation and bool(_given(claim.printed.statement, claim.notation))
+    return is_equation and bool(_rates(claim.printed.statement, claim.notation.definitions))
 
 
 def says_no_more(laws: Sequence[Said], claim: Claim) -> bool:
@@ -84,20 +86,21 @@ def _reaches(reached: Mapping[Symbol, int], rates: Mapping[Symbol, int]) -> bool
     return any(reached.get(symbol, 0) >= order for symbol, order in rates.items())
 
 
-def _given(said: Relation, notation: Notation) -> dict[Symbol, int]:
+@lru_cache(maxsize=1024)
+def _rates(said: Relation, definitions: Definitions) -> dict[Symbol, int]:
     """The symbols for a rate of which the equation is a law, and its order; empty where it is none."""
-    inventory, rate = _inventory(said, notation), None
+    inventory, rate = _inventory(said, definitions), None
     with suppress(NotExact, IllFormed):
-        rate = law_for(said, inventory, notation.definitions)
-    behind = {} if rate is None else _inventory_of([rate], notation).orders
+        rate = law_for(said, inventory, definitions)
+    behind = {} if rate is None else _inventory_of([rate], definitions).orders
     return {symbol: order for symbol, order in behind.items() if order}
 
 
-def _inventory(statement: Statement, notation: Notation) -> Inventory:
-    return _inventory_of(sides_of(statement), notation)
+def _inventory(statement: Statement, definitions: Definitions) -> Inventory:
+    return _inventory_of(sides_of(statement), definitions)
 
 
-def _inventory_of(terms: Iterable[Term], notation: Notation) -> Inventory:
+def _inventory_of(terms: Iterable[Term], definitions: Definitions) -> Inventory:
     with suppress(NotExact, IllFormed):
-        return take_inventory(terms, notation.definitions)
+        return take_inventory(terms, definitions)
     return Inventory()

@@ -90,6 +90,7 @@ class Meant:
         return None
 
     def _with_the_text(self, claim: Claim, refuted: Verdict) -> Verdict:
+        """With what the text says of its symbols, or by a law of motion that it states anywhere."""
         verdict = self._with_what_it_says(claim, refuted)
         if verdict.outcome is Outcome.CONDITIONAL:
             return verdict
@@ -101,10 +102,8 @@ class Meant:
         if verdict.outcome is not Outcome.REFUTED:
             return verdict
         places = ", ".join(law.place for law in said)
-        why = (
-            f"false for any motion, and the text states a law of it ({places}); `given` says what it follows"
-        )
-        return _open(f"{why} from", refuted)
+        why = f"false for any motion, and the text states a law of it ({places})"
+        return _open(f"{why}; `given` says what it follows from", refuted)
 
     def _is_false_anyway(self, claim: Claim, laws: Sequence[Said]) -> bool:
         """Whether the text says no more of its symbols than these laws, and it is false under each."""

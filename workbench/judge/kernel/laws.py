@@ -58,8 +58,8 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
         for symbol, order, alone in _occurrences(term, definitions, 0, True):
             kept = found if definitions.lookup(symbol) is None else named
             kept[symbol].append(_Occurrence(side, order, alone))
-    orders = {symbol: inventory.orders.get(symbol, 0) for symbol in found}
-    if any(_rates_a_definition(symbol, named[symbol], orders, definitions) for symbol in named):
+    rates = {symbol: inventory.orders.get(symbol, 0) for symbol in found}
+    if any(_rates_a_definition(symbol, named[symbol], rates, definitions) for symbol in named):
         return None
     for whole, entries in [*((s, (s,)) for s in found), *_composed(named, inventory, definitions)]:
         orders = {inventory.orders.get(symbol, 0) for symbol in entries}
@@ -80,17 +80,17 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
 
 
 def _rates_a_definition(
-    defined: Symbol, occurrences: list[_Occurrence], orders: Mapping[Symbol, int], definitions: Lookup
+    defined: Symbol, occurrences: list[_Occurrence], rates: Mapping[Symbol, int], definitions: Lookup
 ) -> bool:
     """Whether the equation takes a rate of what is defined by all that it speaks of, and a higher one beside
     that: it says what the rate is, be it wrongly, as ė = φ̈ n of e = (cos φ, sin φ)."""
     inside = _occurrences(defined, definitions, max(each.order for each in occurrences), True)
-    reached = {symbol: order for symbol, order, _ in sorted(inside, key=lambda each: each[1])}
+    by_it = {symbol: order for symbol, order, _ in sorted(inside, key=lambda each: each[1])}
     is_moved = any(each.order for each in occurrences)
     return (
         is_moved
-        and all(symbol in reached for symbol in orders)
-        and any(order > reached[symbol] for symbol, order in orders.items())
+        and all(symbol in by_it for symbol in rates)
+        and any(order > by_it[symbol] for symbol, order in rates.items())
     )
 
 

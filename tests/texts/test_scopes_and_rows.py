@@ -1,0 +1,69 @@
+"""Where a scope of a model begins and what is in force in it; what a sentence or an unfinished row says."""
+
+from pathlib import Path
+
+import pytest
+
+from workbench.papers.load import load_paper
+from workbench.papers.model import PaperError
+from workbench.verify.claims import judge_paper
+
+HEADINGS = [
+    "## Parent\n\nWords.\n\n### Child\n\n",
+    "## Parent\n\n```{figure} f.png\n---\nname: fig\n---\nA figure.\n```\n\n",
+    "Parent\n------\n\n",
+]
+
+
+@pytest.mark.parametrize("heading", HEADINGS)
+def test_a_scope_begins_at_a_heading_whatever_stands_below_it(tmp_path: Path, heading: str) -> None:
+    (tmp_path / "p.md").write_text(f"# First\n\n$$ a = b $$\n\n{heading}$$ a = 2 b $$\n")
+    model = "source = 'p.md'\n[symbols]\nb = 'scalar'\n[definitions]\na = 'b'\n[[scope]]\nfrom = 'Parent'\n"
+    (tmp_path / "p.toml").write_text(model + "definitions = { a = '2 b' }\n")
+    results = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert [result.verdict.outcome.value for result in results] == ["definition", "definition"]
+
+
+def test_without_the_place_of_a_scope_nothing_is_a_fault(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("$$ a = b $$\n\n$$ a = 2 b $$\n\n$$ b = b + c $$\n")
+    model = "source = 'p.md'\n[symbols]\nb = 'scalar'\nc = 'vector'\n[definitions]\na = 'b'\n[[scope]]\n"
+    (tmp_path / "p.toml").write_text(model + "from = 'nowhere'\ndefinitions = { a = '2 b' }\n")
+    paper = load_paper(tmp_path / "p.toml")
+    assert "the text has no 'nowhere'" in paper.faults[0].message
+    outcomes = [result.verdict.outcome.value for result in judge_paper(paper)]
+    assert outcomes == ["definition", "unchecked", "unchecked"]
+
+
+def test_a_right_side_that_is_left_out_is_not_that_of_the_next_row(tmp_path: Path) -> None:
+    rows = r"\begin{align} x &= \\ y &= z \\ a &= \\ &= b \\ u =& \\ v =& w \end{align}"
+    (tmp_path / "p.tex").write_text(rf"\begin{{document}}{rows}\end{{document}}")
+    symbols = "\n".join(f"{name} = 'scalar'" for name in "xyzabuvw")
+    (tmp_path / "p.toml").write_text(f"source = 'p.tex'\n[symbols]\n{symbols}\n")
+    printed = [claim.printed.latex.replace(" ", "") for claim in load_paper(tmp_path / "p.toml").claims]
+    assert not any("=y" in each or "=v" in each for each in printed)
+    assert "y=z" in printed and "a=b" in printed and "v=w" in printed
+
+
+def test_what_an_earlier_scope_defines_may_not_fit_a_later_one(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("# A\n\n$$ v = u $$\n\n# B\n\n$$ v = u $$\n\n# C\n\n$$ v = u $$\n")
+    symbols = "source = 'p.md'\n[symbols]\nv = 'vector'\nu = 'vector'\nw = { kind = 'scalar', free = true }\n"
+    scopes = "[[scope]]\nfrom = 'B'\nsymbols = { w = 'vector' }\ndefinitions = { u = 'v + w - w' }\n"
+    scopes += "[[scope]]\nfrom = 'C'\nsymbols = { w = 'scalar' }\ndefinitions = { w = '2' }\n"
+    (tmp_path / "p.toml").write_text(symbols + scopes)
+    paper = load_paper(tmp_path / "p.toml")
+    outcomes = [result.verdict.outcome.value for result in judge_paper(paper)]
+    assert not paper.faults and outcomes == ["unchecked", "proved", "unchecked"]
+    (tmp_path / "p.toml").write_text(symbols + scopes.replace("w = '2'", "w = 'v'"))
+    with pytest.raises(PaperError, match="differ in type"):
+        load_paper(tmp_path / "p.toml")
+
+
+def test_a_sentence_that_says_what_is_defined_excuses_nothing(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("$$ a = \\dot b + b $$\n\nWith $\\dot b = c$ it is done.\n")
+    model = "source = 'p.md'\n[symbols]\nb = 'scalar'\n[definitions]\nc = '\\dot b'\na = '2 c'\n"
+    (tmp_path / "p.toml").write_text(model)
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.outcome.value == "refuted"
+    (tmp_path / "p.toml").write_text(model.replace("c = '\\dot b'\na = '2 c'", "a = '2 \\dot b'"))
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.outcome.value == "unchecked"

@@ -95,11 +95,14 @@ class Workers:
                 worker.queue.clear()
 
     def _next(self, worker: _Worker, waiting: deque[tuple[int, Any]]) -> tuple[int, Any]:
-        """The next of the worker's run, of a new one, or at the end the last of the longest run."""
+        """The next of the worker's run, of a new one, or at the end the last of the longest run. Every other
+        worker takes its runs from the end: what is dear there is begun early, and no core waits for it."""
         if not worker.queue and not waiting:
             return max(self._workers, key=lambda other: len(other.queue)).queue.pop()
-        if not worker.queue:
-            worker.queue += [waiting.popleft() for _ in range(min(RUN, len(waiting)))]
+        if not worker.queue and self._workers.index(worker) % 2:
+            worker.queue.extendleft(waiting.pop() for _ in range(min(RUN, len(waiting))))
+        elif not worker.queue:
+            worker.queue.extend(waiting.popleft() for _ in range(min(RUN, len(waiting))))
         return worker.queue.popleft()
 
     def close(self) -> None:

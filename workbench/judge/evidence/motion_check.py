@@ -16,7 +16,6 @@ from workbench.judge.verdict import Evidence
 from workbench.language.typed.instances import instantiate
 from workbench.language.typed.operators import GRADIENTS
 from workbench.language.typed.terms import (
-    Apply,
     Conjunction,
     Equivalence,
     Extremum,
@@ -26,6 +25,7 @@ from workbench.language.typed.terms import (
     Statement,
     Symbol,
     Term,
+    heads_in,
 )
 
 METHOD = "Drake reference motions"
@@ -186,7 +186,7 @@ def _case(
 ) -> _Case:
     sides = [side for s in (statement, *premises) for r in relations(s) for side in (r.left, r.right)]
     lookup = BoundFirst(definitions, bindings)
-    if any(isinstance(t, Apply) and t.head in GRADIENTS for side in sides for t in side.walk()):
+    if not all(GRADIENTS.isdisjoint(heads_in(side)) for side in sides):
         names = {s.declaration.name for side in sides for s in side.walk() if isinstance(s, Symbol)}
         fields = frozenset(n for n in names if _is_field(n, sides, definitions))
         lookup = replace(lookup, but_for=fields)

@@ -18,7 +18,16 @@ from workbench.judge.subject import Lookup, NotExact
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, block, number, relation
-from workbench.language.typed.terms import Apply, Conjunction, Number, Relation, Statement, Symbol, Term
+from workbench.language.typed.terms import (
+    Apply,
+    Conjunction,
+    Number,
+    Relation,
+    Statement,
+    Symbol,
+    Term,
+    heads_in,
+)
 
 Judge = Callable[[Statement], Verdict]
 
@@ -40,9 +49,7 @@ class _Arc(NamedTuple):
 
 
 def holds_arc(statement: Relation) -> bool:
-    return any(
-        isinstance(t, Apply) and t.head in ARCS for s in (statement.left, statement.right) for t in s.walk()
-    )
+    return _has_arc(statement.left) or _has_arc(statement.right)
 
 
 def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verdict:
@@ -121,7 +128,7 @@ def _arc(side: Term) -> _Arc | None:
 
 
 def _has_arc(term: Term) -> bool:
-    return any(isinstance(part, Apply) and part.head in ARCS for part in term.walk())
+    return not heads_in(term).isdisjoint(ARCS)
 
 
 def _in_domain(verdict: Verdict) -> bool:

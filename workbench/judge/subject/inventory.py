@@ -16,7 +16,16 @@ from workbench.judge.subject.slopes import require_known_dependence, seeds
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, derivative, number
 from workbench.language.typed.operators import GRADIENTS, PARTIALS
-from workbench.language.typed.terms import Apply, BigSum, Derivative, Power, Symbol, Term, TimeOperator
+from workbench.language.typed.terms import (
+    Apply,
+    BigSum,
+    Derivative,
+    Power,
+    Symbol,
+    Term,
+    TimeOperator,
+    heads_in,
+)
 
 
 @dataclass
@@ -47,7 +56,7 @@ def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
 def has_gradient(terms: Iterable[Term]) -> bool:
     """Whether a div, curl or partial derivative stands in the terms, as they are written."""
     heads = GRADIENTS | PARTIALS
-    return any(isinstance(t, Apply) and t.head in heads for term in terms for t in term.walk())
+    return not all(heads.isdisjoint(heads_in(term)) for term in terms)
 
 
 class _Survey:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
+from functools import lru_cache
 from typing import Literal, dataclass_transform
 
 from workbench.language.typed.integers import Linear
@@ -296,6 +297,13 @@ def column_of_symbols(term: Term | None) -> tuple[Symbol, ...]:
             return ()
     symbols = tuple(part for part in parts if isinstance(part, Symbol))
     return symbols if len(set(symbols)) == len(parts) == term.type.rows else ()
+
+
+@lru_cache(maxsize=1 << 14)
+def heads_in(term: Term) -> frozenset[str]:
+    """The operations that stand in a term, as it is written."""
+    own = (term.head,) if isinstance(term, Apply) else ()
+    return frozenset(own).union(*map(heads_in, term.children))
 
 
 def is_rate(term: Term) -> bool:

@@ -76,3 +76,41 @@ def test_a_positive_number_of_a_premise_is_not_0(tmp_path: Path, premise: str) -
     given, follows = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
     assert follows.outcome is Outcome.PROVED
     assert given.outcome is (Outcome.UNCHECKED if "given" in premise else Outcome.REFUTED)
+
+
+FUNCTIONS = """
+source = "p.md"
+[symbols]
+q = { kind = "scalar", independent = true }
+x = { kind = "scalar", independent = true }
+k = { kind = "scalar", constant = true }
+f = { kind = "scalar", of = ["q"] }
+h = { kind = "scalar", of = ["q"] }
+V = { kind = "scalar", of = ["x"] }
+[[claim]]
+at = "line 3"
+given = ["line 1"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "claim", "holds"),
+    [
+        (r"V = \frac{1}{2} k x^2", r"\frac{\partial V}{\partial x} = k x", True),
+        (r"\frac{1}{2} k x^2 = V", r"\frac{d}{dt} \frac{\partial V}{\partial x} = k \dot{x}", True),
+        (r"f = 0", r"\frac{\partial f}{\partial q} \dot{q} = 0", True),
+        (r"f = 0", r"\frac{\partial f}{\partial q} = 0", False),
+        (r"f = h", r"\frac{\partial f}{\partial q} = \frac{\partial h}{\partial q}", False),
+        (r"x = f", r"\frac{\partial f}{\partial q} = 0", False),
+        (r"f = q \dot{q}", r"\frac{\partial f}{\partial q} = \dot{q}", False),
+        (r"\frac{d f}{d q} \dot{q} = \frac{d f}{d q} \frac{1}{h}", r"\frac{d^2 f}{d q^2} \dot{q}^2 = \frac{d^2 f}{d q^2} \frac{1}{h^2}", False),
+    ],
+)  # fmt: skip
+def test_along_a_motion_it_holds_at_no_other_place(
+    tmp_path: Path, given: str, claim: str, holds: bool
+) -> None:
+    """A constraint f(q) = 0 says nothing of ∂f/∂q; what says what f is, V = ½ k x², does."""
+    (tmp_path / "p.md").write_text(f"$$ {given} $$\n\n$$ {claim} $$\n")
+    (tmp_path / "p.toml").write_text(FUNCTIONS)
+    *_, last = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert (last.verdict.outcome is Outcome.PROVED) == holds, last.verdict.reason

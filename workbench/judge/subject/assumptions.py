@@ -24,6 +24,7 @@ from workbench.language.typed.terms import (
     Statement,
     Symbol,
     Term,
+    TimeOperator,
     sides_of,
 )
 
@@ -41,10 +42,13 @@ class Assumptions:
         self.equations = [r for r in self.relations if r.operator == "="]
 
 
-def derivatives_of(premise: Statement, claim: Statement, definitions: Lookup) -> tuple[Relation, ...]:
+def derivatives_of(
+    premise: Statement, claim: Statement, definitions: Lookup, along_motion: bool = False
+) -> tuple[Relation, ...]:
     """The derivatives of the premise's equations, as far as the claim differentiates what they speak of.
 
     f = 1 says nothing of ḟ at one instant, and ḟ = 0 if it lasts; so with ∂f/∂q at one place and everywhere.
+    along_motion: it holds at the places of one motion, as f = 0 does there, but for what says what f is.
     """
     sides = list(sides_of(claim))
     orders = take_inventory(sides, definitions).orders
@@ -54,7 +58,9 @@ def derivatives_of(premise: Statement, claim: Statement, definitions: Lookup) ->
             continue
         own = take_inventory((relation.left, relation.right), definitions).orders
         more = max((orders.get(symbol, 0) - order for symbol, order in own.items()), default=0)
-        slopes = _slopes(relation, sides, definitions) if any(each.declaration.of for each in own) else []
+        is_everywhere = not along_motion or _says_what_a_function_is(relation)
+        has_functions = any(each.declaration.of for each in own)
+        slopes = _slopes(relation, sides, definitions) if has_functions and is_everywhere else []
         found += slopes
         for k in range(1, more + 1):
             found += [_each_side(each, lambda side, k=k: derivative(side, k)) for each in (relation, *slopes)]
@@ -67,8 +73,26 @@ def lasting(premises: Sequence[Statement], claim: Statement, definitions: Lookup
     with suppress(NotExact, IllFormed):
         for _ in premises:
             together = Conjunction((claim, *premises, *found))
-            found = [each for premise in premises for each in derivatives_of(premise, together, definitions)]
+            found = [
+                each for premise in premises for each in derivatives_of(premise, together, definitions, True)
+            ]
     return [*premises, *found]
+
+
+def _says_what_a_function_is(relation: Relation) -> bool:
+    """Whether it is f = t for a function f of coordinates that stand in t, and of nothing else that moves: at
+    some values of these alone, it would say that they do not."""
+    for own, value in ((relation.left, relation.right), (relation.right, relation.left)):
+        if isinstance(own, Symbol) and own.declaration.of:
+            parts = list(value.walk())
+            moving = {p for p in parts if isinstance(p, Symbol) and not p.declaration.constant}
+            if moving and moving <= set(own.declaration.of) and not any(map(_takes_rate, parts)):
+                return True
+    return False
+
+
+def _takes_rate(part: Term) -> bool:
+    return isinstance(part, Derivative | TimeOperator)
 
 
 def _slopes(relation: Relation, sides: Sequence[Term], definitions: Lookup) -> list[Relation]:

@@ -67,3 +67,34 @@ def test_a_sentence_that_says_what_is_defined_excuses_nothing(tmp_path: Path) ->
     (tmp_path / "p.toml").write_text(model.replace("c = '\\dot b'\na = '2 c'", "a = '2 \\dot b'"))
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
     assert result.verdict.outcome.value == "unchecked"
+
+
+@pytest.mark.parametrize(
+    ("environment", "row", "expected"),
+    [
+        ("cases", "x - x = 0 & x x = 0", ["x-x=0", "xx=0"]),
+        ("cases", "x - x = 0 \\quad & a = 2 a - a,", ["x-x=0", "a=2a-a"]),
+        ("array}{ll", "x = y & 2 y = x & x + y = z", ["x=y", "2y=x", "x+y=z"]),
+        ("aligned", "x = y & + z", ["x=y+z"]),
+        ("aligned", "x = y & = z", ["x=y", "y=z"]),
+        ("aligned", "x = y \\cdot & z = y", ["x=y\\cdotz", "y\\cdotz=y"]),
+        ("cases", "x = y & \\text{if } y = z", ["x=y\\text{if}y=z"]),
+        ("cases", "x = y & y \\neq 0", ["x=y"]),
+        ("cases", "x = y & y = 0", None),
+    ],
+)
+def test_an_equation_behind_a_mark_is_one_of_its_own(
+    tmp_path: Path, environment: str, row: str, expected: list[str] | None
+) -> None:
+    """A = B & C = D was read as A = B C = D; where C = 0 may be the condition of A = B it is not read."""
+    text = f"\\begin{{{environment}}} {row} \\end{{{environment.partition('}')[0]}}}"
+    (tmp_path / "p.md").write_text(f"$$ {text} $$\n")
+    (tmp_path / "p.toml").write_text(
+        "source = 'p.md'\n[symbols]\nx = 'scalar'\ny = 'scalar'\nz = 'scalar'\na = 'vector'\n"
+    )
+    claims = load_paper(tmp_path / "p.toml").claims
+    if expected is None:
+        assert all(claim.printed.unread for claim in claims)
+    else:
+        assert [claim.printed.latex.replace(" ", "") for claim in claims] == expected
+    assert [c.assume[0].latex for c in claims if c.assume] == (["y \\neq0"] if "neq" in row else [])

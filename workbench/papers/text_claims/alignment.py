@@ -173,10 +173,34 @@ def _columns(tokens: list[Token]) -> list[tuple[list[Token], bool, bool]]:
         marks += 1
         if marks % 2 == 0:
             cells.append(([], False, False))
+        elif _is_formula(cell) and _begins_formula(behind := _up_to_mark(tokens, token)):
+            cell.append(token if _may_be_condition(behind) else token.standing_for(","))
         else:
             is_empty = not _stripped(cell)
             cells[-1] = (cell, opens or is_empty, begins or not is_empty)
     return cells
+
+
+def _up_to_mark(tokens: Sequence[Token], mark: Token) -> list[Token]:
+    """What stands between an alignment mark and the next one."""
+    start = next(place for place, token in enumerate(tokens) if token is mark) + 1
+    return trimmed(_split(tokens[start:], "&")[0])
+
+
+def _is_formula(tokens: Sequence[Token]) -> bool:
+    """Whether it relates something to what does not still come."""
+    tokens = _stripped(tokens)
+    return any(token.text in RELATIONS for token in top(tokens)) and tokens[-1].text not in _KINDS
+
+
+def _begins_formula(tokens: Sequence[Token]) -> bool:
+    return bool(tokens) and _is_formula(tokens) and tokens[0].text not in _KINDS.keys() | WORD_COMMANDS
+
+
+def _may_be_condition(tokens: Sequence[Token]) -> bool:
+    """Whether x = 0 behind an equation may say where that holds, and not what x is."""
+    sides = _split(tokens, "=")
+    return len(sides) == 2 and all(len(trimmed(side)) <= 1 for side in sides)
 
 
 def _around_signs(tokens: list[Token]) -> dict[int, int]:

@@ -30,6 +30,11 @@ ONES = [
     ("R R^T = 1", r"R R^T = \mathbf{I}"),
     ("T = 1 + S", r"T = \mathbf{I} + S"),
     ("T - 2 = S", r"T - 2 \mathbf{I} = S"),
+    (
+        r"\begin{bmatrix} s & s T \\ R & S - T \end{bmatrix} = \begin{bmatrix} T & R \\ S & 2 s \end{bmatrix}",
+        r"\begin{bmatrix} s \mathbf{I} & s T \\ R & S - T \end{bmatrix}"
+        r" = \begin{bmatrix} T & R \\ S & 2 s \mathbf{I} \end{bmatrix}",
+    ),
 ]
 BOTH = [(r"1 - a b = T", r"\mathbf{I} - a \otimes b = T")]
 #: Of three vectors there is one meaning only, with dyads and without.
@@ -43,6 +48,8 @@ NEITHER = [
     r"\det a = 0",
     "T + s = S",
     "T a = S",
+    r"\begin{bmatrix} s & a \\ b & T \end{bmatrix} = 0",
+    r"\begin{bmatrix} T & s \end{bmatrix} = 0",
 ]
 LOOSE = [
     *((written, means, {"dyads"}) for written, means in DYADS),

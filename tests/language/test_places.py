@@ -216,3 +216,16 @@ def test_a_vector_is_no_other_place_of_a_number(inside: str) -> None:
     for scalar in (r"2 \theta", r"\theta + 1", r"\Delta \theta"):
         with pytest.raises(ReadError):
             read(rf"r({scalar}) = r", table)
+
+
+@pytest.mark.parametrize("symbol", ["v^T", "s", "v"])
+def test_what_others_depend_on_is_no_function(symbol: str) -> None:
+    """v^T (u - B v) was refused where B(v) is B: the u - B v holds the argument v."""
+    kinds = {"s": "scalar", "h": "scalar", "v": "vector", "u": "vector", "B": "tensor"}
+    table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})
+    table = replace(table, arguments=frozenset({Name("v"), Name("s")}))
+    inside = "u - B(v) v" if symbol == "v^T" else "h - s"
+    (product,) = read(f"{symbol}({inside}) = {symbol} [{inside}] + 0", table)
+    assert read(to_latex(product), table) == (product,)
+    with pytest.raises(ReadError, match="or a product"):
+        read("h(h - s) = h", table)

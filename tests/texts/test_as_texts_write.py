@@ -48,6 +48,12 @@ SPELLED = [
     (r"x_\text{ref}(t) = y \text{ if}(x)", [r"x_\text{ref}(t) = y \text{ if}(x)"]),
     (r"\theta = \tan^{-1} x", [r"\theta = \arctan x"]),
     (r"x = a \ \ y = b", ["x = a", "y = b"]),
+    (r"x = a \hfill y = b", ["x = a", "y = b"]),
+    (r"x = a \phantom{abc} y = b", ["x = a", "y = b"]),
+    (r"x = \phantom{=} a + b", [r"x = \quad a + b"]),
+    (r"\therefore x = a \therefore y = b", ["x = a", "y = b"]),
+    (r"\leftidx{^A}Y x = a", [r"{}^A Y x = a"]),
+    (r"\leftidx{^A}Y \leftidx{^B}Z_C = a", [r"{}^A Y {}^B Z_C = a"]),
     (
         r"x = \begin{bmatrix} 1 \\ 2 \end{bmatrix} \ y = b",
         [r"x = \begin{bmatrix} 1 \\ 2 \end{bmatrix}", "y = b"],

@@ -119,10 +119,13 @@ class Meant:
         """What is proved of the motions of which earlier formulas are laws."""
         if claim.corrected is not None:
             return None
-        said = [law for law in laws_of(claim) if not self._is_known(law, claim.notation)]
-        for defined in dict.fromkeys([(), defined_beside(said, claim)]) if said else ():
-            definitions = [each.definition for each in defined]
-            under = self._given(claim, said, definitions)
+        laws = [law for law in laws_of(claim) if not self._is_known(law, claim.notation)]
+        defined_by_all = tuple(each for each in claim.rests if each.definition is not None)
+        tries = [(defined_by_all, []), ((), laws), (defined_beside(laws, claim), laws)] if laws else []
+        for defined, said in tries:
+            if not (defined or said):
+                continue
+            under = self._given(claim, said, [each.definition for each in defined])
             if under.outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
                 used = (*defined, *said)
                 places = ", ".join(dict.fromkeys(each.place for each in used))

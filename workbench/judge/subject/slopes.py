@@ -74,7 +74,8 @@ def require_known_dependence(
             continue
         name = declaration.name
         if not (declaration.independent or declaration.of):
-            raise NotExact(f"{name} in the partial derivative may depend on it; `of` says what it depends on")
+            said = "`of` says what it depends on, `independent` that it is a coordinate"
+            raise NotExact(f"{name} in the partial derivative may depend on it; {said}")
         others = {each for each in _moved_by(symbol, varied) if not each.declaration.clock} - varied
         if by_function and (others or not declaration.of):
             raise NotExact(f"{name} is no function of that alone by which it is differentiated")

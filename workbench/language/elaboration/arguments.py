@@ -67,12 +67,18 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         if only_says:
             _take_place(scope, bracket, term)
         return only_says
-    if is_accented_symbol(_without_sup(term)):
-        if _may_be_argument(scope, part, term):
+    if is_accented_symbol(own := _without_sup(term)):
+        if not _is_coordinate(scope, own) and _may_be_argument(scope, part, term):
             raise Fault(OR_A_PRODUCT, bracket.at)
         if scope.term(part).type.kind == "scalar" and not _is_constant(function):
             _refuse_both(scope, bracket, function, is_factor=True)
     return False
+
+
+def _is_coordinate(scope: Scope, function: Term) -> bool:
+    """Whether other symbols depend on it by [conventions], so that it depends on none of them."""
+    names = {each.declaration.name for each in function.walk() if isinstance(each, Symbol)}
+    return not names.isdisjoint(scope.table.arguments)
 
 
 def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:

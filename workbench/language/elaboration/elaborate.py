@@ -34,6 +34,7 @@ from workbench.language.naming.scope import Scope
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.shapes import with_scaled_units
 from workbench.language.typed.signatures import agree
 from workbench.language.typed.terms import Apply, IllFormed, Integer, Number, Term, Unread, Zero
 
@@ -91,7 +92,8 @@ class Elaborator(Scope):
                 is_row = len(rows) == 1 and all(entry.type.kind == "scalar" for entry in rows[0])
                 if is_row and "rows" in self.table.loose:
                     rows = [[entry] for entry in rows[0]]
-                return self.build(node.at, construct.block, rows)
+                loosely = "unit" in self.table.loose and len({len(row) for row in rows}) == 1
+                return self.build(node.at, construct.block, with_scaled_units(rows) if loosely else rows)
             case Chain(relations=((sign, at), *_)):
                 raise Fault(f"a relation ({sign}) inside an expression", at)
             case Chain() | Conditional() | Lines():

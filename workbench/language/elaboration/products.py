@@ -27,6 +27,7 @@ from workbench.language.grammar.syntax import (
     Product,
     Scripted,
     Styled,
+    Sum,
     Summation,
     as_letter,
     core,
@@ -262,9 +263,25 @@ def _called(scope: Scope, item: Node, argument: Node) -> Term | None:
     if isinstance(core(bare), Leaf) and core(bare).kind != "LETTER":
         return None
     value = scope.spelt(Product(item.at, (item, core(bare))))
+    if value is None and isinstance(item, Scripted) and (above := _sup_alone(item)) is not None:
+        own = scope.spelt(Product(item.at, (item.nucleus, core(bare))))
+        return own if own is None else _raised_function(scope, own, above, argument)
     if value is not None and isinstance(bare, Scripted) and bare.sup is not None:
         raise Fault("a power of the function or of its argument? bracket it", bare.at)
     return value if value is None or bare is argument else _behind(scope, value, argument)
+
+
+def _sup_alone(item: Scripted) -> Node | None:
+    return item.sup if item.sub is None and not (item.primes or item.factorial) else None
+
+
+def _raised_function(scope: Scope, value: Term, above: Node, argument: Node) -> Term:
+    """S^T(x) is the transpose of S(x), and c^2 x the square of c x; f^{-1}(x) may be the inverse function."""
+    if isinstance(argument, Scripted) and isinstance(core(argument.nucleus), Bracket):
+        raise Fault("scripts on the argument of a function; bracket the whole", argument.at)
+    if value.type.kind == "scalar" and isinstance(core(above), Sum):
+        raise Fault("the inverse function, or its reciprocal? bracket what the power is of", above.at)
+    return raised(scope, value, above)
 
 
 def _behind(scope: Scope, value: Term, argument: Node) -> Term:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
+from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Number, Term, Zero
 from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Type
 
@@ -71,6 +72,23 @@ def with_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
     wide = [any(column) for column in zip(*blocks, strict=True)]
     return [
         [_unit(each) if high[i] or wide[j] else each for j, each in enumerate(row)]
+        for i, row in enumerate(entries)
+    ]
+
+
+def with_scaled_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
+    """A scalar m in a row of higher and a column of wider blocks is m times the unit tensor."""
+    sizes = [[each.type if filling(each) is None else SCALAR for each in row] for row in entries]
+    high = [max(size.rows for size in row) > 1 for row in sizes]
+    wide = [max(size.columns for size in column) > 1 for column in zip(*sizes, strict=True)]
+    unit = Identity(TENSOR, Linear(0))
+    return [
+        [
+            Apply(TENSOR.with_dual(each.type.dual), each.weight, "mul", (each, unit))
+            if filling(each) is None and each.type.kind == "scalar" and high[i] and wide[j]
+            else each
+            for j, each in enumerate(row)
+        ]
         for i, row in enumerate(entries)
     ]
 

@@ -298,12 +298,11 @@ def _script_on_the_left(tokens: list[Token], place: int) -> tuple[list[Token], i
         return [*left, head.standing_for(" ")], end
     if tokens[place].text != "\\leftidx":
         return None
-    groups: list[list[Token]] = []
-    end = place + 1
-    for _ in range(3):
-        inside, end = group(tokens, past(tokens, end))
-        groups.append(inside)
-    left, body, right = groups
+    left, end = group(tokens, past(tokens, place + 1))
+    body, end = group(tokens, past(tokens, end))
+    right: list[Token] = []
+    if printed(tokens[past(tokens, end) :][:1]) == ["{"]:  # anything else prints the same where it stands
+        right, end = group(tokens, past(tokens, end))
     return [*braced(tokens[place], []), *left, tokens[place].standing_for(" "), *body, *right], end
 
 

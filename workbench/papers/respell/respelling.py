@@ -14,15 +14,17 @@ from workbench.papers.respell.plain_tex import with_nuclei, with_typefaces, with
 from workbench.papers.texts import Token
 
 _DROPPED = frozenset((
-    "displaystyle", "textstyle", "scriptstyle", "nolimits", "limits", "mathstrut", "strut",
-    "nobreak", "allowbreak", "noindent", "centering", "smallskip", "medskip", "bigskip", "hfill",
-    "hfil", "par", "space", "left.", "right.", "null", "middle", "kern-", "protect", "relax", "linebreak",
-    "nonumber", "notag", "normalsize", "small", "footnotesize", "scriptsize", "tiny", "large", "boldmath",
-    "unboldmath",
+    "displaystyle", "textstyle", "scriptstyle", "nolimits", "limits", "mathstrut", "strut", "nobreak",
+    "allowbreak", "noindent", "centering", "smallskip", "medskip", "bigskip", "par", "space", "left.",
+    "right.", "null", "middle", "kern-", "protect", "relax", "linebreak", "nonumber", "notag", "normalsize",
+    "small", "footnotesize", "scriptsize", "tiny", "large", "boldmath", "unboldmath",
 ))  # fmt: skip
 _DROPPED_WITH_ARGUMENT = frozenset(
-    ["hspace", "vspace", "phantom", "hphantom", "vphantom", "color", "label", "hskip", "mspace", "require"]
+    ["hspace", "vspace", "vphantom", "color", "label", "hskip", "mspace", "require"]
 )
+#: What parts formulas as a wide space does.
+_WIDE = frozenset({"hfill", "hfil", "therefore", "because"})
+_WIDE_WITH_ARGUMENT = frozenset({"phantom", "hphantom"})
 _UNWRAPPED = frozenset((
     "mathclap", "mathrlap", "mathllap", "mathord", "mathrel", "mathbin", "mathop", "mathopen",
     "mathclose", "mathinner", "boxed", "fbox", "underbrace", "overbrace", "smash", "cancel",
@@ -194,6 +196,11 @@ def _respelled(tokens: list[Token]) -> Iterator[Token]:
             place = sign[1]
         elif word in _DROPPED_WITH_ARGUMENT:
             _, place = argument(tokens, _past(tokens, place, "*"))
+        elif word in _WIDE:
+            yield token.standing_for("\\quad")
+        elif word in _WIDE_WITH_ARGUMENT:
+            yield token.standing_for("\\quad")
+            _, place = argument(tokens, place)
         elif word in _UNWRAPPED:
             if word == "bbox" and _opens(tokens, place):
                 place = next((i + 1 for i in range(place, len(tokens)) if tokens[i].text == "]"), place)

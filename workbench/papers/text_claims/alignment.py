@@ -148,7 +148,7 @@ def _goes_on(before: Line, line: Line) -> bool:
     first, last = (_KINDS.get(token.text, "") for token in (line.tokens[0], _stripped(before.tokens)[-1]))
     if first == "IMPLICATION":  # a line of its own: what follows from the one before
         return False
-    if last == "RELATION" and before.begins and line.begins:  # x &= … of a right side that is left out
+    if last == "RELATION" != first and before.begins and line.begins:  # x &= … of a right side left out
         return False
     is_addend = line.opens or not any(token.text in RELATIONS for token in top(line.tokens))
     return _left_open(before.tokens) or goes_on(last, first, is_addend)

@@ -14,6 +14,7 @@ y = "scalar"
 F = "scalar"
 m = { kind = "scalar", constant = true, positive = true }
 c = { kind = "scalar", constant = true }
+p = { kind = "scalar", positive = true }
 k = { kind = "scalar", constant = true }
 '\\mu' = { kind = "scalar", constant = true }
 '\\vec r' = "vector"
@@ -157,3 +158,25 @@ def test_a_vector_of_components_that_nothing_defines_may_be_any(tmp_path: Path) 
     )
     assert law.outcome is Outcome.UNCHECKED and "says what" in law.reason
     assert false.outcome is Outcome.REFUTED
+
+
+def test_what_is_found_of_a_rate_does_not_take_the_place_of_its_law(tmp_path: Path) -> None:
+    laws = [
+        r"\dot x = k y",
+        r"\dot y = -k x",
+        r"x \dot x = k x y",
+        r"x \ddot x + \dot x^2 = k y \dot x - k^2 x^2",
+    ]
+    *_, followed, reversed_ = verdicts(tmp_path, *laws, r"\ddot x = -k^2 x", r"\ddot x = k^2 x")
+    assert followed.outcome is Outcome.CONDITIONAL and "(L1, L3)" in followed.reason
+    assert reversed_.outcome not in (Outcome.PROVED, Outcome.CONDITIONAL)
+
+
+def test_what_the_text_defines_is_named_without_its_laws(tmp_path: Path) -> None:
+    *_, found = verdicts(tmp_path, r"\ddot x = -k x", r"F = \frac{1}{2} \dot x^2", r"\dot F = \dot x \ddot x")
+    assert found.outcome is Outcome.CONDITIONAL and "(L3)" in found.reason
+
+
+def test_the_law_of_a_positive_number_is_not_that_of_its_root(tmp_path: Path) -> None:
+    (stated,) = verdicts(tmp_path, r"p \dot p = x")
+    assert r"a law for \dot{p}," in stated.reason

@@ -133,12 +133,18 @@ def with_said(claims: Sequence[Claim]) -> list[Claim]:
 
 
 def with_laws(claims: Sequence[Claim]) -> list[Claim]:
-    """The claims, each with the equations that hold rates of the same free symbols, the last before it first:
-    any of them may be a law of the motion that it speaks of."""
+    """The claims, each with the equations that hold rates of the same free symbols, or before it of what such
+    equations speak of, the last before it first: any of them may be a law of its motion."""
     moving = [_moving(claim) for claim in claims]
+    spoken = [_spoken(claim) if own else set() for claim, own in zip(claims, moving, strict=True)]
     made = []
     for at, claim in enumerate(claims):
-        alike = [place for place, own in enumerate(moving) if place != at and not own.isdisjoint(moving[at])]
+        alike = {place for place, own in enumerate(moving) if place != at and not own.isdisjoint(moving[at])}
+        waiting = [place for place in alike if place < at]
+        while waiting:
+            of_it = spoken[waiting.pop()]
+            more = [p for p in range(at) if p not in alike and not moving[p].isdisjoint(of_it)]
+            alike, waiting = alike.union(more), [*waiting, *more]
         laws = tuple(_law(claims[place], place < at) for place in sorted(alike, key=lambda p: (p > at, -p)))
         made.append(replace(claim, laws=laws))
     return made
@@ -147,6 +153,10 @@ def with_laws(claims: Sequence[Claim]) -> list[Claim]:
 def _law(claim: Claim, earlier: bool) -> Said:
     said = claim.printed.statement
     return Said(claim.printed.latex, claim.id, None, said, claim.supposed, claim.orders, earlier)
+
+
+def _spoken(claim: Claim) -> set[Declaration]:
+    return free_in(terms_of(claim.printed.statement), claim.notation.definitions)
 
 
 def _moving(claim: Claim) -> set[Declaration]:

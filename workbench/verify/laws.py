@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import lru_cache
 
-from workbench.judge.kernel.laws import law_for
+from workbench.judge.kernel.laws import is_constant, law_for
 from workbench.judge.subject.inventory import Inventory, NotExact, take_inventory
 from workbench.language.definitions import Definitions
+from workbench.language.typed.construct import derivative
 from workbench.language.typed.terms import Apply, IllFormed, Relation, Statement, Symbol, Term, sides_of
 from workbench.papers.model import Claim, Said
 from workbench.papers.said import free_in, terms_of
@@ -16,20 +17,26 @@ from workbench.papers.said import free_in, terms_of
 
 def laws_of(claim: Claim) -> list[Said]:
     """For each rate that the claim reaches, or a law for such a rate does, the last one before it, in a
-    formula or in a sentence. None of those by which hardly anything is ever found to follow: with the inverse
-    of a matrix, and for less than the highest rate of a rotation."""
-    reached = dict(_inventory(claim.printed.statement, claim.notation.definitions).orders)
-    known = [(law, _rates(law.statement, claim.notation.definitions)) for law in _before(claim)]
+    formula or in a sentence. One that multiplies the rate by constants alone comes before others: from it is
+    found what else is said of the rate, as x ẋ + y ẏ = r v is. None of those by which hardly anything is ever
+    found to follow: with the inverse of a matrix, and for less than the highest rate of a rotation."""
+    definitions = claim.notation.definitions
+    reached = dict(_inventory(claim.printed.statement, definitions).orders)
+    known = [(law, _rates(law.statement, definitions)) for law in _before(claim)]
+    known.sort(key=lambda each: not _stands_alone(each[0].statement, each[1], definitions))
     found: list[Said] = []
-    covered: set[tuple[Symbol, int]] = set()
+    lowest: dict[Symbol, int] = {}  # of a symbol: the order from which on laws say its rates
     for _ in known:
         for law, rates in known:
-            is_new = law not in found and not covered & rates.items()
+            is_new = law not in found and all(
+                order < lowest.get(each, order + 1) for each, order in rates.items()
+            )
             if is_new and _reaches(reached, rates) and not _turns_on(reached, rates):
                 found.append(law)
-                covered |= rates.items()
-                for symbol, order in _inventory(law.statement, claim.notation.definitions).orders.items():
-                    reached[symbol] = max(order, reached.get(symbol, 0))
+                lowest |= rates
+                more = max(reached.get(symbol, 0) - order for symbol, order in rates.items())
+                for symbol, order in _inventory(law.statement, definitions).orders.items():
+                    reached[symbol] = max(order + max(more, 0), reached.get(symbol, 0))
     return found
 
 
@@ -70,6 +77,23 @@ def says_no_more(laws: Sequence[Said], claim: Claim) -> bool:
     definitions = claim.notation.definitions
     others = free_in((term for law in laws for term in terms_of(law.statement)), definitions)
     return others <= free_in(terms_of(claim.printed.statement), definitions)
+
+
+def _stands_alone(law: Relation, rates: Mapping[Symbol, int], definitions: Definitions) -> bool:
+    """Whether the rates that are written in it have no factors but constants."""
+    written = [derivative(symbol, order) for symbol, order in rates.items()]
+    return all(_is_alone(side, rate, definitions) for side in sides_of(law) for rate in written)
+
+
+def _is_alone(term: Term, rate: Term, definitions: Definitions) -> bool:
+    if term == rate or rate not in term.walk():
+        return True
+    if not isinstance(term, Apply) or term.head not in ("add", "neg", "mul", "div"):
+        return False
+    others = [each for each in term.arguments if rate not in each.walk()]
+    if term.head in ("mul", "div") and not all(is_constant(each, definitions) for each in others):
+        return False
+    return all(_is_alone(each, rate, definitions) for each in term.arguments)
 
 
 def _turns_on(reached: Mapping[Symbol, int], rates: Mapping[Symbol, int]) -> bool:

@@ -20,6 +20,7 @@ from workbench.judge.second.rings import FloatRing, PointSource, RationalRing, s
 from workbench.judge.subject import reached
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parts
+from workbench.language.definitions import number_behind
 from workbench.language.typed.construct import derivative
 from workbench.language.typed.terms import (
     Apply,
@@ -75,6 +76,7 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
             if whole in named and _is_moved_by(entries, whole, definitions):
                 alone = said.alone
             if (alone or foreign) and _has_solutions(relation, inventory, definitions, entries, order):
+                whole = number_behind(whole)
                 return derivative(whole, said.order) if said.order else whole
     return None
 
@@ -150,12 +152,12 @@ def _occurrences(
             is_linear = isinstance(term, Block) or (
                 isinstance(term, Apply)
                 and term.head in _LINEAR
-                and all(_is_constant(other, definitions) for other in others)
+                and all(is_constant(other, definitions) for other in others)
             )
             yield from _occurrences(child, definitions, order, alone and (not order or is_linear))
 
 
-def _is_constant(term: Term, definitions: Lookup) -> bool:
+def is_constant(term: Term, definitions: Lookup) -> bool:
     return all(symbol.declaration.constant for symbol in _free_inside(term, definitions))
 
 

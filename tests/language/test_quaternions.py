@@ -204,3 +204,13 @@ def test_q_by_its_conjugate_is_a_number_and_a_number_a_column_of_four(formula: s
 def test_the_root_of_a_quaternion_is_refused(formula: str) -> None:
     with pytest.raises(ReadError, match="no number"):
         read(formula, SymbolTable.build({name: {"kind": KINDS[name]} for name in ("p", "q")}))
+
+
+@pytest.mark.parametrize("formula", ["R(q p) = R(q) R(p)", "R(q^*) = R(q)^T"])
+def test_a_matrix_of_a_quaternion_is_no_product(formula: str) -> None:
+    """R(q p) = R(q) R(p) was ill-formed: a tensor beside a quaternion."""
+    kinds = {"q": "hamilton quaternion", "p": "hamilton quaternion", "R": "rotation"}
+    table = SymbolTable.build({name: {"kind": kind} for name, kind in kinds.items()})
+    with pytest.raises(ReadError, match="a function of what is in the bracket") as caught:
+        read(formula, table)
+    assert not isinstance(caught.value, IllFormedAt)

@@ -180,3 +180,9 @@ def test_what_the_text_defines_is_named_without_its_laws(tmp_path: Path) -> None
 def test_the_law_of_a_positive_number_is_not_that_of_its_root(tmp_path: Path) -> None:
     (stated,) = verdicts(tmp_path, r"p \dot p = x")
     assert r"a law for \dot{p}," in stated.reason
+
+
+def test_only_the_laws_that_it_takes_are_named(tmp_path: Path) -> None:
+    laws = [r"\dot x = k y", r"\ddot y = c x \dot x", r"m \dot y = F - c y"]
+    *_, found = verdicts(tmp_path, *laws, r"\frac{d}{dt} (x^2 y) = 2 k x y^2 + x^2 \dot y")
+    assert found.outcome is Outcome.CONDITIONAL and found.hypothesis == r"\dot{x} = k y"

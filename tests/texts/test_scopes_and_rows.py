@@ -98,3 +98,11 @@ def test_an_equation_behind_a_mark_is_one_of_its_own(
     else:
         assert [claim.printed.latex.replace(" ", "") for claim in claims] == expected
     assert [c.assume[0].latex for c in claims if c.assume] == (["y \\neq0"] if "neq" in row else [])
+
+
+def test_rates_may_stand_among_the_arguments(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("$$ J^\\#(q) J(q, \\dot q) = J^\\# J $$\n")
+    model = "source = 'p.md'\n[conventions]\narguments = ['q', '\\dot q', '\\ddot{q}']\n"
+    (tmp_path / "p.toml").write_text(model + "[symbols]\nq = 'scalar'\nJ = 'tensor'\n'J^\\#' = 'tensor'\n")
+    (claim,) = load_paper(tmp_path / "p.toml").claims
+    assert claim.printed.statement.left == claim.printed.statement.right

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -34,6 +35,7 @@ CONVENTIONS = {
     "powers": ("values",),
 }
 _LOOSE = ("products", "one", "powers")
+_DOTS = re.compile(r"^\s*\\d{1,4}ot(?![A-Za-z])")
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
 
@@ -194,12 +196,12 @@ def _says_hamilton(file: TomlFile) -> bool:
 
 
 def _arguments(files: Sequence[TomlFile]) -> frozenset[Name]:
-    """What in brackets only says what a symbol depends on."""
+    """What in brackets only says what a symbol depends on; with q its rates do."""
     found = set()
     for file in files:
         for place, text in enumerate(file.texts(("conventions", "arguments"))):
             try:
-                found.add(read_key(text)[0])
+                found.add(read_key(_DOTS.sub("", text))[0])
             except SpecError as error:
                 at = ("conventions", "arguments", place)
                 raise file.error_at_value(at, f"arguments: {error}") from None

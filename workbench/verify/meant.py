@@ -123,9 +123,11 @@ class Meant:
         defined_by_all = tuple(each for each in claim.rests if each.definition is not None)
         tries = [(defined_by_all, []), ((), laws), (defined_beside(laws, claim), laws)] if laws else []
         for defined, said in tries:
+            definitions = [each.definition for each in defined]
+            said = self._needed(claim, said, definitions)
             if not (defined or said):
                 continue
-            under = self._given(claim, said, [each.definition for each in defined])
+            under = self._given(claim, said, definitions)
             if under.outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
                 used = (*defined, *said)
                 places = ", ".join(dict.fromkeys(each.place for each in used))
@@ -133,10 +135,33 @@ class Meant:
                 return _conditional(under, [to_latex(each.statement) for each in used], "; ".join(why), bare)
         return None
 
-    def _given(self, claim: Claim, laws: Sequence[Said], definitions: Sequence[Definition] = ()) -> Verdict:
+    def _needed(
+        self, claim: Claim, laws: Sequence[Said], definitions: Sequence[Definition]
+    ) -> Sequence[Said]:
+        """Those of the laws without which the first engine does not see that it holds; all, where it does not
+        see it with all."""
+        needed = list(laws)
+        if not needed or not self._seems_to_hold(claim, needed, definitions):
+            return laws
+        for law in laws:
+            fewer = [each for each in needed if each is not law]
+            if self._seems_to_hold(claim, fewer, definitions):
+                needed = fewer
+        return needed
+
+    def _seems_to_hold(self, claim: Claim, laws: Sequence[Said], definitions: Sequence[Definition]) -> bool:
+        return self._given(claim, laws, definitions, by_both=False).outcome is Outcome.PROBABLE
+
+    def _given(
+        self,
+        claim: Claim,
+        laws: Sequence[Said],
+        definitions: Sequence[Definition] = (),
+        by_both: bool = True,
+    ) -> Verdict:
         """The verdict if the laws hold always."""
         given = tuple(Formula(law.name, law.statement) for law in laws)
-        return self._supposing(replace(claim, given=(*claim.given, *given)), (), definitions)
+        return self._supposing(replace(claim, given=(*claim.given, *given)), (), definitions, by_both)
 
     def _with_what_it_says(self, claim: Claim, refuted: Verdict) -> Verdict:
         """A refuted formula of a text may be true all the same, with what the text says of its symbols beside
@@ -221,7 +246,11 @@ class Meant:
         return _conditional(verdict, [aside.latex for aside in needed], reason, refuted)
 
     def _supposing(
-        self, claim: Claim, asides: Sequence[Aside], definitions: Sequence[Definition] = ()
+        self,
+        claim: Claim,
+        asides: Sequence[Aside],
+        definitions: Sequence[Definition] = (),
+        by_both: bool = True,
     ) -> Verdict:
         from workbench.judge.kernel.judge import Judge
 
@@ -230,6 +259,8 @@ class Meant:
         if definitions:
             known = Definitions([*notation.definitions, *definitions])
             judge, supposed = Judge(known, **self._options), (*supposed, *known.known_of(statement))
+        if not by_both:
+            judge = replace(judge, second_engine=False)
         with suppress(Unsatisfiable):
             return undisturbed(lambda: judge.judge(statement, supposed, orders=claim.orders))
         return Verdict(Outcome.UNCHECKED)

@@ -44,7 +44,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
             return False  # u (∇·v)
         raise Fault("a function at another place than its argument; a product needs no bracket", bracket.at)
     if "arguments" in scope.table.loose and bracket.parts and is_accented_symbol(_without_sup(term)):
-        return all(_is_name(part) or isinstance(scope.term(part), Symbol) for part in bracket.parts)
+        return all(_is_name(part) or _is_symbol_or_quaternion(scope.term(part)) for part in bracket.parts)
     if len(bracket.parts) > 1:
         only_says = all(scope.is_time(part) or is_argument(scope, part) for part in bracket.parts)
         if only_says:
@@ -73,6 +73,11 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         if scope.term(part).type.kind == "scalar" and not _is_constant(function):
             _refuse_both(scope, bracket, function, is_factor=True)
     return False
+
+
+def _is_symbol_or_quaternion(value: Term) -> bool:
+    """Whether it may be that of which something is a function, as R(p q) is."""
+    return isinstance(value, Symbol) or value.type.kind == "quaternion"
 
 
 def _is_coordinate(scope: Scope, function: Term) -> bool:

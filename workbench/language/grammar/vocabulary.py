@@ -15,7 +15,7 @@ _FONTS = (
     "mathbf boldsymbol mathrm mathit mathsf mathcal mathbb mathfrak mathscr mathds mathbfit mathbfup symup"
 )
 _STYLES = f"{_FONTS} underline overline bar vec hat check breve mathring"
-_LABELS = "dagger ddagger flat natural sharp bullet diamond"
+_LABELS = "dagger ddagger flat natural sharp bullet diamond #"
 _SIZES = "left right big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr"
 #: (2.1), [3] or (A.4b), as the number of a formula is printed; the length of a space may stand before it.
 NUMBER = re.compile(

@@ -186,3 +186,36 @@ def test_only_the_laws_that_it_takes_are_named(tmp_path: Path) -> None:
     laws = [r"\dot x = k y", r"\ddot y = c x \dot x", r"m \dot y = F - c y"]
     *_, found = verdicts(tmp_path, *laws, r"\frac{d}{dt} (x^2 y) = 2 k x y^2 + x^2 \dot y")
     assert found.outcome is Outcome.CONDITIONAL and found.hypothesis == r"\dot{x} = k y"
+
+
+CART = r"""
+source = "p.md"
+[symbols]
+x = "scalar"
+F = "scalar"
+'\theta' = "scalar"
+M = { kind = "scalar", constant = true, positive = true }
+m = { kind = "scalar", constant = true, positive = true }
+l = { kind = "scalar", constant = true, positive = true }
+g = { kind = "scalar", constant = true }
+[definitions]
+E = '\frac{1}{2} (M + m) \dot x^2 + m l \dot x \dot\theta \cos\theta + \frac{1}{2} m l^2 \dot\theta^2 + m g l \cos\theta'
+"""
+CART_POLE = [
+    r"\ddot\theta = \frac{g \sin\theta - \ddot x \cos\theta}{l}",
+    r"(M + m) \ddot x + m l \ddot\theta \cos\theta - m l \dot\theta^2 \sin\theta = F",
+    r"\ddot x = \frac{F + m l \dot\theta^2 \sin\theta - m g \sin\theta \cos\theta}{M + m \sin^2\theta}",
+    r"\ddot\theta = \frac{(M + m) g \sin\theta - F \cos\theta - m l \dot\theta^2 \sin\theta \cos\theta}{l (M + m \sin^2\theta)}",
+    r"\dot E = F \dot x",
+]
+
+
+def test_a_cart_and_its_pole(tmp_path: Path) -> None:
+    (tmp_path / "p.toml").write_text(CART)
+    for sign in ("", "-"):
+        rows = [*CART_POLE[:-1], f"{CART_POLE[-1].replace('F', sign + 'F')}"]
+        (tmp_path / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in rows))
+        first, second, *found, power = (r.verdict for r in judge_paper(load_paper(tmp_path / "p.toml")))
+        assert first.outcome is second.outcome is Outcome.UNCHECKED
+        assert [each.outcome for each in found] == [Outcome.CONDITIONAL] * 2
+        assert (power.outcome is Outcome.CONDITIONAL) == (not sign)

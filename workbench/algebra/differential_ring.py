@@ -138,6 +138,11 @@ class DifferentialRing:
             bound |= {self.names[i] for i, degree in enumerate(value.degrees()) if degree > 0}
         return frozenset(bound)
 
+    @property
+    def square_names(self) -> frozenset[str]:
+        """The generators whose squares are rewritten."""
+        return frozenset(self._squares)
+
     def square_of(self, p: Polynomial) -> Polynomial:
         """p² in normal form if p is a single generator with a square relation, such as a norm; else p."""
         for name, value in self._squares.items():

@@ -6,6 +6,7 @@ import pytest
 from judge.test_judge import judged
 
 from workbench import check
+from workbench.judge.kernel.vanishing import Equations
 from workbench.judge.second import consequences
 from workbench.judge.verdict import Outcome
 
@@ -149,3 +150,34 @@ def test_what_the_second_engine_does_not_see_is_open(monkeypatch):
 )
 def test_what_no_equation_speaks_of_is_seen_from_beside(latex):
     assert outcome(latex) == Outcome.PROVED
+
+
+#: What is linear in h or in k, by a coefficient that something keeps from 0, and by one that nothing does.
+LED = [
+    (r"f h = g", "f^2 h^2 = g^2", r"f \neq 0", "h = {} g"),
+    (r"f h = f g", "h = g", r"f \neq 0", "h = {} g f"),
+    (r"f g h = f k", "g h = k", r"f \neq 0", "g h = {} k f"),
+    (r"\frac{h}{f} = \frac{g}{f}", "h^3 = g^3", None, "h = {} g^2"),
+    (r"f^2 g h = f g k \text{ and } g k = f^2 g", "h = f", r"f g \neq 0", "h = {} k"),
+    (r"(f + g) h = f + g \text{ and } (f + g) k = g h + f", "k^2 = h", r"f + g \neq 0", "k = {} f"),
+]
+
+
+@pytest.mark.parametrize(("premise", "follows", "apart", "does_not"), LED)
+def test_an_equation_is_solved_by_what_is_not_0(premise, follows, apart, does_not):
+    known = premise if apart is None else rf"{premise} \text{{ and }} {apart}"
+    assert outcome(rf"{known} \Rightarrow {follows}") == Outcome.PROVED
+    assert outcome(rf"{known} \Rightarrow {does_not.format('')}") == Outcome.REFUTED
+    if apart is not None and follows not in ("f^2 h^2 = g^2",):
+        assert outcome(rf"{premise} \Rightarrow {follows}") == Outcome.REFUTED
+
+
+@pytest.mark.parametrize(("premise", "follows", "apart", "does_not"), LED)
+def test_the_second_engine_alone_divides_by_nothing_that_may_be_0(
+    monkeypatch, premise, follows, apart, does_not
+):
+    """What the first engine takes for true is not proved if the second does not see it."""
+    monkeypatch.setattr(Equations, "imply", lambda self, residuals: True)
+    without = [rf"{premise} \Rightarrow {follows}"] if apart and "^2 h" not in follows else []
+    for latex in (*without, rf"{premise} \Rightarrow {does_not.format('-')}"):
+        assert outcome(latex) not in (Outcome.PROVED, Outcome.CONDITIONAL)

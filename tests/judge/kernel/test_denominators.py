@@ -3,6 +3,7 @@
 import pytest
 from judge.test_judge import judged
 
+from workbench import check
 from workbench.judge.verdict import Outcome
 from workbench.papers.orders import Orders
 
@@ -70,3 +71,28 @@ def test_a_positive_number_and_squares_need_no_condition(denominator, outcome):
         judged(rf"\frac{{h ({denominator})}}{{{denominator}}} = h".replace("h", "(a, b, c)")).outcome
         == outcome
     )
+
+
+MASSES = {name: {"kind": "scalar", "positive": True} for name in "mk"} | dict.fromkeys("fghuw", "scalar")
+
+
+@pytest.mark.parametrize(
+    ("denominator", "holds"),
+    [
+        (r"m + k \sin^2 f", True),
+        (r"m + k (1 - \cos^2 f)", True),
+        (r"m + k \cos^2 f + k \sin^2 g", True),
+        (r"m + k \sin^2 f \cos^2 g", True),
+        (r"2 m k + m^2 \sin^2 f", True),
+        (r"u^2 \sin^2 f + m", True),
+        (r"m - k \sin^2 f", False),
+        (r"m \sin^2 f", False),
+        (r"m + w \sin^2 f", False),
+        (r"m + k \sin f", False),
+        (r"u^2 + k \sin^2 f", False),
+    ],
+)
+def test_positive_numbers_and_squares_of_sines_need_no_condition(denominator, holds):
+    latex = rf"\frac{{h ({denominator})}}{{{denominator}}} = h"
+    outcome = check(latex, symbols=MASSES).outcome
+    assert outcome == Outcome.PROVED if holds else outcome in (Outcome.CONDITIONAL, Outcome.UNCHECKED)

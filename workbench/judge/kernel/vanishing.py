@@ -82,10 +82,27 @@ class Equations:
             factor
             for denominator in denominators
             for factor in _factors(engine, denominator)
-            if factor not in self._apart and not is_nowhere_zero(factor, engine.norm_places, apart)
+            if factor not in self._apart
+            and not any(is_nowhere_zero(p, engine.norm_places, apart) for p in self._by_sines(factor))
         ]
         supposed = self.solved or self._rest
         return [factor for factor in gaps if not supposed or not self._excludes(factor)]
+
+    def _by_sines(self, p: Polynomial) -> Iterator[Polynomial]:
+        """The polynomial, and what it is where in one circle or in all x² is written for 1 − y² instead: the
+        m + k − k c² of a cosine is m + k s²."""
+        yield p
+        every = p
+        for relation in self._ring.relations:
+            places = _places(relation)
+            generators = relation.context().gens()
+            if len(places) == 2 and relation == sum(generators[place] ** 2 for place in places) - 1:
+                (squared,) = (at for at in places if self._ring.names[at] in self._ring.square_names)
+                (other,) = places - {squared}
+                if p.degrees()[other] > 1:
+                    yield _with_square(p, other, 1 - generators[squared] ** 2)
+                    every = _with_square(every, other, 1 - generators[squared] ** 2)
+        yield every
 
     @cached_property
     def _apart(self) -> list[Polynomial]:
@@ -134,6 +151,16 @@ class Equations:
     @cached_property
     def _ideal(self) -> Ideal:
         return Ideal(self._ring.names, [*self._rest, *self._ring.relations])
+
+
+def _with_square(p: Polynomial, place: int, square: Polynomial) -> Polynomial:
+    """p with the square of the generator at that place replaced."""
+    context, found = p.context(), p.context().constant(0)
+    for exponents, coefficient in p.terms():
+        half, odd = divmod(exponents[place], 2)
+        bare = (*exponents[:place], odd, *exponents[place + 1 :])
+        found += context.from_dict({bare: coefficient}) * square**half
+    return found
 
 
 class _Spread:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property, reduce
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from workbench.judge.second.sympy_engine import SympyEngine
 from workbench.judge.second.sympy_gate import PolyElement, grevlex, groebner, require_python_integers
@@ -17,6 +17,8 @@ Placed: TypeAlias = "tuple[PolyElement, set[int]]"
 
 #: How often something is squared to see whether a power of it vanishes, and how many terms it may have.
 _SQUARINGS, _LONGEST = 4, 40
+#: What has more terms is not factored.
+_SHORT = 8
 
 
 def recheck(relation: Relation, engine: SympyEngine, assumptions: Assumptions) -> bool:
@@ -29,23 +31,23 @@ def recheck(relation: Relation, engine: SympyEngine, assumptions: Assumptions) -
         for relations in (assumptions.equations, assumptions.nonzero)
     )
     zeros = [p for tops in supposed for p in tops if p]
-    elsewhere = [_square(ring, tops) for tops in apart]
-    elsewhere += ring.over_rationals(_divided_by(engine, assumptions.equations))
+    divided_by = [
+        (ring.over_rationals([ring.denominators[place]])[0], exponent)
+        for place, exponent in _divided_by(engine, assumptions.equations).items()
+    ]
+    elsewhere = [*((_square(ring, tops), 1) for tops in apart), *divided_by]
     return _Supposed(ring, zeros, elsewhere).imply(ring.over_rationals(tops))
 
 
-def _divided_by(engine: SympyEngine, premises: Iterable[Relation]) -> list[PolyElement]:
-    """What is not 0 since the premises divide by it, as often as they do."""
+def _divided_by(engine: SympyEngine, premises: Iterable[Relation]) -> dict[int, int]:
+    """The places of denominators by which the premises divide, so that they are not 0, and how often."""
     ring = engine.ring
     powers: dict[int, int] = {}
     for premise in premises:
         for value in engine.differences(premise.left, premise.right):
             for place, exponent in ring.lift(value).below.items():
                 powers[place] = max(exponent, powers.get(place, 0))
-    return [
-        reduce(lambda p, q: ring.normal(p * q), [ring.denominators[place]] * exponent)
-        for place, exponent in powers.items()
-    ]
+    return powers
 
 
 def recheck_distance(relation: Relation, engine: SympyEngine) -> bool:
@@ -53,28 +55,75 @@ def recheck_distance(relation: Relation, engine: SympyEngine) -> bool:
     return any(top and top.is_ground for top in engine.residuals(relation))
 
 
-class _Supposed:
-    """Polynomials that vanish, where others do not. One that is linear in an indeterminate, with a number as
-    coefficient, is solved for it and put in; of the others there is a Gröbner basis."""
+class _Solved(NamedTuple):
+    """An indeterminate, known by its place, which is value/over; over: None for 1."""
 
-    def __init__(self, ring: SympyRing, zeros: list[PolyElement], elsewhere: list[PolyElement]) -> None:
-        self._ring, self._elsewhere, self._polynomials = ring, elsewhere, ring.polynomials
-        self._values: list[tuple[int, PolyElement]] = []
+    place: int
+    value: PolyElement
+    over: PolyElement | None = None
+
+
+class _Supposed:
+    """Polynomials that vanish, where others do not. One that is linear in an indeterminate is solved for it,
+    if the coefficient is a number, or a product of what does not vanish, and put in; of the others there is a
+    Gröbner basis. elsewhere: what does not vanish, and how often it is to divide."""
+
+    def __init__(
+        self, ring: SympyRing, zeros: list[PolyElement], elsewhere: Sequence[tuple[PolyElement, int]]
+    ) -> None:
+        self._ring, self._polynomials = ring, ring.polynomials
+        self._elsewhere = [p for p, exponent in elsewhere for _ in range(exponent)]
+        self._apart = self._factors_of(p for p, _ in elsewhere)
+        self._values: list[_Solved] = []
         bound = {place for relation in ring.relations for place in self._polynomials.places(relation)}
-        pending, divisors = self._placed(zeros), []
-        while pending:
-            p, holds = pending.pop()
-            place = self._solvable(p, holds - bound)
-            if place is None:
-                divisors.append((p, holds))
-                continue
-            (x,) = ring.over_rationals([self._polynomials.generators[place]])
-            self._values.append((place, x - p.quo_ground(p.coeff(x))))
-            pending, divisors = (
-                [pair for pair in self._with_value(group, *self._values[-1]) if pair[0]]
-                for group in (pending, divisors)
-            )
-        self._divisors = [self._polynomials.spread(p, self._polynomials.many) for p, _ in divisors]
+        rest = self._placed(zeros)
+        for solve in (self._by_number, self._by_what_is_apart, self._by_number):
+            pending, rest = rest, []
+            while pending:
+                p, holds = pending.pop()
+                solved = solve(p, sorted(holds - bound))
+                if solved is None:
+                    rest.append((p, holds))
+                    continue
+                self._values.append(solved)
+                pending, rest = (
+                    [pair for pair in self._with_value(group, solved) if pair[0]] for group in (pending, rest)
+                )
+        self._divisors = [self._polynomials.spread(p, self._polynomials.many) for p, _ in rest]
+
+    def _by_number(self, p: PolyElement, places: Sequence[int]) -> _Solved | None:
+        """By the first of these places whose indeterminate p holds in no other term than c · x."""
+        place = next((place for place in places if self._polynomials.is_alone(place, p)), None)
+        if place is None:
+            return None
+        (x,) = self._ring.over_rationals([self._polynomials.generators[place]])
+        return _Solved(place, x - p.quo_ground(p.coeff(x)))
+
+    def _by_what_is_apart(self, p: PolyElement, places: Sequence[int]) -> _Solved | None:
+        """By the first whose coefficient is made of what does not vanish."""
+        for place in places:
+            slope = self._polynomials.slope(p, place)
+            if slope is not None and self._is_apart(slope):
+                (x,) = self._ring.over_rationals([self._polynomials.generators[place]])
+                return _Solved(place, self._polynomials.checked(slope * x) - p, slope)
+        return None
+
+    def _is_apart(self, p: PolyElement) -> bool:
+        left = self._polynomials.spread(p, self._polynomials.many)
+        for factor in self._apart:
+            (quotient,), remainder = left.div([factor])
+            while not remainder:
+                left = quotient
+                (quotient,), remainder = left.div([factor])
+        return left.is_ground
+
+    def _factors_of(self, polynomials: Iterable[PolyElement]) -> list[PolyElement]:
+        """Those of short ones, others as they are; of what is no number."""
+        found: list[PolyElement] = []
+        for p in polynomials:
+            known = self._polynomials.factors(p) if len(p) <= _SHORT else [(p, 1)]
+            found += [self._polynomials.spread(q, self._polynomials.many) for q, _ in known]
+        return [factor for factor in found if not factor.is_ground]
 
     def imply(self, tops: Sequence[PolyElement]) -> bool:
         """Whether all vanish, or the sum of the squares of those that are not seen to."""
@@ -106,8 +155,8 @@ class _Supposed:
 
     def _remainder(self, p: PolyElement, by: Sequence[PolyElement]) -> PolyElement:
         group = self._placed([p])
-        for place, value in self._values:
-            group = self._with_value(group, place, value)
+        for solved in self._values:
+            group = self._with_value(group, solved)
         p = self._ring.normal(group[0][0])
         return self._polynomials.packed(self._polynomials.spread(p, by[0].ring).rem(by)) if by else p
 
@@ -124,18 +173,16 @@ class _Supposed:
         """Each with the places of the indeterminates in it: most are put into polynomials without them."""
         return [(p, self._polynomials.places(p)) for p in polynomials]
 
-    def _with_value(self, group: Iterable[Placed], place: int, value: PolyElement) -> list[Placed]:
+    def _with_value(self, group: Iterable[Placed], solved: _Solved) -> list[Placed]:
         found: list[Placed] = []
         for p, places in group:
-            if place in places:
-                found += self._placed([self._polynomials.rewritten(p, place, 1, value)])
+            if solved.place in places:
+                found += self._placed(
+                    [self._polynomials.rewritten(p, solved.place, 1, solved.value, solved.over)]
+                )
             else:
                 found.append((p, places))
         return found
-
-    def _solvable(self, p: PolyElement, places: Collection[int]) -> int | None:
-        """The first of these places whose indeterminate p holds in no other term than c · x."""
-        return next((place for place in sorted(places) if self._polynomials.is_alone(place, p)), None)
 
 
 def _square(ring: SympyRing, tops: Sequence[PolyElement]) -> PolyElement:

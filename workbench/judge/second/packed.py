@@ -77,17 +77,30 @@ class PackedPolynomials:
             raise NotExact(f"a power of {1 << (WIDTH - 1)} or more")
         return p
 
-    def rewritten(self, p: PolyElement, place: int, power: int, value: PolyElement) -> PolyElement:
-        """p with each x^power replaced by the value, x being the indeterminate at that place."""
+    def rewritten(
+        self, p: PolyElement, place: int, power: int, value: PolyElement, over: PolyElement | None = None
+    ) -> PolyElement:
+        """p with each x^power replaced by the value, x being the indeterminate at that place; over: a divisor
+        of the value, with as high a power of which p is multiplied as that takes."""
         shift = WIDTH * place
         parts: dict[int, dict[tuple[int], Any]] = {}
         for (powers,), coefficient in p.items():
             times = (powers >> shift & _DIGIT) // power
             parts.setdefault(times, {})[(powers - (times * power << shift),)] = coefficient
-        total = p.ring.zero
+        total, below = p.ring.zero, p.ring.one
         for times in range(max(parts, default=0), -1, -1):
-            total = self.checked(total * value) + p.new(parts.get(times, ()))
+            part = p.new(parts.get(times, ()))
+            total = self.checked(total * value) + (part if over is None else self.checked(part * below))
+            below = below if over is None else self.checked(below * over)
         return total
+
+    def slope(self, p: PolyElement, place: int) -> PolyElement | None:
+        """c of p = c x + r, neither of which holds x; None where p has a higher power of x, or none."""
+        shift = WIDTH * place
+        if any(self._at(place, powers) > 1 for (powers,) in p):
+            return None
+        terms = {(e - (1 << shift),): c for (e,), c in p.items() if self._at(place, e)}
+        return p.new(terms) if terms else None
 
     def _at(self, place: int, powers: int) -> int:
         return powers >> WIDTH * place & _DIGIT

@@ -15,11 +15,11 @@ from workbench.papers.model import Claim, Said
 from workbench.papers.said import free_in, terms_of
 
 
-def laws_of(claim: Claim) -> list[Said]:
-    """For each rate that the claim reaches, or a law for such a rate does, the last one before it, in a
-    formula or in a sentence. One that multiplies the rate by constants alone comes before others: from it is
-    found what else is said of the rate, as x ẋ + y ẏ = r v is. None of those by which hardly anything is ever
-    found to follow: with the inverse of a matrix, and for less than the highest rate of a rotation."""
+def laws_of(claim: Claim, followed: bool = True) -> list[Said]:
+    """For each rate that the claim reaches, or, followed, a law for such a rate does, the last one before it,
+    in a formula or in a sentence. One that multiplies the rate by constants alone comes before others: from
+    it is found what else is said of the rate, as x ẋ + y ẏ = r v is. None of those by which hardly anything
+    is ever found to follow: with the inverse of a matrix, for less than the highest rate of a rotation."""
     definitions = claim.notation.definitions
     reached = dict(_inventory(claim.printed.statement, definitions).orders)
     known = [(law, _rates(law.statement, definitions)) for law in _before(claim)]
@@ -34,6 +34,8 @@ def laws_of(claim: Claim) -> list[Said]:
             if is_new and _reaches(reached, rates) and not _turns_on(reached, rates):
                 found.append(law)
                 lowest |= rates
+                if not followed:
+                    continue
                 more = max(reached.get(symbol, 0) - order for symbol, order in rates.items())
                 for symbol, order in _inventory(law.statement, definitions).orders.items():
                     reached[symbol] = max(order + max(more, 0), reached.get(symbol, 0))

@@ -119,9 +119,14 @@ class Meant:
         """What is proved of the motions of which earlier formulas are laws."""
         if claim.corrected is not None:
             return None
-        laws = [law for law in laws_of(claim) if not self._is_known(law, claim.notation)]
-        defined_by_all = tuple(each for each in claim.rests if each.definition is not None)
-        tries = [(defined_by_all, []), ((), laws), (defined_beside(laws, claim), laws)] if laws else []
+        own, laws = (
+            [law for law in laws_of(claim, followed) if not self._is_known(law, claim.notation)]
+            for followed in (False, True)
+        )
+        by_itself = tuple(each for each in claim.rests if each.definition is not None)
+        beside = defined_beside(laws, claim)
+        tries = [(by_itself, []), ((), own[:1]), ((), own), ((), laws), (beside, laws)]
+        tries = [each for place, each in enumerate(tries) if laws and each not in tries[:place]]
         for defined, said in tries:
             definitions = [each.definition for each in defined]
             said = self._needed(claim, said, definitions)
@@ -141,7 +146,7 @@ class Meant:
         """Those of the laws without which the first engine does not see that it holds; all, where it does not
         see it with all."""
         needed = list(laws)
-        if not needed or not self._seems_to_hold(claim, needed, definitions):
+        if len(needed) < 2 - bool(definitions) or not self._seems_to_hold(claim, needed, definitions):
             return laws
         for law in laws:
             fewer = [each for each in needed if each is not law]

@@ -7,7 +7,7 @@ from workbench.judge.verdict import Outcome
 from workbench.language.typed.errors import ReadError
 from workbench.papers import PaperError, load_paper
 from workbench.verify.claims import judge_paper
-from workbench.verify.meant import undisturbed
+from workbench.verify.under import undisturbed
 
 F = {"f": "scalar", "s_n": "scalar"}
 

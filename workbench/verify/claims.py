@@ -18,8 +18,9 @@ from workbench.language.printing.authors import in_the_hand_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
 from workbench.papers.selection import select_claims
 from workbench.verify.keys import Keys, Memory
-from workbench.verify.meant import Meant, undisturbed
+from workbench.verify.meant import Meant
 from workbench.verify.results import FORMS, ClaimResult
+from workbench.verify.under import undisturbed
 from workbench.verify.witnesses import Witnesses
 
 if TYPE_CHECKING:

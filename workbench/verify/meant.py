@@ -8,9 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from workbench.judge.subject.angles import sum_of_products
-from workbench.judge.subject.assumptions import Unsatisfiable
-from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Outcome, Verdict
+from workbench.judge.verdict import SAME_TERM, Outcome, Verdict
 from workbench.language.definitions import Definitions, expand, only_turns
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
@@ -18,11 +16,13 @@ from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import Apply, Definition, Relation, Symbol, Term, sides_of
 from workbench.papers.formulas import read_statement
-from workbench.papers.model import Aside, Claim, Formula, Notation, Said
+from workbench.papers.model import Aside, Claim, Notation, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
-from workbench.verify.laws import defined_beside, has_laws, is_law, laws_of, says_no_more
+from workbench.verify.by_laws import by_laws
+from workbench.verify.laws import has_laws, is_law, says_no_more
 from workbench.verify.rounding import ROUNDED, is_rounded
+from workbench.verify.under import Under, conditional, with_asides
 
 if TYPE_CHECKING:
     from workbench.judge.kernel.judge import Judge
@@ -37,14 +37,13 @@ class Meant:
     """judge_of: the judge of a notation.   options: those of a judge."""
 
     def __init__(self, judge_of: Callable[[Notation], Judge], options: Mapping[str, bool]) -> None:
-        self._judge_of, self._options = judge_of, options
-        self._known: dict[tuple[int, str, str], bool] = {}  # of what a text says: whether it holds anyway
+        self._under, self._options = Under(judge_of, options), options
 
     def verdict(self, claim: Claim, verdict: Verdict) -> Verdict:
         """The verdict on what is printed, given that on its formula."""
         is_refuted = verdict.outcome is Outcome.REFUTED
         is_open = verdict.outcome is Outcome.UNCHECKED and bool(claim.laws or claim.beside) and is_law(claim)
-        if (is_refuted or is_open) and (held := self._by_laws(claim, verdict)) is not None:
+        if (is_refuted or is_open) and (held := by_laws(self._under, claim, verdict)) is not None:
             verdict = held
         elif is_refuted and (why := self._why_open(claim, verdict)) is not None:
             return _open(why, verdict)
@@ -84,7 +83,7 @@ class Meant:
             statement, _ = read_statement(claim.printed.latex, near, claim.orders)
             printed = replace(claim.printed, statement=statement)
             if statement != claim.printed.statement:
-                verdict = self._supposing(replace(claim, printed=printed), ())
+                verdict = self._under.verdict(replace(claim, printed=printed), ())
                 holds = verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION) or verdict.reason == SAME_TERM
                 return _REACH if holds else None
         return None
@@ -94,7 +93,7 @@ class Meant:
         verdict = self._with_what_it_says(claim, refuted)
         if verdict.outcome is Outcome.CONDITIONAL:
             return verdict
-        said = [law for law in has_laws(claim) if not self._is_known(law, claim.notation)]
+        said = [law for law in has_laws(claim) if not self._under.is_known(law, claim.notation)]
         if not said:
             return verdict
         if self._is_false_anyway(claim, said):
@@ -112,61 +111,8 @@ class Meant:
         return (
             is_all
             and says_no_more(laws, claim)
-            and all(self._given(claim, [law]).outcome is Outcome.REFUTED for law in laws)
+            and all(self._under.given(claim, [law]).outcome is Outcome.REFUTED for law in laws)
         )
-
-    def _by_laws(self, claim: Claim, bare: Verdict) -> Verdict | None:
-        """What is proved of the motions of which earlier formulas are laws."""
-        if claim.corrected is not None:
-            return None
-        own, laws = (
-            [law for law in laws_of(claim, followed) if not self._is_known(law, claim.notation)]
-            for followed in (False, True)
-        )
-        by_itself = tuple(each for each in claim.rests if each.definition is not None)
-        beside = defined_beside(laws, claim)
-        tries = [(by_itself, []), ((), own[:1]), ((), own), ((), laws), (beside, laws)]
-        tries = [each for place, each in enumerate(tries) if laws and each not in tries[:place]]
-        for defined, said in tries:
-            definitions = [each.definition for each in defined]
-            said = self._needed(claim, said, definitions)
-            if not (defined or said):
-                continue
-            under = self._given(claim, said, definitions)
-            if under.outcome in (Outcome.PROVED, Outcome.CONDITIONAL):
-                used = (*defined, *said)
-                places = ", ".join(dict.fromkeys(each.place for each in used))
-                why = [f"the text says so elsewhere ({places})", *([under.reason] if under.reason else [])]
-                return _conditional(under, [to_latex(each.statement) for each in used], "; ".join(why), bare)
-        return None
-
-    def _needed(
-        self, claim: Claim, laws: Sequence[Said], definitions: Sequence[Definition]
-    ) -> Sequence[Said]:
-        """Those of the laws without which the first engine does not see that it holds; all, where it does not
-        see it with all."""
-        needed = list(laws)
-        if len(needed) < 2 - bool(definitions) or not self._seems_to_hold(claim, needed, definitions):
-            return laws
-        for law in laws:
-            fewer = [each for each in needed if each is not law]
-            if self._seems_to_hold(claim, fewer, definitions):
-                needed = fewer
-        return needed
-
-    def _seems_to_hold(self, claim: Claim, laws: Sequence[Said], definitions: Sequence[Definition]) -> bool:
-        return self._given(claim, laws, definitions, by_both=False).outcome is Outcome.PROBABLE
-
-    def _given(
-        self,
-        claim: Claim,
-        laws: Sequence[Said],
-        definitions: Sequence[Definition] = (),
-        by_both: bool = True,
-    ) -> Verdict:
-        """The verdict if the laws hold always."""
-        given = tuple(Formula(law.name, law.statement) for law in laws)
-        return self._supposing(replace(claim, given=(*claim.given, *given)), (), definitions, by_both)
 
     def _with_what_it_says(self, claim: Claim, refuted: Verdict) -> Verdict:
         """A refuted formula of a text may be true all the same, with what the text says of its symbols beside
@@ -176,7 +122,7 @@ class Meant:
         if claim.beside and (why := self._if_special(_beside(claim), ())) is not None:
             return _open(why, refuted)
         unused = (said for said in claim.rests if said.statement not in claim.supposed)
-        rests = [said for said in unused if not self._is_known(said, claim.notation)]
+        rests = [said for said in unused if not self._under.is_known(said, claim.notation)]
         if rests:
             return self._with_what_is_said(claim, rests, refuted)
         if claim.says and not _is_said_beside(claim):
@@ -189,12 +135,12 @@ class Meant:
         known, shown = tuple(definitions.values()), ", ".join(f"{said.name} ({said.place})" for said in rests)
         under = Verdict(Outcome.UNCHECKED)
         if definitions.keys() == {said.name for said in rests}:
-            under = self._supposing(claim, _premises(claim), known)
+            under = self._under.verdict(claim, _premises(claim), known)
         if under.outcome is Outcome.PROVED:
-            alone = self._supposing(claim, (), known).outcome is Outcome.PROVED
+            alone = self._under.verdict(claim, (), known).outcome is Outcome.PROVED
             hypotheses = [to_latex(said.statement) for said in rests]
             hypotheses += [] if alone else [aside.latex for aside in _premises(claim)]
-            return _conditional(under, hypotheses, f"the text says elsewhere of {shown} what it is", refuted)
+            return conditional(under, hypotheses, f"the text says elsewhere of {shown} what it is", refuted)
         if under.outcome is not Outcome.REFUTED or len(definitions) < len(rests):
             why = f"false for a free {shown}, of which the text says something; a definition makes it a claim"
             return _open(why, refuted)
@@ -211,26 +157,12 @@ class Meant:
         found = special_case(claim, said, self._options)
         return found and f"holds for {found}; if the text means one, declare it so"
 
-    def _is_known(self, said: Said, notation: Notation) -> bool:
-        """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
-        key = id(notation), said.place, said.name
-        if key not in self._known:
-            verdict = Verdict(Outcome.UNCHECKED)
-            with suppress(Unsatisfiable):
-                judge = self._judge_of(notation)
-                verdict = undisturbed(
-                    lambda: judge.judge(said.statement, assume=said.supposed, orders=said.orders)
-                )
-            is_for_all = (verdict.scope or "all").startswith("all")
-            self._known[key] = verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION) and is_for_all
-        return self._known[key]
-
     def _under_asides(self, claim: Claim, refuted: Verdict) -> Verdict:
         """What is false as it stands may be meant under what the sentences around it suppose."""
         if not claim.beside:
             return refuted
         premises = _premises(claim)
-        verdict = self._supposing(claim, premises)
+        verdict = self._under.verdict(claim, premises)
         against = verdict.counterexample
         is_allowed = against is not None and all(aside.allows(against.values) for aside in claim.beside)
         if verdict.outcome is Outcome.REFUTED and is_allowed:
@@ -242,46 +174,13 @@ class Meant:
     def _with_asides(self, claim: Claim, refuted: Verdict) -> Verdict | None:
         """What is proved with them is conditional on those that the proof needs."""
         premises = _premises(claim)
-        verdict = self._supposing(claim, premises) if premises else Verdict(Outcome.UNCHECKED)
+        verdict = self._under.verdict(claim, premises) if premises else Verdict(Outcome.UNCHECKED)
         if verdict.outcome is not Outcome.PROVED:
             return None
         alone = ([aside] for aside in premises if len(premises) > 1)
-        needed = next((e for e in alone if self._supposing(claim, e).outcome is Outcome.PROVED), premises)
+        needed = next((e for e in alone if self._under.verdict(claim, e).outcome is Outcome.PROVED), premises)
         reason = f"the text says the condition beside it, {', '.join(dict.fromkeys(map(str, needed)))}"
-        return _conditional(verdict, [aside.latex for aside in needed], reason, refuted)
-
-    def _supposing(
-        self,
-        claim: Claim,
-        asides: Sequence[Aside],
-        definitions: Sequence[Definition] = (),
-        by_both: bool = True,
-    ) -> Verdict:
-        from workbench.judge.kernel.judge import Judge
-
-        statement, notation = claim.printed.statement, claim.notation
-        judge, supposed = self._judge_of(notation), _under(claim, asides).supposed
-        if definitions:
-            known = Definitions([*notation.definitions, *definitions])
-            judge, supposed = Judge(known, **self._options), (*supposed, *known.known_of(statement))
-        if not by_both:
-            judge = replace(judge, second_engine=False)
-        with suppress(Unsatisfiable):
-            return undisturbed(lambda: judge.judge(statement, supposed, orders=claim.orders))
-        return Verdict(Outcome.UNCHECKED)
-
-
-def undisturbed(judge: Callable[[], Verdict]) -> Verdict:
-    """The verdict; where the engines disagree or find no end, a defect of the workbench that must not stop
-    the other claims, it is `unchecked` and says so; and so it is where a theorem finds no second engine."""
-    try:
-        return judge()
-    except NotExact as outside:
-        return Verdict(Outcome.UNCHECKED, reason=str(outside))
-    except EngineDisagreement as error:
-        return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench, its engines disagree: {error}")
-    except RecursionError:
-        return Verdict(Outcome.UNCHECKED, reason="what it is made of nests too deep for the engines")
+        return conditional(verdict, [aside.latex for aside in needed], reason, refuted)
 
 
 def _of_pi(claim: Claim) -> str | None:
@@ -341,27 +240,11 @@ def _is_said_beside(claim: Claim) -> bool:
 
 def _beside(claim: Claim) -> Claim:
     """The claim under what its text supposes beside it."""
-    return _under(claim, _premises(claim))
-
-
-def _under(claim: Claim, asides: Sequence[Aside]) -> Claim:
-    premises = (Formula(aside.latex, aside.premise) for aside in asides)
-    return replace(claim, assume=(*claim.assume, *premises))
+    return with_asides(claim, _premises(claim))
 
 
 def _premises(claim: Claim) -> list[Aside]:
     return [aside for aside in claim.beside if aside.premise is not None]
-
-
-def _conditional(under: Verdict, hypotheses: Sequence[str], reason: str, bare: Verdict) -> Verdict:
-    """The verdict on what is proved under hypotheses and refuted without them."""
-    return replace(
-        under,
-        outcome=Outcome.CONDITIONAL,
-        hypothesis=", ".join(dict.fromkeys(hypotheses)),
-        reason=reason,
-        counterexample=bare.counterexample,
-    )
 
 
 def _open(why: str, verdict: Verdict) -> Verdict:

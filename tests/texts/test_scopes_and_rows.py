@@ -106,3 +106,27 @@ def test_rates_may_stand_among_the_arguments(tmp_path: Path) -> None:
     (tmp_path / "p.toml").write_text(model + "[symbols]\nq = 'scalar'\nJ = 'tensor'\n'J^\\#' = 'tensor'\n")
     (claim,) = load_paper(tmp_path / "p.toml").claims
     assert claim.printed.statement.left == claim.printed.statement.right
+
+
+@pytest.mark.parametrize(
+    ("formula", "more", "expected"),
+    [
+        (r"\tilde{f} = f + g", "", "unchecked"),
+        (r"\tilde{f} = f + g", r"'\tilde{f}' = { kind = 'vector', free = true }", "refuted"),
+        (r"f \times g \times h = f \times (g \times h)", "", "unchecked"),
+        (r"f \times g \times h = g (f \cdot h) - h (f \cdot g)", "right", "proved"),
+        (r"f \times g \times h = (f \times g) \times h", "right", "refuted"),
+        (r"\begin{bmatrix} 2 & \cdot \\ \cdot & 2 \end{bmatrix} = 2 \begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}", "", "proved"),
+    ],
+)  # fmt: skip
+def test_what_a_reader_may_take_otherwise_is_said(
+    tmp_path: Path, formula: str, more: str, expected: str
+) -> None:
+    """\tilde{f} = f + g was ill-formed, f being a vector and its skew tensor none."""
+    (tmp_path / "p.md").write_text(f"$$ {formula} $$\n")
+    convention = "[conventions]\ncross = 'right'\n" if more == "right" else ""
+    symbols = "".join(f"{name} = {{ kind = 'vector', free = true }}\n" for name in "fgh")
+    own = "" if more == "right" else more
+    (tmp_path / "p.toml").write_text(f"source = 'p.md'\n{convention}[symbols]\n{symbols}{own}\n")
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert result.verdict.outcome.value == expected, result.verdict.reason

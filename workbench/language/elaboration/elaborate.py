@@ -18,6 +18,7 @@ from workbench.language.grammar.syntax import (
     Extremal,
     Fraction,
     Group,
+    Infix,
     Leaf,
     Lines,
     Matrix,
@@ -88,7 +89,7 @@ class Elaborator(Scope):
             case Extremal():
                 raise Fault("a minimum or maximum stands alone on a side of an equation", node.at)
             case Matrix():
-                rows = [[self.term(entry) for entry in row] for row in node.rows]
+                rows = [[self.entry(entry) for entry in row] for row in node.rows]
                 is_row = len(rows) == 1 and all(entry.type.kind == "scalar" for entry in rows[0])
                 if is_row and "rows" in self.table.loose:
                     rows = [[entry] for entry in rows[0]]
@@ -105,6 +106,11 @@ class Elaborator(Scope):
             raise Fault(f"a number of {len(node.text)} digits; at most {_LONGEST_NUMBER}", node.at)
         value = Rational(node.text)
         return construct.number(value) if value else construct.zero()
+
+    def entry(self, node: Node) -> Term:
+        """An entry of a matrix, in which a dot alone stands for 0."""
+        is_dot = isinstance(node, Infix) and node.operator == "·"
+        return construct.zero() if is_dot else self.term(node)
 
     # sums and brackets
 

@@ -11,6 +11,8 @@ from workbench.language.typed.operators import SIGNS
 from workbench.language.typed.shapes import scalar_and_vector
 from workbench.language.typed.terms import Apply, Term
 
+_AMBIGUOUS = "several products without brackets are ambiguous"
+
 
 def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
     """a · b, a × b, a ⊗ b, P ∘ Q from left to right, where another order could not mean something else; but
@@ -32,7 +34,7 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
             if result.type.kind != "quaternion" and not _is_matrix_product(own):
                 heads.add("cross")
             if "cross" in heads and len([o for o in operands if o.type.kind != "scalar"]) > 2:
-                raise Fault("several products without brackets are ambiguous", signs[-1].at)
+                raise Fault(_AMBIGUOUS, signs[-1].at)
             continue
         if sign.operator in "∘⊗" and scope.table.has_quaternions:
             result, operand = (_from_column(scope, sign.at, each) for each in (result, operand))
@@ -44,7 +46,7 @@ def infix(scope: Scope, operands: list[Term], signs: list[Infix]) -> Term:
         factors = [o for o in operands if o.type.kind != "scalar"]
         is_row = "dyads" in scope.table.loose and all(o.type.kind == "tensor" for o in factors[1:-1])
         if heads & ({"cross", "outer"} if is_row else {"dot", "cross", "outer"}) and len(factors) > 2:
-            raise Fault("several products without brackets are ambiguous", signs[-1].at)
+            raise Fault(_AMBIGUOUS, signs[-1].at)
         result = _of_tensors(scope, sign.at, head, result, operand)
     return result
 
@@ -57,11 +59,13 @@ def _is_matrix_product(term: Term) -> bool:
 
 def _turns_often(scope: Scope, operands: list[Term], signs: list[Infix]) -> bool:
     """Whether they are × between vectors alone, of which all but the last are the same but for numbers before
-    them."""
+    them, or which the paper reads from the right."""
     if len(operands) < 3 or {sign.operator for sign in signs} != {"×"}:
         return False
     first, last = operands[0], operands[-1]
-    if first.type.kind != "vector" or last.type.kind != "vector" or len({*map(_moved, operands[:-1])}) > 1:
+    if first.type.kind != "vector" or last.type.kind != "vector":
+        return False
+    if "right" not in scope.table.loose and len({*map(_moved, operands[:-1])}) > 1:
         return False
     return explained(scope, signs[0], first, last) is None
 

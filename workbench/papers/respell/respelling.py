@@ -269,6 +269,8 @@ def _formula_in(tokens: Sequence[Token], place: int) -> tuple[bool, list[Token],
     """The formula of \\mbox{\\boldmath $x$}, and whether it is bold; None for words."""
     inner, end = argument(tokens, place)
     plain = [token for token in inner if token.text != " " and token.text not in _BOLD]
+    if len(plain) > 4 and plain[0].text == "{" and _group_end(plain) == len(plain):
+        plain = plain[1:-1]  # \\boldmath{$x$}
     if len(plain) < 3 or plain[0].text != "$" or plain[-1].text != "$" or len(plain) != _dollars(plain):
         return None
     return any(token.text in _BOLD for token in inner), plain[1:-1], end

@@ -159,6 +159,8 @@ def _pieces(tokens: list[Token]) -> Iterator[list[Token]]:
     for place, (token, depth) in enumerate(with_depth(tokens)):
         if place < skip_to:
             continue
+        if token.text in WIDE and not depth and (before := trimmed(piece)) and before[-1].text in RELATIONS:
+            continue  # a gap behind a sign
         behind_column = depth == 0 and token.text in EXPLICIT and _ends_a_column(tokens[:place])
         is_word = depth == 0 and _words(tokens, place) in _SEPARATING
         if is_word or (depth == 0 and token.text in _BETWEEN) or behind_column:

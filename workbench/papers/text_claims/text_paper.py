@@ -30,6 +30,8 @@ from workbench.papers.toml.toml_file import TomlFile
 
 _IN_WORDS = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*(?:is|are|denotes?|represents?)\b")
 _FUNCTION = re.compile(r"(\\?[A-Za-z]+(?:_\w+)?)\([^()]+\)")
+_TILDE = re.compile(r"\\(?:wide)?tilde(?![A-Za-z])")
+_TILDED = "cannot be read: \\tilde{x} as the skew tensor of x does not fit; a symbol of its own is declared"
 _NO_ID = re.compile(r"[^\w.+*'-]+")
 
 
@@ -260,6 +262,8 @@ def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Form
         return Formula(latex, statement), orders_within(orders, ranges)
     except IllFormedAt as error:
         at = _at(latex, owners, error.line, error.column)
+        if _TILDE.search(latex):
+            return Formula(latex, unread=_TILDED, at=at), orders
         return Formula(latex, ill_formed=_message(error), at=at), orders
     except ReadError as error:
         if placed.step.ranges:

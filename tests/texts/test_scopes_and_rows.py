@@ -130,3 +130,17 @@ def test_what_a_reader_may_take_otherwise_is_said(
     (tmp_path / "p.toml").write_text(f"source = 'p.md'\n{convention}[symbols]\n{symbols}{own}\n")
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
     assert result.verdict.outcome.value == expected, result.verdict.reason
+
+
+def test_a_scope_may_begin_at_any_line(tmp_path: Path) -> None:
+    text = "# A\n\n$$ v = u $$\n\nFrom here on\n\nit is so.\n\n$$ v = u $$\n"
+    (tmp_path / "p.md").write_text(text)
+    model = "source = 'p.md'\n[symbols]\nv = 'vector'\nw = 'vector'\n[definitions]\nu = 'v + w'\n"
+    scope = "[[scope]]\nfrom = 'line {}'\ndefinitions = {{ u = 'v' }}\n"
+    for line in (4, 5, 7, 9):
+        (tmp_path / "p.toml").write_text(model + scope.format(line))
+        paper = load_paper(tmp_path / "p.toml")
+        outcomes = [result.verdict.outcome.value for result in judge_paper(paper)]
+        assert not paper.faults and outcomes == ["unchecked", "proved"], line
+    (tmp_path / "p.toml").write_text(model + scope.format(10))
+    assert "the text has no 'line 10'" in load_paper(tmp_path / "p.toml").faults[0].message

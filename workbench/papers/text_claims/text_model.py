@@ -148,9 +148,19 @@ def _start(toml: TomlFile, path: KeyPath, text: Text) -> int:
         )
     place = place_of(start, text.displays)
     place = text.starts.get(start) if place is None else place
+    place = _behind_line(start, text.displays) if place is None else place
     if place is None or place >= len(text.displays):
         raise toml.error_at_value((*path, "from"), f"from: the text has no {start!r}")
     return place
+
+
+def _behind_line(name: str, displays: Sequence[Display]) -> int | None:
+    """The first display that ends behind the line, of those in the file of the first."""
+    if (match := _LINE.fullmatch(name)) is None or not displays:
+        return None
+    path, line = displays[0].source.path, int(match[1])
+    ends = ((p, d.source.place(d.end)[0]) for p, d in enumerate(displays) if d.source.path == path)
+    return next((place for place, end in ends if end > line), None)
 
 
 def place_of(name: str, displays: Sequence[Display]) -> int | None:

@@ -121,6 +121,17 @@ _LOOSELY = {
 _STRICTLY = {"dyads": "matrices", "unit": "scalar"}
 
 
+class _Watched(frozenset[str]):
+    """What is read loosely, and what was looked for in it: the rest would change nothing."""
+
+    def __init__(self, _: Iterable[str]) -> None:
+        self.looked_for: set[str] = set()
+
+    def __contains__(self, name: object) -> bool:
+        self.looked_for.add(str(name))
+        return super().__contains__(name)
+
+
 def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable], Result]) -> Result:
     if (number := BY_HAND.search(latex)) is not None:
         raise ReadError("the number of the formula, or a factor? leave it out", *place(latex, number.start()))
@@ -139,8 +150,13 @@ def _placed(latex: str, table: SymbolTable, make: Callable[[Lines, SymbolTable],
 
 def _question(make: Callable[[SymbolTable], object], table: SymbolTable) -> str | None:
     """What to ask of a formula that does not fit together as read, but does where it is read loosely."""
+    watched = _Watched(table.loose)
+    with suppress(Fault, Misfit):
+        make(replace(table, loose=watched))
     for several in (*((each,) for each in _LOOSELY), ("dyads", "unit")):
-        if any(_STRICTLY.get(each) in table.loose for each in several):
+        if watched.looked_for.isdisjoint(several) or any(
+            _STRICTLY.get(each) in table.loose for each in several
+        ):
             continue
         with suppress(Fault, Misfit):
             make(replace(table, loose=table.loose.union(several)))

@@ -1,5 +1,6 @@
 r"""What a text supposes in its sentences: a formula that is false only without it is not said to be false."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -19,13 +20,21 @@ DISPLAYS = {
     "md": ("${}$", "\n\n$$\n{}\n$$\n\n"),
     "rst": (":math:`{}`", "\n\n.. math::\n\n   {}\n\n"),
     "html": (r"\({}\)", "$${}$$"),
+    "ipynb": ("${}$", "\n\n$$\n{}\n$$\n\n"),
 }
 
 
 def verdicts(folder: Path, text: str, ending: str = "tex") -> list[Outcome]:
-    (folder / f"p.{ending}").write_text(text)
+    (folder / f"p.{ending}").write_text(notebook([text]) if ending == "ipynb" else text)
     (folder / "p.toml").write_text(MODEL.format(ending))
     return [result.verdict.outcome for result in judge_paper(load_paper(folder / "p.toml"))]
+
+
+def notebook(cells: list[str]) -> str:
+    sources = [
+        {"cell_type": "markdown", "metadata": {}, "source": each.splitlines(keepends=True)} for each in cells
+    ]
+    return json.dumps({"cells": sources}, indent=1)
 
 
 def written(text: str, ending: str) -> str:
@@ -205,3 +214,12 @@ def test_what_is_said_of_what_a_definition_holds_and_of_rates_anywhere_before(
     (tmp_path / "p.tex").write_text(written(text, "tex"))
     (tmp_path / "p.toml").write_text(MODEL.format("tex") + DEFINED)
     assert [result.verdict.outcome for result in judge_paper(load_paper(tmp_path / "p.toml"))] == [outcome]
+
+
+def test_a_sentence_ends_with_its_cell(tmp_path):
+    cells = [f"It holds that\n$$\n{CANCELLED}\n$$\n", "where $f \\neq 0$ is given"]
+    (tmp_path / "p.toml").write_text(MODEL.format("ipynb"))
+    for parts, expected in ((cells, Outcome.REFUTED), (["".join(cells)], Outcome.CONDITIONAL)):
+        (tmp_path / "p.ipynb").write_text(notebook(parts))
+        (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+        assert result.verdict.outcome is expected

@@ -88,24 +88,31 @@ def name_of_a_formula(tokens: list[Token], place: int) -> tuple[list[Token], int
 
 
 def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """[a \\quad b], in which nothing else stands between the two, as a row of a matrix."""
+    """[a \\quad b], in which nothing else stands between the two, as a row of a matrix; of three or more, or
+    the first of them, each may have a sign."""
     is_large = tokens[place].text == "\\left"
     start, closing = (place + 1, "\\right") if is_large else (place, "]")
     if printed(tokens[start : start + 1]) != ["["] or (start == place and _is_large(tokens, place)):
         return None
     parts: list[list[Token]] = [[]]
-    depth, end = 0, start + 1
+    depth, end, signed = 0, start + 1, 0
     while end < len(tokens) and (depth or tokens[end].text != closing):
         text = tokens[end].text
-        if not depth and text in _NO_ROW:
+        is_first = not printed(parts[-1][len(parts) > 1 :])
+        if not depth and text in _NO_ROW and not (is_first and text in ("+", "-")):
             return None
+        signed += not depth and len(parts) > 1 and text in ("+", "-")
         if not depth and text in _WIDE:
             parts.append([tokens[end].standing_for("&")])
         else:
             parts[-1].append(tokens[end])
         depth += (text in _OPEN) - (text in _CLOSE)
         end += 1
-    if end == len(tokens) or len(parts) < 2 or any(past(part, 1) >= len(part) for part in parts[1:]):
+    if (
+        end == len(tokens)
+        or len(parts) < (3 if signed else 2)
+        or any(past(part, 1) >= len(part) for part in parts[1:])
+    ):
         return None
     end += is_large
     if printed(tokens[end : end + 1]) != ["]"]:
@@ -125,8 +132,8 @@ def _is_large(tokens: list[Token], place: int) -> bool:
 
 
 def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """[x \\; y \\; z]^T or (x \\quad y \\quad z)^T, of symbols alone, as [x, y, z]^T; beside a number or
-    the sine of a symbol those with a sign, too."""
+    """[x \\; y \\; z]^T or (x \\quad y \\quad z)^T, of symbols alone, as [x, y, z]^T; of three or more, or
+    beside a number or the sine of a symbol, those with a sign, too. [x \\; y \\; z] is no product."""
     closing = {"[": "]", "(": ")"}.get(tokens[place].text)
     if closing is None:
         return None
@@ -135,11 +142,12 @@ def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] |
     if end is None or tokens[end].text != closing:
         return None
     above = past(tokens, end + 1)
-    if [token.text for token in tokens[above : above + 1]] != ["^"]:
-        return None
-    power = "".join(printed(group(tokens, past(tokens, above + 1))[0]))
+    is_raised = [token.text for token in tokens[above : above + 1]] == ["^"]
+    power = "".join(printed(group(tokens, past(tokens, above + 1))[0])) if is_raised else ""
     if power not in ("T", "\\top", "\\mathrm{T}", "\\intercal"):
-        return None
+        if is_raised or closing == ")":
+            return None
+        spaces, least = _THICK - {"\\,"}, 3
     inside = tokens[place + 1 : end - (tokens[end - 1].text == "\\right")]
     parts: list[list[Token]] = [[]]
     gaps: list[Token] = []
@@ -151,7 +159,8 @@ def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] |
             parts[-1].append(token)
     if not printed(parts[-1]):
         parts.pop()
-    if len(parts) < least or not (all(map(is_one_symbol, parts)) or _are_scalars(parts)):
+    bare = _unsigned(parts) if len(parts) > 2 else parts
+    if len(parts) < least or not (all(map(is_one_symbol, bare)) or _are_scalars(parts)):
         return None
     made = [tokens[place], *parts[0]]
     for gap, part in zip(gaps, parts[1:], strict=False):
@@ -162,12 +171,13 @@ def transposed_row(tokens: list[Token], place: int) -> tuple[list[Token], int] |
 def _are_scalars(parts: list[list[Token]]) -> bool:
     """Whether each is a symbol, a number or the sine or the like of a symbol, with a sign, and not all are
     symbols."""
-    bare = [part[past(part, 1) :] if part[0].text in ("-", "+") else part for part in map(_trimmed, parts)]
+    bare = _unsigned(parts)
     numbers = ["".join(printed(part)).isdigit() for part in bare]
     turns = [{part.text for part in each[:1]} <= _TURNS and is_one_symbol(each[1:]) for each in bare]
     known = [number or turn for number, turn in zip(numbers, turns, strict=True)]
     return any(known) and all(k or is_one_symbol(part) for k, part in zip(known, bare, strict=True))
 
 
-def _trimmed(part: list[Token]) -> list[Token]:
-    return part[past(part, 0) :]
+def _unsigned(parts: list[list[Token]]) -> list[list[Token]]:
+    trimmed = [part[past(part, 0) :] for part in parts]
+    return [part[past(part, 1) :] if part[0].text in ("-", "+") else part for part in trimmed]

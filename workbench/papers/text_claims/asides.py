@@ -59,8 +59,8 @@ def asides_of(
     what any sentence before it says that they are not, or are more or less than, or of their rates."""
     reached = map(notation.definitions.reached, sides_of(statement))
     own = _symbols(part for parts in reached for part in parts)
-    first, last = sentence_around(display.source.text, display.start, display.end)
-    text = display.source.text
+    text = display.source.prose
+    first, last = sentence_around(text, display.start, display.end)
     around = [text[first - len(supposed_before(text, first)) : display.start]]
     around += [behind for behind in [text[display.end : last].lstrip("$] \n.,;")] if behind[:1].islower()]
     around = [" ".join(words.replace(":math:", "").split()) for words in around]

@@ -16,6 +16,11 @@ MOST_BYTES = 20_000_000
 _BOMS = ((b"\xef\xbb\xbf", "utf-8-sig"), (b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"))
 
 
+#: In a notebook, between two lines of a cell, and between two cells.
+_NOTEBOOK_LINE = re.compile(r'\\n"[,\s]*"')
+_NOTEBOOK_CELL = re.compile(r'"\s*\]?[,\s]*\}.*?"source":\s*\[?\s*"', re.DOTALL)
+
+
 @dataclass(frozen=True, eq=False)
 class Source:
     """A file as its author sees it. Lines and columns count from 1, columns in characters."""
@@ -53,6 +58,14 @@ class Source:
 
     def view(self) -> View:
         return View(self.text, self, range(len(self.text) + 1))
+
+    @cached_property
+    def prose(self) -> str:
+        """The text, each character at its place; of a notebook without what holds its cells together."""
+        if self.path.suffix != ".ipynb":
+            return self.text
+        lines = _NOTEBOOK_LINE.sub(lambda found: "\n".ljust(len(found[0])), self.text)
+        return _NOTEBOOK_CELL.sub(lambda found: "\n\n".ljust(len(found[0])), lines)
 
     @cached_property
     def _line_starts(self) -> list[int]:

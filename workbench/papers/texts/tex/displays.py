@@ -65,7 +65,7 @@ class Display:
     @property
     def before(self) -> str:
         """The sentence before it."""
-        return sentence_before(self.source.text, self.start)
+        return sentence_before(self.source.prose, self.start)
 
     @property
     def labels(self) -> tuple[str, ...]:

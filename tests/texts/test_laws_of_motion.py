@@ -219,3 +219,14 @@ def test_a_cart_and_its_pole(tmp_path: Path) -> None:
         assert first.outcome is second.outcome is Outcome.UNCHECKED
         assert [each.outcome for each in found] == [Outcome.CONDITIONAL] * 2
         assert (power.outcome is Outcome.CONDITIONAL) == (not sign)
+
+
+@pytest.mark.parametrize("word", [r"= \text{const.}", r"\equiv \mathrm{const}", r"= \mbox{constant}"])
+def test_what_is_said_to_be_constant_has_no_rate(tmp_path: Path, word: str) -> None:
+    law, kept = r"\ddot y = k x \dot x", rf"\dot y - \frac{{k}}{{2}} x^2 {word}"
+    _, found, steps, rest = verdicts(tmp_path, law, kept, rf"c + c = 2 c {word}")
+    assert (found.outcome, found.hypothesis) == (Outcome.CONDITIONAL, r"\ddot{y} = k x \dot{x}")
+    assert found.read_back.endswith("= 0")
+    assert steps.outcome is rest.outcome is Outcome.PROVED
+    _, lost = verdicts(tmp_path, law, kept.replace("k", "2 k"))
+    assert lost.outcome not in (Outcome.CONDITIONAL, Outcome.PROVED)

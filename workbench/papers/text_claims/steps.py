@@ -31,6 +31,7 @@ _SEPARATING = frozenset((
 ))  # fmt: skip
 #: Words that some write as if they were a symbol.
 _UPRIGHT = frozenset({"and", "or", "if", "where"})
+_UPRIGHT_FACES = frozenset({"\\mathrm", "\\operatorname", "\\mathit", "\\textrm", "\\mbox", "\\textit"})
 _JOINING = frozenset({"or", "if", "if and only if", "iff", "when", "unless", "implies", "provided", "either"})
 
 
@@ -213,11 +214,16 @@ def _chain(tokens: list[Token], conditions: list[Token]) -> Iterator[tuple[list[
             tokens = [*sides[0], *signs[0], *sides[1]] if len(signs) == 1 else tokens
     if len(signs) == 1 and _names(sides[0], sides[1], signs[0]):
         tokens = [*sides[0], signs[0][0].standing_for(":="), *sides[1]]
+    if len(signs) == 1 and _is_constant(sides[1], signs[0]):
+        tokens = _at_rest(sides[0], signs[0])
     if len(signs) < 2:
         yield [*tokens, *conditions], tokens
         return
     for place, (sign, left, right) in enumerate(zip(signs, sides, sides[1:], strict=False)):
         added = [*sign, *right]
+        if _is_constant(right, sign):
+            yield [*_at_rest(left, sign), *conditions], added
+            continue
         yield [*left, *added, *conditions], added if place else [*left, *added]
 
 
@@ -229,6 +235,24 @@ def _sign(tokens: list[Token], place: int) -> tuple[list[Token], int]:
         _, end = argument(tokens, end)
         return tokens[place:end], end
     return [token], place + 1
+
+
+def _is_constant(right: Sequence[Token], sign: Sequence[Token]) -> bool:
+    """Whether a side is the word: a = const."""
+    if (
+        sign[0].text not in ("=", "\\equiv")
+        or not right
+        or right[0].text not in WORD_COMMANDS | _UPRIGHT_FACES
+    ):
+        return False
+    words, end = argument(right, 1)
+    return end == len(right) and joined(words).strip(" .,").lower() in ("const", "constant")
+
+
+def _at_rest(left: Sequence[Token], sign: Sequence[Token]) -> list[Token]:
+    """That the left side is constant: its rate is 0."""
+    rate = [left[0].standing_for(text) for text in ("\\frac", "{", "d", "}", "{", "d", "t", "}", "(")]
+    return [*rate, *left, *(sign[0].standing_for(text) for text in (")", "=", "0"))]
 
 
 def _names(left: Sequence[Token], right: Sequence[Token], sign: Sequence[Token]) -> bool:

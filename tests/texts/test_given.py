@@ -57,6 +57,11 @@ def test_what_is_open_says_what_is_given(tmp_path: Path) -> None:
     assert found.outcome == "unchecked" and r"given is \dot{x} = w, \dot{y} = w" in found.reason
 
 
+def test_what_holds_without_it_is_not_said_to_need_it(tmp_path: Path) -> None:
+    found = verdict(tmp_path, r"\dot{x} = w", r"\dot{y} = w", r"x \times y = -y \times x")
+    assert found.outcome == "proved" and all(each.method != "given" for each in found.evidence)
+
+
 CANCELLED = """
 source = "p.md"
 [symbols]

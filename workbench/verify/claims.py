@@ -155,6 +155,11 @@ class ClaimJudge:
             return self._seen(verdict, claim, claim.printed, claim.hypothesis)
         if claim.skip is not None:
             return Verdict(Outcome.UNCHECKED, reason=f"left out: {claim.skip}")
+        if claim.given:  # which may be hard to suppose, and not needed
+            free = replace(claim, given=())
+            alone = self._meant.verdict(free, self._verdict(free, claim.printed, claim.hypothesis))
+            if alone.outcome is Outcome.PROVED:
+                return alone
         verdict = self._meant.verdict(claim, self._verdict(claim, claim.printed, claim.hypothesis))
         return _as_given(verdict, claim) if claim.given else verdict
 

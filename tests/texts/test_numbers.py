@@ -80,6 +80,7 @@ REPORT = r"""
 \begin{subequations}\begin{gather} a\label{a1}\\ b\label{a2}\end{gather}\end{subequations}
 \counterwithout{equation}{chapter}
 \begin{equation}\label{cw} a\end{equation}
+\begin{subeqnarray} a&=&b\label{se1}\\ c&=&d\label{se2}\end{subeqnarray}
 \appendix
 \chapter{A}
 \begin{equation}\label{ca} a\end{equation}
@@ -87,7 +88,7 @@ REPORT = r"""
 """
 REPORT_NUMBERS = {
     "e0": "1", "e1": "1.1", "s1": "1.1", "i1": "1.2", "i2": "1.2a", "i3": "1.2b", "i4": "1.3", "a1": "2.1a",
-    "a2": "2.1b", "cw": "2", "ca": "3",
+    "a2": "2.1b", "cw": "2", "se1": "3a", "se2": "3b", "ca": "4",
 }  # fmt: skip
 
 

@@ -16,7 +16,9 @@ from workbench.papers.texts.tex.tokens import PARAGRAPH, Call, Token, joined, sp
 from workbench.papers.texts.view import Source
 
 #: Environments whose rows are numbered one by one, and those that have one number.
-ROWS = frozenset({"align", "gather", "eqnarray", "IEEEeqnarray", "flalign", "alignat", "xalignat", "dgroup"})
+ROWS = frozenset(
+    {"align", "gather", "eqnarray", "subeqnarray", "IEEEeqnarray", "flalign", "alignat", "xalignat", "dgroup"}
+)
 NUMBERED = ROWS | {"equation", "multline", "dmath"}
 DISPLAYS = NUMBERED | {f"{name}*" for name in NUMBERED} | {"displaymath", "empheq"}
 CLOSING = {"$$": "$$", "\\[": "\\]", "$": "$", "\\(": "\\)"}
@@ -334,7 +336,7 @@ def _numbered(reader: DisplayReader, rows: Sequence[_Row], environment: str) -> 
     pending: list[str] = []  # amsmath: the label of a row without a number goes to the next number
     for row in rows:
         number = None
-        plain = _number_of_letters(reader, row, base)
+        plain = _number_of_letters(reader, row, base, row is rows[0])
         if row.tag is not None:
             number = row.tag
         elif plain is not None:
@@ -349,17 +351,18 @@ def _numbered(reader: DisplayReader, rows: Sequence[_Row], environment: str) -> 
             labels = []
         made.append(Row(number, tuple(labels), tuple(row.tokens)))
         for name in labels:
-            in_letter = dict(row.labels).get(name, True)
+            in_letter = base == "subeqnarray" or dict(row.labels).get(name, True)
             shown = number if in_letter or plain is None else plain
             reader.labels.setdefault(name, reader.counters.current if shown is None else shown)
     return tuple(made)
 
 
-def _number_of_letters(reader: DisplayReader, row: _Row, base: str) -> str | None:
-    """IEEEeqnarray: the number that \\IEEEyessubnumber puts a letter behind; None without it."""
-    if base != "IEEEeqnarray" or _ON_LETTER not in row.marks:
+def _number_of_letters(reader: DisplayReader, row: _Row, base: str, is_first: bool) -> str | None:
+    """The number that \\IEEEyessubnumber, and each row of subeqnarray, puts a letter behind; None without."""
+    with_letters = base == "subeqnarray"
+    if not with_letters and (base != "IEEEeqnarray" or _ON_LETTER not in row.marks):
         return None
-    if _ON in row.marks:
+    if (with_letters and is_first) or _ON in row.marks:
         reader.counters.step("equation")
         reader.letter = 0
     return reader.counters.number("equation")

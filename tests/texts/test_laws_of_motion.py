@@ -230,3 +230,8 @@ def test_what_is_said_to_be_constant_has_no_rate(tmp_path: Path, word: str) -> N
     assert steps.outcome is rest.outcome is Outcome.PROVED
     _, lost = verdicts(tmp_path, law, kept.replace("k", "2 k"))
     assert lost.outcome not in (Outcome.CONDITIONAL, Outcome.PROVED)
+
+
+def test_what_nothing_stands_before_is_not_said_to_be_constant(tmp_path: Path) -> None:
+    for row in (r"\equiv \text{const}", r"x \equiv\equiv \text{const}"):
+        assert all(found.outcome is Outcome.UNCHECKED for found in verdicts(tmp_path, "x = y", row)[1:])

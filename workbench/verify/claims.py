@@ -157,7 +157,9 @@ class ClaimJudge:
             return Verdict(Outcome.UNCHECKED, reason=f"left out: {claim.skip}")
         if claim.given:  # which may be hard to suppose, and not needed
             free = replace(claim, given=())
-            alone = self._meant.verdict(free, self._verdict(free, claim.printed, claim.hypothesis))
+            alone = self._verdict(free, claim.printed, claim.hypothesis)
+            if alone.outcome is Outcome.PROVED:
+                alone = self._meant.verdict(free, alone)
             if alone.outcome is Outcome.PROVED:
                 return alone
         verdict = self._meant.verdict(claim, self._verdict(claim, claim.printed, claim.hypothesis))

@@ -31,7 +31,7 @@ _SEPARATING = frozenset((
 ))  # fmt: skip
 #: Words that some write as if they were a symbol.
 _UPRIGHT = frozenset({"and", "or", "if", "where"})
-_UPRIGHT_FACES = frozenset({"\\mathrm", "\\operatorname", "\\mathit", "\\textrm", "\\mbox", "\\textit"})
+_UPRIGHT_FACES = frozenset({"\\mathrm", "\\operatorname", "\\mathit"})
 _JOINING = frozenset({"or", "if", "if and only if", "iff", "when", "unless", "implies", "provided", "either"})
 
 
@@ -214,14 +214,14 @@ def _chain(tokens: list[Token], conditions: list[Token]) -> Iterator[tuple[list[
             tokens = [*sides[0], *signs[0], *sides[1]] if len(signs) == 1 else tokens
     if len(signs) == 1 and _names(sides[0], sides[1], signs[0]):
         tokens = [*sides[0], signs[0][0].standing_for(":="), *sides[1]]
-    if len(signs) == 1 and _is_constant(sides[1], signs[0]):
+    if len(signs) == 1 and sides[0] and _is_constant(sides[1], signs[0]):
         tokens = _at_rest(sides[0], signs[0])
     if len(signs) < 2:
         yield [*tokens, *conditions], tokens
         return
     for place, (sign, left, right) in enumerate(zip(signs, sides, sides[1:], strict=False)):
         added = [*sign, *right]
-        if _is_constant(right, sign):
+        if left and _is_constant(right, sign):
             yield [*_at_rest(left, sign), *conditions], added
             continue
         yield [*left, *added, *conditions], added if place else [*left, *added]

@@ -119,3 +119,34 @@ def test_along_a_motion_it_holds_at_no_other_place(
     (tmp_path / "p.toml").write_text(FUNCTIONS)
     *_, last = judge_paper(load_paper(tmp_path / "p.toml"))
     assert (last.verdict.outcome is Outcome.PROVED) == holds, last.verdict.reason
+
+
+SPRING = r"""
+source = "p.md"
+[symbols]
+m = { kind = "scalar", constant = true, positive = true }
+k = { kind = "scalar", constant = true, positive = true }
+x = "scalar"
+E = "scalar"
+"""
+
+
+@pytest.mark.parametrize(
+    ("formula", "expected"),
+    [
+        (r"m \dot x \ddot x + k x \dot x = k x", "refuted"),
+        (r"\ddot x = - \frac{2 k}{m} x", "refuted"),
+        (r"\ddot x = - \frac{k}{m} x", "proved"),
+        (r"\ddot x = - \frac{k}{m} x + E", "unchecked"),  # it may say what E is
+    ],
+)
+def test_what_is_given_is_not_excused_by_what_else_is_said_of_it(
+    tmp_path: Path, formula: str, expected: str
+) -> None:
+    """Stated twice, a false equation was conditional on itself, and excused as saying what m is."""
+    text = [r"m \ddot x = - k x", r"\ddot x = - \frac{3 k}{m} x", formula, formula]
+    (tmp_path / "p.md").write_text("\n\n".join(f"$$ {each} $$" for each in text))
+    given = (f"[[claim]]\nat = 'line {line}'\ngiven = ['line 1']\n" for line in (5, 7))
+    (tmp_path / "p.toml").write_text(SPRING + "".join(given))
+    *_, first, second = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert (first.verdict.outcome, second.verdict.outcome) == (expected, expected)

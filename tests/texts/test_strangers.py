@@ -71,6 +71,19 @@ def test_an_empty_line_parts_the_equations_of_a_directive(tmp_path: Path) -> Non
     assert latex[:2] == ["a = b", "c = d"] and len(latex) == 3
 
 
+@pytest.mark.parametrize("fences", [("$$", "$$"), (":::{math}\n:label: x", ":::"), ("```math", "```")])
+def test_an_empty_line_parts_them_in_markdown_too(tmp_path: Path, fences: tuple[str, str]) -> None:
+    """They were one chain, a = b c = d."""
+    path = tmp_path / "p.md"
+    path.write_text(
+        f"{fences[0]}\n\na = b\n\nc = d\n\n+ e\n\n\\begin{{cases}} f\n\n= g \\end{{cases}}\n\n{fences[1]}\n"
+    )
+    (display,) = read_text(path).displays
+    latex = ["".join(step.spelled()[0].split()) for line in steps_of(display) for step in line]
+    assert latex[:2] == ["a=b", "c=d+e"] or latex[:2] == ["a=b", "c=d\\\\+e"], latex
+    assert len(latex) == 3
+
+
 def test_sphinx_takes_a_label_from_below_the_formula(tmp_path: Path) -> None:
     path = tmp_path / "p.rst"
     path.write_text("Text\n\n.. math::\n   a = b\n   :label: eq:x\n\nMore.\n")

@@ -25,12 +25,10 @@ def laws_of(claim: Claim, followed: bool = True) -> list[Said]:
     known = [(law, _rates(law.statement, definitions)) for law in _before(claim)]
     known.sort(key=lambda each: not _stands_alone(each[0].statement, each[1], definitions))
     found: list[Said] = []
-    lowest: dict[Symbol, int] = {}  # of a symbol: the order from which on laws say its rates
+    lowest = _given(claim)
     for _ in known:
         for law, rates in known:
-            is_new = law not in found and all(
-                order < lowest.get(each, order + 1) for each, order in rates.items()
-            )
+            is_new = law not in found and _is_new(rates, lowest)
             if is_new and _reaches(reached, rates) and not _turns_on(reached, rates):
                 found.append(law)
                 lowest |= rates
@@ -64,8 +62,21 @@ def defined_beside(laws: Sequence[Said], claim: Claim) -> tuple[Said, ...]:
 def has_laws(claim: Claim) -> list[Said]:
     """The laws anywhere in the text for a rate that the claim reaches."""
     reached = _inventory(claim.printed.statement, claim.notation.definitions).orders
+    given = _given(claim)
     unused = (law for law in claim.laws if law.statement not in claim.supposed)
-    return [law for law in unused if _reaches(reached, _rates(law.statement, claim.notation.definitions))]
+    rates = [(law, _rates(law.statement, claim.notation.definitions)) for law in unused]
+    return [law for law, own in rates if _is_new(own, given) and _reaches(reached, own)]
+
+
+def _given(claim: Claim) -> dict[Symbol, int]:
+    """Of a symbol: the order from which on the laws that are given say its rates."""
+    rates = [_rates(law.statement, claim.notation.definitions) for law in claim.given if law.statement]
+    return {symbol: min(own[symbol] for own in rates if symbol in own) for own in rates for symbol in own}
+
+
+def _is_new(rates: Mapping[Symbol, int], lowest: Mapping[Symbol, int]) -> bool:
+    """Whether a law for the rates says more than those that say them from the lowest orders on."""
+    return all(order < lowest.get(each, order + 1) for each, order in rates.items())
 
 
 def is_law(claim: Claim) -> bool:
@@ -79,6 +90,15 @@ def says_no_more(laws: Sequence[Said], claim: Claim) -> bool:
     definitions = claim.notation.definitions
     others = free_in((term for law in laws for term in terms_of(law.statement)), definitions)
     return others <= free_in(terms_of(claim.printed.statement), definitions)
+
+
+def is_all_given(claim: Claim) -> bool:
+    """Whether what is given speaks of every free symbol of the claim, so that it says what is to be known."""
+    definitions = claim.notation.definitions
+    given = [term for law in claim.given if law.statement for term in terms_of(law.statement)]
+    return bool(given) and free_in(terms_of(claim.printed.statement), definitions) <= free_in(
+        given, definitions
+    )
 
 
 def _stands_alone(law: Relation, rates: Mapping[Symbol, int], definitions: Definitions) -> bool:

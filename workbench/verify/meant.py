@@ -20,7 +20,7 @@ from workbench.papers.model import Aside, Claim, Notation, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.by_laws import by_laws
-from workbench.verify.laws import has_laws, is_law, says_no_more
+from workbench.verify.laws import has_laws, is_all_given, is_law, says_no_more
 from workbench.verify.rounding import ROUNDED, is_rounded
 from workbench.verify.under import Under, conditional, with_asides
 
@@ -45,13 +45,16 @@ class Meant:
         is_open = verdict.outcome is Outcome.UNCHECKED and bool(claim.laws or claim.beside) and is_law(claim)
         if (is_refuted or is_open) and (held := by_laws(self._under, claim, verdict)) is not None:
             verdict = held
-        elif is_refuted and (why := self._why_open(claim, verdict)) is not None:
-            return _open(why, verdict)
-        elif is_refuted and claim.corrected is None:
-            verdict = self._with_the_text(claim, verdict)
+        elif is_refuted:
+            verdict = self._of_refuted(_as_all_given(claim) if is_all_given(claim) else claim, verdict)
         if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
             return _open(_as_guessed(verdict, claim.guessed), verdict)
         return verdict
+
+    def _of_refuted(self, claim: Claim, refuted: Verdict) -> Verdict:
+        if (why := self._why_open(claim, refuted)) is not None:
+            return _open(why, refuted)
+        return self._with_the_text(claim, refuted) if claim.corrected is None else refuted
 
     def _why_open(self, claim: Claim, verdict: Verdict) -> str | None:
         if claim.states is not None:
@@ -241,6 +244,11 @@ def _is_said_beside(claim: Claim) -> bool:
 def _beside(claim: Claim) -> Claim:
     """The claim under what its text supposes beside it."""
     return with_asides(claim, _premises(claim))
+
+
+def _as_all_given(claim: Claim) -> Claim:
+    """The claim, with nothing that it may say of its symbols itself, or that its text says elsewhere."""
+    return replace(claim, states=None, says=None, rests=(), laws=())
 
 
 def _premises(claim: Claim) -> list[Aside]:

@@ -13,6 +13,7 @@ from math import lcm
 
 from workbench.judge.subject import Lookup, NotExact, With
 from workbench.judge.subject.rodrigues import angle_and_axis, turned_vector, turning_and_moving
+from workbench.language.definitions import number_behind
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, number, symbol
 from workbench.language.typed.names import Name
@@ -50,7 +51,7 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
     for factors, coefficient in sum_of_products(angle, definitions).items():
         if not factors:
             raise NotExact(NO_ANGLE)
-        if len(factors) > 1 and len(set(factors)) == 1:
+        if len(factors) > 1 and set(factors) == {factors[0]} and not _is_positive(factors):
             raise NotExact("a sine or cosine of the power of an angle, which may be meant for its power")
         if not any(isinstance(factor, DualUnit) for factor in factors):
             term = factors[0]
@@ -60,6 +61,11 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
     if next(round_terms(parts, definitions, set()), None) is not None:
         raise NotExact(NESTED)
     return parts
+
+
+def _is_positive(factors: tuple[Term, ...]) -> bool:
+    """Whether they are the r r of a positive angle."""
+    return len(factors) == 2 and isinstance(factors[0], Symbol) and number_behind(factors[0]) != factors[0]
 
 
 def angles_of(term: Apply, definitions: Lookup) -> dict[Term, Fraction]:

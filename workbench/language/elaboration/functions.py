@@ -60,7 +60,7 @@ def function(row: Row, place: int) -> Factor:
         argument, end = _argument(row, head, leaf, place + 1)
     if head == "skew" and argument.type.kind == "tensor":
         head = "antisymmetric"
-    term = row.scope.build(leaf.at, value_of, head, argument)
+    term = row.scope.build(leaf.at, value_of, row.scope, head, argument)
     if isinstance(item, Scripted):
         exponent = None if item.sup is None else linear(item.sup, row.scope.variables)
         if item.sub is not None or item.primes or item.factorial or exponent is None:

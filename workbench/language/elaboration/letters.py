@@ -284,7 +284,7 @@ class _Lettering:
                 return construct.time_operator()
         if name in EXPONENTIALS:
             exponent = self.scope.term(with_quotients(scripts.sup))
-            return self.scope.build(scripts.sup.at, value_of, "exp", exponent)
+            return self.scope.build(scripts.sup.at, value_of, self.scope, "exp", exponent)
         if self.scope.table.has_letter(name.base):
             what = "write the number of combinations as \\binom{n}{k}"
             raise Fault(f"{name} is a symbol too; {what}", at)

@@ -26,6 +26,7 @@ from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.operators import HYPERBOLIC, QUOTIENTS
 from workbench.language.typed.terms import IllFormed, Number, Term, Unread, Zero
+from workbench.language.typed.types import Type
 
 _PARTIAL = "\\partial"
 
@@ -148,18 +149,20 @@ def divided(scope: Scope, places: tuple[int, int], numerator: Term, denominator:
     return scope.apply(at, "div", numerator, denominator)
 
 
-def value_of(head: str, argument: Term) -> Term:
+def value_of(scope: Scope, head: str, argument: Term) -> Term:
     """The function's value; tan, cot, sec and csc are quotients of sines and cosines, sinh, cosh and tanh are
     made of exponentials."""
     if head == "tanh":
-        return construct.apply("div", value_of("sinh", argument), value_of("cosh", argument))
+        return construct.apply("div", *(value_of(scope, x, argument) for x in ("sinh", "cosh")))
     if head in HYPERBOLIC:
         above, below = (construct.apply("exp", x) for x in (argument, construct.apply("neg", argument)))
         below = below if head == "cosh" else construct.apply("neg", below)
         return construct.apply("mul", construct.number(Rational(1, 2)), construct.apply("add", above, below))
+    if head == "exp":
+        argument = scope.quaternion_of_four(argument)
     if head == "exp" and argument.type.kind == "vector":
         raise Unread("the exponential of a vector: of its skew tensor, or of a quaternion?")
-    if head == "exp" and argument.type.kind == "matrix" and argument.type.rows != 4:
+    if head == "exp" and argument.type.kind == "matrix" and argument.type != Type(4, 4):
         raise Unread(f"the exponential of a {argument.type} is not read")
     if head == "re" and argument.type.kind == "quaternion":
         if argument.type.dual:

@@ -26,7 +26,7 @@ from workbench.language.naming.symbols import may_be_label
 from workbench.language.typed import construct, instances
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Apply, Block, Derivative, Symbol, Term
+from workbench.language.typed.terms import Apply, Derivative, Symbol, Term
 
 
 def refuse_other_order(term: Term, nucleus: Node, sup: Node) -> None:
@@ -120,6 +120,8 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
     if own := [e for e in scope.table.notations.marks(sup) if str(term.type) in e.formals.values()]:
         return notated(scope, sup.at, own, term, "the superscript")
     inner = core(sup)
+    if inner == Leaf(inner.at, "MARK", "*"):
+        term = scope.build(sup.at, scope.quaternion_of_four, term)
     match inner:
         case Leaf(kind="LETTER", text="T") if "T" in scope.variables:
             raise Fault("the transpose, or a power with the integer variable T? rename the variable", sup.at)
@@ -148,9 +150,7 @@ def raised(scope: Scope, term: Term, sup: Node) -> Term:
     if is_odd and term.type.kind == "vector" and scope.table.has_quaternions:
         raise Fault("an odd power of a vector: is it a quaternion? write (0, x)", sup.at)
     if exponent.is_number and exponent.constant < 0:
-        is_written_out = isinstance(term, Block) and (term.type.rows, term.type.columns) == (4, 1)
-        if is_written_out and scope.table.has_quaternions:
-            term = construct.as_quaternion(term)
+        term = scope.build(sup.at, scope.quaternion_of_four, term)
         base = term if exponent.constant == -1 else scope.build(sup.at, construct.power, term, -exponent)
         return scope.apply(sup.at, "inverse", base)
     return scope.build(sup.at, construct.power, term, exponent)

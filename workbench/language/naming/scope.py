@@ -34,6 +34,7 @@ from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import (
     Apply,
+    Block,
     Derivative,
     IllFormed,
     Power,
@@ -207,6 +208,11 @@ class Scope(ABC):
         is_power = any(isinstance(part, Power) and part.base.type.kind == "vector" for part in parts)
         if self.table.has_quaternions and (kinds == {"vector"} or ("quaternion" in kinds and is_power)):
             raise Fault("of vectors, or of quaternions? write \\cdot, \\times or (0, x)", at)
+
+    def quaternion_of_four(self, term: Term) -> Term:
+        """The quaternion that a column of four, written out, is in a paper with quaternions."""
+        is_written_out = isinstance(term, Block) and (term.type.rows, term.type.columns) == (4, 1)
+        return construct.as_quaternion(term) if is_written_out and self.table.has_quaternions else term
 
     def as_point(self, term: Term, at: int) -> Term:
         """The column (p, 1) of a point, where the paper writes p for it; anything else as it is."""

@@ -293,10 +293,17 @@ class _Body:
                 self._keep(token)
                 self._words()
             case text if text == PARAGRAPH:
-                reader.warn(token, "a blank line in a display, where TeX stops")
+                self._paragraph(token)
             case _:
                 return False
         return True
+
+    def _paragraph(self, token: Token) -> None:
+        """It ends a row, as in Sphinx's displays: what stands below is no factor of what stands above."""
+        self.reader.warn(token, "a blank line in a display: the end of a row here, where TeX stops")
+        written = [kept.text for kept in self.rows[-1].tokens if not kept.text.isspace()]
+        if self.depth <= 0 and written and written[-1] != "\\\\":
+            self._keep(token.standing_for("\\\\"))
 
     def _words(self) -> None:
         """The argument of \\text, as one group: its $ belong to it."""

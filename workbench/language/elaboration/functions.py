@@ -30,6 +30,8 @@ from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import OF_ANGLES, OF_TENSORS, word_of
 from workbench.language.typed.terms import Apply, Derivative, IllFormed, Integer, Number, Power, Term, is_rate
 
+_TO_THE_NEXT = ', or say [conventions] reach = "factor": it takes the next factor alone'
+
 
 def function(row: Row, place: int) -> Factor:
     """det, sym, vect … take the run of tensors that follows, the others take one factor."""
@@ -152,16 +154,18 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
         if first.term.type.kind == "scalar" and end < len(row.items):
             raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
         return row.multiply(run), end
-    numeric = isinstance(first.term, Number | Integer) and head in OF_ANGLES | {"exp"}
+    of_numbers = head in OF_ANGLES | {"exp"}
+    numeric = isinstance(first.term, Number | Integer) and of_numbers
     if numeric and end < len(row.items):
         run.append(row.factor(end))
         end = run[-1].end
-    if end < len(row.items):
+    if end < len(row.items) and not (of_numbers and "factor" in row.scope.table.loose):
         following = row.factor(end)
         own = isinstance(following.node, Leaf | Scripted) and is_function(following.node)
         mixes = head not in OF_ANGLES or following.term.type.kind == "scalar"
         if mixes and not own and not (head in OF_ANGLES and _is_rate_beside(following.term, run)):
-            raise Fault(f"how far does {name} reach? bracket its argument", leaf.at)
+            said = _TO_THE_NEXT if of_numbers else ""
+            raise Fault(f"how far does {name} reach? bracket its argument{said}", leaf.at)
     return row.multiply(run), end
 
 

@@ -191,12 +191,12 @@ class Notation:
 @dataclass(frozen=True)
 class Said:
     """What the claim `place` of a text says of the symbol `name`, perhaps as a definition: its statement,
-    under what it supposes. earlier: whether it stands before what it is said for."""
+    under what it supposes; None where it stands in a scope that means something else by it. earlier: whether it stands before what it is said for."""
 
     name: str
     place: str
     definition: Definition | None
-    statement: Statement
+    statement: Statement | None
     supposed: tuple[Statement, ...]
     orders: Orders | None
     earlier: bool = True

@@ -88,6 +88,18 @@ def introduces(formula: Formula, notation: Notation) -> set[Name]:
     return {part.declaration.name for part in free} - bound
 
 
+def says_of_defined(statement: Statement, definitions: Definitions) -> bool:
+    """Whether a side is a symbol that is defined, or a slope or rate of one, and the other holds symbols."""
+    for each in _equations(statement):
+        for one, other in ((each.left, each.right), (each.right, each.left)):
+            while isinstance(one, Derivative) or (isinstance(one, Apply) and one.head in PARTIALS):
+                one = one.children[0]
+            is_defined = isinstance(one, Symbol) and _body(one, definitions) is not None
+            if is_defined and any(isinstance(part, Symbol) for part in other.walk()):
+                return True
+    return False
+
+
 def assigns(formula: Formula) -> bool:
     """Whether it gives a symbol its next value, as x := x + 1 does."""
     if formula.statement is None or not _ASSIGNS.search(formula.latex):
@@ -110,14 +122,14 @@ def _equations(statement: Statement) -> Iterator[Relation]:
 def with_said(claims: Sequence[Claim]) -> list[Claim]:
     """The claims, each with what earlier ones say of the symbols that it uses: also those that hold one once
     (`says`), of which no identity speaks."""
-    said: dict[Declaration, list[Said]] = {}
+    said: dict[Declaration, list[tuple[Said, Notation]]] = {}
     made = []
     for claim in claims:
         statement, notation = claim.printed.statement, claim.notation
         if statement is None:
             made.append(claim)
             continue
-        made.append(replace(claim, rests=_rests(statement, notation.definitions, said)))
+        made.append(replace(claim, rests=_rests(statement, notation, said)))
         free = free_in(terms_of(statement), notation.definitions)
         about, definition = {each for each in free if each.name == claim.says_of}, None
         if (found := _stated(statement, notation)) is not None:
@@ -128,7 +140,7 @@ def with_said(claims: Sequence[Claim]) -> list[Claim]:
         for declaration in about:
             name = str(symbol.declaration.name if found else declaration.name)
             saying = Said(name, claim.id, definition, statement, claim.supposed, claim.orders)
-            said.setdefault(declaration, []).append(saying)
+            said.setdefault(declaration, []).append((saying, notation))
     return made
 
 
@@ -145,9 +157,28 @@ def with_laws(claims: Sequence[Claim]) -> list[Claim]:
             of_it = spoken[waiting.pop()]
             more = [p for p in range(at) if p not in alike and not moving[p].isdisjoint(of_it)]
             alike, waiting = alike.union(more), [*waiting, *more]
-        laws = tuple(_law(claims[place], place < at) for place in sorted(alike, key=lambda p: (p > at, -p)))
+        near = [(p, claims[p]) for p in sorted(alike, key=lambda p: (p > at, -p))]
+        laws = tuple(
+            _law(each, p < at)
+            for p, each in near
+            if _is_carried(each.printed.statement, each.notation, claim.notation)
+        )
         made.append(replace(claim, laws=laws))
     return made
+
+
+def _is_carried(said: Statement, there: Notation, here: Notation) -> bool:
+    """Whether what is said in one scope means as much in another."""
+    if there is here:
+        return True
+    parts = (part for side in sides_of(said) for part in there.definitions.reached(side))
+    symbols = {part for part in parts if isinstance(part, Symbol)}
+    declared = here.symbols.symbols
+    return all(
+        declared.get(each.declaration.name, each.declaration) == each.declaration
+        and there.definitions.about(each) == here.definitions.about(each)
+        for each in symbols
+    )
 
 
 def _law(claim: Claim, earlier: bool) -> Said:
@@ -187,9 +218,11 @@ def conditioned(statement: Statement, definitions: Definitions) -> set[Declarati
 
 
 def _rests(
-    statement: Statement, definitions: Definitions, said: dict[Declaration, list[Said]]
+    statement: Statement, notation: Notation, said: dict[Declaration, list[tuple[Said, Notation]]]
 ) -> tuple[Said, ...]:
-    """What is said of the symbols in the statement, and of those in these definitions."""
+    """What is said of the symbols in the statement, and of those in these definitions; of what is said where
+    its symbols mean something else no more than that it is."""
+    definitions = notation.definitions
     found: dict[tuple[str, str], Said] = {}
     seen: set[Declaration] = set()
     waiting = free_in(terms_of(statement), definitions)
@@ -198,7 +231,9 @@ def _rests(
         if declaration in seen:
             continue
         seen.add(declaration)
-        for saying in said.get(declaration, ()):
+        for saying, there in said.get(declaration, ()):
+            if not _is_carried(saying.statement, there, notation):
+                saying = replace(saying, definition=None, statement=None)
             found[saying.place, saying.name] = saying
             if saying.definition is not None:
                 waiting |= free_in([saying.definition.body], definitions)

@@ -301,7 +301,7 @@ def _link(reader: Elaborator, sign: str, at: int, left: Term, right: Term) -> St
         product = reader.apply(at, ORIENTATIONS[sign], left, right)
         return reader.build(at, construct.relation, "=", product, construct.zero(product.type))
     if reader.table.has_quaternions and {left.type, right.type} == {SCALAR, Type(4, 1)}:
-        left, right = construct.as_quaternion(left), construct.as_quaternion(right)
+        left, right = (reader.build(at, construct.as_quaternion, side) for side in (left, right))
     return reader.build(at, construct.relation, sign, left, right)
 
 

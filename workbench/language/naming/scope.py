@@ -187,10 +187,10 @@ class Scope(ABC):
             raise Misfit(fault, at) from None
 
     def apply(self, at: int, head: str, *arguments: Term) -> Term:
-        if head == "mul":
+        if head == "mul" and "dyads" in self.table.loose and {x.type.kind for x in arguments} == {"vector"}:
+            head = "outer"
+        elif head == "mul":
             self._refuse_pure(at, *arguments)
-            if "dyads" in self.table.loose and {each.type.kind for each in arguments} == {"vector"}:
-                head = "outer"
         if head == "mul" and arguments[0].type == type_of_kind("transform"):
             if isinstance(arguments[1], Zero) and self.table.directions is not None:
                 raise Fault(_WHICH, at)

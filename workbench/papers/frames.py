@@ -24,7 +24,9 @@ from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minu
 from workbench.papers.promises import is_rotation, unseen
 from workbench.papers.toml.toml_file import TomlFile
 
-_FRAME_KEYS = ("base", "names", "axes", "dot", "orientation")
+_FRAME_KEYS = ("base", "names", "axes", "dot", "rates", "orientation")
+#: What {}^F\\dot{x} of a resolved vector may be.
+_RATES = ("resolved", "of components")
 _POINT_KEYS = ("names", "fixed", "place")
 #: How phrases begin that speak of points.
 _PLACES = ("to", "origin", "place")
@@ -83,6 +85,7 @@ class _Reader:
         self.table = table
         self.entries = {"frames": frames, "points": points}
         self.turns: dict[str, Term] = {}  # frame → the matrix that is given for it
+        self.resolved: dict[Name, tuple[str, Term]] = {}  # {}^F x → F and x
         base = frames.get("base")
         if not isinstance(base, str):
             raise SpecError("[frames] needs base = …, the frame that the others move in", "base")
@@ -142,10 +145,27 @@ class _Reader:
             frames=spins,
             turns={frame: identity() if turn is None else turn for frame, turn in turns.items()},
             dot=None if dot is None else label(dot),
+            resolved=self.rates(),
             defined={**self.table.defined, **defined},
             directions=None if self.table.directions is None else frozenset(frames.directions),
         )
         return table, frames.definitions
+
+    def rates(self) -> dict[Name, tuple[Term, Term] | None]:
+        """As SymbolTable has it; nothing where the paper does not say in which frame a dot differentiates."""
+        dot, said = (self.entries["frames"].get(key) for key in ("dot", "rates"))
+        if said is not None and said not in _RATES:
+            raise SpecError(f"expected {' or '.join(map(repr, _RATES))}, got {said!r}", "rates")
+        if dot is None or said == "of components":
+            return {}
+        others = {name: each for name, each in self.resolved.items() if each[0] != label(str(dot))}
+        if said is None:
+            return dict.fromkeys(others)
+        turns = {name: self.frames.orientation(frame) for name, (frame, _) in others.items()}
+        return {
+            name: (identity() if turns[name] is None else apply("transpose", turns[name]), vector)
+            for name, (_, vector) in others.items()
+        }
 
     def keep_constants(self, dot: str) -> None:
         """A vector or tensor that is constant has no rate in the frame of the dot."""
@@ -233,6 +253,8 @@ class _Reader:
                 said = f"{phrase!r}; expected derivative, or one of: {known}; [, resolved in F]"
                 raise SpecError(f"{said}; or a vector resolved in F", key)
             make = partial(_as_it_is, vector)
+        else:
+            vector = None
         if resolved is not None and type_ is not VECTOR:
             raise SpecError("only a vector is resolved in a frame", key)
         letters = {match[role]: role for role in match.groupdict()} if match else {}
@@ -257,6 +279,8 @@ class _Reader:
             body = zero(VECTOR) if is_zero else make(self.frames, **arguments)
             if where is not None and not is_zero:
                 body = self.frames.resolved(given[where], body)
+                if vector is not None:
+                    self.resolved[name] = given[where], vector
             if name not in self.table.symbols:
                 self.frames.defined(name, type_, body)
             if text.split()[0] not in _PLACES:

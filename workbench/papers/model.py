@@ -191,7 +191,8 @@ class Notation:
 @dataclass(frozen=True)
 class Said:
     """What the claim `place` of a text says of the symbol `name`, perhaps as a definition: its statement,
-    under what it supposes; None where it stands in a scope that means something else by it. earlier: whether it stands before what it is said for."""
+    under what it supposes; None where it stands in a scope that means something else by it. earlier:
+    whether it stands before what it is said for."""
 
     name: str
     place: str
@@ -241,7 +242,7 @@ class Claim:
     what earlier claims say of its symbols, `laws` the claims that write rates of the same, `beside` what its
     sentence and earlier ones suppose of them, `says` and `unsettled` why it may be true although it is false
     for free symbols: it may say what one is (`says_of`), or the text says more of them than was read;
-    `moving` of what the text writes rates.
+    `moving` of what the text writes rates, `alone` that its model says that it follows from nothing else.
     """
 
     id: str
@@ -254,6 +255,7 @@ class Claim:
     hypothesis: Formula | None = None
     assume: tuple[Formula, ...] = ()
     given: tuple[Formula, ...] = ()
+    alone: bool = False
     orders: Orders | None = None
     note: str = ""
     inherits: tuple[str, ...] = ()

@@ -212,9 +212,12 @@ class ClaimJudge:
             return Verdict(Outcome.ILL_FORMED, reason=formula.ill_formed)
         if formula.unread is not None:
             return Verdict(Outcome.UNCHECKED, reason=formula.unread)
+        judge = self._judge(claim.notation)
+        if claim.alone:
+            judge = replace(judge, laws=False)
         try:
             verdict = undisturbed(
-                lambda: self._judge(claim.notation).judge(
+                lambda: judge.judge(
                     formula.statement,
                     assume=claim.supposed,
                     hypothesis=hypothesis and hypothesis.statement,

@@ -60,6 +60,12 @@ def letter(
     return *lettering.read(node, scripts, ()), lettering.takes_bracket
 
 
+_WHOSE_RATE = (
+    "the components of the rate, or the rate of the components?"
+    ' [frames] rates = "resolved" says the former, "of components" the latter'
+)
+
+
 class _Lettering:
     def __init__(self, scope: Scope, bracket: Bracket | None) -> None:
         self.scope = scope
@@ -90,7 +96,9 @@ class _Lettering:
                     node.body, scripts if over_all is None else scripts.without_sup(), styles
                 )
                 self.refuse_primed(node, scripts)
-                return self.accent(node, term), sup if over_all is None else over_all
+                is_left = scripts.left_sub is not None or scripts.left_sup is not None
+                dotted = self.resolved_rate(node, term) if is_left else None
+                return dotted or self.accent(node, term), sup if over_all is None else over_all
             case Scripted(factorial=True):
                 return self.factorial(node), scripts.sup
             case Scripted():
@@ -316,6 +324,17 @@ class _Lettering:
                 return Unranged(missing[0], message, at) if is_free else Fault(message, at)
         spellings = (spell(letter, s, scope.variables) for s in (scripts, scripts.without_sup(), Scripts()))
         return Fault(scope.table.unknown(next(s for s in spellings if s is not None)), at)
+
+    def resolved_rate(self, node: Accented, term: Term) -> Term | None:
+        """{}^F\\dot{x}, where the paper says that it is the components of \\dot{x} in F."""
+        known = self.scope.table.resolved
+        if node.accent == "~" or not isinstance(term, Symbol) or term.declaration.name not in known:
+            return None
+        if (found := known[term.declaration.name]) is None:
+            raise Fault(_WHOSE_RATE, node.at)
+        to_frame, vector = found
+        rate = self.scope.rate(node.at, vector, Linear(int(node.accent)), None)
+        return self.scope.apply(node.at, "mul", to_frame, rate)
 
     def accent(self, node: Accented, term: Term) -> Term:
         if node.accent != "~":

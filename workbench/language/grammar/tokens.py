@@ -134,6 +134,8 @@ class Tokenizer:
         self.end = match.end()
         if kind == "space":
             return
+        if text == "/" and self.size not in ("left", "right"):  # \\Big/
+            self.size = ""
         if self.size and not self.is_bracket(match):
             raise Fault(f"\\{self.size} must be followed by a bracket, got {text}", at)
         match kind:

@@ -70,6 +70,9 @@ class SymbolTable:
     gradient: str | None = None
     #: the frame in which \\dot differentiates vectors; None with frames: it is not said
     dot: str | None = None
+    #: {}^F x, the components of a vector in another frame than that → what {}^F\\dot{x} is: the matrix and
+    #: the vector whose rate it multiplies; None where it is not said whether it is that or the rate of {}^F x
+    resolved: Mapping[Name, tuple[Term, Term] | None] = field(default_factory=dict)
     #: what is constant in that frame, and turns with it
     kept: frozenset[Name] = frozenset()
     #: where a transform acts on points as columns of four: the vectors that are no points

@@ -15,7 +15,7 @@ from workbench.papers.respell.between import (
     transposed_row,
     wide_space,
 )
-from workbench.papers.respell.marks import degrees, dotted_bracket, empty_bars, signed
+from workbench.papers.respell.marks import angle, degrees, dotted_bracket, empty_bars, signed, summed
 from workbench.papers.respell.places import (
     FACES,
     GAPS,
@@ -314,6 +314,8 @@ _PATTERNS = (
     _inverse_function,
     _for_all,
     signed,
+    summed,
+    angle,
     dotted_bracket,
     empty_bars,
     degrees,

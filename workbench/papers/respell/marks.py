@@ -2,8 +2,51 @@
 
 from __future__ import annotations
 
-from workbench.papers.respell.places import FACES, braced, group, is_one_symbol, past, printed
+from workbench.papers.respell.places import FACES, ahead, braced, group, is_one_symbol, past, printed
 from workbench.papers.texts import Token
+
+_SIZES = frozenset(
+    {"\\left", "\\right", *(f"\\{size}{side}" for size in ("big", "Big", "bigg") for side in "lr")}
+)
+
+_BESIDE_A_SUM = frozenset({*"()[]{}=+-&,.", "\\\\", "\\right"})
+
+
+def summed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\mathbf{a - b}, each a symbol, as \\mathbf{a} - \\mathbf{b}, where nothing stands beside the sum."""
+    start = past(tokens, place + 1)
+    if tokens[place].text not in FACES or printed(tokens[start : start + 1]) != ["{"]:
+        return None
+    inside, end = group(tokens, start)
+    before = ahead(tokens, place)
+    sides = [*([] if before is None else [tokens[before]]), *tokens[past(tokens, end) :][:1]]
+    if any(token.text not in _BESIDE_A_SUM for token in sides):
+        return None
+    parts: list[list[Token]] = [[]]
+    depth = 0
+    for token in inside:
+        depth += (token.text == "{") - (token.text == "}")
+        if token.text in ("+", "-") and not depth:
+            parts.append([token])
+        else:
+            parts[-1].append(token)
+    first, *others = parts
+    if not others or not all(map(is_one_symbol, (first, *(part[1:] for part in others)))):
+        return None
+    head = tokens[place]
+    made = [head, *braced(head, first)]
+    for sign, *part in others:
+        made += [sign, head, *braced(head, part)]
+    return made, end
+
+
+def angle(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """\\left< a, b \\right> with the brackets that it prints."""
+    size, sign = tokens[place], tokens[place + 1 : place + 2]
+    bracket = {"<": "\\langle", ">": "\\rangle"}.get(sign[0].text) if sign else None
+    if bracket is None or size.text not in _SIZES:
+        return None
+    return [size, sign[0].standing_for(bracket)], place + 2
 
 
 def signed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:

@@ -55,18 +55,18 @@ class Line:
 def lines_of(display: Display, words: Collection[str]) -> list[Line]:
     made: list[Line] = []
     in_column: dict[int, Line] = {}
-    several = len(display.rows) > 1
+    several, is_one = len(display.rows) > 1, display.environment.startswith("multline")
     for row in display.rows:
         tokens = respelled(_without_number(row.tokens), words)
         inner = None if several else _inside(tokens)
         for piece in [tokens] if inner is None else _split(inner, "\\\\"):
             for column, (cell, opens, begins) in enumerate(_columns(_with_implications(piece))):
                 cell = trimmed(cell)
-                if not cell:
+                if not cell or (column and _is_remark(cell)):
                     continue
                 line = Line(cell, [(cell[-1], row.number, row.labels)], opens, begins)
                 before = in_column.get(column)
-                if before is not None and _goes_on(before, line):
+                if before is not None and (_goes_on(before, line) or (is_one and not _relates(line))):
                     before.tokens = [
                         *_without_plus(before.tokens, line.tokens[0]),
                         line.tokens[0].standing_for(" "),
@@ -150,8 +150,27 @@ def _goes_on(before: Line, line: Line) -> bool:
         return False
     if last == "RELATION" != first and before.begins and line.begins:  # x &= … of a right side left out
         return False
-    is_addend = line.opens or not any(token.text in RELATIONS for token in top(line.tokens))
+    is_addend = line.opens or not _relates(line)
     return _left_open(before.tokens) or goes_on(last, first, is_addend)
+
+
+def _is_remark(cell: Sequence[Token]) -> bool:
+    """Whether a cell behind a formula holds nothing, or nothing but words, perhaps in a colour."""
+    depth, waits = 0, False
+    for token in cell:
+        if depth:
+            depth += (token.text == "{") - (token.text == "}")
+        elif waits and token.text == "{":
+            depth, waits = 1, False
+        elif token.text in WORD_COMMANDS or token.text == "\\color":
+            waits = True
+        elif token.text not in _SPACES | {"{", "}", *_ENDS}:
+            return False
+    return True
+
+
+def _relates(line: Line) -> bool:
+    return any(token.text in RELATIONS for token in top(line.tokens))
 
 
 def _columns(tokens: list[Token]) -> list[tuple[list[Token], bool, bool]]:

@@ -80,7 +80,7 @@ def text_paper(
         doi,
         paths,
         notations[0][1],
-        tuple(with_laws(with_said(with_unsettled(claims, text)))),
+        tuple(map(_as_it_stands, with_laws(with_said(with_unsettled(claims, text))))),
         citation=citation or {},
         text=text,
         faults=tuple(faults),
@@ -107,6 +107,8 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
     Raises PaperError."""
     given: list[Formula] = []
     for table in (entry.table for entry in entries):
+        if table.value(("given",), list, None) == []:
+            claim = replace(claim, alone=True)
         for at in table.texts(("given",)):
             found = [each for each in placed[:-1] if means(at, each)]
             if not found:
@@ -117,7 +119,14 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
                     given.append(Formula(latex, statement))
                 except (ReadError, IllFormedAt) as error:
                     raise table.error_at_value(("given",), f"given: {at}: {error.message}") from None
-    return replace(claim, given=tuple(given)) if given else claim
+    return replace(claim, given=tuple(given), alone=claim.alone and not given) if given else claim
+
+
+def _as_it_stands(claim: Claim) -> Claim:
+    """Without what may excuse it, where the model says that it follows from nothing else."""
+    if not claim.alone:
+        return claim
+    return replace(claim, states=None, says=None, unsettled=None, rests=(), laws=(), beside=())
 
 
 def _with_asides(claim: Claim, placed: Placed, inline: Sequence[Display]) -> Claim:

@@ -1,0 +1,156 @@
+"""What a model may say of one claim or spelling, and what one scope or false premise must not do to others."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from workbench.papers.load import load_paper
+from workbench.verify.claims import judge_paper
+
+
+def outcomes(folder: Path, text: str, model: str, suffix: str = "md") -> list[str]:
+    (folder / f"p.{suffix}").write_text(text)
+    (folder / "p.toml").write_text(f"source = 'p.{suffix}'\n{model}")
+    paper = load_paper(folder / "p.toml")
+    assert not paper.faults
+    return [result.verdict.outcome.value for result in judge_paper(paper)]
+
+
+def displayed(*formulas: str) -> str:
+    return "\n\n".join(f"$$ {each} $$" for each in formulas)
+
+
+@pytest.mark.parametrize(
+    ("claim", "excused", "alone"),
+    [
+        (r"w = a \times b", "unchecked", "refuted"),
+        (r"a \times (b + c) = a \times b + a \times c", "proved", "proved"),
+        (r"\dot a = a \times b", "unchecked", "refuted"),
+    ],
+)
+def test_what_follows_from_nothing_has_no_excuse(
+    tmp_path: Path, claim: str, excused: str, alone: str
+) -> None:
+    text = displayed("a = 2 d", "b = c", claim)
+    model = "[symbols]\na = 'vector'\nb = 'vector'\nc = 'vector'\nd = 'vector'\nw = 'vector'\n"
+    assert outcomes(tmp_path, text, model)[-1] == excused
+    assert outcomes(tmp_path, text, f"{model}[[claim]]\nat = 'line 5'\ngiven = []\n")[-1] == alone
+
+
+FALSE = "y = 3 x"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (displayed(FALSE, "y = 5 x"), "[[claim]]\nat = 'line 3'\ngiven = ['line 1']\n"),
+        (displayed(rf"{FALSE} \Rightarrow y = 5 x"), ""),
+    ],
+)
+def test_nothing_is_proved_from_what_contradicts_its_definition(tmp_path: Path, text: str, said: str) -> None:
+    model = f"[symbols]\nx = 'scalar'\n[definitions]\ny = '2 x'\n{said}"
+    assert outcomes(tmp_path, text, model)[-1] == "conditional"
+
+
+def test_a_law_is_one_in_its_own_scope(tmp_path: Path) -> None:
+    text = (
+        displayed(r"\dot x = k y", r"\dot x = 2 y")
+        + "\n\n# Other\n\n"
+        + displayed(r"\dot x = 3 y", r"\dot x = k y")
+    )
+    model = "[symbols]\nx = 'scalar'\ny = 'scalar'\n[definitions]\nk = '2'\n"
+    scope = "[[scope]]\nfrom = 'Other'\ndefinitions = { k = '3' }\n"
+    assert outcomes(tmp_path, text, model + scope) == ["unchecked", "conditional", "unchecked", "conditional"]
+
+
+def test_a_symbol_of_another_size_in_a_later_scope_ends_nothing(tmp_path: Path) -> None:
+    """It was an error of matmul, and no formula had a verdict."""
+    rows = r"\begin{bmatrix} u_1 \\ u_2 \end{bmatrix}"
+    text = displayed(
+        r"\dot w = B \dot u", r"\dot w = \begin{bmatrix} \dot u_1 \\ \dot u_2 \\ 0 \end{bmatrix}"
+    )
+    model = (
+        "[symbols]\nw = 'vector'\nu_1 = 'scalar'\nu_2 = 'scalar'\n[definitions]\n"
+        rf"u = '{rows}'" "\n"
+        r"B = '\begin{bmatrix} 1 & 0 \\ 0 & 1 \\ 0 & 0 \end{bmatrix}'"
+        "\n[[scope]]\nfrom = 'Other'\nsymbols = { u_3 = 'scalar' }\n"
+        r"definitions = { u = '\begin{bmatrix} u_1 \\ u_2 \\ u_3 \end{bmatrix}' }"
+        "\n"
+    )  # fmt: skip
+    both = text + "\n\n# Other\n\n" + displayed(r"\dot w = \dot u")
+    assert outcomes(tmp_path, both, model) == ["unchecked", "conditional", "unchecked"]
+
+
+ROWS = {
+    r"y = \Big(2 x\Big) \\ \Big/ \Big(2\Big)": "proved",
+    r"y = (2 x) \\ / (2)": "proved",
+    r"y = \frac{1}{2} \\ (2 x)": "proved",
+    r"y = \frac{1}{2} (x \\ + x)": "proved",
+    r"y = \frac{1}{2} \\ (3 x)": "refuted",
+}
+
+
+@pytest.mark.parametrize("rows", ROWS)
+def test_the_rows_of_a_multline_are_one_formula(tmp_path: Path, rows: str) -> None:
+    text = rf"\begin{{document}}\begin{{multline}}{rows}\end{{multline}}\end{{document}}"
+    model = "[symbols]\nx = { kind = 'scalar', free = true }\n[definitions]\ny = 'x'\n"
+    assert outcomes(tmp_path, text, model, "tex") == [ROWS[rows]]
+
+
+@pytest.mark.parametrize("remark", [r"\text{double}", r"\color{gray}{\textrm{(Eq. 1)}}"])
+def test_words_in_a_column_of_their_own_are_a_remark(tmp_path: Path, remark: str) -> None:
+    rows = rf"\begin{{align}} y &= 2 x & {remark} \\ y - x &= x & \text{{and}} \end{{align}}"
+    model = "[symbols]\nx = { kind = 'scalar', free = true }\n[definitions]\ny = '2 x'\n"
+    assert outcomes(tmp_path, rows, model) == ["definition", "proved"]
+
+
+def test_a_typeface_may_hold_a_sum_and_an_angle_be_typed(tmp_path: Path) -> None:
+    text = displayed(
+        r"(\mathbf{u - v}) \cdot \mathbf{u} = \left< \mathbf{u}, \mathbf{u} \right> - \left<\mathbf{u}, \mathbf{v}\right>"
+    )
+    model = r"""[symbols]
+'\mathbf{u}' = "vector"
+'\mathbf{v}' = "vector"
+[notation]
+'\langle x, y \rangle' = { where = { x = "vector", y = "vector" }, means = 'x \cdot y' }
+"""
+    assert outcomes(tmp_path, text, model) == ["proved"]
+
+
+@pytest.mark.parametrize(("kind", "expected"), [("dual quaternion", "proved"), ("quaternion", "refuted")])
+def test_a_sign_between_dual_quaternions_is_what_the_notation_says(
+    tmp_path: Path, kind: str, expected: str
+) -> None:
+    model = f"""[conventions]
+quaternion = "hamilton, scalar first"
+[notation]
+'x \\circ y' = {{ where = {{ x = "{kind}", y = "{kind}" }}, means = 'y x' }}
+[symbols]
+p = "dual quaternion"
+q = "dual quaternion"
+"""
+    assert outcomes(tmp_path, displayed(r"(p \circ q)^* = p^* q^*"), model) == [expected]
+
+
+RESOLVED = r"""[frames]
+base = "N"
+names = ["H"]
+dot = "N"
+axes = { H = ['i', 'j', 'k'] }
+'{}^F r' = 'r resolved in F'
+orientation = { H = '\begin{bmatrix} \cos a & -\sin a & 0 \\ \sin a & \cos a & 0 \\ 0 & 0 & 1 \end{bmatrix}' }
+"""
+
+
+@pytest.mark.parametrize(
+    ("rates", "expected"),
+    [("", "unchecked"), ("rates = 'resolved'\n", "proved"), ("rates = 'of components'\n", "refuted")],
+)
+def test_whose_rate_a_dot_inside_is_has_to_be_said(tmp_path: Path, rates: str, expected: str) -> None:
+    """The velocity on a circle, in components of the turning frame: (0, c ȧ, 0), where those of r are constant."""
+    model = f"{RESOLVED}{rates}[symbols]\nr = 'vector'\na = {{ kind = 'scalar', free = true }}\n"
+    model += "c = { kind = 'scalar', constant = true, free = true }\n[definitions]\nr = 'c i'\n"
+    text = displayed(r"{}^H\dot{r} = \begin{bmatrix} 0 \\ c \dot a \\ 0 \end{bmatrix}")
+    assert outcomes(tmp_path, text, model) == [expected]

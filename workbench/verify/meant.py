@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 #: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
+_OR_ALONE = "makes it a claim, or `given = []`, if it needs none"
+
 _REACH = "how far does d/dt reach? bracket what it differentiates"
 
 
@@ -145,7 +147,7 @@ class Meant:
             hypotheses += [] if alone else [aside.latex for aside in _premises(claim)]
             return conditional(under, hypotheses, f"the text says elsewhere of {shown} what it is", refuted)
         if under.outcome is not Outcome.REFUTED or len(definitions) < len(rests):
-            why = f"false for a free {shown}, of which the text says something; a definition makes it a claim"
+            why = f"false for a free {shown}, of which the text says something; a definition {_OR_ALONE}"
             return _open(why, refuted)
         says = None if _is_said_beside(claim) else claim.says
         if says and str(claim.says_of) in definitions:
@@ -172,7 +174,8 @@ class Meant:
             return verdict
         shown = list(dict.fromkeys(map(str, claim.beside)))[:5]
         what = f"false without what the text says beside it, {', '.join(shown)}"
-        return _open(f"{what}; an `assume` of it makes it a claim", refuted)
+        by = "an `assume` of it" if premises else "a declaration"
+        return _open(f"{what}; {by} {_OR_ALONE}", refuted)
 
     def _with_asides(self, claim: Claim, refuted: Verdict) -> Verdict | None:
         """What is proved with them is conditional on those that the proof needs."""

@@ -96,3 +96,13 @@ def test_positive_numbers_and_squares_of_sines_need_no_condition(denominator, ho
     latex = rf"\frac{{h ({denominator})}}{{{denominator}}} = h"
     outcome = check(latex, symbols=MASSES).outcome
     assert outcome == Outcome.PROVED if holds else outcome in (Outcome.CONDITIONAL, Outcome.UNCHECKED)
+
+
+def test_a_half_turn_is_looked_at():
+    """cos θ = -1 is the one point of a circle that no rational slope gives: μ h² + C cos θ vanishes there."""
+    positive = {"kind": "scalar", "positive": True, "constant": True}
+    symbols = {"m": positive, "C": positive, "h": positive, r"\theta": "scalar", "x": "scalar"}
+    formula = r"\frac{x}{m + \frac{C}{h^2} \cos\theta} = \frac{h^2 x}{h^2 m + C \cos\theta}"
+    verdict = check(formula, symbols=symbols).verdict
+    assert verdict.outcome is Outcome.CONDITIONAL
+    assert verdict.counterexample.values[r"\cos \theta"] == ("-1",)

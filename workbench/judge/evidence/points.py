@@ -63,7 +63,8 @@ class Trial:
 
 
 def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> Iterator[Trial]:
-    """Random points, simple ones first; in each stage a parameter is non-zero with growing probability."""
+    """Random points, simple ones first; in each stage a parameter is non-zero with growing probability. The
+    last are simple again, on the other side of their circles."""
     random = Random(0)
     for entries, count in STAGES:
         ring = RationalRing(entries)
@@ -71,6 +72,17 @@ def trials(inventory: Inventory, definitions: Lookup, complete: Completion) -> I
             density = 0.3 + 0.7 * i / count
             point = sample(inventory, ring, random, lambda _, d=density: random.random() < d)
             yield trial_at(complete(point), definitions)
+    entries, count = STAGES[0]
+    ring = RationalRing(entries)
+    for _ in range(count):
+        point = sample(inventory, ring, random, lambda _: random.random() < 0.8)
+        yield trial_at(complete(_mirrored(point, random)), definitions)
+
+
+def _mirrored(point: dict[Parameter, Fraction], random: Random) -> dict[Parameter, Fraction]:
+    """With the first coordinate on some spheres the other way: -1 itself, cos π, has no slope."""
+    turned = {p for p in point if p.part in SPHERES and p.component == 0 and random.random() < 0.5}
+    return {p: -value if p in turned else value for p, value in point.items()}
 
 
 def trial_at(point: dict[Parameter, Any], definitions: Lookup, ring: Any = None) -> Trial:

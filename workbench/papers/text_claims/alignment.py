@@ -66,7 +66,7 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
                     continue
                 line = Line(cell, [(cell[-1], row.number, row.labels)], opens, begins)
                 before = in_column.get(column)
-                if before is not None and (_goes_on(before, line) or (is_one and not _relates(line))):
+                if before is not None and (_goes_on(before, line) or (is_one and _is_rest(before, line))):
                     before.tokens = [
                         *_without_plus(before.tokens, line.tokens[0]),
                         line.tokens[0].standing_for(" "),
@@ -150,7 +150,7 @@ def _goes_on(before: Line, line: Line) -> bool:
         return False
     if last == "RELATION" != first and before.begins and line.begins:  # x &= … of a right side left out
         return False
-    is_addend = line.opens or not _relates(line)
+    is_addend = line.opens or not (_relates(line) and _relates(before))
     return _left_open(before.tokens) or goes_on(last, first, is_addend)
 
 
@@ -167,6 +167,11 @@ def _is_remark(cell: Sequence[Token]) -> bool:
         elif token.text not in _SPACES | {"{", "}", *_ENDS}:
             return False
     return True
+
+
+def _is_rest(before: Line, line: Line) -> bool:
+    """Whether the row of a multline is no formula of its own: only a mistaken one relates two in each."""
+    return not (_relates(before) and _relates(line)) or _KINDS.get(line.tokens[0].text) == "SIGN"
 
 
 def _relates(line: Line) -> bool:

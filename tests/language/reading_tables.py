@@ -113,7 +113,7 @@ def tables() -> dict[str, SymbolTable]:
         "moved points": replace(points, keeps_points=True),
         "labels": labels,
         "own": SymbolTable.build(kinds(OWN) | OWN_TRAITS),
-    } | {word: replace(plain, loose=frozenset({word})) for word in ("dyads", "unit", "values", "factor")}
+    } | {word: replace(plain, loose=frozenset({word})) for word in ("dyads", "unit", "values", "factors")}
 
 
 def outcome(make: Callable[[], str]) -> str:

@@ -26,7 +26,7 @@ from workbench.papers.toml.toml_file import TomlFile
 HAMILTON = "hamilton, scalar first"
 #: What each convention may be. points: what a transform makes of one, the column of four or the vector of its
 #: first three; products: vectors beside each other; one: a number beside tensors; powers: \\sin(x)^2; cross:
-#: a \\times b \\times c; reach: what \\sin x y is the sine of.
+#: a \\times b \\times c; brackets: k (x), \\sin x (y).
 CONVENTIONS = {
     "quaternion": (HAMILTON,),
     "gradient": ("row", "column"),
@@ -35,9 +35,9 @@ CONVENTIONS = {
     "one": ("unit", "scalar"),
     "powers": ("values",),
     "cross": ("right",),
-    "reach": ("factor",),
+    "brackets": ("factors",),
 }
-_LOOSE = ("products", "one", "powers", "cross", "reach")
+_LOOSE = ("products", "one", "powers", "cross", "brackets")
 _DOTS = re.compile(r"^\s*\\d{1,4}ot(?![A-Za-z])")
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")

@@ -26,7 +26,7 @@ from workbench.language.typed.types import Declaration
 
 OR_A_PRODUCT = (
     "a function of what is in the bracket, or a product?"
-    " [conventions] arguments says the former, square brackets the latter"
+    ' [conventions] arguments says the former, square brackets or brackets = "factors" the latter'
 )
 
 
@@ -68,7 +68,8 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
             _take_place(scope, bracket, term)
         return only_says
     if is_accented_symbol(own := _without_sup(term)):
-        if not _is_coordinate(scope, own) and _may_be_argument(scope, part, term):
+        is_asked = not _is_coordinate(scope, own) and _may_be_argument(scope, part, term)
+        if is_asked and not _is_said_factor(scope, part):
             raise Fault(OR_A_PRODUCT, bracket.at)
         if scope.term(part).type.kind == "scalar" and not _is_constant(function):
             _refuse_both(scope, bracket, function, is_factor=True)
@@ -102,6 +103,12 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
         return "scalar" in kinds
     is_tensor = function.type.is_square and function.type.kind != "scalar"
     return is_symbol and is_tensor and value.type.kind == "scalar"
+
+
+def _is_said_factor(scope: Scope, part: Node) -> bool:
+    """Whether the paper says that what is in brackets multiplies; of a time it does not."""
+    clocks = (each.clock for each in _outside_of_functions(scope.term(part)))
+    return "factors" in scope.table.loose and not any(clocks)
 
 
 def _outside_of_functions(value: Term) -> Iterator[Declaration]:

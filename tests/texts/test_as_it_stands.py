@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from workbench.budget import Budget
 from workbench.papers.load import load_paper
+from workbench.papers.model import PaperError
 from workbench.verify.claims import judge_paper
 
 
@@ -157,3 +159,61 @@ def test_whose_rate_a_dot_inside_is_has_to_be_said(tmp_path: Path, rates: str, e
     model += "c = { kind = 'scalar', constant = true, free = true }\n[definitions]\nr = 'c i'\n"
     text = displayed(r"{}^H\dot{r} = \begin{bmatrix} 0 \\ c \dot a \\ 0 \end{bmatrix}")
     assert outcomes(tmp_path, text, model) == [expected]
+
+
+def test_a_model_says_what_a_judgement_may_cost(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text(displayed("1 = 1"))
+    (tmp_path / "p.toml").write_text("source = 'p.md'\nbudget = { seconds = 3 }\n")
+    assert load_paper(tmp_path / "p.toml").budget == Budget(seconds=3)
+    (tmp_path / "p.toml").write_text("source = 'p.md'\nbudget = { seconds = -1 }\n")
+    with pytest.raises(PaperError, match="budget: seconds: expected a positive number"):
+        load_paper(tmp_path / "p.toml")
+
+
+def test_a_sentence_that_is_indented_is_none_of_the_display(tmp_path: Path) -> None:
+    text = (
+        "T\n\n.. math::\n\n   y = 2 x\n\n Since :math:`y = x` here, it holds.\n\n.. math::\n\n   y - x = x\n"
+    )
+    model = "[symbols]\nx = { kind = 'scalar', free = true }\n[definitions]\ny = '2 x'\n"
+    assert outcomes(tmp_path, text, model, "rst") == ["definition", "proved"]
+
+
+def test_what_is_left_of_an_identity_is_no_law(tmp_path: Path) -> None:
+    """The velocity of the middle of two links, with a term too much: it was a law, q̇_2 = 0, and the next row held by it."""
+    text = displayed(
+        r"v = l \dot{q}_1 e + l \dot{q}_2 d",
+        r"v = l \dot{q}_1 e + l \dot{q}_2 d",
+        r"v = l \dot{q}_1 e",
+        r"\ddot{q}_1 + \dot{q}_2 = 0",
+    )
+    column = r"\begin{bmatrix} %s_%d \\ %s_%d \\ 0 \end{bmatrix}"
+    along = [column % (r"\cos q", n, r"\sin q", n) for n in (1, 2)]
+    across = [column % (r"-\sin q", n, r"\cos q", n) for n in (1, 2)]
+    model = f"""[symbols]
+q_1 = "scalar"
+q_2 = "scalar"
+l = {{ kind = "scalar", constant = true }}
+[definitions]
+e = '{across[0]}'
+d = '{across[1]}'
+r = 'l {along[0]}'
+v = '\\dot{{r}}'
+"""
+    assert outcomes(tmp_path, text, model) == ["refuted", "refuted", "proved", "unchecked"]
+
+
+def test_two_rates_beside_each_other_are_no_rate_of_a_product(tmp_path: Path) -> None:
+    text = displayed(
+        r"L = \frac{k \frac{d}{d t} x \frac{d}{d t} y}{k}",
+        r"L = \frac{k \frac{d}{d t} x \frac{d}{d t} y}{2 k}",
+    )
+    model = "[symbols]\nx = 'scalar'\ny = 'scalar'\nk = { kind = 'scalar', constant = true, free = true }\n"
+    assert outcomes(tmp_path, text, f"{model}[definitions]\nL = '\\dot x \\dot y'\n") == [
+        "unchecked",
+        "refuted",
+    ]
+
+
+def test_a_base_that_no_definition_reaches_may_be_said(tmp_path: Path) -> None:
+    model = "[symbols]\n'w_i' = 'vector'\n'a_i' = 'vector'\n[definitions]\n'a_{i+1}' = '\\dot{w}_{i+1}'\n"
+    assert outcomes(tmp_path, displayed("a_0 = 0", r"a_1 = 2 \dot{w}_1"), model) == ["unchecked", "refuted"]

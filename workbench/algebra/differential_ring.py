@@ -126,9 +126,9 @@ class DifferentialRing:
     def removable(self) -> Iterator[None]:
         """What is divided by in here may vanish: the quotients are analytic there, as sin x / x is at 0, so
         that an identity that holds beside that place holds on it. Equations may leave nothing beside it."""
-        self._removable = True
+        outer, self._removable = self._removable, True
         yield
-        self._removable = False
+        self._removable = outer
 
     @property
     def squared(self) -> frozenset[str]:

@@ -284,8 +284,9 @@ def _definitions(formulas: list[Formula]) -> list[Proposed]:
             name, sure = _lone_left(said), ":=" in formula.latex and len(statements) == 1
             if name is None or name in found or stated(said) is None or not (sure or name in new):
                 continue
-            written = re.split(r":=|=", formula.latex, maxsplit=1)[1].strip()
-            body = written if len(statements) == 1 else to_latex(said.right)
+            _, sign, written = re.split("(:=|=|$)", formula.latex, maxsplit=1)
+            is_written = bool(sign) and len(statements) == 1
+            body = written.strip() if is_written else to_latex(said.right)
             why = (
                 f'the text says "{words[0]}" before it' if words else "alone on the left where it comes first"
             )

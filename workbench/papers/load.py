@@ -18,7 +18,7 @@ from workbench.papers.faults import Faults
 from workbench.papers.installed import DEFAULT, installed, installed_names, name_of, paper_of
 from workbench.papers.kept import Kept
 from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError
-from workbench.papers.notation_files import NOTATION_KEYS, notation_chain
+from workbench.papers.notation_files import NOTATION_KEYS, budget_of, notation_chain
 from workbench.papers.sisters import claim_ids, sisters_of
 from workbench.papers.toml.toml_file import TomlFile
 
@@ -208,7 +208,7 @@ class _PaperFile:
         chain = past(lambda: notation_chain(toml)) or [toml]
         title, doi, budget = (
             past(lambda read=read: next((found for file in reversed(chain) if (found := read(file))), None))
-            for read in (lambda file: file.text(("title",)), lambda file: file.text(("doi",)), _budget)
+            for read in (lambda file: file.text(("title",)), lambda file: file.text(("doi",)), budget_of)
         )
         if title is None:
             faults.tell(toml.error_at_key((), "missing key 'title'"))
@@ -275,17 +275,3 @@ def _require_claims(file: TomlFile, ids: Container[str]) -> None:
         if claim not in ids:
             message = f"motion: no claim has the id {claim!r}"
             raise file.error_at_key(("motion", "claims", claim), message)
-
-
-def _budget(file: TomlFile) -> Budget | None:
-    """What the file says of time and memory for each judgement."""
-    given = file.value(("budget",), dict, None)
-    if given is None:
-        return None
-    file.allow_keys(("budget",), ("seconds", "megabytes"))
-    for name, value in given.items():
-        try:
-            Budget(**{name: value})
-        except ValueError as error:
-            raise file.error_at_value(("budget", name), f"budget: {error}") from None
-    return Budget(**given)

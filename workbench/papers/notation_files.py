@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from workbench.budget import Budget
 from workbench.papers.toml.toml_file import TomlFile
 
 NOTATION_KEYS = (
@@ -34,3 +35,17 @@ def _notation_file(file: TomlFile) -> str | None:
     if not isinstance(file.data.get("notation"), dict):
         return file.text(("notation",))
     return file.text(("notation", "from"))
+
+
+def budget_of(file: TomlFile) -> Budget | None:
+    """What the file says of time and memory for each judgement."""
+    given = file.value(("budget",), dict, None)
+    if given is None:
+        return None
+    file.allow_keys(("budget",), ("seconds", "megabytes"))
+    for name, value in given.items():
+        try:
+            Budget(**{name: value})
+        except ValueError as error:
+            raise file.error_at_value(("budget", name), f"budget: {error}") from None
+    return Budget(**given)

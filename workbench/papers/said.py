@@ -254,11 +254,18 @@ def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, De
             bodies = (each.body for each in definitions if each.declaration.name in framed)
             if free_in([other], definitions) - free_in(bodies, definitions):
                 return symbol, None
-        elif symbol.declaration.name not in known and not symbol.declaration.free:
+        elif not (symbol.declaration.name in known and _is_reached(symbol, definitions)) and not (
+            symbol.declaration.free
+        ):
             is_exact = statement.operator == "=" and not order
             return symbol, _definition(symbol, other) if is_exact else None
     angle = _only_angle(statement, known)
     return None if angle is None else (angle, None)
+
+
+def _is_reached(symbol: Symbol, definitions: Definitions) -> bool:
+    """Whether definitions of its family say what it is: of α_{n+1} one leaves a declared α_0 free."""
+    return not symbol.index or _body(symbol, definitions) is not None
 
 
 def _definition(symbol: Symbol, body: Term) -> Definition | None:

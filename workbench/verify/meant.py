@@ -89,7 +89,8 @@ class Meant:
             printed = replace(claim.printed, statement=statement)
             if statement != claim.printed.statement:
                 verdict = self._under.verdict(replace(claim, printed=printed), ())
-                holds = verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION) or verdict.reason == SAME_TERM
+                proved = (Outcome.PROVED, Outcome.DEFINITION, Outcome.CONDITIONAL)
+                holds = verdict.outcome in proved or verdict.reason == SAME_TERM
                 return _REACH if holds else None
         return None
 
@@ -157,6 +158,8 @@ class Meant:
         return self._under_asides(claim, refuted) if why is None else _open(why, refuted)
 
     def _if_special(self, claim: Claim, said: Sequence[Definition]) -> str | None:
+        if claim.alone:
+            return None
         from workbench.verify.special import special_case
 
         found = special_case(claim, said, self._options)

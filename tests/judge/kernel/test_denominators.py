@@ -106,3 +106,23 @@ def test_a_half_turn_is_looked_at():
     verdict = check(formula, symbols=symbols).verdict
     assert verdict.outcome is Outcome.CONDITIONAL
     assert verdict.counterexample.values[r"\cos \theta"] == ("-1",)
+
+
+@pytest.mark.parametrize(
+    ("formula", "outcome"),
+    [
+        (r"\frac{d}{dt} (b + \exp(\tilde{a}) c) - \frac{d}{dt} (\exp(\tilde{a}) c) = \dot b", Outcome.PROVED),
+        (r"\frac{d}{dt} (\exp(\tilde{a}) a) = \dot a", Outcome.PROVED),
+        (r"\frac{\partial}{\partial f} (f \exp(\tilde{u}) w) = \exp(\tilde{u}) w", Outcome.PROVED),
+        (r"\frac{\partial}{\partial f} (f \exp(\tilde{u}) w) = \exp(-\tilde{u}) w", Outcome.REFUTED),
+        (r"\frac{d}{dt} (\|a\| \exp(\tilde{a}) a) = \frac{d}{dt} (\|a\| a)", Outcome.CONDITIONAL),
+        (r"\frac{d}{dt} (\|a\| + a \cdot \exp(\tilde{a}) a) = \frac{d}{dt} (\|a\| + a \cdot a)", Outcome.CONDITIONAL),
+        (r"\frac{d}{dt} (\exp(\tilde{a}) a \frac{1}{a \cdot a}) = \frac{d}{dt} (\frac{a}{a \cdot a})", Outcome.CONDITIONAL),
+    ],
+)  # fmt: skip
+def test_a_turn_is_smooth_where_its_vector_vanishes(formula, outcome):
+    """The derivative of ‖a‖ is none at a = 0, but of exp ã it is a limit there."""
+    constant = {"kind": "vector", "constant": True}
+    symbols = dict.fromkeys("abc", "vector") | {"f": {"kind": "scalar", "independent": True}}
+    symbols |= dict.fromkeys("uw", constant)
+    assert check(formula, symbols=symbols).outcome is outcome

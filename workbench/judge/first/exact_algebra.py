@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from contextlib import nullcontext
 from fractions import Fraction
 from math import isqrt
 
@@ -32,6 +33,7 @@ class ExactAlgebra:
         self._reciprocal_names = [f"reciprocal{i}" for i in range(inventory.reciprocals)]
         self.ring = DifferentialRing([*self._norm_names, *parameters, *self._reciprocal_names])
         self._norms: list[tuple[str, Polynomial]] = []
+        self._are_of_turns = not inventory.has_roots
 
     @property
     def norms(self) -> frozenset[str]:
@@ -207,8 +209,13 @@ class ExactAlgebra:
         self.ring.square_as(name, square)
         norm = self.ring.generators[name]
         half = self.ring.constant(Fraction(1, 2))
-        self.ring.derive_by(name, lambda derivation: half * derivation(square) * self.reciprocal(norm))
+        self.ring.derive_by(name, lambda derivation: half * derivation(square) * self._over(norm))
         return norm
+
+    def _over(self, norm: Polynomial) -> Entry:
+        """1/‖x‖ in a derivative; of exp x̃ the quotients are limits at x = 0."""
+        with self.ring.removable() if self._are_of_turns else nullcontext():
+            return self.reciprocal(norm)
 
 
 def _rational_root(square: Fraction) -> Fraction:

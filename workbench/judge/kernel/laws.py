@@ -183,6 +183,14 @@ def _has_solutions(
     return len(found) == _POINTS and all(found)
 
 
+def _vanishes(
+    term: Term, definitions: Lookup, point: dict[Parameter, float], unknowns: Iterable[Parameter]
+) -> bool:
+    """Whether it is 0 where the unknowns are."""
+    engine = JetEngine(PointSource(FloatRing(), {**point, **dict.fromkeys(unknowns, 0.0)}), definitions)
+    return bool(np.abs(np.array(engine.components(term), dtype=float)).max() < _TOLERANCE)
+
+
 def _is_solvable(
     relation: Relation, definitions: Lookup, point: dict[Parameter, float], unknowns: list[Parameter]
 ) -> bool:
@@ -193,6 +201,8 @@ def _is_solvable(
 
     size = len(unknowns)
     rest = residual(np.zeros(size))
+    if np.abs(rest).max() < _TOLERANCE and not _vanishes(relation.left, definitions, point, unknowns):
+        return False  # what is left of an identity: that its other terms are 0
     columns = np.column_stack([residual(unit) - rest for unit in np.eye(size)])
     other = np.arange(size) + _ELSEWHERE
     tolerance = _TOLERANCE * size * (1 + np.abs(rest).max() + np.abs(columns).max())

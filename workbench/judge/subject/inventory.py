@@ -32,13 +32,15 @@ from workbench.language.typed.terms import (
 class Inventory:
     """orders: free symbol → highest time derivative that occurs.   angles: free ones under sin, cos or exp.
     circles: other terms there, such as ω t or ‖x‖ → the part of it that has a sine and cosine of its own.
-    reciprocals, norms: how many divisions (or inverses) and norms there are, counted with the definitions."""
+    reciprocals, norms: how many divisions (or inverses) and norms there are, counted with the definitions.
+    has_roots: whether there is a norm or a root besides the angle ‖x‖ of exp x̃, which is smooth at x = 0."""
 
     orders: dict[Symbol, int] = field(default_factory=dict)
     angles: dict[Symbol, None] = field(default_factory=dict)
     circles: dict[Term, Term] = field(default_factory=dict)
     reciprocals: int = 0
     norms: int = 0
+    has_roots: bool = False
 
 
 def take_inventory(terms: Iterable[Term], definitions: Lookup) -> Inventory:
@@ -65,9 +67,12 @@ class _Survey:
         self.inventory = Inventory()
         self._known: dict[Term, dict[Symbol, int]] = {}
         self._sizes: dict[Term, int] = {}
+        self._turning: Term | None = None  # the angle ‖x‖ of exp x̃
         self._factors = 0  # of what roots are taken of, such as the m and r of √(m r)
 
     def orders(self, term: Term) -> dict[Symbol, int]:
+        if isinstance(term, Apply) and term.head in ("norm", "root") and term is not self._turning:
+            self.inventory.has_roots = True
         if term not in self._known:
             self._known[term] = self._survey(term)
         return self._known[term]
@@ -183,6 +188,7 @@ class _Survey:
         self.inventory.angles.pop(angle, None)
         self.inventory.circles[angle] = angle if size.value == 1 else apply("mul", size, angle)
         if angle not in self._known:
+            self._turning = angle
             self.orders(angle)
             if isinstance(angle, Apply) and angle.head == "norm":
                 self.inventory.reciprocals += 1  # sin ‖x‖/‖x‖

@@ -13,14 +13,12 @@ from workbench.papers.faults import Faults
 from workbench.papers.mends import MEND_KEYS
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.notation import notation_of
+from workbench.papers.notation_files import NOTATION_KEYS
 from workbench.papers.texts import Directive, Display, Text
 from workbench.papers.toml.toml_file import TomlFile
 from workbench.papers.toml.toml_places import KeyPath
 
-MODEL_KEYS = (
-    "title", "doi", "notation", "conventions", "symbols", "definitions", "motion", "frames",
-    "points", "source", "macros", "scope", "claim", "guessed", "citation",
-)  # fmt: skip
+MODEL_KEYS = (*NOTATION_KEYS, "source", "macros", "scope", "claim", "guessed", "citation")
 CLAIM_KEYS = (
     "at",
     "printed",

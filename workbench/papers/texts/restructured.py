@@ -70,6 +70,8 @@ def _directive(
     place += 1
     while place < len(lines) and (not lines[place].text.strip() or lines[place].indent > len(match[1])):
         line = lines[place]
+        if _ROLE.search(line.text):  # a sentence, which is indented
+            break
         if is_head and (option := _OPTION.fullmatch(line.text)):
             label = option[2].strip() if option[1] in ("label", "name") else label
         elif line.text.strip():

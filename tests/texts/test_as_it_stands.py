@@ -111,6 +111,12 @@ def test_words_in_a_column_of_their_own_are_a_remark(tmp_path: Path, remark: str
     assert outcomes(tmp_path, rows, model) == ["definition", "proved"]
 
 
+def test_such_words_may_say_where_a_row_holds(tmp_path: Path) -> None:
+    rows = r"\begin{align} y &= 3 x & \text{for small angles} \\ y &= 4 x & \text{by (3)} \end{align}"
+    model = "[symbols]\nx = { kind = 'scalar', free = true }\n[definitions]\ny = '2 x'\n"
+    assert outcomes(tmp_path, rows, model) == ["unchecked", "refuted"]
+
+
 def test_a_typeface_may_hold_a_sum_and_an_angle_be_typed(tmp_path: Path) -> None:
     text = displayed(
         r"(\mathbf{u - v}) \cdot \mathbf{u} = \left< \mathbf{u}, \mathbf{u} \right> - \left<\mathbf{u}, \mathbf{v}\right>"

@@ -164,7 +164,8 @@ def is_constant(term: Term, definitions: Lookup) -> bool:
 def _has_solutions(
     relation: Relation, inventory: Inventory, definitions: Lookup, symbols: tuple[Symbol, ...], order: int
 ) -> bool:
-    """Whether, at random values of all else, some values of the derivatives satisfy the equation."""
+    """Whether, at random values of all else, some values of the derivatives satisfy the equation. It is no
+    law that what an identity has too much, as u_2 c_z × l c_x, is 0: that u_2 is."""
     unknowns = [
         Parameter(symbol, part, orders - 1, component)
         for symbol in symbols
@@ -172,40 +173,51 @@ def _has_solutions(
         for component in range(count)
         if orders == order + (part != "spin")
     ]
-    random, found = Random(_SEED), []
+    random = Random(_SEED)
+    found: list[_Solved | None] = []
     for _ in range(_TRIES):
         drawn = sample(inventory, RationalRing(_ENTRIES), random)
         point = {parameter: float(value) for parameter, value in drawn.items()}
         with suppress(NotExact, ZeroDivisionError):
-            found.append(_is_solvable(relation, definitions, point, unknowns))
-        if len(found) == _POINTS or not all(found):
+            found.append(_solved(relation, definitions, point, unknowns))
+        if len(found) == _POINTS or None in found:
             break
-    return len(found) == _POINTS and all(found)
+    if len(found) < _POINTS or None in found:
+        return False
+    is_identity = all(each.holds_without and not each.is_zero for each in found)
+    return not is_identity or all(np.allclose(each.slopes, found[0].slopes) for each in found)
 
 
-def _vanishes(
-    term: Term, definitions: Lookup, point: dict[Parameter, float], unknowns: Iterable[Parameter]
-) -> bool:
-    """Whether it is 0 where the unknowns are."""
-    engine = JetEngine(PointSource(FloatRing(), {**point, **dict.fromkeys(unknowns, 0.0)}), definitions)
-    return bool(np.abs(np.array(engine.components(term), dtype=float)).max() < _TOLERANCE)
+@dataclass(frozen=True)
+class _Solved:
+    """slopes: of left − right by the unknowns.   holds_without: whether the sides are equal where these are
+    0.   is_zero: whether they are 0 there."""
+
+    slopes: np.ndarray
+    holds_without: bool
+    is_zero: bool
 
 
-def _is_solvable(
+def _solved(
     relation: Relation, definitions: Lookup, point: dict[Parameter, float], unknowns: list[Parameter]
-) -> bool:
-    def residual(values: np.ndarray) -> np.ndarray:
+) -> _Solved | None:
+    """None where no values of the unknowns satisfy the equation, or it is not linear in them."""
+
+    def engine(values: np.ndarray) -> JetEngine:
         at = {**point, **dict(zip(unknowns, values.tolist(), strict=True))}
-        engine = JetEngine(PointSource(FloatRing(), at), definitions)
-        return np.array(engine.differences(relation.left, relation.right), dtype=float)
+        return JetEngine(PointSource(FloatRing(), at), definitions)
+
+    def residual(values: np.ndarray) -> np.ndarray:
+        return np.array(engine(values).differences(relation.left, relation.right), dtype=float)
 
     size = len(unknowns)
     rest = residual(np.zeros(size))
-    if np.abs(rest).max() < _TOLERANCE and not _vanishes(relation.left, definitions, point, unknowns):
-        return False  # what is left of an identity: that its other terms are 0
     columns = np.column_stack([residual(unit) - rest for unit in np.eye(size)])
     other = np.arange(size) + _ELSEWHERE
     tolerance = _TOLERANCE * size * (1 + np.abs(rest).max() + np.abs(columns).max())
     solution = np.linalg.lstsq(columns, -rest, rcond=None)[0]
     errors = residual(other) - rest - columns @ other, columns @ solution + rest
-    return bool(np.abs(errors).max() < tolerance)
+    if not np.abs(errors).max() < tolerance:
+        return None
+    left = np.array(engine(np.zeros(size)).components(relation.left), dtype=float)
+    return _Solved(columns, bool(np.abs(rest).max() < tolerance), bool(np.abs(left).max() < tolerance))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -40,6 +41,11 @@ _FAR = WIDE | {"\\hfill"}
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
 _ENDS = frozenset({".", ",", ";"})
 
+_CONDITION = re.compile(
+    r"\b(if|when\w*|where\w*|for|with\w*|under|unless|provided|given|suppos\w*|assum\w*|small|near|at|in|as|only)\b",
+    re.IGNORECASE,
+)
+
 
 @dataclass
 class Line:
@@ -63,6 +69,8 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
             for column, (cell, opens, begins) in enumerate(_columns(_with_implications(piece))):
                 cell = trimmed(cell)
                 if not cell or (column and _is_remark(cell)):
+                    if _CONDITION.search(joined(cell)) and made:  # it says where what stands before it holds
+                        made[-1].tokens = [*made[-1].tokens, cell[0].standing_for("\\quad"), *cell]
                     continue
                 line = Line(cell, [(cell[-1], row.number, row.labels)], opens, begins)
                 before = in_column.get(column)

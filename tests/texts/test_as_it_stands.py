@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from workbench.budget import Budget
+from workbench.judge.kernel.judge import Judge
+from workbench.language.printing.printer import to_latex
 from workbench.papers.load import load_paper
 from workbench.papers.model import PaperError
 from workbench.verify.claims import judge_paper
@@ -223,3 +225,20 @@ def test_two_rates_beside_each_other_are_no_rate_of_a_product(tmp_path: Path) ->
 def test_a_base_that_no_definition_reaches_may_be_said(tmp_path: Path) -> None:
     model = "[symbols]\n'w_i' = 'vector'\n'a_i' = 'vector'\n[definitions]\n'a_{i+1}' = '\\dot{w}_{i+1}'\n"
     assert outcomes(tmp_path, displayed("a_0 = 0", r"a_1 = 2 \dot{w}_1"), model) == ["unchecked", "refuted"]
+
+
+def test_what_goes_wrong_in_one_formula_costs_no_other_its_verdict(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def judge(self: Judge, statement, *arguments, **options):
+        if "b" in to_latex(statement):
+            raise ValueError("matmul: a mismatch")
+        return whole(self, statement, *arguments, **options)
+
+    whole = Judge.judge
+    monkeypatch.setattr(Judge, "judge", judge)
+    (tmp_path / "p.md").write_text(displayed("a + a = 2 a", "b + b = 2 b"))
+    (tmp_path / "p.toml").write_text("source = 'p.md'\n[symbols]\na = 'scalar'\nb = 'scalar'\n")
+    first, second = (result.verdict for result in judge_paper(load_paper(tmp_path / "p.toml")))
+    assert (first.outcome, second.outcome) == ("proved", "unchecked")
+    assert "a defect of the workbench" in second.reason and "matmul" in second.reason

@@ -71,9 +71,9 @@ def _meaning(entry: Notation, table: SymbolTable) -> Term | None:
     """What the entry means, of symbols in the places of its arguments; None if that says too little for terms
     to be known by it."""
     places = {
-        letter: symbol(Declaration(Name(letter, of=_PLACE), kind.with_dual(said.startswith("dual "))))
+        letter: symbol(Declaration(Name(letter, of=_PLACE), kind))
         for letter, said in entry.formals.items()
-        if (kind := type_of_kind(said.removeprefix("dual ").replace("quaternion", "hamilton quaternion")))
+        if (kind := type_of_kind(said.replace("quaternion", "hamilton quaternion")))
     }
     meaning = meaning_of(entry.filled(places), table)
     return None if isinstance(meaning, Symbol | Number | Integer | Zero) else meaning

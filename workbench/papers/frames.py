@@ -161,11 +161,11 @@ class _Reader:
         others = {name: each for name, each in self.resolved.items() if each[0] != label(str(dot))}
         if said is None:
             return dict.fromkeys(others)
-        turns = {name: self.frames.orientation(frame) for name, (frame, _) in others.items()}
-        return {
-            name: (identity() if turns[name] is None else apply("transpose", turns[name]), vector)
-            for name, (_, vector) in others.items()
-        }
+        made: dict[Name, tuple[Term, Term] | None] = {}
+        for name, (frame, vector) in others.items():
+            turn = self.frames.orientation(frame)
+            made[name] = identity() if turn is None else apply("transpose", turn), vector
+        return made
 
     def keep_constants(self, dot: str) -> None:
         """A vector or tensor that is constant has no rate in the frame of the dot."""

@@ -254,9 +254,9 @@ def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, De
             bodies = (each.body for each in definitions if each.declaration.name in framed)
             if free_in([other], definitions) - free_in(bodies, definitions):
                 return symbol, None
-        elif not (symbol.declaration.name in known and _is_reached(symbol, definitions)) and not (
-            symbol.declaration.free
-        ):
+            continue
+        is_defined = symbol.declaration.name in known and _is_reached(symbol, definitions)
+        if not (is_defined or symbol.declaration.free):
             is_exact = statement.operator == "=" and not order
             return symbol, _definition(symbol, other) if is_exact else None
     angle = _only_angle(statement, known)

@@ -15,10 +15,7 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.theorems.proofs import Proven
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.printing.authors import in_the_hand_of
-from workbench.language.printing.printer import to_latex
-from workbench.language.typed.terms import Implication
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
-from workbench.papers.said import says_of_defined
 from workbench.papers.selection import select_claims
 from workbench.verify.keys import Keys, Memory
 from workbench.verify.meant import Meant
@@ -32,7 +29,6 @@ if TYPE_CHECKING:
 
 #: From this many claims on it pays to start a process for each core.
 MANY = 40
-
 
 #: What no formula of a text should bring about, and what must not cost its other formulas their verdicts.
 _DEFECTS = (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError)
@@ -176,30 +172,7 @@ class ClaimJudge:
             if alone.outcome is Outcome.PROVED:
                 return alone
         verdict = self._meant.verdict(claim, self._verdict(claim, claim.printed, claim.hypothesis))
-        verdict = self._under_what_holds(verdict, claim)
         return _as_given(verdict, claim) if claim.given else verdict
-
-    def _under_what_holds(self, verdict: Verdict, claim: Claim) -> Verdict:
-        """Of a text nothing is proved from what is false of the symbols that its model defines."""
-        if verdict.outcome is not Outcome.PROVED or claim.span is None:
-            return verdict
-        said = claim.printed.statement
-        premises = [said.left] if isinstance(said, Implication) else []
-        premises += [formula.statement for formula in claim.given]
-        alone = replace(claim, given=(), assume=(), orders=None)
-        for premise in premises:
-            if says_of_defined(premise, claim.notation.definitions):
-                formula = Formula(to_latex(premise), premise)
-                judged = self._verdict(replace(alone, printed=formula), formula, None)
-                if judged.outcome is Outcome.REFUTED:
-                    return replace(
-                        verdict,
-                        outcome=Outcome.CONDITIONAL,
-                        reason="the condition contradicts what defines its symbols",
-                        hypothesis=", ".join(filter(None, (verdict.hypothesis, formula.latex))),
-                        counterexample=judged.counterexample,
-                    )
-        return verdict
 
     @cached_property
     def _of_theorems(self) -> TheoremJudge:

@@ -14,10 +14,10 @@ from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import CIRCULAR
-from workbench.language.typed.terms import Apply, Definition, Relation, Symbol, Term, sides_of
+from workbench.language.typed.terms import Apply, Definition, Implication, Relation, Symbol, Term, sides_of
 from workbench.papers.formulas import read_statement
-from workbench.papers.model import Aside, Claim, Notation, Said
-from workbench.papers.said import SAYS, assigns, free_in, introduces, terms_of
+from workbench.papers.model import Aside, Claim, Formula, Notation, Said
+from workbench.papers.said import SAYS, assigns, free_in, introduces, says_of_defined, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.by_laws import by_laws
 from workbench.verify.laws import has_laws, is_all_given, is_law, says_no_more
@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
 
 _OR_ALONE = "makes it a claim, or `given = []`, if it needs none"
+
+_CONTRADICTS = "the condition contradicts what defines its symbols"
 
 _REACH = "how far does d/dt reach? bracket what it differentiates"
 
@@ -49,9 +51,26 @@ class Meant:
             verdict = held
         elif is_refuted:
             verdict = self._of_refuted(_as_all_given(claim) if is_all_given(claim) else claim, verdict)
+        elif verdict.outcome is Outcome.PROVED and claim.span is not None:
+            verdict = self._under_what_holds(claim, verdict)
         if claim.guessed and verdict.outcome in _RESTS_ON_KINDS:
             return _open(_as_guessed(verdict, claim.guessed), verdict)
         return verdict
+
+    def _under_what_holds(self, claim: Claim, proved: Verdict) -> Verdict:
+        """Of a text nothing is proved from what is false of the symbols that its model defines."""
+        said = claim.printed.statement
+        premises = [said.left] if isinstance(said, Implication) else []
+        premises += [formula.statement for formula in claim.given]
+        alone = replace(claim, given=(), assume=(), orders=None)
+        for premise in premises:
+            if says_of_defined(premise, claim.notation.definitions):
+                formula = Formula(to_latex(premise), premise)
+                judged = self._under.verdict(replace(alone, printed=formula))
+                if judged.outcome is Outcome.REFUTED:
+                    hypotheses = [*filter(None, [proved.hypothesis]), formula.latex]
+                    return conditional(proved, hypotheses, _CONTRADICTS, judged)
+        return proved
 
     def _of_refuted(self, claim: Claim, refuted: Verdict) -> Verdict:
         if (why := self._why_open(claim, refuted)) is not None:

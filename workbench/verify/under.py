@@ -59,9 +59,9 @@ class Under:
 
     def is_known(self, said: Said, notation: Notation) -> bool:
         """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
-        key = id(notation), said.place, said.name
         if said.statement is None:
             return False
+        key = id(notation), said.place, said.name
         if key not in self._known:
             verdict = Verdict(Outcome.UNCHECKED)
             with suppress(Unsatisfiable):

@@ -117,6 +117,7 @@ def test_a_half_turn_is_looked_at():
         (r"\frac{\partial}{\partial f} (f \exp(\tilde{u}) w) = \exp(-\tilde{u}) w", Outcome.REFUTED),
         (r"\frac{d}{dt} (\|a\| \exp(\tilde{a}) a) = \frac{d}{dt} (\|a\| a)", Outcome.CONDITIONAL),
         (r"\frac{d}{dt} (\|a\| + a \cdot \exp(\tilde{a}) a) = \frac{d}{dt} (\|a\| + a \cdot a)", Outcome.CONDITIONAL),
+        (r"\frac{d}{dt} (\exp(\tilde{a}) a \cdot c + \sin\|a\|) = \frac{d}{dt} (a \cdot c + \sin\|a\|)", Outcome.CONDITIONAL),
         (r"\frac{d}{dt} (\exp(\tilde{a}) a \frac{1}{a \cdot a}) = \frac{d}{dt} (\frac{a}{a \cdot a})", Outcome.CONDITIONAL),
     ],
 )  # fmt: skip

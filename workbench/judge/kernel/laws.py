@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from random import Random
+from typing import NamedTuple
 
 import numpy as np
 
@@ -184,18 +185,16 @@ def _has_solutions(
             break
     if len(found) < _POINTS or None in found:
         return False
-    is_identity = all(each.holds_without and not each.is_zero for each in found)
+    is_identity = all(each.holds_without for each in found)
     return not is_identity or all(np.allclose(each.slopes, found[0].slopes) for each in found)
 
 
-@dataclass(frozen=True)
-class _Solved:
+class _Solved(NamedTuple):
     """slopes: of left − right by the unknowns.   holds_without: whether the sides are equal where these are
-    0.   is_zero: whether they are 0 there."""
+    0, and not 0 there themselves."""
 
     slopes: np.ndarray
     holds_without: bool
-    is_zero: bool
 
 
 def _solved(
@@ -211,7 +210,8 @@ def _solved(
         return np.array(engine(values).differences(relation.left, relation.right), dtype=float)
 
     size = len(unknowns)
-    rest = residual(np.zeros(size))
+    without = engine(np.zeros(size))
+    rest = np.array(without.differences(relation.left, relation.right), dtype=float)
     columns = np.column_stack([residual(unit) - rest for unit in np.eye(size)])
     other = np.arange(size) + _ELSEWHERE
     tolerance = _TOLERANCE * size * (1 + np.abs(rest).max() + np.abs(columns).max())
@@ -219,5 +219,6 @@ def _solved(
     errors = residual(other) - rest - columns @ other, columns @ solution + rest
     if not np.abs(errors).max() < tolerance:
         return None
-    left = np.array(engine(np.zeros(size)).components(relation.left), dtype=float)
-    return _Solved(columns, bool(np.abs(rest).max() < tolerance), bool(np.abs(left).max() < tolerance))
+    holds = np.abs(rest).max() < tolerance
+    is_zero = holds and np.abs(np.array(without.components(relation.left), dtype=float)).max() < tolerance
+    return _Solved(columns, bool(holds and not is_zero))

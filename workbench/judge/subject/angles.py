@@ -51,7 +51,7 @@ def angle_parts(angle: Term, definitions: Lookup) -> dict[Term, Fraction]:
     for factors, coefficient in sum_of_products(angle, definitions).items():
         if not factors:
             raise NotExact(NO_ANGLE)
-        if len(factors) > 1 and set(factors) == {factors[0]} and not _is_positive(factors):
+        if len(factors) > 1 and len(set(factors)) == 1 and not _is_positive(factors):
             raise NotExact("a sine or cosine of the power of an angle, which may be meant for its power")
         if not any(isinstance(factor, DualUnit) for factor in factors):
             term = factors[0]

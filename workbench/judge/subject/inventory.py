@@ -190,6 +190,7 @@ class _Survey:
         if angle not in self._known:
             self._turning = angle
             self.orders(angle)
+            self._turning = None
             if isinstance(angle, Apply) and angle.head == "norm":
                 self.inventory.reciprocals += 1  # sin ‖x‖/‖x‖
 

@@ -69,7 +69,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         return only_says
     if is_accented_symbol(own := _without_sup(term)):
         is_asked = not _is_coordinate(scope, own) and _may_be_argument(scope, part, term)
-        if is_asked and not _is_said_factor(scope, part):
+        if is_asked and not is_said_factor(scope, part):
             raise Fault(OR_A_PRODUCT, bracket.at)
         if scope.term(part).type.kind == "scalar" and not _is_constant(function):
             _refuse_both(scope, bracket, function, is_factor=True)
@@ -105,10 +105,11 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
     return is_symbol and is_tensor and value.type.kind == "scalar"
 
 
-def _is_said_factor(scope: Scope, part: Node) -> bool:
-    """Whether the paper says that what is in brackets multiplies; of a time it does not."""
-    clocks = (each.clock for each in _outside_of_functions(scope.term(part)))
-    return "factors" in scope.table.loose and not any(clocks)
+def is_said_factor(scope: Scope, part: Node) -> bool:
+    """Whether the paper says that what is in brackets multiplies; of a time, as (t - t_0), it does not."""
+    return "factors" in scope.table.loose and not any(
+        each.clock for each in _outside_of_functions(scope.term(part))
+    )
 
 
 def _outside_of_functions(value: Term) -> Iterator[Declaration]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.quotients import Rate, slope, value_of
@@ -28,17 +29,7 @@ from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import OF_ANGLES, OF_TENSORS, word_of
-from workbench.language.typed.terms import (
-    Apply,
-    Derivative,
-    IllFormed,
-    Integer,
-    Number,
-    Power,
-    Symbol,
-    Term,
-    is_rate,
-)
+from workbench.language.typed.terms import Apply, Derivative, IllFormed, Integer, Number, Power, Term, is_rate
 
 _OR_A_FACTOR = ', or say [conventions] brackets = "factors": what is in one behind it multiplies it'
 
@@ -169,25 +160,19 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
     if numeric and end < len(row.items):
         run.append(row.factor(end))
         end = run[-1].end
-    if end < len(row.items) and not (of_numbers and _is_factor(row, row.items[end])):
+    may_be_factor = end < len(row.items) and of_numbers and _is_bracket(row.items[end])
+    if end < len(row.items) and not (may_be_factor and is_said_factor(row.scope, row.items[end])):
         following = row.factor(end)
         own = isinstance(following.node, Leaf | Scripted) and is_function(following.node)
         mixes = head not in OF_ANGLES or following.term.type.kind == "scalar"
         if mixes and not own and not (head in OF_ANGLES and _is_rate_beside(following.term, run)):
-            said = _OR_A_FACTOR if of_numbers and _is_bracket(row.items[end]) else ""
+            said = _OR_A_FACTOR if may_be_factor else ""
             raise Fault(f"how far does {name} reach? bracket its argument{said}", leaf.at)
     return row.multiply(run), end
 
 
 def _is_bracket(node: Node) -> bool:
     return isinstance(node.nucleus if isinstance(node, Scripted) else node, Bracket)
-
-
-def _is_factor(row: Row, node: Node) -> bool:
-    """Whether the paper says that such a bracket behind a sine is no part of its angle; (t - t_0) may be."""
-    said = "factors" in row.scope.table.loose and _is_bracket(node)
-    parts = row.scope.term(node).walk() if said else ()
-    return said and not any(isinstance(part, Symbol) and part.declaration.clock for part in parts)
 
 
 def _is_rate_beside(term: Term, angle: Sequence[Factor]) -> bool:

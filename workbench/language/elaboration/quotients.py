@@ -160,10 +160,10 @@ def value_of(scope: Scope, head: str, argument: Term) -> Term:
         return construct.apply("mul", construct.number(Rational(1, 2)), construct.apply("add", above, below))
     if head == "exp":
         argument = scope.quaternion_of_four(argument)
-    if head == "exp" and argument.type.kind == "vector":
-        raise Unread("the exponential of a vector: of its skew tensor, or of a quaternion?")
-    if head == "exp" and argument.type.kind == "matrix" and argument.type != Type(4, 4):
-        raise Unread(f"the exponential of a {argument.type} is not read")
+        if argument.type.kind == "vector":
+            raise Unread("the exponential of a vector: of its skew tensor, or of a quaternion?")
+        if argument.type.kind == "matrix" and argument.type != Type(4, 4):
+            raise Unread(f"the exponential of a {argument.type} is not read")
     if head == "re" and argument.type.kind == "quaternion":
         if argument.type.dual:
             raise Unread("Re of a dual quaternion: its real part, or its scalar part?")

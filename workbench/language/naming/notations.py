@@ -64,7 +64,7 @@ class Notation:
         formals = spec.get("where", {})
         if not isinstance(formals, Mapping) or not all(isinstance(kind, str) for kind in formals.values()):
             raise SpecError('where: expected kinds of letters such as { x = "vector" }', key)
-        kinds = {letter: _typed(kind) for letter, kind in formals.items()}
+        kinds = {letter: str(type_of_kind(kind) or kind) for letter, kind in formals.items()}
         notation = Notation(key, kinds, _one(key, key), _one(spec["means"], key))
         for letter in formals:
             if not occurs(letter, notation.pattern):
@@ -242,12 +242,6 @@ class Notations:
         alike = (entry for entry in named if not entry.is_constant and _is_alike(entry.pattern, node))
         found = ((entry, entry.matched(node)) for entry in alike)
         return [(entry, places) for entry, places in found if places is not None]
-
-
-def _typed(kind: str) -> str:
-    """What a type of that kind calls itself: a Hamilton quaternion is a quaternion, a dual one, too."""
-    type_ = type_of_kind(kind.removeprefix("dual "))
-    return kind if type_ is None else str(type_.with_dual(kind.startswith("dual ")))
 
 
 def _one(text: str, key: str) -> Node:

@@ -75,9 +75,11 @@ KINDS = {
 
 
 def type_of_kind(kind: str) -> Type | None:
-    """The type of what a paper file calls so; None where there is no such kind."""
-    size = _SIZE.fullmatch(kind)
-    return Type(int(size[1]), int(size[2])) if size else KINDS.get(kind)
+    """The type of what a paper file calls so, perhaps with 'dual '; None where there is no such kind."""
+    plain = kind.removeprefix("dual ")
+    size = _SIZE.fullmatch(plain)
+    found = Type(int(size[1]), int(size[2])) if size else KINDS.get(plain)
+    return found and found.with_dual(plain != kind)
 
 
 @dataclass(frozen=True, slots=True)

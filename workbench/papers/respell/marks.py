@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
+from workbench.language.grammar.vocabulary import SIZES
 from workbench.papers.respell.places import FACES, ahead, braced, group, is_one_symbol, past, printed
 from workbench.papers.texts import Token
 
-_SIZES = frozenset(
-    {"\\left", "\\right", *(f"\\{size}{side}" for size in ("big", "Big", "bigg") for side in "lr")}
-)
+#: Those that make an opening or a closing bracket of a sign.
+_SIDED = frozenset(f"\\{size}" for size in SIZES if size.endswith(("left", "right", "l", "r")))
 
 _BESIDE_A_SUM = frozenset({*"()[]{}=+-&,.", "\\\\", "\\right"})
 
 
+def _in_a_face(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """What stands in the braces of a typeface there, and the place behind."""
+    start = past(tokens, place + 1)
+    is_faced = tokens[place].text in FACES and printed(tokens[start : start + 1]) == ["{"]
+    return group(tokens, start) if is_faced else None
+
+
 def summed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """\\mathbf{a - b}, each a symbol, as \\mathbf{a} - \\mathbf{b}, where nothing stands beside the sum."""
-    start = past(tokens, place + 1)
-    if tokens[place].text not in FACES or printed(tokens[start : start + 1]) != ["{"]:
+    if (faced := _in_a_face(tokens, place)) is None:
         return None
-    inside, end = group(tokens, start)
+    inside, end = faced
     before = ahead(tokens, place)
     sides = [*([] if before is None else [tokens[before]]), *tokens[past(tokens, end) :][:1]]
     if any(token.text not in _BESIDE_A_SUM for token in sides):
@@ -44,17 +50,16 @@ def angle(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """\\left< a, b \\right> with the brackets that it prints."""
     size, sign = tokens[place], tokens[place + 1 : place + 2]
     bracket = {"<": "\\langle", ">": "\\rangle"}.get(sign[0].text) if sign else None
-    if bracket is None or size.text not in _SIZES:
+    if bracket is None or size.text not in _SIDED:
         return None
     return [size, sign[0].standing_for(bracket)], place + 2
 
 
 def signed(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
     """\\mathbf{-v}, one symbol and a sign in its face, as (-\\mathbf{v})."""
-    start = past(tokens, place + 1)
-    if tokens[place].text not in FACES or printed(tokens[start : start + 1]) != ["{"]:
+    if (faced := _in_a_face(tokens, place)) is None:
         return None
-    inside, end = group(tokens, start)
+    inside, end = faced
     sign, head = past(inside, 0), tokens[place]
     is_one = printed(inside[sign : sign + 1]) == ["-"] and is_one_symbol(inside[sign + 1 :])
     if not is_one or printed(tokens[past(tokens, end) :])[:1] in (["^"], ["_"]):

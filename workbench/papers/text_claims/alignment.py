@@ -41,6 +41,7 @@ _FAR = WIDE | {"\\hfill"}
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
 _ENDS = frozenset({".", ",", ";"})
 
+#: Words that say where what stands before them holds.
 _CONDITION = re.compile(
     r"\b(if|when\w*|where\w*|for|with\w*|under|unless|provided|given|suppos\w*|assum\w*|small|near|at|in|as|only)\b",
     re.IGNORECASE,
@@ -69,8 +70,9 @@ def lines_of(display: Display, words: Collection[str]) -> list[Line]:
             for column, (cell, opens, begins) in enumerate(_columns(_with_implications(piece))):
                 cell = trimmed(cell)
                 if not cell or (column and _is_remark(cell)):
-                    if _CONDITION.search(joined(cell)) and made:  # it says where what stands before it holds
-                        made[-1].tokens = [*made[-1].tokens, cell[0].standing_for("\\quad"), *cell]
+                    stands = in_column.get(column - 1)
+                    if stands is not None and _CONDITION.search(joined(cell)):
+                        stands.tokens = [*stands.tokens, cell[0].standing_for("\\quad"), *cell]
                     continue
                 line = Line(cell, [(cell[-1], row.number, row.labels)], opens, begins)
                 before = in_column.get(column)

@@ -106,9 +106,8 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
     """With the formulas before it that it is to follow from, read in its own notation; `placed` ends with it.
     Raises PaperError."""
     given: list[Formula] = []
-    for table in (entry.table for entry in entries):
-        if table.value(("given",), list, None) == []:
-            claim = replace(claim, alone=True)
+    tables = [entry.table for entry in entries]
+    for table in tables:
         for at in table.texts(("given",)):
             found = [each for each in placed[:-1] if means(at, each)]
             if not found:
@@ -119,7 +118,8 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
                     given.append(Formula(latex, statement))
                 except (ReadError, IllFormedAt) as error:
                     raise table.error_at_value(("given",), f"given: {at}: {error.message}") from None
-    return replace(claim, given=tuple(given), alone=claim.alone and not given) if given else claim
+    says_none = any(table.value(("given",), list, None) == [] for table in tables)
+    return replace(claim, given=tuple(given), alone=says_none and not given)
 
 
 def _as_it_stands(claim: Claim) -> Claim:

@@ -15,7 +15,6 @@ from repair.damage import right_claims
 
 from workbench import check
 from workbench.budget import Budget, OutOfBudget, Workers
-from workbench.budget.workers import RUN
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import EngineDisagreement, Outcome
 from workbench.papers import PaperError, find_paper, load_paper
@@ -59,19 +58,38 @@ def whose(seconds):
     return os.getpid()
 
 
-def test_neighbours_are_for_one_process():
-    with Workers(whose, None, 2) as workers:
-        answers = list(workers.map([0.001] * (4 * RUN)))
-    first, last = set(answers[:RUN]), set(answers[-RUN:])
-    assert len(first) == len(last) == 1 and first != last  # one begins at the end
+def of_its_kind(item):
+    sleep(item[1])
+    return item[0], os.getpid()
+
+
+def test_neighbours_that_are_alike_are_for_one_process():
+    items = [(kind, 0.01) for kind, count in {"a": 6, "b": 12, "c": 40}.items() for _ in range(count)]
+    with Workers(of_its_kind, None, 2, alike=lambda item: item[0]) as workers:
+        answers = list(workers.map(items))
+    one, other, last = ({pid for told, pid in answers if told == kind} for kind in "abc")
+    assert len(one) == len(other) == 1 and one != other
+    assert last == one | other  # in the end both have a part in it
 
 
 def test_who_has_nothing_left_takes_the_last_of_anothers_run():
     with Workers(whose, None, 2) as workers:
-        answers = list(workers.map([0.5, *[0.001] * (2 * RUN - 1)]))
+        answers = list(workers.map([0.5, *[0.001] * 31]))
         assert len(set(answers)) == 2
         assert set(answers[1:]) == {answers[-1]} != {answers[0]}
-        assert len(set(workers.map([0.01] * (RUN + 1)))) == 2  # and nothing is left of it
+        assert len(set(workers.map([0.01] * 17))) == 2  # and nothing is left of it
+
+
+def ended(seconds):
+    sleep(seconds)
+    return monotonic()
+
+
+def test_meanwhile_is_while_all_are_at_work():
+    begun = []
+    with Workers(ended, None, 2) as workers:
+        ends = list(workers.map([0.5, 0.5], meanwhile=lambda: begun.append(monotonic())))
+    assert len(begun) == 1 and begun[0] < min(ends)
 
 
 @pytest.mark.parametrize("count", [1, 2, 5])

@@ -169,17 +169,14 @@ class DifferentialRing:
         """p times powers of the denominators so that no reciprocal is left: 0 exactly if p is, where no
         denominator vanishes. A later reciprocal can hold earlier ones below: the last one goes first."""
         for name, d in reversed(self._reciprocals):
-            place = self._places[name]
-            height = p.degrees()[place]
-            if height <= 0:
+            if p.degrees()[self._places[name]] <= 0:
                 continue
-            rows: dict[int, dict] = {}
-            for exponents, coefficient in p.terms():
-                bare = (*exponents[:place], 0, *exponents[place + 1 :])
-                rows.setdefault(exponents[place], {})[bare] = coefficient
-            p = self.zero
-            for degree, terms in rows.items():
-                p = p + self._context.from_dict(terms) * d ** (height - degree)
+            rows = []  # by rising power of the reciprocal
+            while p != 0:
+                p, row = divmod(p, self.generators[name])
+                rows.append(row)
+            for row in rows:
+                p = p * d + row
             p = self.reduce(p)
         return p
 

@@ -13,6 +13,7 @@ import resource
 import signal
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import groupby
 from multiprocessing import connection, current_process, get_all_start_methods, get_context
 from multiprocessing.connection import Connection
 from time import monotonic
@@ -25,15 +26,16 @@ from workbench.budget.limits import Budget, OutOfBudget
 #: many seconds.
 PATIENCE, LEAST = 10.0, 60.0
 
-#: So many neighbours are for one process: they are about the same, and it keeps what it has computed for one.
-RUN = 16
-
 
 class Workers:
     """Calls of one function, on up to `count` processes, each call within the budget (None: without limits).
 
-    prepare: called here before the first process is forked, to load what all of them need. Where the system
-    cannot fork, or in a process that may have no processes, calls are made here, and nothing ends them.
+    prepare: called here before the first process is forked, to load what all of them need.
+    alike: neighbours for which it gives the same are for one process, which keeps what it has computed for
+    one of them, until another has nothing else to do.
+
+    Where the system cannot fork, or in a process that may have no processes, calls are made here, and nothing
+    ends them.
     """
 
     def __init__(
@@ -42,8 +44,9 @@ class Workers:
         budget: Budget | None,
         count: int = 1,
         prepare: Callable[[], None] = lambda: None,
+        alike: Callable[[Any], Any] = lambda item: None,
     ) -> None:
-        self._function, self._budget, self._prepare = function, budget, prepare
+        self._function, self._budget, self._prepare, self._alike = function, budget, prepare, alike
         forks = "fork" in get_all_start_methods() and not current_process().daemon
         self._workers: list[_Worker] = []
         self._workers += [_Worker(function, budget, self._workers) for _ in range(count if forks else 0)]
@@ -63,27 +66,32 @@ class Workers:
             raise answer
         return answer
 
-    def map(self, items: Iterable[Any], seconds: float | None = None) -> Iterator[Any]:
+    def map(
+        self,
+        items: Iterable[Any],
+        seconds: float | None = None,
+        meanwhile: Callable[[], None] = lambda: None,
+    ) -> Iterator[Any]:
         """function(item) for each item, in their order; an OutOfBudget in the place of what was ended.
-        Raises what the function raises."""
+        Raises what the function raises. meanwhile: called here, once all processes are at work."""
         if not self._workers:
             yield from map(self._function, items)
             return
         if not any(worker.runs for worker in self._workers):
             self._prepare()
-        waiting, free = deque(enumerate(items)), list(self._workers)
-        places: dict[_Worker, int] = {}
+        asked = list(enumerate(items))
+        waiting = deque(deque(run) for _, run in groupby(asked, lambda each: self._alike(each[1])))
+        free, places = list(self._workers), {}
         answers: dict[int, Any] = {}
         try:
-            for place in range(len(waiting)):
+            self._ask(free, waiting, places, seconds)
+            meanwhile()
+            for place, _ in asked:
                 while place not in answers:
-                    while free and (waiting or any(worker.queue for worker in self._workers)):
-                        worker = free.pop()
-                        places[worker], item = self._next(worker, waiting)
-                        worker.ask(item, seconds)
                     for worker in _answering(places):
                         answers[places.pop(worker)] = worker.answer()
                         free.append(worker)
+                    self._ask(free, waiting, places, seconds)
                 answer = answers.pop(place)
                 if isinstance(answer, _Raised):
                     raise answer.error
@@ -94,15 +102,25 @@ class Workers:
             for worker in self._workers:
                 worker.queue.clear()
 
-    def _next(self, worker: _Worker, waiting: deque[tuple[int, Any]]) -> tuple[int, Any]:
-        """The next of the worker's run, of a new one, or at the end the last of the longest run. Every other
-        worker takes its runs from the end: what is dear there is begun early, and no core waits for it."""
+    def _ask(
+        self,
+        free: list[_Worker],
+        waiting: deque[deque[tuple[int, Any]]],
+        places: dict[_Worker, int],
+        seconds: float | None,
+    ) -> None:
+        """Has those that are free work on what waits; `places` says on what."""
+        while free and (waiting or any(worker.queue for worker in self._workers)):
+            worker = free.pop()
+            places[worker], item = self._next(worker, waiting)
+            worker.ask(item, seconds)
+
+    def _next(self, worker: _Worker, waiting: deque[deque[tuple[int, Any]]]) -> tuple[int, Any]:
+        """The next of the worker's run, of a new one, or at the end the last of the longest run."""
         if not worker.queue and not waiting:
             return max(self._workers, key=lambda other: len(other.queue)).queue.pop()
-        if not worker.queue and self._workers.index(worker) % 2:
-            worker.queue.extendleft(waiting.pop() for _ in range(min(RUN, len(waiting))))
-        elif not worker.queue:
-            worker.queue.extend(waiting.popleft() for _ in range(min(RUN, len(waiting))))
+        if not worker.queue:
+            worker.queue = waiting.popleft()
         return worker.queue.popleft()
 
     def close(self) -> None:

@@ -17,7 +17,14 @@ from workbench.cli.certify import certify
 from workbench.cli.check import check
 from workbench.cli.ingest import ingest_text
 from workbench.cli.init import init
-from workbench.cli.judging import as_expected, engine_options, judged, print_results, proposals_flag
+from workbench.cli.judging import (
+    as_expected,
+    engine_options,
+    judged,
+    loading,
+    print_results,
+    proposals_flag,
+)
 from workbench.cli.lsp import lsp
 from workbench.cli.motion import motion
 from workbench.cli.options import Unusable, json_flag, named_paper, paper_option, print_json, reports_faults
@@ -81,7 +88,7 @@ def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) ->
 def verify(select: Sequence[str], paper_name: str | None, as_json: bool, **engines: Any) -> None:
     """Judge the claims that SELECT means: equations (58), ranges (45-70), ids (58.det), sections (4.1),
     patterns (58.*); all of them if there is none. Exit status 0 if each verdict is the expected one."""
-    paper = named_paper(paper_name, engines["cache"])
+    paper = named_paper(paper_name, engines["cache"], loading(**engines))
     results = judged(paper, select, **engines)
     print_results(paper, results, as_json)
     sys.exit(0 if as_expected(paper, results) else 1)
@@ -141,7 +148,7 @@ def report(
 
     if out.exists() and not out.is_dir():
         raise Unusable(f"{out}: expected a directory for the report, got a file")
-    paper = named_paper(paper_name, engines["cache"])
+    paper = named_paper(paper_name, engines["cache"], loading(**engines))
     results = judged(paper, select, **engines)
     recheck = "workbench report" + f" --paper {paper_name}" * bool(paper_name)
     cited = replace(paper, citation={"recheck": recheck, **paper.citation})

@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -46,6 +46,20 @@ def engine_options(command: Callable[..., None]) -> Callable[..., None]:
     for option in reversed(_engines):
         command = option(command)
     return command
+
+
+def loading(motions: bool, **_: Any) -> Callable[[], None]:
+    """What has to be done before anything is judged, whatever it is."""
+
+    def load() -> None:
+        from workbench.verify.claims import load_engines
+        from workbench.verify.witnesses import load_motions
+
+        load_engines()
+        if motions:
+            load_motions()
+
+    return load
 
 
 def judged(

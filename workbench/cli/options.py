@@ -83,12 +83,12 @@ def memory_of_verdicts(wanted: bool) -> AbstractContextManager[Memory | None]:
     return standard(Memory)
 
 
-def named_paper(name: str | None, cache: bool = True) -> Paper:
-    """The paper of `paper_option`."""
+def named_paper(name: str | None, cache: bool = True, meanwhile: Callable[[], None] = lambda: None) -> Paper:
+    """The paper of `paper_option`. meanwhile: called while other processes read it."""
     from workbench.papers import find_paper
 
     with memory_of_verdicts(cache) as memory:
-        return find_paper(name, memory)
+        return find_paper(name, memory, meanwhile)
 
 
 def json_text(data: Any) -> str:

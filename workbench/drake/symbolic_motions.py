@@ -55,7 +55,7 @@ class Entry:
 
     def __init__(self, component: Expression, t: Variable) -> None:
         self.component, self._t = component, t
-        self._rates: list[Expression] = []
+        self._rates = [component]
         self._values: dict[tuple[int, float], float] = {}
 
     def value(self, order: int, time: float) -> float:
@@ -65,10 +65,10 @@ class Entry:
         return self._values[key]
 
     def _rate(self, order: int) -> Expression:
-        if not self._rates:
-            self._rates.append(self.component.Expand())
+        """Expanded no sooner than it is derived: the highest one asked for stays as it comes."""
         while len(self._rates) <= order:
-            self._rates.append(self._rates[-1].Differentiate(self._t).Expand())
+            self._rates[-1] = self._rates[-1].Expand()
+            self._rates.append(self._rates[-1].Differentiate(self._t))
         return self._rates[order]
 
 

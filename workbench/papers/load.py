@@ -5,13 +5,14 @@ What reads formulas and texts comes on first use: what was read before needs non
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Collection, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial, wraps
 from pathlib import Path
 from typing import Any, TypeVar
 
-from workbench.budget import Budget
+from workbench.budget import Budget, Workers
 from workbench.judge.theorems.proofs import Proven
 from workbench.memory.store import Store
 from workbench.papers.faults import Faults
@@ -24,6 +25,9 @@ from workbench.papers.toml.toml_file import TomlFile
 
 _PAPER_KEYS = (*NOTATION_KEYS, "citation", "section", "claim")
 _NO_FILES = "the installed paper has no claim files"
+
+#: From this many files on it pays to read them in processes of their own.
+_MANY = 4
 
 T = TypeVar("T")
 
@@ -60,21 +64,21 @@ def load_notation(path: Path | str) -> Notation:
     return notation
 
 
-def _once(read: Callable[[str, Store | None], T]) -> Callable[..., T]:
+def _once(read: Callable[..., T]) -> Callable[..., T]:
     """What is installed is read once by each process, whatever store it could be found in."""
     found: dict[str, T] = {}
 
     @wraps(read)
-    def known(name: str = DEFAULT, store: Store | None = None) -> T:
+    def known(name: str = DEFAULT, *how: Any, **named: Any) -> T:
         if name not in found:
-            found[name] = read(name, store)
+            found[name] = read(name, *how, **named)
         return found[name]
 
     return known
 
 
 @_once
-def installed_notation(name: str, store: Store | None) -> Notation:
+def installed_notation(name: str, store: Store | None = None) -> Notation:
     """The notation of an installed paper as `load_installed` gives it, without reading the claims."""
     paper = installed(name)
     chains = (notation_chain(TomlFile(path)) for path in paper.files)
@@ -87,28 +91,36 @@ def installed_notation(name: str, store: Store | None) -> Notation:
 
 
 @_once
-def load_installed(name: str, store: Store | None) -> Paper:
-    """The installed paper of that name, its files merged in order. Raises PaperError if there is none."""
+def load_installed(
+    name: str, store: Store | None = None, meanwhile: Callable[[], None] = lambda: None
+) -> Paper:
+    """The installed paper of that name, its files merged in order. Raises PaperError if there is none.
+    meanwhile: as for `merge`."""
     paper = installed(name)
     if not paper.files:
         raise PaperError(name, None, None, _NO_FILES)
     if len(paper.files) == 1 and "source" in TomlFile(paper.files[0]).data:
         return load_paper(paper.files[0])
-    return merge(paper.files, paper.theorems, store=store)
+    return merge(paper.files, paper.theorems, store=store, meanwhile=meanwhile)
 
 
-def find_paper(name: Path | str | None = None, store: Store | None = None) -> Paper:
-    """The paper of the file `name`, or the installed paper of that name. Raises PaperError."""
+def find_paper(
+    name: Path | str | None = None,
+    store: Store | None = None,
+    meanwhile: Callable[[], None] = lambda: None,
+) -> Paper:
+    """The paper of the file `name`, or the installed paper of that name. Raises PaperError.
+    meanwhile: as for `merge`."""
     if name is None:
-        return load_installed(DEFAULT, store)
+        return load_installed(DEFAULT, store, meanwhile)
     if str(name) in installed_names() and not Path(name).is_file():
-        return load_installed(str(name), store)
+        return load_installed(str(name), store, meanwhile)
     from workbench.papers.texts import is_text
 
     path = Path(name)
     if path.exists() or path.suffix == ".toml" or is_text(path) or path.name != str(name):
         return load_paper(path, store=store)
-    return load_installed(str(name), store)
+    return load_installed(str(name), store, meanwhile)
 
 
 def merge(
@@ -116,15 +128,23 @@ def merge(
     theorems: Mapping[str, Proven] | None = None,
     faults: list[PaperError] | None = None,
     store: Store | None = None,
+    meanwhile: Callable[[], None] = lambda: None,
 ) -> Paper:
     """One paper of several files, in their order; ids are unique over all. Each file keeps its own notation.
 
     theorems: name → proof; if None, those of the installed paper that the first file is part of.
     faults: where those of single claims are put, which are left out then; if None, they are raised.
+    meanwhile: called here while many files are read in processes of their own.
     """
     found, kept = Faults(), Kept(store)
     files = [_PaperFile.open(Path(path), found, kept) for path in paths]
-    below = next((file.below for file in files if file.below and len(files) > 1), None)
+    if not found:
+        _read_ahead([file for file in files if file.before is None], theorems or {}, kept, meanwhile)
+    for file in files:
+        file.notation = file.before.notation if file.before else found.past(partial(_notation_of, file.chain))
+        if file.notation is None:
+            found.stop()
+    below = next((file.chain[:-1] for file in files if len(file.chain) > 1 and len(files) > 1), None)
     shared = below and found.past(lambda: kept.once("notation", below, lambda: _notation_of(below)))
     is_usable = not found
     if theorems is None:
@@ -187,13 +207,13 @@ class _PaperFile:
     title: str
     doi: str | None
     section: str | None
-    below: Sequence[TomlFile]
-    notation: Notation
+    chain: Sequence[TomlFile]
     budget: Budget | None
     citation: Mapping[str, str | None]
     claims: Sequence[Mapping[str, Any]]
     key: str
     before: _Read | None
+    notation: Notation | None = None
 
     @staticmethod
     def open(path: Path, faults: Faults, kept: Kept) -> _PaperFile:
@@ -214,13 +234,7 @@ class _PaperFile:
             faults.tell(toml.error_at_key((), "missing key 'title'"))
         section, key = past(lambda: toml.text(("section",))), kept.key("claims", chain)
         before: _Read | None = kept.get(key)
-        notation = before.notation if before else past(lambda: _notation_of(chain))
-        if notation is None:
-            faults.stop()
-        below = chain[:-1]
-        return _PaperFile(
-            toml, title, doi, section, below, notation, budget, citation, claims or (), key, before
-        )
+        return _PaperFile(toml, title, doi, section, chain, budget, citation, claims or (), key, before)
 
     def read(
         self,
@@ -243,10 +257,24 @@ class _PaperFile:
             claims += made or ()
             if made is None and isinstance(name := claim.get("id"), str):
                 skipped.append(name)
-        if not faults and self.notation.robot is None:  # a robot's file may be another one by then
+        if not faults:
             own = {claim.id: owners[claim.id] for claim in claims}
-            kept.put(self.key, _Read(self.notation, tuple(claims), own))
+            self.keep(kept, _Read(self.notation, tuple(claims), own))
         return claims
+
+    def keep(self, kept: Kept, read: _Read) -> None:
+        if read.notation.robot is None:  # a robot's file may be another one by then
+            kept.put(self.key, read)
+
+    def read_alone(self, theorems: Mapping[str, Proven]) -> _Read | None:
+        """What it gives if it has no fault."""
+        faults, owners = Faults(), {}
+        try:
+            self.notation = _notation_of(self.chain)
+            claims = self.read(owners, theorems, [], faults, Kept(None))
+        except PaperError:
+            return None
+        return None if faults else _Read(self.notation, tuple(claims), owners)
 
     @staticmethod
     def _is_as_before(before: _Read, owners: Mapping[str, str], theorems: Mapping[str, Proven]) -> bool:
@@ -261,6 +289,49 @@ class _PaperFile:
                 if isinstance(name, str) and name not in known:
                     message = f"{path[0]}: no claim has the id {name!r}{elsewhere}"
                     faults.tell(self.toml.error_at_value(("claim", index, *path), message))
+
+
+def _read_ahead(
+    files: Sequence[_PaperFile], theorems: Mapping[str, Proven], kept: Kept, meanwhile: Callable[[], None]
+) -> None:
+    """Has many files read on all cores, as if they had been read before; one that has a fault has not."""
+    cores = os.cpu_count() or 1
+    if cores == 1 or len(files) < _MANY:
+        return
+    groups = _shared_out(files, cores)
+    with Workers(partial(_read_alone, groups, theorems), None, cores, prepare=_load_readers) as readers:
+        for group, given in zip(groups, readers.map(range(len(groups)), meanwhile=meanwhile), strict=True):
+            for file, read in zip(group, given, strict=True):
+                file.before = read
+                if read is not None:
+                    file.keep(kept, read)
+
+
+def _shared_out(files: Sequence[_PaperFile], count: int) -> list[list[_PaperFile]]:
+    """In so many groups, each with about as much to read."""
+    groups: list[list[_PaperFile]] = [[] for _ in range(min(count, len(files)))]
+    for file in sorted(files, key=_size, reverse=True):
+        min(groups, key=lambda group: sum(map(_size, group))).append(file)
+    return groups
+
+
+def _size(file: _PaperFile) -> int:
+    return len(file.toml.places.text)
+
+
+def _load_readers() -> None:
+    """Here, once, and not in each process."""
+    import workbench.papers.claim_tables
+    import workbench.papers.notation  # noqa: F401
+    from workbench.language.grammar.parser import parse
+
+    parse("x")
+
+
+def _read_alone(
+    groups: Sequence[Sequence[_PaperFile]], theorems: Mapping[str, Proven], place: int
+) -> list[_Read | None]:
+    return [file.read_alone(theorems) for file in groups[place]]
 
 
 def _notation_of(files: Sequence[TomlFile]) -> Notation:

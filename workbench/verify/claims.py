@@ -4,7 +4,7 @@ and the claim passes if the verdicts are those that its keys announce."""
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from types import MappingProxyType
@@ -15,6 +15,7 @@ from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.theorems.proofs import Proven
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.printing.authors import in_the_hand_of
+from workbench.language.typed.terms import Relation
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError
 from workbench.papers.selection import select_claims
 from workbench.verify.keys import Keys, Memory
@@ -77,28 +78,30 @@ class ClaimJudge:
     def results(
         self, claims: Sequence[Claim], jobs: int | None = None, pool: Pool | None = None
     ) -> Iterator[ClaimResult]:
-        """The results for some of the claims, in their order, each as soon as it is there.
+        """The results for some of the claims, each as soon as it is there: first those that are remembered,
+        then the others, by notation.
 
         Many claims are judged on all cores, or by so many jobs, or by the pool: a claim does not depend on
         another. A pool has its work before the first result is asked for."""
-        asked = [(claim, form) for claim in claims for form in forms(claim)]
-        known = {(claim.id, form): self._recall(claim, form) for claim, form in asked}
-        new = [name_and_form for name_and_form, verdict in known.items() if verdict is None]
-        self._waiting = [self._claims[name] for name, _ in new]
-        count = jobs or (os.cpu_count() or 1 if len(new) >= MANY else 1)
+        known = {claim.id: {form: self._recall(claim, form) for form in forms(claim)} for claim in claims}
+        new = _dear_first([claim for claim in claims if None in known[claim.id].values()])
+        self._waiting = new
+        asked = [(claim.id, form) for claim in new for form in known[claim.id] if not known[claim.id][form]]
+        count = jobs or (os.cpu_count() or 1 if len(asked) >= MANY else 1)
         workers = pool or (self._workers if count == 1 else self._new_workers(count))
-        return self._collected(claims, known, workers, workers.map(new))
+        there = [claim for claim in claims if None not in known[claim.id].values()]
+        return self._collected([*there, *new], known, workers, workers.map(asked))
 
     def _collected(
         self,
         claims: Sequence[Claim],
-        known: dict[tuple[str, str], Verdict | None],
+        known: Mapping[str, dict[str, Verdict | None]],
         workers: Pool,
         verdicts: Iterator[Verdict | OutOfBudget],
     ) -> Iterator[ClaimResult]:
         try:
             for claim in claims:
-                found = {form: known[claim.id, form] for form in forms(claim)}
+                found = known[claim.id]
                 for form in found:
                     if found[form] is None:
                         found[form] = self._remember(claim, form, next(verdicts))
@@ -134,7 +137,10 @@ class ClaimJudge:
         self._workers.close()
 
     def _new_workers(self, count: int) -> Workers:
-        return Workers(self._verdict_on, self.budget, count, prepare=self._prepare)
+        return Workers(self._verdict_on, self.budget, count, self._prepare, self._notation_of)
+
+    def _notation_of(self, name_and_form: tuple[str, str]) -> int:
+        return id(self._claims[name_and_form[0]].notation)
 
     def _prepare(self) -> None:
         load_engines()
@@ -259,14 +265,37 @@ def _judged(
     progress: Callable[[ClaimResult], None] = lambda result: None,
     jobs: int | None = None,
 ) -> list[ClaimResult]:
-    results = []
     try:
-        for result in judge.results(claims, jobs):
-            results.append(result)
-            progress(result)
+        return in_order(judge.results(claims, jobs), claims, progress)
     finally:
         judge.close()
-    return results
+
+
+def in_order(
+    results: Iterable[ClaimResult], claims: Sequence[Claim], progress: Callable[[ClaimResult], None]
+) -> list[ClaimResult]:
+    """The results for the claims, one for each, in the order of the claims."""
+    found = {}
+    for result in results:
+        found[result.claim.id] = result
+        progress(result)
+    return [found[claim.id] for claim in claims]
+
+
+def _dear_first(claims: Sequence[Claim]) -> list[Claim]:
+    """By notation, those with many that are likely to be dear first: no core waits for one in the end."""
+    groups: dict[int, list[Claim]] = {}
+    for claim in claims:
+        groups.setdefault(id(claim.notation), []).append(claim)
+    ordered = sorted(groups.values(), key=lambda group: sum(map(_is_likely_cheap, group)) - len(group))
+    return [claim for group in ordered for claim in sorted(group, key=_is_likely_cheap)]
+
+
+def _is_likely_cheap(claim: Claim) -> bool:
+    """Whether it is one relation, and no theorem, family or extremum."""
+    said = [getattr(claim, form).statement for form in forms(claim)]
+    is_relation = all(statement is None or isinstance(statement, Relation) for statement in said)
+    return claim.goal is None and claim.orders is None and is_relation
 
 
 def forms(claim: Claim) -> list[str]:

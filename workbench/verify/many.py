@@ -7,7 +7,7 @@ from typing import Any
 
 from workbench.budget import Budget
 from workbench.papers import Paper
-from workbench.verify.claims import ClaimResult, PaperJudge
+from workbench.verify.claims import ClaimResult, PaperJudge, in_order
 from workbench.verify.keys import Memory
 from workbench.verify.remote import Cluster, PaperOnCluster
 
@@ -34,12 +34,8 @@ def judge_papers(
         for (name, paper), judge in zip(papers, judges, strict=True):
             pool = PaperOnCluster(cluster, judge, name) if cluster else None
             running.append(judge.results(paper.claims, jobs, pool))
-        for results in running:
-            found = []
-            for result in results:
-                found.append(result)
-                progress(result)
-            yield found
+        for (_, paper), results in zip(papers, running, strict=True):
+            yield in_order(results, paper.claims, progress)
     finally:
         for judge in judges:
             judge.close()

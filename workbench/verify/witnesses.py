@@ -196,6 +196,12 @@ def _motions(notation: Notation) -> tuple[Motion, ...]:
     return (*_general(), urdf_motion(notation.robot.urdf, notation.robot.body))
 
 
+def load_motions() -> None:
+    """Makes the general motions and holds them against their plants, once for all notations."""
+    for motion in _general():
+        _require_agreement(motion)
+
+
 @lru_cache(maxsize=32)
 def _special(name: str) -> Motion:
     from workbench.drake.special_motions import special_motion

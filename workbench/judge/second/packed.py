@@ -60,20 +60,19 @@ class PackedPolynomials:
     def normal(self, p: PolyElement) -> PolyElement:
         """The remainder by the relations, which are a Gröbner basis (see `differential_ring.py`): squares are
         rewritten from the last one set to the first. Raises NotExact where a power grows too high."""
-        for (powers,) in p:
-            if powers & self._large:
-                break
-        else:
+        met = _met(p)
+        if not met & self._large:
             return p
         p = self.checked(p)
         for place in reversed(self.squares):
-            if any(powers >> WIDTH * place & _DIGIT > 1 for (powers,) in p):
+            if met >> WIDTH * place & (_DIGIT - 1):
                 p = self.rewritten(p, place, 2, self.squares[place].set_ring(p.ring))
+                met = _met(p)
         return p
 
     def checked(self, p: PolyElement) -> PolyElement:
         """The polynomial, fit to be multiplied again; raises NotExact where a power is too high."""
-        if any(powers & self._tops for (powers,) in p):
+        if _met(p) & self._tops:
             raise NotExact(f"a power of {1 << (WIDTH - 1)} or more")
         return p
 
@@ -107,7 +106,7 @@ class PackedPolynomials:
 
     def places(self, p: PolyElement) -> set[int]:
         """The places of the indeterminates in a polynomial."""
-        return self._places(reduce(or_, (powers for (powers,) in p), 0))
+        return self._places(_met(p))
 
     def odd_places(self, p: PolyElement) -> set[int]:
         """The places of those that are there with an odd power."""
@@ -141,6 +140,14 @@ class PackedPolynomials:
     def factors(self, p: PolyElement) -> list[tuple[PolyElement, int]]:
         """Over the rationals, with their powers; without the number before them."""
         return [(self.packed(q), power) for q, power in self.spread(p, self.many).factor_list()[1]]
+
+
+def _met(p: PolyElement) -> int:
+    """The bits that some monomial has."""
+    met = 0
+    for (powers,) in p:
+        met |= powers
+    return met
 
 
 @cache

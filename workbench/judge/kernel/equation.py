@@ -69,15 +69,14 @@ class Equation(Case):
             return None
         try:
             bare = Equation(self.setting, self.relation, self.assume, _NONE)
-            screened = bare.screen()
-            if screened is False:
+            if bare._at_random_point() is False:
                 return None
             residuals = bare.exact.residuals(self.relation)
             if not bare._vanishes(residuals) or bare.solved.gaps() or bare.solved.limits():
                 return None
         except (NotExact, ZeroDivisionError):
             return None
-        return bare._prove(residuals, screened, case=self)
+        return bare._prove(residuals, bare.screen(), case=self)
 
     def _by_definitions(self) -> Verdict:
         relation = self.relation
@@ -96,7 +95,10 @@ class Equation(Case):
 
     def screen(self) -> bool | None:
         """Zero at a random point modulo the prime, by the second engine; None where it does not apply."""
-        if self.assumptions.equations or not self.setting.second_engine:
+        return self._at_random_point() if self.setting.second_engine else None
+
+    def _at_random_point(self) -> bool | None:
+        if self.assumptions.equations:
             return None
         engine = self.setting.engines.residues(self.inventory, self.definitions)
         try:

@@ -51,7 +51,7 @@ def evaluated(quantity: np.ndarray, t: Variable, time: float) -> np.ndarray:
 
 
 class Entry:
-    """A component along the motion; Drake expands, differentiates and evaluates it at first use."""
+    """A component along the motion; Drake differentiates and evaluates it at first use."""
 
     def __init__(self, component: Expression, t: Variable) -> None:
         self.component, self._t = component, t
@@ -65,10 +65,9 @@ class Entry:
         return self._values[key]
 
     def _rate(self, order: int) -> Expression:
-        """Expanded no sooner than it is derived: the highest one asked for stays as it comes."""
+        """As it comes: expanded is only what is to be derived."""
         while len(self._rates) <= order:
-            self._rates[-1] = self._rates[-1].Expand()
-            self._rates.append(self._rates[-1].Differentiate(self._t))
+            self._rates.append(self._rates[-1].Expand().Differentiate(self._t))
         return self._rates[order]
 
 

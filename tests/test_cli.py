@@ -331,6 +331,21 @@ def test_interrupted_it_says_so_and_leaves_no_half_report(tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+def test_interrupted_while_a_library_is_loaded_it_says_so(monkeypatch):
+    """What of a library's own makes an ImportError of Ctrl-C is no fault; another ImportError is one."""
+
+    def interrupted(*_):
+        raise ImportError("initialization failed") from KeyboardInterrupt()
+
+    def missing(*_):
+        raise ImportError("no module of that name")
+
+    for fault, told in ((interrupted, (130, "interrupted\n")), (missing, (1, ""))):
+        monkeypatch.setattr("workbench.papers.find_paper", fault)
+        found = CliRunner().invoke(main, ["list"])
+        assert (found.exit_code, found.output) == told
+
+
 def on_a_terminal(*arguments: str, **variables: str) -> str:
     """What a command writes to a terminal."""
     leader, follower = pty.openpty()

@@ -55,7 +55,7 @@ def main():
     parser.add_argument("other", type=Path, help="the other tree")
     parser.add_argument("select", nargs="*", help="claims, as for `workbench verify`")
     parser.add_argument("--rounds", type=int, default=3)
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     rounds = []
     for number in range(options.rounds):
         *ours, said = verify(HERE, options.select)

@@ -48,13 +48,22 @@ def reports_faults(command: Callable[..., None]) -> Callable[..., None]:
             raise Unusable(faults_text(error.faults).removeprefix("Error: ")) from None
         except (SelectError, ReportError) as error:
             raise Unusable(str(error)) from None
-        except KeyboardInterrupt:
+        except (KeyboardInterrupt, ImportError) as error:
+            if not _is_interruption(error):
+                raise
             click.echo("interrupted", err=True)
             sys.exit(INTERRUPTED)
         except EngineDisagreement as error:
             raise Defect(f"the engines disagree, so no verdict is given: {error}") from error
 
     return guarded
+
+
+def _is_interruption(error: BaseException | None) -> bool:
+    """Whether somebody pressed Ctrl-C, of which a library that is being loaded makes an error of its own."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__
+    return error is not None
 
 
 paper_option = click.option(

@@ -199,7 +199,7 @@ def test_what_one_engine_alone_sees_is_a_disagreement(monkeypatch, module, name,
 
 @pytest.mark.parametrize("latex", [r"a \times b = -b \times a", r"\dot{R} R^T = -R \dot{R}^T"])
 def test_zero_in_the_first_engine_alone_is_a_disagreement(monkeypatch, latex):
-    monkeypatch.setattr(Equation, "screen", lambda equation: False)
+    monkeypatch.setattr(Equation, "_at_random_point", lambda equation: False)
     with pytest.raises(EngineDisagreement, match="not modulo"):
         judged(latex)
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from math import comb
 from typing import Protocol
 
@@ -55,6 +56,7 @@ def bound_jet(motion: Motion, bound: Bound, index: int, order: int, sample: floa
     return _cut(_MADE[bound.binding.name](n, first + order, *jets), first)
 
 
+@lru_cache(maxsize=4096)
 def _of(motion: Motion, name: str, order: int, sample: float) -> Estimated:
     values, errors = motion.jet(name, order, sample), motion.errors(name, order, sample)
     return Estimated(values, np.broadcast_to(_spread(errors, values.ndim), values.shape))

@@ -275,9 +275,10 @@ class JetEngine:
         if left.type.kind == "operator":
             if right.type.rows != 3:
                 raise NotExact("an operator with 3×3 coefficients on a block matrix of other rows")
-            total = None
-            for power, coefficient in enumerate(self.operator(left, depth)):
-                operand = self.value(right, depth + power).cut(power, power + depth)
+            total, coefficients = None, self.operator(left, depth)
+            operands = self.value(right, depth + len(coefficients) - 1)
+            for power, coefficient in enumerate(coefficients):
+                operand = operands.cut(power, power + depth)
                 addend = product_of(np.matmul, coefficient, operand)
                 total = addend if total is None else add(total, addend)
             return total

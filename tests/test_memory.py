@@ -20,6 +20,7 @@ from workbench.papers import find_paper, installed_notation, load_installed, loa
 from workbench.repair.propose import run
 from workbench.repair.propose.limits import STANDARD
 from workbench.repair.propose.repair import Repair
+from workbench.verify import proposals
 from workbench.verify.claims import PaperJudge, judge_paper
 from workbench.verify.keys import Keys, Memory
 
@@ -146,6 +147,7 @@ def test_keys_are_the_same_in_every_process() -> None:
     """Sets have another order where Python hashes texts otherwise."""
     program = """
 from workbench.papers import find_paper
+from workbench.verify import proposals
 from workbench.verify.keys import Keys
 paper = find_paper(None)
 keys = Keys(paper.theorems, {})
@@ -274,5 +276,5 @@ def test_a_search_that_is_interrupted_is_not_kept(tmp_path, monkeypatch):
     results, memory = judge_paper(load_paper(tmp_path / "paper.toml")), Memory(tmp_path / "v.sqlite")
     for interrupted, known in ((True, None), (False, ())):
         monkeypatch.setattr(run, "repair", lambda claim, _, i=interrupted: Repair(claim, interrupted=i))
-        run.with_proposals(results, memory=memory)
+        proposals.with_proposals(results, memory=memory)
         assert memory.proposals(Keys({}, {"proposals": STANDARD}).of_proposals(results[2].claim)) == known

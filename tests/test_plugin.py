@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.verify.claims import load_engines
+from workbench.judge.loading import load_engines
 
 pytest_plugins = ["pytester"]
 

@@ -15,13 +15,13 @@ from sample_report import CLAIMS, claim, report_of, sample
 
 from workbench.judge.verdict import Outcome
 from workbench.papers.model import Edit, Mend
+from workbench.repair.propose.proposed import Proposed
 from workbench.report import ReportError, render
 from workbench.report.counterexamples import as_printed, value_of
 from workbench.report.document import document_of
 from workbench.report.kinds import VERDICTS
 from workbench.report.render import write_report
 from workbench.report.to_json import report_json
-from workbench.verify.results import Proposed
 
 
 class Page(HTMLParser):

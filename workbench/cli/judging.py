@@ -52,7 +52,7 @@ def loading(motions: bool, **_: Any) -> Callable[[], None]:
     """What has to be done before anything is judged, whatever it is."""
 
     def load() -> None:
-        from workbench.verify.claims import load_engines
+        from workbench.judge.loading import load_engines
         from workbench.verify.witnesses import load_motions
 
         load_engines()

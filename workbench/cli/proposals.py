@@ -17,8 +17,8 @@ from workbench.typeset.differences import in_one_line
 if TYPE_CHECKING:
     from workbench.papers import Claim
     from workbench.repair.propose.limits import Limits
+    from workbench.repair.propose.proposed import Proposed
     from workbench.repair.propose.repair import Repair
-    from workbench.verify.results import Proposed
 
 _GONE, _NEW = "red strike", "bold green underline"
 _INDENT = 17

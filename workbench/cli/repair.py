@@ -138,7 +138,7 @@ def with_proposals(
     """The results with what the machine proposes where a printed form is refuted or ill-formed, and perhaps
     where a right form is proved; with nothing if that is not wanted."""
     from workbench.cli.terminal import progress_bar
-    from workbench.repair.propose.run import with_proposals
+    from workbench.verify.proposals import with_proposals
 
     limits = STANDARD if wanted else None
     with memory_of_verdicts(cache) as memory, progress_bar(len(results) * wanted, "repairing") as advance:

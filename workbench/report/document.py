@@ -8,6 +8,7 @@ from functools import partial
 
 from workbench.judge.verdict import Evidence, Outcome
 from workbench.papers.model import Paper
+from workbench.repair.propose.proposed import Proposed
 from workbench.report.counts import summary, versions
 from workbench.report.errata import Correction, Errata, errata_of, reason_for_readers, without_place
 from workbench.report.kinds import STATES, VERDICTS, Kind
@@ -15,7 +16,7 @@ from workbench.report.motions import Motions, motions_of
 from workbench.report.places import Heirs, Place, Places, equation_key, heading, is_number, with_headings
 from workbench.report.prose import Run, plain_value, runs_of
 from workbench.typeset.differences import difference
-from workbench.verify.results import HOLDS, ClaimResult, Proposed
+from workbench.verify.results import HOLDS, ClaimResult
 
 
 @dataclass(frozen=True)

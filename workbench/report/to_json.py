@@ -9,8 +9,9 @@ from typing import Any
 from workbench.judge.verdict import Verdict
 from workbench.papers.mends import mended, same_formula
 from workbench.papers.model import CITATION_KEYS, Claim, Formula, Paper
+from workbench.repair.propose.proposed import Proposed
 from workbench.report.counts import summary, versions, witness_counts
-from workbench.verify.results import Certification, ClaimResult, Proposed
+from workbench.verify.results import Certification, ClaimResult
 
 
 def report_json(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import STANDARD, Budget, OutOfBudget, Workers
+from workbench.judge.loading import load_engines
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.theorems.proofs import Proven
 from workbench.judge.verdict import Evidence, Outcome, Verdict
@@ -143,6 +144,8 @@ class ClaimJudge:
         return id(self._claims[name_and_form[0]].notation)
 
     def _prepare(self) -> None:
+        import workbench.verify.special  # noqa: F401
+
         load_engines()
         if any(claim.goal is not None for claim in self._waiting):
             _ = self._of_theorems
@@ -300,14 +303,3 @@ def _is_likely_cheap(claim: Claim) -> bool:
 
 def forms(claim: Claim) -> list[str]:
     return [form for form in FORMS if form == "printed" or getattr(claim, form) is not None]
-
-
-def load_engines() -> None:
-    """Here, once, and not in each process."""
-    import workbench.judge.evidence.motion_check
-    import workbench.judge.evidence.truth
-    import workbench.judge.kernel.judge
-    import workbench.judge.second.consequences
-    import workbench.judge.second.drake_ring
-    import workbench.judge.second.sympy_ring
-    import workbench.verify.special  # noqa: F401

@@ -23,7 +23,7 @@ from workbench.language.typed.types import Declaration, Type
 from workbench.memory.ground import digest, ground
 from workbench.memory.store import Store
 from workbench.papers.model import Claim, Notation
-from workbench.verify.results import Proposed
+from workbench.repair.propose.proposed import Proposed
 
 #: What a claim says of itself that no verdict depends on.
 _COSMETIC = frozenset((

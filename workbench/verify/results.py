@@ -8,6 +8,7 @@ from functools import cached_property
 
 from workbench.judge.verdict import SAME_TERM, Counterexample, Outcome, Verdict
 from workbench.papers.model import Claim, Formula
+from workbench.repair.propose.proposed import Proposed
 from workbench.typeset.differences import difference
 from workbench.verify.on_motions import Witnessed, witnessed
 
@@ -16,17 +17,6 @@ HOLDS = frozenset({Outcome.PROVED, Outcome.DEFINITION})
 
 #: The forms of a claim that get a verdict each.
 FORMS = ("printed", "reading", "corrected")
-
-
-@dataclass(frozen=True)
-class Proposed:
-    """A right form that the machine proposes. difference: from the printed one, side by side
-    (`Difference.parts`)."""
-
-    latex: str
-    edit: str
-    difference: list[dict[str, str]]
-    verdict: Outcome
 
 
 @dataclass(frozen=True)

@@ -6,12 +6,12 @@ from functools import partial
 
 from workbench.budget import Budget, Workers
 from workbench.judge.kernel.judge import Judge
+from workbench.judge.loading import load_engines
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import Verdict
 from workbench.language.typed.terms import IllFormed, Statement
 from workbench.papers.model import Claim
-from workbench.verify.claims import load_engines
 
 
 def judging(claim: Claim, judge: Judge) -> Workers:

@@ -25,6 +25,7 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
 from workbench.repair.propose.judging import judging
 from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.repair.propose.proposed import Proposed
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous
@@ -36,7 +37,6 @@ from workbench.repair.trees.as_printed import as_printed
 from workbench.repair.trees.readings import Readings
 from workbench.typeset.differences import difference, in_one_line
 from workbench.typeset.latex_atoms import in_colour
-from workbench.verify.results import Proposed
 
 _PROVED = (Outcome.PROVED, Outcome.DEFINITION)
 

@@ -1,0 +1,47 @@
+"""What the machine proposes beside results, and what of that is remembered."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from workbench.judge.verdict import Outcome
+from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.repair.propose.repair import Repair
+from workbench.repair.propose.run import repair_claims
+from workbench.verify.keys import Keys, Memory
+from workbench.verify.results import HOLDS, ClaimResult
+
+#: Verdicts on a printed form that ask for another form.
+TO_REPAIR = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
+
+
+def with_proposals(
+    results: Sequence[ClaimResult],
+    limits: Limits | None = STANDARD,
+    progress: Callable[[Repair], None] = lambda found: None,
+    memory: Memory | None = None,
+    beside_right: bool = True,
+) -> list[ClaimResult]:
+    """The results, each with what the machine proposes if its printed form is refuted or ill-formed, few
+    changes first; with nothing if there are no limits.   memory: what earlier searches proposed, also those
+    that time cut short.   beside_right: also where a right form is given and proved."""
+    claims = [r.claim for r in results if limits and _asks(r, beside_right)]
+    keys = Keys({}, {"proposals": limits})
+    kept = {claim.id: keys.of_proposals(claim) for claim in claims} if memory else {}
+    proposed = {name: found for name, key in kept.items() if (found := memory.proposals(key)) is not None}
+
+    def keep(found: Repair) -> None:
+        proposed[found.claim.id] = found.proposed()
+        if memory and not found.interrupted:
+            memory.keep_proposals(kept[found.claim.id], proposed[found.claim.id])
+        progress(found)
+
+    repair_claims([claim for claim in claims if claim.id not in proposed], limits, keep)
+    return [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]
+
+
+def _asks(result: ClaimResult, beside_right: bool) -> bool:
+    is_right = any(form and form.outcome in HOLDS for form in (result.corrected, result.reading))
+    is_false = result.verdict.outcome in TO_REPAIR and result.claim.theorem is None
+    return is_false and (beside_right or not is_right)

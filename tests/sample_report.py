@@ -8,7 +8,8 @@ from typing import Any
 from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
 from workbench.papers.model import Claim, Formula, Mend, Paper
 from workbench.papers.orders import Orders
-from workbench.verify.results import ClaimResult, Proposed
+from workbench.repair.propose.proposed import Proposed
+from workbench.verify.results import ClaimResult
 
 EXACT = {"method": "exact ring (python-flint)", "outcome": "zero residual", "terms": 48, "variables": 6}
 SECOND = {"method": "SymPy PolyRing", "outcome": "agrees", "terms": 48}

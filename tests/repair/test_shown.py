@@ -17,8 +17,8 @@ from workbench.cli.proposals import difference_text, proposed_lines, repair_line
 from workbench.judge.verdict import Outcome
 from workbench.papers.model import Claim, Formula
 from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.proposed import Proposed
 from workbench.repair.propose.repair import Repair
-from workbench.verify.results import Proposed
 
 PARTS = [{"same": "a ="}, {"printed": "", "proposed": "2"}, {"same": "b"}, {"printed": "+ c", "proposed": ""}]
 

@@ -204,7 +204,7 @@ class _Worker:
         theirs.close()
 
     def _serve(self, pipe: Connection) -> None:
-        gc.set_threshold(1_000_000, 10, 10)  # there are few cycles, and to look for them takes a thirtieth
+        gc.set_threshold(1_000_000, 10, 10)  # few cycles are made, and a call ends soon
         gc.freeze()  # what was loaded before the fork stays; to look it through again and again takes a tenth
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all; the caller ends this one
         signal.signal(signal.SIGPROF, signal.SIG_DFL)

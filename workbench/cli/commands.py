@@ -108,7 +108,7 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     from workbench.cli.terminal import claim_lines, console
     from workbench.report.to_json import claim_json
 
-    paper = named_paper(paper_name)
+    paper = named_paper(paper_name, meanwhile=loading(motions=True))
     results = with_proposals(judged(paper, [claim_id]), proposals)
     results = with_certificates(results, paper)
     if as_json:

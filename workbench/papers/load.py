@@ -19,7 +19,7 @@ from workbench.papers.faults import Faults
 from workbench.papers.installed import DEFAULT, installed, installed_names, name_of, paper_of
 from workbench.papers.kept import Kept
 from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError
-from workbench.papers.notation_files import NOTATION_KEYS, budget_of, notation_chain
+from workbench.papers.notation_files import NOTATION_KEYS, budget_of, nearest, notation_chain
 from workbench.papers.sisters import claim_ids, sisters_of
 from workbench.papers.toml.toml_file import TomlFile
 
@@ -138,8 +138,11 @@ def merge(
     """
     found, kept = Faults(), Kept(store)
     files = [_PaperFile.open(Path(path), found, kept) for path in paths]
+    if theorems is None:
+        needed = any("theorem" in claim for file in files for claim in file.claims)
+        theorems = paper_of(files[0].toml.path).theorems if needed else {}
     if not found:
-        _read_ahead([file for file in files if file.before is None], theorems or {}, kept, meanwhile)
+        _read_ahead([file for file in files if file.before is None], theorems, kept, meanwhile)
     for file in files:
         file.notation = file.before.notation if file.before else found.past(partial(_notation_of, file.chain))
         if file.notation is None:
@@ -147,9 +150,6 @@ def merge(
     below = next((file.chain[:-1] for file in files if len(file.chain) > 1 and len(files) > 1), None)
     shared = below and found.past(lambda: kept.once("notation", below, lambda: _notation_of(below)))
     is_usable = not found
-    if theorems is None:
-        needed = any("theorem" in claim for file in files for claim in file.claims)
-        theorems = paper_of(files[0].toml.path).theorems if needed else {}
     claims: list[Claim] = []
     owners: dict[str, str] = {}
     skipped: list[str] = []
@@ -227,7 +227,7 @@ class _PaperFile:
         citation = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
         chain = past(lambda: notation_chain(toml)) or [toml]
         title, doi, budget = (
-            past(lambda read=read: next((found for file in reversed(chain) if (found := read(file))), None))
+            past(partial(nearest, chain, read))
             for read in (lambda file: file.text(("title",)), lambda file: file.text(("doi",)), budget_of)
         )
         if title is None:
@@ -299,7 +299,11 @@ def _read_ahead(
     if cores == 1 or len(files) < _MANY:
         return
     groups = _shared_out(files, cores)
-    with Workers(partial(_read_alone, groups, theorems), None, cores, prepare=_load_readers) as readers:
+
+    def read_alone(place: int) -> list[_Read | None]:
+        return [file.read_alone(theorems) for file in groups[place]]
+
+    with Workers(read_alone, None, cores, prepare=_load_readers) as readers:
         for group, given in zip(groups, readers.map(range(len(groups)), meanwhile=meanwhile), strict=True):
             for file, read in zip(group, given, strict=True):
                 file.before = read
@@ -326,12 +330,6 @@ def _load_readers() -> None:
     from workbench.language.grammar.parser import parse
 
     parse("x")
-
-
-def _read_alone(
-    groups: Sequence[Sequence[_PaperFile]], theorems: Mapping[str, Proven], place: int
-) -> list[_Read | None]:
-    return [file.read_alone(theorems) for file in groups[place]]
 
 
 def _notation_of(files: Sequence[TomlFile]) -> Notation:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TypeVar
 
 from workbench.budget import Budget
 from workbench.papers.toml.toml_file import TomlFile
+
+T = TypeVar("T")
 
 NOTATION_KEYS = (
     "title", "doi", "notation", "conventions", "symbols", "definitions", "motion", "frames",
@@ -35,6 +39,11 @@ def _notation_file(file: TomlFile) -> str | None:
     if not isinstance(file.data.get("notation"), dict):
         return file.text(("notation",))
     return file.text(("notation", "from"))
+
+
+def nearest(chain: Sequence[TomlFile], read: Callable[[TomlFile], T | None]) -> T | None:
+    """What the last file of a chain says that says anything."""
+    return next((found for file in reversed(chain) if (found := read(file))), None)
 
 
 def budget_of(file: TomlFile) -> Budget | None:

@@ -87,7 +87,7 @@ class ClaimJudge:
         known = {claim.id: {form: self._recall(claim, form) for form in forms(claim)} for claim in claims}
         new = _dear_first([claim for claim in claims if None in known[claim.id].values()])
         self._waiting = new
-        asked = [(claim.id, form) for claim in new for form in known[claim.id] if not known[claim.id][form]]
+        asked = [(c.id, form) for c in new for form, verdict in known[c.id].items() if verdict is None]
         count = jobs or (os.cpu_count() or 1 if len(asked) >= MANY else 1)
         workers = pool or (self._workers if count == 1 else self._new_workers(count))
         there = [claim for claim in claims if None not in known[claim.id].values()]

@@ -13,7 +13,7 @@ from workbench.verify.keys import Keys, Memory
 from workbench.verify.results import HOLDS, ClaimResult
 
 #: Verdicts on a printed form that ask for another form.
-TO_REPAIR = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
+_TO_REPAIR = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
 
 
 def with_proposals(
@@ -43,5 +43,5 @@ def with_proposals(
 
 def _asks(result: ClaimResult, beside_right: bool) -> bool:
     is_right = any(form and form.outcome in HOLDS for form in (result.corrected, result.reading))
-    is_false = result.verdict.outcome in TO_REPAIR and result.claim.theorem is None
+    is_false = result.verdict.outcome in _TO_REPAIR and result.claim.theorem is None
     return is_false and (beside_right or not is_right)

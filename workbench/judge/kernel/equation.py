@@ -69,14 +69,15 @@ class Equation(Case):
             return None
         try:
             bare = Equation(self.setting, self.relation, self.assume, _NONE)
-            if bare._at_random_point() is False:
+            screened = bare._at_random_point()
+            if screened is False:
                 return None
             residuals = bare.exact.residuals(self.relation)
             if not bare._vanishes(residuals) or bare.solved.gaps() or bare.solved.limits():
                 return None
         except (NotExact, ZeroDivisionError):
             return None
-        return bare._prove(residuals, bare.screen(), case=self)
+        return bare._prove(residuals, screened, case=self)
 
     def _by_definitions(self) -> Verdict:
         relation = self.relation
@@ -121,10 +122,10 @@ class Equation(Case):
         case = case or self
         figures = {"components": len(residuals), "indeterminates": len(self.exact.ring.names)}
         evidence = [*before, Evidence("exact ring over ℚ (FLINT)", "residual is 0", figures)]
-        if screened:
-            evidence.insert(0, Evidence(f"random point modulo {PRIME}", "residual is 0"))
         if not self.setting.second_engine:
             return Verdict(Outcome.PROBABLE, reason="second engine left out", evidence=tuple(evidence))
+        if screened:
+            evidence.insert(0, Evidence(f"random point modulo {PRIME}", "residual is 0"))
         rechecked = self._recheck()
         if rechecked is None:
             reason = "the second engine does not see that the equations imply it"

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from workbench.papers.faults import Faults
 from workbench.papers.model import CITATION_KEYS
-from workbench.papers.notation_files import budget_of, notation_chain
+from workbench.papers.notation_files import budget_of, nearest, notation_chain
 from workbench.papers.text_claims.text_model import (
     MODEL_KEYS,
     TextModel,
@@ -45,7 +45,7 @@ def load_model(toml: TomlFile) -> TextPaper:
     past(lambda: toml.allow_keys(("citation",), CITATION_KEYS))
     told = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
     citation = {key: text for key, text in told.items() if text}
-    budget = past(lambda: next((found for file in reversed(model.chain) if (found := budget_of(file))), None))
+    budget = past(partial(nearest, model.chain, budget_of))
     paper = text_paper(text, model, title or text.path.name, doi, (toml.path, text.path), citation)
     return replace(paper, budget=budget)
 

@@ -243,6 +243,9 @@ class Claim:
     sentence and earlier ones suppose of them, `says` and `unsettled` why it may be true although it is false
     for free symbols: it may say what one is (`says_of`), or the text says more of them than was read;
     `moving` of what the text writes rates, `alone` that its model says that it follows from nothing else.
+    Where a display has two readings: `perhaps` holds the equations beside the formula that may be its
+    conditions, `otherwise` the formulas that the display states if its rows are joined the other way, and
+    `question` names both readings.
     """
 
     id: str
@@ -283,6 +286,9 @@ class Claim:
     says_of: Name | None = None
     beside: tuple[Aside, ...] = ()
     moving: frozenset[Name] = frozenset()
+    perhaps: tuple[Formula, ...] = ()
+    otherwise: tuple[Formula, ...] = ()
+    question: str | None = None
 
     @property
     def expected(self) -> Outcome:

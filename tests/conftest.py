@@ -12,7 +12,7 @@ from hypothesis import settings
 from workbench.budget import workers
 
 #: Papers that tests judge themselves: what they claim is not all right.
-collect_ignore_glob = ["judge/papers/*.toml"]
+collect_ignore_glob = ["judge/papers/*.toml", "errata/*/*.toml"]
 
 HERE = Path(__file__).parent
 

@@ -1,0 +1,1 @@
+def laws(seed, count): return ''

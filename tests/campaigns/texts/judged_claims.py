@@ -1,0 +1,198 @@
+"""What the product says of a document's formulas, matched with what is true of them."""
+
+from __future__ import annotations
+
+import re
+import signal
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from one_fault import FALSE, TRUE, UNDER
+from written_documents import Document, Shown, Step
+
+#: Of processor time for one document.
+SECONDS = 600
+
+_NAME = re.compile(r"(d\d+x)[a-z]")
+_SPACE = re.compile(
+    r"\\(?:left|right|quad|qquad|nonumber|notag|displaystyle|big|Big|bigl|bigr|Bigl|Bigr)(?![A-Za-z])\.?|\\[,;:!> ]|[\s{}~]"
+)
+_BESIDE = re.compile(r"[,;]?(?:\\text|\\forall|\\mbox|\()")
+
+HOLDS = {"proved"}
+DENIED = {"refuted", "ill-formed"}
+
+
+@dataclass(frozen=True)
+class Seen:
+    """One claim of the product: its id, formula and verdict."""
+
+    id: str
+    latex: str
+    outcome: str
+    reason: str
+    line: int
+
+    @property
+    def key(self) -> str:
+        return key_of(self.latex)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What the product made of one formula of a display. kind: one of KINDS."""
+
+    kind: str
+    display: Shown
+    format: str
+    free: bool
+    step: Step | None
+    seen: Seen | None
+
+    @property
+    def family(self) -> str:
+        return self.step.family if self.step is not None else "none"
+
+
+#: Right, silent, and wrong.
+KINDS = (
+    "proved", "conditional", "refuted", "definition", "silent", "excused",
+    "false proof", "false alarm", "vanished", "invented",
+)  # fmt: skip
+WRONG = ("false proof", "false alarm", "vanished", "invented")
+
+
+@dataclass
+class Judged:
+    """All findings on a document; `broken`: why there are none."""
+
+    document: Document
+    findings: list[Finding] = field(default_factory=list)
+    broken: str | None = None
+
+
+def key_of(latex: str) -> str:
+    """A formula without spaces, braces and sizes of brackets."""
+    return _SPACE.sub("", latex).strip(",.;")
+
+
+@contextmanager
+def _limited() -> Iterator[None]:
+    def stop(*_: object) -> None:
+        raise TimeoutError(f"more than {SECONDS} s")
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.setitimer(signal.ITIMER_REAL, SECONDS)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def claims_of(text: str, model: str, format_name: str) -> list[Seen]:
+    """The product's claims in a text, each with its verdict, judged in this process without memory."""
+    from workbench.budget import workers
+    from workbench.papers.load import load_paper
+    from workbench.verify.claims import judge_paper
+
+    workers.get_all_start_methods = list  # no process of its own for each judgement
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / f"text.{format_name}").write_text(text)
+        (folder / "text.toml").write_text(model)
+        paper = load_paper(folder / "text.toml")
+        if paper.faults:
+            raise ValueError(str(paper.faults[0]))
+        results = judge_paper(paper, motions=False)
+    return [
+        Seen(
+            each.claim.id,
+            each.claim.printed.latex or "",
+            each.verdict.outcome.value,
+            str(each.verdict.reason or each.verdict.hypothesis or ""),
+            each.claim.span.line if each.claim.span else 0,
+        )
+        for each in results
+    ]
+
+
+def judged(document: Document) -> Judged:
+    """The findings on a document."""
+    try:
+        with _limited():
+            seen = claims_of(document.text, document.model, document.format)
+    except Exception as error:  # a campaign goes on, and tells it
+        return Judged(document, broken=f"{type(error).__name__}: {error}")
+    found = Judged(document)
+    taken: set[str] = set()
+    for display in document.shown:
+        own = [each for each in seen if _stands_in(each, display)]
+        taken |= {each.id for each in own}
+        for kind, step, claim in _compared(display, own):
+            found.findings.append(Finding(kind, display, document.format, document.free, step, claim))
+    for each in seen:
+        if each.id not in taken:
+            nowhere = Shown("nowhere", "none", "", [], [])
+            found.findings.append(Finding("invented", nowhere, document.format, document.free, None, each))
+    return found
+
+
+def _stands_in(claim: Seen, display: Shown) -> bool:
+    named = _NAME.match(claim.id)
+    if named is not None:
+        return named[1] == display.name
+    return display.lines[0] <= claim.line <= display.lines[1] and claim.line > 0
+
+
+def _compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | None, Seen | None]]:
+    if not display.printed:
+        yield from (("invented", None, each) for each in claims)
+        return
+    left = list(claims)
+    lost: list[Step] = []
+    for step in display.steps:
+        claim = next((each for each in left if _says(each, step)), None)
+        if claim is None:
+            lost.append(step)
+            continue
+        left.remove(claim)
+        yield kind_of(step, claim.outcome), step, claim
+    asides = {key_of(each) for each in display.asides}
+    for each in left:
+        if each.key in asides:
+            if each.outcome in HOLDS | DENIED:
+                yield "false proof" if each.outcome in HOLDS else "false alarm", None, each
+            continue
+        yield "invented", None, each
+        if each.outcome in HOLDS and any(step.truth != TRUE for step in lost):
+            yield "false proof", None, each
+        if each.outcome in DENIED and not any(step.truth == FALSE for step in lost):
+            yield "false alarm", None, each
+    yield from (("vanished", step, None) for step in lost)
+
+
+def _says(claim: Seen, step: Step) -> bool:
+    key, wanted = claim.key, key_of(f"{step.left} = {step.right}")
+    if key.startswith(wanted):
+        rest = key[len(wanted) :]
+        return not rest or _BESIDE.match(rest) is not None
+    return key.endswith(wanted) and key.startswith(r"\text")
+
+
+def kind_of(step: Step, outcome: str) -> str:
+    """What a verdict is, given the truth; a condition that is not beside a formula makes it false."""
+    if outcome == "definition":
+        return "definition"
+    if outcome in HOLDS:
+        return "proved" if step.truth in (TRUE, UNDER) else "false proof"
+    if outcome in DENIED:
+        return "refuted" if step.truth == FALSE else "false alarm"
+    if outcome == "conditional":
+        if step.truth == FALSE:
+            return "false proof" if step.beside is not None else "excused"
+        return "conditional"
+    return "silent"

@@ -125,6 +125,8 @@ def identity(size: int) -> np.ndarray:
 def circle(random: Random, rates: Value) -> tuple[Value, Value]:
     """Cosine and sine of an angle whose rates are given."""
     half = fraction(random)
+    while abs(half) == 1:  # the cosine would be 0
+        half = fraction(random)
     below = 1 + half * half
     c = [np.asarray((1 - half * half) / below, dtype=object)]
     s = [np.asarray(2 * half / below, dtype=object)]

@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import groupby
 from pathlib import Path
 
 from one_fault import FALSE, TRUE, UNDER
@@ -154,13 +155,21 @@ def _compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | 
         return
     left = list(claims)
     lost: list[Step] = []
-    for step in display.steps:
-        claim = next((each for each in left if _says(each, step)), None)
-        if claim is None:
-            lost.append(step)
+    for _, group in groupby(display.steps, lambda step: step.statement):
+        steps = list(group)
+        whole = _whole(steps)
+        claim = next((each for each in left if _says(each, whole)), None)
+        if claim is not None:  # one claim for all steps
+            left.remove(claim)
+            yield from ((kind_of(whole, claim.outcome), step, claim) for step in steps)
             continue
-        left.remove(claim)
-        yield kind_of(step, claim.outcome), step, claim
+        for step in steps:
+            claim = next((each for each in left if _says(each, step)), None)
+            if claim is None:
+                lost.append(step)
+                continue
+            left.remove(claim)
+            yield kind_of(step, claim.outcome), step, claim
     asides = {key_of(each) for each in display.asides}
     for each in left:
         if each.key in asides:
@@ -173,6 +182,15 @@ def _compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | 
         if each.outcome in DENIED and not any(step.truth == FALSE for step in lost):
             yield "false alarm", None, each
     yield from (("vanished", step, None) for step in lost)
+
+
+def _whole(steps: list[Step]) -> Step:
+    """A chain as one formula; true if all its steps are."""
+    truths = {each.truth for each in steps}
+    truth = next(each for each in (FALSE, UNDER, TRUE) if each in truths)
+    first = steps[0]
+    sides = " = ".join(each.right for each in steps)
+    return Step(first.left, sides, truth, first.family, first.statement, first.beside)
 
 
 def _says(claim: Seen, step: Step) -> bool:

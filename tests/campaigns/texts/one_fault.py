@@ -11,7 +11,7 @@ from formula_trees import Node, leaf
 from identity_pool import FRAMES, LETTERS, Condition, Pool, defined
 
 #: At how many points a formula is looked at.
-LOOKS = 3
+LOOKS = 4
 
 TRUE, FALSE, UNDER = "true", "false", "under its condition"
 

@@ -35,13 +35,14 @@ WEIGHTS = {each: 2 for each in FAMILIES if each not in FRAME_FAMILY} | {"conditi
 
 @dataclass(frozen=True)
 class Step:
-    """One printed formula: its two sides with macros expanded, and what is true of it. beside: how the
-    condition of its statement is written; None without one."""
+    """One printed formula: its two sides with macros expanded, and what is true of it. statement: which one of
+    the display it belongs to. beside: how the condition of its statement is written; None without one."""
 
     left: str
     right: str
     truth: str
     family: str
+    statement: int = 0
     beside: str | None = None
 
 
@@ -187,10 +188,10 @@ class Author:
         lines = [self._line(writer, *both) for both in zip(stated, sides_of, strict=True)]
         source = layout.write(sheet, lines)
         steps, asides = [], []
-        for each, sides, line in zip(stated, sides_of, lines, strict=True):
+        for place, (each, sides, line) in enumerate(zip(stated, sides_of, lines, strict=True)):
             plain = [_plain(terms) for terms in sides]
             for left, right, truth in zip(plain, plain[1:], each.truths, strict=False):
-                steps.append(Step(left, right, truth, each.family, sheet.beside.get(id(line))))
+                steps.append(Step(left, right, truth, each.family, place, sheet.beside.get(id(line))))
             if line.condition is not None:
                 asides.append(line.condition.plain)
         return Shown(name, layout_name, source, steps, asides)

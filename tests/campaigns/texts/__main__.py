@@ -31,7 +31,9 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1, help="processes")
     parser.add_argument("--show", type=int, default=0, help="so many wrong findings in full")
-    parser.add_argument("--laws", type=int, default=0, help="count renaming and irrelevance on so many formulas")
+    parser.add_argument(
+        "--laws", type=int, default=0, help="count renaming and irrelevance on so many formulas"
+    )
     parser.add_argument("--save", type=Path, help="a folder for the documents with wrong findings")
     parser.add_argument("--checkout", type=Path, help="judge the product of this checkout")
     options = parser.parse_args(arguments)

@@ -28,7 +28,9 @@ SENTENCES = (
     "Here the matrix $Q_9$ is symmetric.",
 )
 _KIND = re.compile(r"'([A-Za-z])' = \{ kind = \"(\w+)\"")
-_WORDS = re.compile(r"\\frac\{d\}\{dt\}|\\(?:label|text|intertext|begin|end|operatorname|tag)\{[^{}]*\}|\\\\|\\[A-Za-z]+")
+_WORDS = re.compile(
+    r"\\frac\{d\}\{dt\}|\\(?:label|text|intertext|begin|end|operatorname|tag)\{[^{}]*\}|\\\\|\\[A-Za-z]+"
+)
 
 
 def laws(seed: int, formulas: int) -> str:
@@ -71,7 +73,11 @@ def renamed(one: Document, random: Random) -> Document:
         if free and random.random() < 0.7 and letter not in "xy":
             taken[letter] = random.choice(free)
     model = _KIND.sub(lambda match: match[0].replace(match[1], taken.get(match[1], match[1]), 1), one.model)
-    model = re.sub(r"'n' = .*", lambda match: _in_formula(match[0].replace("'n'", "\0"), taken).replace("\0", "'n'"), model)
+    model = re.sub(
+        r"'n' = .*",
+        lambda match: _in_formula(match[0].replace("'n'", "\0"), taken).replace("\0", "'n'"),
+        model,
+    )
     return replace(one, text=_displays(one, taken), model=model)
 
 

@@ -231,7 +231,9 @@ def array_rcrcl(sheet: Sheet, lines: list[Line]) -> str:
     for line in lines:
         first, *rest = line.sides[0]
         begins = ("- " if first[0] == "-" else "") + first[1].source
-        columns = f"{begins} & {rest[0][0]} & {joined([('+', rest[0][1]), *rest[1:]])}" if rest else f"& & {begins}"
+        columns = (
+            f"{begins} & {rest[0][0]} & {joined([('+', rest[0][1]), *rest[1:]])}" if rest else f"& & {begins}"
+        )
         rows.append(f"{columns} & = & {line.right}{sheet.tail(line)}")
     return environment("equation", environment("array", " \\\\\n".join(rows), "{rcrcl}") + sheet.label())
 
@@ -256,7 +258,9 @@ def pairs(sheet: Sheet, lines: list[Line]) -> str:
 
 def side_by_side(sheet: Sheet, lines: list[Line]) -> str:
     signed = any(line.left.startswith("-") for line in lines[1:])
-    between = sheet.random.choice((r", \qquad ", r", \quad ", r" \qquad \text{and} \qquad ", *[r" \qquad "] * (not signed)))
+    between = sheet.random.choice(
+        (r", \qquad ", r", \quad ", r" \qquad \text{and} \qquad ", *[r" \qquad "] * (not signed))
+    )
     return environment("equation", between.join(f"{x.left} = {x.right}" for x in lines) + sheet.label())
 
 
@@ -266,7 +270,11 @@ def trailing(sheet: Sheet, lines: list[Line]) -> str:
     last = line.sides[-1]
     before = " = ".join(line.side(place) for place in range(len(line.sides) - 1))
     if len(last) < 2:
-        body = f"{before} = {{}} & \\\\\n & {joined(last)}" if sheet.random.random() < 0.3 else f"{before} = \\\\\n {joined(last)}"
+        body = (
+            f"{before} = {{}} & \\\\\n & {joined(last)}"
+            if sheet.random.random() < 0.3
+            else f"{before} = \\\\\n {joined(last)}"
+        )
     else:
         at = sheet.random.randrange(1, len(last))
         rest = joined([("+", last[at][1]), *last[at + 1 :]])
@@ -277,7 +285,9 @@ def trailing(sheet: Sheet, lines: list[Line]) -> str:
 
 def interrupted(sheet: Sheet, lines: list[Line]) -> str:
     """Words between the rows of an align."""
-    words = sheet.random.choice((r"\intertext{and}", r"\intertext{In the same way,}", r"\intertext{We note that also}"))
+    words = sheet.random.choice(
+        (r"\intertext{and}", r"\intertext{In the same way,}", r"\intertext{We note that also}")
+    )
     rows = [f"{line.left} &= {line.right}{sheet.tail(line)}{sheet.label()}" for line in lines]
     return environment("align", f" \\\\\n{words}\n".join(rows))
 

@@ -89,7 +89,8 @@ def random_value(random: Random, kind: str) -> Value:
     shape = {"scalar": (), "angle": (), "vector": (3, 1), "matrix": (3, 3)}[kind]
     entries = int(np.prod(shape, dtype=int))
     return [
-        np.array([fraction(random) for _ in range(entries)], dtype=object).reshape(shape) for _ in range(DEPTH)
+        np.array([fraction(random) for _ in range(entries)], dtype=object).reshape(shape)
+        for _ in range(DEPTH)
     ]
 
 
@@ -158,7 +159,9 @@ def _leaf(node: Node, point: Point) -> Value:
 def _zero(node: Node, point: Point) -> Value:
     rows, columns = node.size or {"scalar": (1, 1), "vector": (3, 1)}.get(node.kind, (3, 3))
     shape = () if (rows, columns) == (1, 1) else (rows, columns)
-    return constant(np.full(shape, Fraction(0), dtype=object) if shape else np.asarray(Fraction(0), dtype=object))
+    return constant(
+        np.full(shape, Fraction(0), dtype=object) if shape else np.asarray(Fraction(0), dtype=object)
+    )
 
 
 def _power(node: Node, point: Point) -> Value:

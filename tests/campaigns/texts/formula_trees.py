@@ -197,7 +197,9 @@ class Writer:
 
     def _turn(self, node: Node, power: str = "") -> Spelling:
         argument = self.write(node.args[0])
-        return spelled(f"\\{node.op}{power}") + argument.within(" {}" if node.args[0].op == "leaf" else "({})")
+        return spelled(f"\\{node.op}{power}") + argument.within(
+            " {}" if node.args[0].op == "leaf" else "({})"
+        )
 
     def _unary(self, node: Node) -> Spelling:
         (arg,) = node.args
@@ -210,12 +212,16 @@ class Writer:
         if node.op == "frame rate":
             text, begin = self.write(node.args[0]), r"\frac{{}^" + node.frames + " d"
             is_leaf = not node.args[0].args
-            return spelled(begin + " ") + text + "}{dt}" if is_leaf else spelled(begin + "}{dt}(") + text + ")"
+            return (
+                spelled(begin + " ") + text + "}{dt}" if is_leaf else spelled(begin + "}{dt}(") + text + ")"
+            )
         if node.op == "angular velocity":
             return spelled(rf"{{}}^{node.frames[0]}\omega^{node.frames[1]}")
         if node.op in ("zero", "unit"):
             letter = "0" if node.op == "zero" else r"\mathbf{I}"
-            return spelled(letter if node.size is None else rf"{letter}_{{{node.size[0]} \times {node.size[1]}}}")
+            return spelled(
+                letter if node.size is None else rf"{letter}_{{{node.size[0]} \times {node.size[1]}}}"
+            )
         dots = "" if not node.order else "\\" + "d" * node.order + "ot"
         return spelled(dots + "{") + self.letter(node.name) + "}" if dots else self.letter(node.name)
 

@@ -100,15 +100,19 @@ def claims_of(text: str, model: str, format_name: str) -> list[Seen]:
     from workbench.papers.load import load_paper
     from workbench.verify.claims import judge_paper
 
+    methods = workers.get_all_start_methods
     workers.get_all_start_methods = list  # no process of its own for each judgement
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        (folder / f"text.{format_name}").write_text(text)
-        (folder / "text.toml").write_text(model)
-        paper = load_paper(folder / "text.toml")
-        if paper.faults:
-            raise ValueError(str(paper.faults[0]))
-        results = judge_paper(paper, motions=False)
+    try:
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / f"text.{format_name}").write_text(text)
+            (folder / "text.toml").write_text(model)
+            paper = load_paper(folder / "text.toml")
+            if paper.faults:
+                raise ValueError(str(paper.faults[0]))
+            results = judge_paper(paper, jobs=1, motions=False)
+    finally:
+        workers.get_all_start_methods = methods
     return [
         Seen(
             each.claim.id,
@@ -133,7 +137,7 @@ def judged(document: Document) -> Judged:
     for display in document.shown:
         own = [each for each in seen if _stands_in(each, display)]
         taken |= {each.id for each in own}
-        for kind, step, claim in _compared(display, own):
+        for kind, step, claim in compared(display, own):
             found.findings.append(Finding(kind, display, document.format, document.free, step, claim))
     for each in seen:
         if each.id not in taken:
@@ -149,7 +153,8 @@ def _stands_in(claim: Seen, display: Shown) -> bool:
     return display.lines[0] <= claim.line <= display.lines[1] and claim.line > 0
 
 
-def _compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | None, Seen | None]]:
+def compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | None, Seen | None]]:
+    """What the claims in a display are, each beside the step that it says; what is lost and what is new."""
     if not display.printed:
         yield from (("invented", None, each) for each in claims)
         return

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from random import Random
@@ -64,7 +65,7 @@ class Stating:
     def _truths(self, sides: tuple[Node, ...], condition: Condition | None) -> tuple[str, ...] | None:
         """None where a step is true at some points only."""
         found = []
-        for left, right in zip(sides, sides[1:], strict=False):
+        for left, right in itertools.pairwise(sides):
             if left == right:
                 return None
             seen = self._seen(left, right, None)
@@ -124,7 +125,9 @@ def _of_a_sum(node: Node, random: Random) -> Iterator[Node]:
 def _of_a_size(node: Node, random: Random) -> Iterator[Node]:
     if node.size is None:
         return
-    sizes = ((2, 2), (4, 4), (6, 6)) if node.op == "unit" else ((3, 3), (3, 1), (4, 1), (6, 1), (1, 3), (4, 4))
+    sizes = (
+        ((2, 2), (4, 4), (6, 6)) if node.op == "unit" else ((3, 3), (3, 1), (4, 1), (6, 1), (1, 3), (4, 4))
+    )
     for size in sizes:
         if size != node.size:
             yield replace(node, size=size)
@@ -160,4 +163,3 @@ _FAULTS = {
     "frame rate": _of_frames,
     "angular velocity": _of_frames,
 }
-

@@ -9,7 +9,11 @@ from formula_trees import ATOM, PRODUCT, Node, Spelling, Writer
 
 #: Macros with arguments: definition, operation, what it prints.
 SHORTHANDS = {
-    "dot": (r"\newcommand{\inner}[2]{\left( #1 \cdot #2 \right)}", r"\inner{{{}}}{{{}}}", r"\left( {} \cdot {} \right)"),
+    "dot": (
+        r"\newcommand{\inner}[2]{\left( #1 \cdot #2 \right)}",
+        r"\inner{{{}}}{{{}}}",
+        r"\left( {} \cdot {} \right)",
+    ),
     "transpose": (r"\newcommand{\tp}[1]{#1^T}", r"\tp{{{}}}", "{}^T"),
     "norm2": (r"\newcommand{\nrm}[2][2]{\|#2\|^{#1}}", r"\nrm{{{}}}", r"\|{}\|^2"),
     "over": (r"\newcommand{\quot}[2]{\frac{#1}{#2}}", r"\quot{{{}}}{{{}}}", r"\frac{{{}}}{{{}}}"),
@@ -46,7 +50,9 @@ class Macros:
                 letter = self.random.choice(letters)
                 self.in_force[alias] = letter
                 lines.append(rf"\newcommand{{{alias}}}{{{letter}}}")
-        self.shorthands = frozenset(each for each in SHORTHANDS if self.random.random() < 0.6 and (tex or each != "trace"))
+        self.shorthands = frozenset(
+            each for each in SHORTHANDS if self.random.random() < 0.6 and (tex or each != "trace")
+        )
         return [*lines, *(SHORTHANDS[each][0] for each in sorted(self.shorthands))]
 
     def open(self) -> None:
@@ -61,7 +67,9 @@ class Macros:
         """An alias and a letter of its kind that it does not stand for."""
         alias = self.random.choice(sorted(self.in_force))
         kind = next(kind for kind, names in ALIASES.items() if alias in names)
-        return alias, self.random.choice([each for each in self.letters[kind] if each != self.in_force[alias]])
+        return alias, self.random.choice(
+            [each for each in self.letters[kind] if each != self.in_force[alias]]
+        )
 
     def redefined(self, everywhere: bool = False) -> str:
         """A declaration that gives an alias another letter."""
@@ -87,5 +95,7 @@ class Macros:
             return None
         _, source, plain = SHORTHANDS[node.op]
         strength = {"dot": PRODUCT, "transpose": ATOM}.get(node.op)
-        args = [writer.write(each) if strength is None else writer.within(each, strength) for each in node.args]
+        args = [
+            writer.write(each) if strength is None else writer.within(each, strength) for each in node.args
+        ]
         return Spelling(source.format(*(x.source for x in args)), plain.format(*(x.plain for x in args)))

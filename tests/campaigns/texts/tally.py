@@ -18,7 +18,7 @@ def table(title: str, findings: Iterable[Finding], by: Callable[[Finding], str])
     heads = ("formulas", *KINDS)
     width = max(len(title), *(len(row) for row in counts), 12)
     lines = [" | ".join([title.ljust(width), *heads])]
-    rows = sorted(row for row in counts if row != "all") + ["all"]
+    rows = [*sorted(row for row in counts if row != "all"), "all"]
     for row in rows:
         cells = [str(counts[row][head]).rjust(len(head)) for head in heads]
         lines.append(" | ".join([row.ljust(width), *cells]))
@@ -50,7 +50,9 @@ def wrong(results: Sequence[Judged]) -> list[Finding]:
 def told(finding: Finding) -> str:
     """One finding in full."""
     step, seen = finding.step, finding.seen
-    lines = [f"## {finding.kind}: {finding.display.layout}, {finding.family}, {finding.format}, {finding.display.name}"]
+    lines = [
+        f"## {finding.kind}: {finding.display.layout}, {finding.family}, {finding.format}, {finding.display.name}"
+    ]
     lines.append(finding.display.source)
     if step is not None:
         lines.append(f"   printed: {step.left} = {step.right}   [{step.truth}]")

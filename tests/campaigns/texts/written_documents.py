@@ -138,7 +138,9 @@ class Author:
             macros.close()
             self._display(form, shown)
         elif move == 2:  # the display stands in the group
-            begin, end = self.random.choice(((r"\begingroup", r"\endgroup"), ("{", "}"), (r"\begin{quote}", r"\end{quote}")))
+            begin, end = self.random.choice(
+                ((r"\begingroup", r"\endgroup"), ("{", "}"), (r"\begin{quote}", r"\end{quote}"))
+            )
             macros.open()
             form.words(begin + macros.redefined())
             self._display(form, shown)
@@ -219,7 +221,9 @@ class Author:
         if frames:
             lines.append(FRAMES_MODEL)
         lines.append("[symbols]")
-        lines += [f"'{each}' = {{ kind = \"{kind}\"{said} }}" for kind, letters in kinds.items() for each in letters]
+        lines += [
+            f"'{each}' = {{ kind = \"{kind}\"{said} }}" for kind, letters in kinds.items() for each in letters
+        ]
         if not frames:
             lines += [f"'{each}' = {{ kind = \"scalar\"{said} }}" for each in (r"\theta", r"\phi")]
             lines += ["'u' = { kind = \"vector\", unit = true }", "'R' = \"rotation\""]

@@ -175,7 +175,9 @@ class Writer:
         if node.op == "product":
             left, right = node.args
             if left.op == "number" and right.op in ("dot", "cross"):  # 2 a \cdot b
-                return spelled(f"{left.number} ") + self._bare(right)[0], SIGNED
+                text = self._bare(right)[0]
+                if not text.plain[0].isdigit():
+                    return spelled(f"{left.number} ") + text, SIGNED
             right_at = ATOM if right.op in ("number", "product") else PRODUCT
             return self._at(left, PRODUCT) + " " + self._at(right, right_at), PRODUCT
         if node.op in ("dot", "cross"):

@@ -17,9 +17,11 @@ from written_documents import Document, Shown, Step
 #: Of processor time for one document.
 SECONDS = 600
 
-_NAME = re.compile(r"(d\d+x)[a-z]")
+_NAME = re.compile(r"(d\d+x)([a-z])")
+_LAYOUT = re.compile(r"\\(?:begin|end)\{(?:split|aligned|gathered)\}|\\\\|&")
 _SPACE = re.compile(
-    r"\\(?:left|right|quad|qquad|nonumber|notag|displaystyle|big|Big|bigl|bigr|Bigl|Bigr)(?![A-Za-z])\.?|\\[,;:!> ]|[\s{}~]"
+    r"\\(?:left|right|quad|qquad|nonumber|notag|displaystyle|big|Big|bigl|bigr|Bigl|Bigr)(?![A-Za-z])\.?"
+    r"|\\[,;:!> ]|[\s{}~]"
 )
 _BESIDE = re.compile(r"[,;]?(?:\\text|\\forall|\\mbox|\()")
 
@@ -61,9 +63,9 @@ class Finding:
 #: Right, silent, and wrong.
 KINDS = (
     "proved", "conditional", "refuted", "definition", "silent", "excused",
-    "false proof", "false alarm", "vanished", "invented",
+    "false proof", "false alarm", "vanished", "invented", "mislabelled",
 )  # fmt: skip
-WRONG = ("false proof", "false alarm", "vanished", "invented")
+WRONG = ("false proof", "false alarm", "vanished", "invented", "mislabelled")
 
 
 @dataclass
@@ -76,8 +78,8 @@ class Judged:
 
 
 def key_of(latex: str) -> str:
-    """A formula without spaces, braces and sizes of brackets."""
-    return _SPACE.sub("", latex).strip(",.;")
+    """A formula without spaces, braces, sizes of brackets and marks of alignment."""
+    return _SPACE.sub("", _LAYOUT.sub("", latex)).strip(",.;")
 
 
 @contextmanager
@@ -175,6 +177,8 @@ def compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | N
                 continue
             left.remove(claim)
             yield kind_of(step, claim.outcome), step, claim
+            if _is_mislabelled(display, step, claim):
+                yield "mislabelled", None, claim
     asides = {key_of(each) for each in display.asides}
     for each in left:
         if each.key in asides:
@@ -187,6 +191,19 @@ def compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | N
         if each.outcome in DENIED and not any(step.truth == FALSE for step in lost):
             yield "false alarm", None, each
     yield from (("vanished", step, None) for step in lost)
+
+
+def _is_mislabelled(display: Shown, step: Step, claim: Seen) -> bool:
+    """Whether it has the label of another row; only where each statement, or each step, has a row of its own."""
+    named = _NAME.match(claim.id)
+    rows, statements = display.source.count(r"\label"), display.steps[-1].statement + 1
+    if named is None or rows == 1:
+        return False
+    if rows == statements:
+        return ord(named[2]) - ord("a") != step.statement
+    if statements == 1 and rows == len(display.steps):
+        return ord(named[2]) - ord("a") != display.steps.index(step)
+    return False
 
 
 def _whole(steps: list[Step]) -> Step:

@@ -144,7 +144,8 @@ def align(sheet: Sheet, lines: list[Line]) -> str:
 
 
 def align_leading(sheet: Sheet, lines: list[Line]) -> str:
-    return environment(sheet.random.choice(("align", "flalign")), _rows(sheet, lines, "& {} = {}"))
+    name = sheet.random.choice(("align", "flalign", "eqnarray"))
+    return environment(name, _rows(sheet, lines, "&& {} = {}" if name == "eqnarray" else "& {} = {}"))
 
 
 def alignat(sheet: Sheet, lines: list[Line]) -> str:

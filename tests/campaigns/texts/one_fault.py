@@ -50,6 +50,12 @@ class Stating:
             if truths is not None:
                 return Stated(made.family, sides, truths, made.condition)
 
+    def negated(self, stated: Stated) -> Stated:
+        """The same with the other sign on all sides, so that a row may begin with a sign."""
+        if any(each.op in ("zero", "number") for each in stated.sides):
+            return stated
+        return replace(stated, sides=tuple(-each for each in stated.sides))
+
     def without_its_condition(self) -> Stated:
         """A statement that is false, since the condition that it needs is not printed."""
         made = self.stated("condition", 0)

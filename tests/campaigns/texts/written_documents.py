@@ -203,9 +203,9 @@ class Author:
         family = self.random.choices(names, weights)[0]
         if family == "condition" and not layout.conditions:
             family = "vectors"
-        if family == "no condition":
-            return self.stating.without_its_condition()
-        return self.stating.stated(family)
+        made = self.stating
+        found = made.without_its_condition() if family == "no condition" else made.stated(family)
+        return made.negated(found) if self.random.random() < 0.2 else found
 
     def _line(self, writer: Writer, stated: Stated, sides: list[list[tuple[str, Spelling]]]) -> Line:
         condition = stated.condition

@@ -34,17 +34,19 @@ class Line:
 @dataclass
 class Sheet:
     """Where a display is written. name: of its labels. beside: how the condition of a statement is written,
-    by the identity of its line."""
+    by the identity of its line. tags: whether a row may have a tag in place of a label."""
 
     name: str
     random: Random
+    tags: bool = True
     beside: dict[int, str] = field(default_factory=dict)
     _rows: int = field(default=0)
 
     def label(self) -> str:
-        """The label of the next row."""
+        """The label, or the tag, of the next row."""
         self._rows += 1
-        return rf" \label{{{self.name}{chr(96 + self._rows)}}}"
+        command = "tag" if self.tags and self.random.random() < 0.15 else "label"
+        return rf" \{command}{{{self.name}{chr(96 + self._rows)}}}"
 
     def tail(self, line: Line, cell: str = r" \quad ") -> str:
         """The condition of a statement as it stands behind it."""
@@ -144,7 +146,7 @@ def align(sheet: Sheet, lines: list[Line]) -> str:
 
 
 def align_leading(sheet: Sheet, lines: list[Line]) -> str:
-    name = sheet.random.choice(("align", "flalign", "eqnarray"))
+    name = sheet.random.choice(("align", "flalign", *(["eqnarray"] if not sheet.tags else [])))
     return environment(name, _rows(sheet, lines, "&& {} = {}" if name == "eqnarray" else "& {} = {}"))
 
 

@@ -119,10 +119,9 @@ class Restructured(Format):
         self.section("Text")
 
     def shown(self, source: str) -> str:
-        alone = _EQUATION.fullmatch(source)
-        if alone is not None:
-            label = _LABEL.search(source)[1]
-            return f".. math::\n   :label: {label}\n\n" + _indented(_LABEL.sub("", alone[1]).strip())
+        alone, label = _EQUATION.fullmatch(source), _LABEL.search(source)
+        if alone is not None and label is not None:
+            return f".. math::\n   :label: {label[1]}\n\n" + _indented(_LABEL.sub("", alone[1]).strip())
         return ".. math::\n   :nowrap:\n\n" + _indented(source)
 
     def unseen(self, source: str) -> str:

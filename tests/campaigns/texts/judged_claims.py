@@ -18,6 +18,7 @@ from written_documents import Document, Shown, Step
 SECONDS = 600
 
 _NAME = re.compile(r"(d\d+x)([a-z])")
+_ROWS = re.compile(r"\\(?:label|tag)\{")
 _LAYOUT = re.compile(r"\\(?:begin|end)\{(?:split|aligned|gathered)\}|\\\\|&")
 _SPACE = re.compile(
     r"\\(?:left|right|quad|qquad|nonumber|notag|displaystyle|big|Big|bigl|bigr|Bigl|Bigr)(?![A-Za-z])\.?"
@@ -196,7 +197,7 @@ def compared(display: Shown, claims: list[Seen]) -> Iterator[tuple[str, Step | N
 def _is_mislabelled(display: Shown, step: Step, claim: Seen) -> bool:
     """Whether it has the label of another row; only where each statement, or each step, has a row of its own."""
     named = _NAME.match(claim.id)
-    rows, statements = display.source.count(r"\label"), display.steps[-1].statement + 1
+    rows, statements = len(_ROWS.findall(display.source)), display.steps[-1].statement + 1
     if named is None or rows == 1:
         return False
     if rows == statements:

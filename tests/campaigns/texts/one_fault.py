@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from random import Random
 
+from conditional_pool import under_a_condition
 from exact_values import Point, holds
 from formula_trees import Node, leaf
 from identity_pool import FRAMES, LETTERS, Condition, Pool, defined
@@ -38,7 +39,7 @@ class Stating:
     def stated(self, family: str, share_of_false: float = 0.35) -> Stated:
         """A statement of one family; of a share of them one side has a fault."""
         while True:
-            made = self.pool.under_a_condition() if family == "condition" else self.pool.identity(family)
+            made = under_a_condition(self.pool) if family == "condition" else self.pool.identity(family)
             if any(left == right for left, right in zip(made.sides, made.sides[1:], strict=False)):
                 continue
             sides = made.sides

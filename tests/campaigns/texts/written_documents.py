@@ -185,7 +185,8 @@ class Author:
         layout = LAYOUTS[layout_name]
         stated = [self._stated(layout) for _ in range(self.random.randint(layout.least, layout.most))]
         writer = Writer(self.macros.custom) if self.with_macros else Writer()
-        sheet = Sheet(name, self.random)
+        tags = layout_name != "eqnarray" and self.random.random() < 0.5
+        sheet = Sheet(name, self.random, tags)
         sides_of = [[writer.terms(side) for side in each.sides] for each in stated]
         lines = [self._line(writer, *both) for both in zip(stated, sides_of, strict=True)]
         source = layout.write(sheet, lines)

@@ -75,7 +75,7 @@ def renamed(one: Document, random: Random) -> Document:
     model = _KIND.sub(lambda match: match[0].replace(match[1], taken.get(match[1], match[1]), 1), one.model)
     model = re.sub(
         r"'n' = .*",
-        lambda match: _in_formula(match[0].replace("'n'", "\0"), taken).replace("\0", "'n'"),
+        lambda match: in_formula(match[0].replace("'n'", "\0"), taken).replace("\0", "'n'"),
         model,
     )
     return replace(one, text=_displays(one, taken), model=model)
@@ -86,11 +86,12 @@ def _displays(one: Document, taken: dict[str, str]) -> str:
     for each in one.shown:
         for at in range(each.lines[0] - 1, each.lines[1]):
             if 0 <= at < len(lines) and ":label:" not in lines[at] and ".. math" not in lines[at]:
-                lines[at] = _in_formula(lines[at], taken)
+                lines[at] = in_formula(lines[at], taken)
     return "\n".join(lines)
 
 
-def _in_formula(line: str, taken: dict[str, str]) -> str:
+def in_formula(line: str, taken: dict[str, str]) -> str:
+    """A line of a display with other letters."""
     parts, last = [], 0
     for match in _WORDS.finditer(line):
         parts += [_letters(line[last : match.start()], taken), match[0]]
@@ -99,7 +100,7 @@ def _in_formula(line: str, taken: dict[str, str]) -> str:
 
 
 def _letters(text: str, taken: dict[str, str]) -> str:
-    return re.sub(r"(?<![A-Za-z])[A-Za-z](?![A-Za-z])", lambda match: taken.get(match[0], match[0]), text)
+    return re.sub(r"(?<![A-Za-z^])[A-Za-z](?![A-Za-z])", lambda match: taken.get(match[0], match[0]), text)
 
 
 def with_sentences(one: Document, random: Random) -> Document:

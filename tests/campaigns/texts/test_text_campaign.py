@@ -6,6 +6,7 @@ import os
 from random import Random
 
 import pytest
+from context_laws import in_formula
 from exact_values import holds
 from formula_trees import Writer, leaf, number, unit, zero
 from identity_pool import FAMILIES, Pool, cross, defined, dot, norm2, t
@@ -118,3 +119,9 @@ def test_no_formula_of_many_texts_is_judged_wrongly() -> None:
     seed = int.from_bytes(os.urandom(2), "big")
     print(f"seed {seed}")
     _assert_right(documents(seed, formulas=5000))
+
+
+def test_renaming_keeps_transposes_and_derivatives() -> None:
+    taken = {"T": "J", "d": "w", "a": r"\hat{e}"}
+    line = r"\begin{align} T^T a &= \frac{d}{dt}(d) \label{d1xa}"
+    assert in_formula(line, taken) == r"\begin{align} J^T \hat{e} &= \frac{d}{dt}(w) \label{d1xa}"

@@ -96,7 +96,7 @@ def test_a_token_knows_the_macros_it_came_through(tmp_path: Path) -> None:
 def test_overrides_win_over_the_text(tmp_path: Path) -> None:
     (tmp_path / "m.tex").write_text(r"\newcommand{\par@}[1]{}\newcommand{\paren}[1]{\left(#1\right)}")
     path = tmp_path / "p.tex"
-    path.write_text(r"\newcommand{\paren}[1]{\begingroup #1\endgroup}\[ \paren{a} \]")
+    path.write_text(r"\newcommand{\paren}[1]{\expandafter(#1)}\[ \paren{a} \]")
     assert read_text(path).displays[0].opaque == {"paren"}
     assert "only TeX can follow" in read_text(path).warnings[0].message
     read = read_text(path, macros=tmp_path / "m.tex").displays[0]

@@ -60,6 +60,7 @@ def read_text(
         reader.read_file(path)
     else:
         source = Source.open(path)
+        reader.formulas_are_groups = False  # MathJax keeps what a formula declares
         reader.sources.append(source)
         for found in find(source.view()):
             _read_found(reader, found)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 from workbench.papers.texts.tex.state import FALSE, NO_VALUE, TRUE, Macro, State
 from workbench.papers.texts.tex.tokens import Token, joined
@@ -29,7 +30,6 @@ _OF_TEX = frozenset(
         "ifdefined",
         "ifcsname",
         "iftwoside",
-        "ifcsdef",
         "unless",
     ]
 ) | set(_ENGINE)
@@ -73,6 +73,16 @@ def skip_branch(expander: State, to_else: bool) -> None:
             return
         elif word is not None and is_conditional(expander, word):
             depth += 1
+
+
+def conditional(expander: State) -> list[Token]:
+    """What stands from behind the conditional to its \fi, which is taken, too."""
+    taken: list[Token] = []
+    depth = 1
+    while depth and (token := expander.pop_within()) is not None:
+        taken.append(token)
+        depth += is_conditional(expander, token.word or "") - (token.word == "fi")
+    return taken
 
 
 def _same(expander: State) -> bool | None:
@@ -148,6 +158,17 @@ def _empty(expander: State) -> bool:
     return not joined(expander.argument()).strip()
 
 
+def _branches(expander: State, token: Token, tests: int) -> Sequence[Token]:
+    """Of two arguments behind a test that the text does not decide: in a formula the first, elsewhere both."""
+    for _ in range(tests):
+        expander.argument()
+    yes, no = expander.argument(), expander.argument()
+    if expander.in_formula:
+        expander.undecided(token)
+        return yes
+    return [*yes, *no]
+
+
 def _equal_strings(expander: State) -> bool:
     return joined(expander.argument()).strip() == joined(expander.argument()).strip()
 
@@ -208,6 +229,12 @@ CHOICES: dict[str, Choice] = {
     "@firstofone": lambda e, t: e.argument(),
     "@firstoftwo": lambda e, t: _chosen(e, True, t),
     "@secondoftwo": lambda e, t: _chosen(e, False, t),
+    **dict.fromkeys(
+        ("@ifundefined", "@ifpackageloaded", "@ifclassloaded", "ifundef", "ifdef", "ifcsundef", "ifcsdef",
+         "ifbool", "iftoggle", "IfFileExists", "InputIfFileExists", "IfPackageLoadedTF", "IfClassLoadedTF"),
+        partial(_branches, tests=1),
+    ),
+    **dict.fromkeys(("@ifpackagelater", "@ifclasslater", "ifdefstring"), partial(_branches, tests=2)),
     "texorpdfstring": lambda e, t: _chosen(e, True, t),
     "ensuremath": lambda e, t: e.argument(),
     "mathchoice": _display_style,
@@ -215,6 +242,12 @@ CHOICES: dict[str, Choice] = {
     "xspace": lambda e, t: (),
     "relax": lambda e, t: (),
 }
+
+
+#: Of these, what \edef carries out.
+EXPANDABLE = frozenset(
+    name for name in CHOICES if name.startswith(("IfNoValue", "IfValue", "IfBoolean", "@firstof", "@secondof"))
+) | {"ifstrempty", "ifblank", "notblank"}
 
 
 def undecidable(expander: State, macro: Macro) -> str | None:
@@ -225,7 +258,7 @@ def undecidable(expander: State, macro: Macro) -> str | None:
             continue
         if word in _LOW or ("@" in word and not _is_flag_command(expander, word)):
             return token.text
-        if word in ("if", "ifcat", "ifdim", "ifcase", "ifodd", "ifcsname", "ifcsdef", "unless"):
+        if word in ("if", "ifcat", "ifdim", "ifcase", "ifodd", "ifcsname", "unless"):
             return token.text
     return None
 
@@ -236,7 +269,7 @@ def _is_flag_command(expander: State, word: str) -> bool:
 
 
 _LOW = frozenset((
-    "csname", "expandafter", "futurelet", "begingroup", "bgroup", "aftergroup", "hbox", "vbox",
+    "csname", "expandafter", "futurelet", "aftergroup", "hbox", "vbox",
     "setbox", "settowidth", "setlength", "Udelimiter", "catcode", "mathcode", "noexpand",
     "afterassignment", "halign",
 ))  # fmt: skip

@@ -10,9 +10,12 @@ from string import whitespace
 
 from workbench.papers.texts.prose import sentence_before
 from workbench.papers.texts.tex.expander import Expander
+from workbench.papers.texts.tex.groups import CELL, FORMULA, end_mark, has_cells
+from workbench.papers.texts.tex.groups import environment as group_of
 from workbench.papers.texts.tex.numbering import Counters
 from workbench.papers.texts.tex.state import Names
 from workbench.papers.texts.tex.tokens import PARAGRAPH, Call, Token, joined, spelled
+from workbench.papers.texts.tex.unprinted import is_unprinted, skip_environment
 from workbench.papers.texts.view import Source
 
 #: Environments whose rows are numbered one by one, and those that have one number.
@@ -129,6 +132,7 @@ class DisplayReader(Expander):
 
     def __init__(self, overrides: Names | None = None) -> None:
         super().__init__(overrides)
+        self.formulas_are_groups = True
         self.counters = Counters()
         self.labels: dict[str, str | None] = {}
         self.heading = ""
@@ -157,9 +161,13 @@ def read_display(reader: DisplayReader, opening: Token, environment: str) -> Dis
         reader.optional()
         numbering = joined(reader.argument()).strip()
     reader.in_formula, reader.left_opaque = True, set()
-    told = len(reader.warnings)
+    told, around = len(reader.warnings), len(reader.groups)
     body = _Body(reader, opening, environment, numbering)
+    if reader.formulas_are_groups:
+        reader.groups.begin(FORMULA)
+        reader.groups.begin(CELL) if has_cells(numbering) else None
     body.read()
+    reader.end_groups_to(around)
     reader.in_formula = False
     rows = _numbered(reader, body.rows, numbering)
     end = body.last.end if body.last.source is opening.source else opening.end
@@ -202,7 +210,7 @@ class _Body:
                     return
             elif self._is_end_of_file(token):
                 break
-            elif not self._command(token) and (token.word == "let" or not reader.step(token)):
+            elif not self._command(token) and not reader.step(token):
                 self._keep(token)
             if self.count > MOST_TOKENS:
                 reader.warn(opening, f"a display of more than {MOST_TOKENS} tokens; its rest is skipped")
@@ -240,14 +248,19 @@ class _Body:
             reader.warn(self.opening, f"\\begin{{{self.environment}}} is never closed")
             reader.push([token.standing_for(part) for part in ("\\begin", "{", name, "}")])
             return True
+        if is_begin and is_unprinted(reader, name):
+            skip_environment(reader, name)
+            return False
         declared = reader.names.environments.get(name)
         if declared is not None:
             if is_begin:
+                reader.begin_environment(name)
                 reader.expand(token.standing_for(f"\\{name}"), declared.begin)
             else:
                 call = Call(name, declared.end.defined, token.call, 1)
                 parts = declared.end.body
-                reader.push([Token(p.text, token.source, token.start, token.end, call) for p in parts])
+                made = [Token(p.text, token.source, token.start, token.end, call) for p in parts]
+                reader.push([*made, end_mark(token, group_of(name))])
             return False
         if not is_begin and self.depth <= 0:
             reader.warn(token, f"\\end{{{name}}} closes nothing here")
@@ -257,6 +270,7 @@ class _Body:
             return False
         self.depth += 1 if is_begin else -1
         self._keep(token.standing_for(f"{token.text}{{{name}}}"))
+        reader.begin_environment(name) if is_begin else reader.end_group(group_of(name))
         return False
 
     def _closing_brace(self, token: Token) -> Token:
@@ -314,8 +328,9 @@ class _Body:
 
     def _keep(self, token: Token, splits: bool = True) -> None:
         self.count += 1
-        if splits and token.text in ("{", "}"):
-            self.depth += 1 if token.text == "{" else -1
+        if splits:
+            self.depth += {"{": 1, "}": -1}.get(token.text, 0)
+            self.reader.follow_groups(token.text)
         if self.splits and splits and self.depth <= 0 and token.text == "\\\\":
             self.reader.take("*")
             self.reader.optional() if (near := self.reader.peek()) and near.text == "[" else None

@@ -9,15 +9,21 @@ from workbench.papers.model import PaperError
 from workbench.papers.texts.prose import plain
 from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, add, read_display
 from workbench.papers.texts.tex.files import Directive, FileReader
+from workbench.papers.texts.tex.groups import CELL, end_mark
+from workbench.papers.texts.tex.groups import environment as group_of
 from workbench.papers.texts.tex.numbering import SECTIONS
 from workbench.papers.texts.tex.state import Macro, Names
 from workbench.papers.texts.tex.tokens import PARAGRAPH, Lexer, Token, joined
+from workbench.papers.texts.tex.unprinted import (
+    exclude,
+    include,
+    is_unprinted,
+    listing,
+    skip_environment,
+    skip_verb,
+    special,
+)
 from workbench.papers.texts.view import Source, View
-
-_VERBATIM = frozenset((
-    "verbatim", "verbatim*", "Verbatim", "lstlisting", "minted", "comment", "alltt", "filecontents",
-    "filecontents*", "listing", "tcblisting", "pyconsole", "sagesilent", "luacode", "tikzpicture",
-))  # fmt: skip
 
 
 @dataclass
@@ -48,6 +54,8 @@ class TexReader(FileReader):
         self.inline: list[Display] = []
         self.starts: dict[str, int] = {}
         self.theorems: dict[str, str | None] = {}
+        self.in_document = False
+        self.hooks: dict[str, list[Token]] = {"begindocument": [], "enddocument": []}
 
     def read_display(self, view: View, opening: Token, environment: str) -> Display:
         self.open(Lexer(view))
@@ -56,12 +64,14 @@ class TexReader(FileReader):
     def run(self) -> None:
         while True:
             if (lexer := self.lexer()) is not None:
-                lexer.skip_prose()
+                lexer.skip_prose(self.groups.innermost == CELL)
             token = self.pop()
             if token is None:
                 return
             if token.text == "$":
                 self._dollar(token)
+            elif token.text in _GROUP_TOKENS:
+                self.follow_groups(token.text)
             elif token.word is not None and self._is_end(token):
                 return
 
@@ -104,7 +114,7 @@ class TexReader(FileReader):
         elif word == "end":
             name = self.word()
             if name == "document":
-                return True
+                return not self._has_more(token)
             self._end(token, name)
             self.counters.end()
         elif word in SECTIONS:
@@ -116,8 +126,8 @@ class TexReader(FileReader):
         return False
 
     def _begin(self, token: Token, name: str) -> None:
-        if name in _VERBATIM:
-            self._skip_verbatim(name)
+        if is_unprinted(self, name):
+            skip_environment(self, name)
             return
         if name in DISPLAYS and name not in self.names.environments:
             self._display(token, name)
@@ -134,23 +144,53 @@ class TexReader(FileReader):
             self.counters.step(self.theorems[name] or name)
         elif name in ("figure", "table", "figure*", "table*"):
             self.counters.step(name.rstrip("*"))
-        elif (declared := self.names.environments.get(name)) is not None:
+        if name == "document":
+            self.in_document = True
+            self._run_hook("begindocument")
+            return
+        self.begin_environment(name)
+        if (declared := self.names.environments.get(name)) is not None:
             self.expand(token.standing_for(f"\\{name}"), declared.begin)
 
     def _end(self, token: Token, name: str) -> None:
+        declared = self.names.environments.get(name)
+        if declared is None or name == "subequations":
+            self.end_group(group_of(name))
+        else:
+            self.push([end_mark(token, group_of(name))])
+            self.expand(token.standing_for(f"\\end{name}"), declared.end)
         if name == "subequations":
             self.counters.end_subequations()
-        elif (declared := self.names.environments.get(name)) is not None:
-            self.expand(token.standing_for(f"\\end{name}"), declared.end)
 
-    def _skip_verbatim(self, name: str) -> None:
-        lexer = self.lexer()
-        if lexer is not None:
-            lexer.skip_past(f"\\end{{{name}}}")
-            return
-        while (token := self.pop()) is not None:
-            if token.text == "\\end" and self.word() == name:
-                return
+    def read_file(self, path: Path) -> None:
+        super().read_file(path)
+        if not self.in_document:  # a file of macros
+            self._run_hook("begindocument")
+            self.run()
+
+    def hook(self, token: Token) -> None:
+        """\\AtBeginDocument and its kin: their code is no group, and is obeyed later."""
+        name = _HOOKS[token.word] if token.word in _HOOKS else self.word()
+        self.optional() if token.word == "AddToHook" else None
+        code = self.argument()
+        if name not in self.hooks:
+            self.push([token.standing_for("{"), *code, token.standing_for("}")])
+        elif name == "begindocument" and self.in_document:
+            self.push(code)
+        else:
+            self.hooks[name] += code
+
+    def _run_hook(self, name: str) -> None:
+        code, self.hooks[name] = self.hooks[name], []
+        self.push(code)
+
+    def _has_more(self, token: Token) -> bool:
+        """Whether \\AtEndDocument has code, which is read before the document ends."""
+        if not self.hooks["enddocument"]:
+            return False
+        self.push([token.standing_for(part) for part in ("\\end", "{", "document", "}")])
+        self._run_hook("enddocument")
+        return True
 
     def _section(self, name: str) -> None:
         starred = self.star()
@@ -165,19 +205,6 @@ class TexReader(FileReader):
         self.counters.values["secnumdepth"] = -9
         self._section({"addchap": "chapter", "addsec": "section"}[token.word])
         self.counters.values["secnumdepth"] = outer
-
-    def verb(self, token: Token) -> None:
-        lexer = self.lexer()
-        if lexer is None:
-            return
-        if lexer.text.startswith("*", lexer.position):
-            lexer.position += 1
-        mark = lexer.text[lexer.position : lexer.position + 1]
-        lexer.position += 1
-        end_of_line = lexer.text.find("\n", lexer.position)
-        end = lexer.text.find(mark, lexer.position)
-        if mark and end >= 0 and (end < end_of_line or end_of_line < 0):
-            lexer.position = end + 1
 
     def number_within(self, token: Token) -> None:
         star = self.star()
@@ -212,11 +239,18 @@ class TexReader(FileReader):
         self.labels.setdefault(name, self.counters.current)
         self.starts.setdefault(name, len(self.displays))
 
-    def declare(self, name: str, macro: Macro) -> None:
-        super().declare(name, macro)
+    def declare(self, name: str, macro: Macro, everywhere: bool = False) -> None:
+        super().declare(name, macro, everywhere)
         if name.startswith("the") and name[3:] in self.counters.values and not macro.parameters:
-            self.counters.printed[name[3:]] = joined(macro.body)
+            self.assign(self.counters.printed, name[3:], joined(macro.body), everywhere)
 
+
+#: What stops prose and begins or ends a group; & does so in a cell alone.
+_GROUP_TOKENS = frozenset({"{", "}", "&", "\\\\"})
+_HOOKS = {
+    **dict.fromkeys(("AtBeginDocument", "AtEndPreamble"), "begindocument"),
+    "AtEndDocument": "enddocument",
+}
 
 _COMMANDS = {
     **dict.fromkeys(("input", "include", "subfile", "import", "subimport"), TexReader.include),
@@ -227,11 +261,17 @@ _COMMANDS = {
     "@addtoreset": lambda reader, token: reader.counters.within.update({reader.word(): reader.word()}),
     **dict.fromkeys(("counterwithout", "@removefromreset"), TexReader.without),
     **dict.fromkeys(("setcounter", "addtocounter", "stepcounter", "refstepcounter"), TexReader.count),
-    **dict.fromkeys(("verb", "lstinline"), TexReader.verb),
+    **dict.fromkeys(("verb", "Verb", "lstinline", "mintinline", "path", "url", "nolinkurl"), skip_verb),
+    **dict.fromkeys(("excludecomment", "excludeversion"), exclude),
+    **dict.fromkeys(("includecomment", "includeversion"), include),
+    "specialcomment": special,
+    **dict.fromkeys(("DefineVerbatimEnvironment", "lstnewenvironment", "newminted", "newtcblisting"), listing),
     **dict.fromkeys(("makeatletter", "makeatother"), TexReader.letters),
     "DeclareOption": TexReader.option,
     "ProcessOptions": TexReader.process_options,
     "ExecuteOptions": TexReader.execute_options,
+    **dict.fromkeys((*_HOOKS, "AddToHook"), TexReader.hook),
+    **dict.fromkeys(("AtEndOfPackage", "AtEndOfClass"), TexReader.at_end_of_style),
     "newtheorem": TexReader.new_theorem,
     "newcounter": TexReader.new_counter,
     "label": TexReader.label,

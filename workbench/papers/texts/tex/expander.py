@@ -4,8 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from workbench.papers.texts.tex.conditionals import CHOICES, decide, is_conditional, skip_branch, undecidable
+from workbench.papers.texts.tex.conditionals import (
+    CHOICES,
+    EXPANDABLE,
+    conditional,
+    decide,
+    is_conditional,
+    skip_branch,
+    undecidable,
+)
 from workbench.papers.texts.tex.fences import fence_of
+from workbench.papers.texts.tex.groups import BEGINGROUP, ended_by
 from workbench.papers.texts.tex.macros import DECLARATIONS
 from workbench.papers.texts.tex.state import FALSE, TRUE, Macro, Parameter, State
 from workbench.papers.texts.tex.stream import MOST_PUSHED
@@ -13,6 +22,9 @@ from workbench.papers.texts.tex.tokens import Call, Token
 
 #: No author nests macros deeper; one that calls itself does.
 DEEPEST = 60
+_PREFIXES = frozenset({"global", "long", "outer", "protected"})
+#: A brace by another name.
+_IMPLICIT = {"bgroup": "{", "egroup": "}"}
 
 
 class Expander(State):
@@ -21,12 +33,23 @@ class Expander(State):
     def step(self, token: Token) -> bool:
         """Whether the token was a declaration, a conditional or a macro, and what it comes to is now next."""
         word = token.word
-        if word is None or token.final:
+        if word is None:
             return False
-        if word in self.names.macros:
+        if (kind := ended_by(token)) is not None:
+            self.end_group(kind)
+            return True
+        if word in self.names.macros and not token.final:
             return self.expand(token, self.names.macros[word])
         if word in DECLARATIONS:
             DECLARATIONS[word](self, token)
+        elif word in _PREFIXES:
+            self._prefixed(word)
+        elif word == "begingroup":
+            self.groups.begin(BEGINGROUP)
+        elif word == "endgroup":
+            self.end_group(BEGINGROUP)
+        elif word in _IMPLICIT:
+            self.push([token.standing_for(_IMPLICIT[word])])
         elif word in CHOICES:
             self.push(CHOICES[word](self, token))
         elif word == "else":
@@ -35,13 +58,36 @@ class Expander(State):
             return True
         elif is_conditional(self, word):
             self._conditional(token)
-        elif word.endswith("true") and word[:-4] in self.names.flags:
-            self.names.flags[word[:-4]] = True
-        elif word.endswith("false") and word[:-5] in self.names.flags:
-            self.names.flags[word[:-5]] = False
         else:
-            return False
+            return self._sets_flag(word)
         return True
+
+    def _prefixed(self, word: str) -> None:
+        """Obeys the declaration behind \\global and its kin."""
+        prefixes = {word}
+        self.skip_spaces()
+        while (token := self.pop()) is not None:
+            if token.word in _PREFIXES:
+                prefixes.add(token.word)
+            elif not (token.word in self.names.macros and self.step(token)):
+                break
+            self.skip_spaces()
+        if token is None:
+            return
+        self.prefixes = frozenset(prefixes)
+        obeyed = self.step(token)
+        self.prefixes = frozenset()
+        if not obeyed:
+            self.push([token])
+
+    def _sets_flag(self, word: str) -> bool:
+        """Whether the word is \\nametrue or \\namefalse, which is then obeyed."""
+        for ending, value in (("true", True), ("false", False)):
+            name = word.removesuffix(ending)
+            if name != word and name in self.names.flags:
+                self.assign(self.names.flags, name, value, "global" in self.prefixes)
+                return True
+        return False
 
     def _conditional(self, token: Token) -> None:
         holds = decide(self, token)
@@ -49,6 +95,45 @@ class Expander(State):
             self.undecided(token)
         if holds is False:
             skip_branch(self, to_else=True)
+
+    def fully_expanded(self, body: Sequence[Token]) -> list[Token]:
+        outer, self.waiting = self.waiting, [*reversed(body)]
+        made: list[Token] = []
+        while (token := self.pop()) is not None:
+            made += self._unexpandable(token)
+        self.waiting = outer
+        return made
+
+    def _unexpandable(self, token: Token) -> Sequence[Token]:
+        """What stays of the token in \\edef; what it comes to is now next."""
+        word = token.word
+        if word is None or token.final:
+            return [token]
+        if word == "noexpand":
+            following = self.pop()
+            return [] if following is None else [following]
+        if word in ("unexpanded", "detokenize"):
+            return self.argument()
+        macro = self.names.macros.get(word)
+        if macro is not None:
+            return [token] if _stays(macro) or not self.expand(token, macro) else []
+        if word in EXPANDABLE:
+            self.push(CHOICES[word](self, token))
+            return []
+        if is_conditional(self, word):
+            return self._undecided_conditional(token)
+        return [] if word in ("else", "fi") and self.step(token) else [token]
+
+    def _undecided_conditional(self, token: Token) -> Sequence[Token]:
+        """The conditional as it stands, where the text does not decide it; nothing where it does."""
+        before = [*self.waiting]
+        holds = decide(self, token)
+        if holds is None:
+            self.waiting = before
+            return [token, *conditional(self)]
+        if holds is False:
+            skip_branch(self, to_else=True)
+        return []
 
     def expand(self, token: Token, macro: Macro) -> bool:
         """False for a macro that is left as it stands."""
@@ -106,6 +191,11 @@ class Expander(State):
     def _marker(self, holds: bool) -> Sequence[Token]:
         near = self.peek()
         return [] if near is None else [near.standing_for(TRUE if holds else FALSE)]
+
+
+def _stays(macro: Macro) -> bool:
+    """Whether \\edef leaves the macro as it stands: one that looks for a star or a bracket, too."""
+    return macro.keeps or macro.protected or any(p.kind not in ("braces", "until") for p in macro.parameters)
 
 
 def _call(token: Token, macro: Macro) -> Call:

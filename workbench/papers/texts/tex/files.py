@@ -37,6 +37,7 @@ class FileReader(DisplayReader):
         self.open_paths: list[Path] = []
         self.options: dict[str, Sequence[Token]] = {}  # of the style or class that is being read
         self.given: list[str] = []
+        self.at_end: list[Token] = []
         self.global_options: list[str] = []
 
     def run(self) -> None:
@@ -77,10 +78,17 @@ class FileReader(DisplayReader):
                 self.counters.use_class(name)
             if (path := self._find(name, (".sty", ".cls"))) is not None:
                 outer, self.waiting = self.waiting, []  # what it leaves open ends with it
-                known, self.options, self.given = (self.options, self.given), {}, given
+                known = self.options, self.given, self.at_end
+                self.options, self.given, self.at_end = {}, given, []
                 self._open(token, path)
                 self.run()
-                self.waiting, (self.options, self.given) = outer, known
+                self.push(self.at_end)
+                self.run()
+                self.waiting, (self.options, self.given, self.at_end) = outer, known
+
+    def at_end_of_style(self, token: Token) -> None:
+        """\\AtEndOfPackage: its code is no group, and is obeyed when the file has been read."""
+        self.at_end += self.argument()
 
     def option(self, token: Token) -> None:
         """\\DeclareOption: its code is obeyed where the option is given."""

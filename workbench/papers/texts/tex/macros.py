@@ -44,6 +44,8 @@ def _newcommand(expander: State, token: Token) -> None:
 
 def _def(expander: State, token: Token) -> None:
     expander.skip_spaces()
+    everywhere = token.word in ("gdef", "xdef") or "global" in expander.prefixes
+    protected = "protected" in expander.prefixes
     name = expander.pop()
     pattern: list[Token] = []
     while (following := expander.pop_within()) is not None:
@@ -54,6 +56,8 @@ def _def(expander: State, token: Token) -> None:
     body = expander.argument()
     if name is None or name.word is None:
         return
+    if token.word in ("edef", "xdef"):
+        body = expander.fully_expanded(body)
     prefix: list[str] = []
     parameters: list[tuple[Parameter, list[str]]] = []
     for each in pattern:
@@ -66,10 +70,12 @@ def _def(expander: State, token: Token) -> None:
         else:
             prefix.append(each.text)
     made = tuple(Parameter("until", tuple(marks)) if marks else bare for bare, marks in parameters)
-    expander.declare(name.word, Macro(made, tuple(body), _place(token), tuple(prefix)))
+    macro = Macro(made, tuple(body), _place(token), tuple(prefix), protected=protected)
+    expander.declare(name.word, macro, everywhere)
 
 
 def _let(expander: State, token: Token) -> None:
+    everywhere = "global" in expander.prefixes
     name = _name(expander)
     expander.skip_spaces()
     if expander.take("="):
@@ -77,8 +83,18 @@ def _let(expander: State, token: Token) -> None:
     target = expander.pop()
     if name is None or target is None:
         return
+    if name.startswith("if") and (flag := _flag_of(expander, target)) is not None:
+        expander.assign(expander.names.flags, name[2:], flag, everywhere)
+        return
     macro = expander.names.macros.get(target.word or "")
-    expander.declare(name, macro or Macro((), (target,), _place(token), keeps=True))
+    expander.declare(name, macro or Macro((), (target,), _place(token), keeps=True), everywhere)
+
+
+def _flag_of(expander: State, target: Token) -> bool | None:
+    """What \\iftrue, \\iffalse or a flag of the author says; None for another token."""
+    if target.word in ("iftrue", "iffalse"):
+        return target.word == "iftrue"
+    return expander.names.flags.get((target.word or "").removeprefix("if")) if target.text[:3] == "\\if" else None
 
 
 def _operator(expander: State, token: Token) -> None:
@@ -128,7 +144,7 @@ def _document_command(expander: State, token: Token) -> None:
         expander.warn(token, f"{message}; \\{name} is left as it stands")
         expander.opaque.add(name)
     elif not (token.word == "ProvideDocumentCommand" and name in expander.names.macros):
-        expander.declare(name, Macro(parameters, tuple(body), _place(token)))
+        expander.declare(name, Macro(parameters, tuple(body), _place(token), protected=True))
 
 
 def parameters_of(spec: Sequence[Token]) -> tuple[Parameter, ...] | None:
@@ -181,25 +197,33 @@ def _environment(expander: State, token: Token) -> None:
     parameters = _braces(count)
     if default is not None and count:
         parameters = (Parameter("optional", ("[", "]"), tuple(default)), *_braces(count - 1))
-    place = _place(token)
-    expander.names.environments[name] = Environment(
-        Macro(parameters, tuple(begin), place), Macro((), tuple(end), place)
-    )
+    _declare_environment(expander, token, name, parameters, begin, end)
 
 
 def _document_environment(expander: State, token: Token) -> None:
     name, parameters = expander.word(), parameters_of(expander.argument())
     begin, end = expander.argument(), expander.argument()
+    _declare_environment(expander, token, name, parameters or (), begin, end)
+
+
+def _declare_environment(
+    expander: State,
+    token: Token,
+    name: str,
+    parameters: tuple[Parameter, ...],
+    begin: Sequence[Token],
+    end: Sequence[Token],
+) -> None:
     place = _place(token)
-    expander.names.environments[name] = Environment(
-        Macro(parameters or (), tuple(begin), place), Macro((), tuple(end), place)
-    )
+    declared = Environment(Macro(parameters, tuple(begin), place), Macro((), tuple(end), place))
+    expander.assign(expander.names.environments, name, declared)
+    expander.assign(expander.names.printed, name, True)
 
 
 def _flag(expander: State, token: Token) -> None:
     name = _name(expander) or ""
     if name.startswith("if"):
-        expander.names.flags[name[2:]] = False
+        expander.assign(expander.names.flags, name[2:], False)
 
 
 def _place(token: Token) -> tuple[Source, int]:

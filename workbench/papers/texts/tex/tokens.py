@@ -18,7 +18,8 @@ _TOKEN = re.compile(
     | .""",
     re.VERBOSE | re.DOTALL,
 )
-_PROSE = re.compile(r"(?:[^\\$%\n]|\n(?![ \t]*\n))+")
+_PROSE = re.compile(r"(?:[^\\$%\n{}]|\n(?![ \t]*\n))+")
+_PROSE_OF_CELL = re.compile(r"(?:[^\\$%\n{}&]|\n(?![ \t]*\n))+")
 _LETTERS = re.compile(r"[A-Za-z]+")
 
 PARAGRAPH = "\\par"
@@ -93,9 +94,9 @@ class Lexer:
                     return self._token(match[0], match.start(), match.end())
         return None
 
-    def skip_prose(self) -> None:
+    def skip_prose(self, in_cell: bool = False) -> None:
         """Onward to the next character that means something outside of formulas."""
-        if match := _PROSE.match(self.text, self.position):
+        if match := (_PROSE_OF_CELL if in_cell else _PROSE).match(self.text, self.position):
             self.position = match.end()
 
     def skip_past(self, mark: str) -> str | None:

@@ -11,7 +11,7 @@ from workbench.papers.model import PaperError
 from workbench.papers.texts.delimiters import Found, within
 from workbench.papers.texts.markdown import markdown
 from workbench.papers.texts.restructured import restructured
-from workbench.papers.texts.tex.displays import CLOSING, INLINE, add
+from workbench.papers.texts.tex.displays import CLOSING, INLINE, add, read_display
 from workbench.papers.texts.tex.document import TexReader, Text
 from workbench.papers.texts.tex.macros import named
 from workbench.papers.texts.tex.state import Names
@@ -74,10 +74,6 @@ def _macros(path: Path) -> Names:
 
 
 def _read_found(reader: TexReader, found: Found) -> None:
-    if _DECLARATION.match(found.view.text):
-        reader.open(Lexer(found.view))
-        reader.run()
-        return
     found = within(found)
     for heading in found.passed:
         reader.starts.setdefault(heading, len(reader.displays))
@@ -85,8 +81,12 @@ def _read_found(reader: TexReader, found: Found) -> None:
     opening = Token("\\[", found.view.source, found.start, found.start + 1)
     if (closing := CLOSING.get(found.environment)) is not None:
         reader.push([Token(closing, found.view.source, found.end, found.end)])
+    reader.open(Lexer(found.view))
     told = len(reader.warnings)
-    display = reader.read_display(found.view, opening, found.environment)
+    if _DECLARATION.match(found.view.text) and not reader.has_more_than_declarations(closing):
+        reader.waiting.clear()
+        return
+    display = read_display(reader, opening, found.environment)
     reader.waiting.clear()
     if found.environment in INLINE:
         del reader.warnings[told:]

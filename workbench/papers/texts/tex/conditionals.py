@@ -230,8 +230,21 @@ CHOICES: dict[str, Choice] = {
     "@firstoftwo": lambda e, t: _chosen(e, True, t),
     "@secondoftwo": lambda e, t: _chosen(e, False, t),
     **dict.fromkeys(
-        ("@ifundefined", "@ifpackageloaded", "@ifclassloaded", "ifundef", "ifdef", "ifcsundef", "ifcsdef",
-         "ifbool", "iftoggle", "IfFileExists", "InputIfFileExists", "IfPackageLoadedTF", "IfClassLoadedTF"),
+        (
+            "@ifundefined",
+            "@ifpackageloaded",
+            "@ifclassloaded",
+            "ifundef",
+            "ifdef",
+            "ifcsundef",
+            "ifcsdef",
+            "ifbool",
+            "iftoggle",
+            "IfFileExists",
+            "InputIfFileExists",
+            "IfPackageLoadedTF",
+            "IfClassLoadedTF",
+        ),
         partial(_branches, tests=1),
     ),
     **dict.fromkeys(("@ifpackagelater", "@ifclasslater", "ifdefstring"), partial(_branches, tests=2)),
@@ -246,7 +259,9 @@ CHOICES: dict[str, Choice] = {
 
 #: Of these, what \edef carries out.
 EXPANDABLE = frozenset(
-    name for name in CHOICES if name.startswith(("IfNoValue", "IfValue", "IfBoolean", "@firstof", "@secondof"))
+    name
+    for name in CHOICES
+    if name.startswith(("IfNoValue", "IfValue", "IfBoolean", "@firstof", "@secondof"))
 ) | {"ifstrempty", "ifblank", "notblank"}
 
 

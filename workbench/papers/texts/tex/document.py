@@ -11,9 +11,10 @@ from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, add,
 from workbench.papers.texts.tex.files import Directive, FileReader
 from workbench.papers.texts.tex.groups import CELL, end_mark
 from workbench.papers.texts.tex.groups import environment as group_of
+from workbench.papers.texts.tex.macros import DECLARATIONS
 from workbench.papers.texts.tex.numbering import SECTIONS
 from workbench.papers.texts.tex.state import Macro, Names
-from workbench.papers.texts.tex.tokens import PARAGRAPH, Lexer, Token, joined
+from workbench.papers.texts.tex.tokens import PARAGRAPH, Token, joined
 from workbench.papers.texts.tex.unprinted import (
     exclude,
     include,
@@ -23,7 +24,7 @@ from workbench.papers.texts.tex.unprinted import (
     skip_verb,
     special,
 )
-from workbench.papers.texts.view import Source, View
+from workbench.papers.texts.view import Source
 
 
 @dataclass
@@ -57,9 +58,15 @@ class TexReader(FileReader):
         self.in_document = False
         self.hooks: dict[str, list[Token]] = {"begindocument": [], "enddocument": []}
 
-    def read_display(self, view: View, opening: Token, environment: str) -> Display:
-        self.open(Lexer(view))
-        return read_display(self, opening, environment)
+    def has_more_than_declarations(self, closing: str | None) -> bool:
+        """Whether a formula that begins with declarations, which are obeyed, holds anything else."""
+        while (token := self.pop()) is not None and token.text != closing:
+            if token.word in _PREAMBLE:
+                self._is_end(token)
+            elif token.text != PARAGRAPH and not token.text.isspace():
+                self.push([token])
+                return True
+        return False
 
     def run(self) -> None:
         while True:
@@ -245,6 +252,16 @@ class TexReader(FileReader):
             self.assign(self.counters.printed, name[3:], joined(macro.body), everywhere)
 
 
+#: What stands in a formula that only declares macros, as for MathJax.
+_PREAMBLE = frozenset(DECLARATIONS) | {
+    "global",
+    "long",
+    "protected",
+    "makeatletter",
+    "makeatother",
+    "usepackage",
+    "require",
+}
 #: What stops prose and begins or ends a group; & does so in a cell alone.
 _GROUP_TOKENS = frozenset({"{", "}", "&", "\\\\"})
 _HOOKS = {
@@ -265,7 +282,9 @@ _COMMANDS = {
     **dict.fromkeys(("excludecomment", "excludeversion"), exclude),
     **dict.fromkeys(("includecomment", "includeversion"), include),
     "specialcomment": special,
-    **dict.fromkeys(("DefineVerbatimEnvironment", "lstnewenvironment", "newminted", "newtcblisting"), listing),
+    **dict.fromkeys(
+        ("DefineVerbatimEnvironment", "lstnewenvironment", "newminted", "newtcblisting"), listing
+    ),
     **dict.fromkeys(("makeatletter", "makeatother"), TexReader.letters),
     "DeclareOption": TexReader.option,
     "ProcessOptions": TexReader.process_options,
@@ -284,4 +303,5 @@ _COMMANDS = {
     **dict.fromkeys(("frontmatter", "backmatter"), lambda reader, token: reader.counters.matter(main=False)),
     "ExplSyntaxOn": TexReader.expl3,
     "endinput": TexReader.end_file,
+    "require": lambda reader, token: reader.argument(),
 }

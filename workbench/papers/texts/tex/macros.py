@@ -94,7 +94,11 @@ def _flag_of(expander: State, target: Token) -> bool | None:
     """What \\iftrue, \\iffalse or a flag of the author says; None for another token."""
     if target.word in ("iftrue", "iffalse"):
         return target.word == "iftrue"
-    return expander.names.flags.get((target.word or "").removeprefix("if")) if target.text[:3] == "\\if" else None
+    return (
+        expander.names.flags.get((target.word or "").removeprefix("if"))
+        if target.text[:3] == "\\if"
+        else None
+    )
 
 
 def _operator(expander: State, token: Token) -> None:

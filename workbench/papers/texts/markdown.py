@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from workbench.papers.texts.delimiters import Found, formulas
+from workbench.papers.texts.indented_code import IndentedCode
 from workbench.papers.texts.prose import plain
 from workbench.papers.texts.tex.displays import INLINE
 from workbench.papers.texts.view import View
@@ -28,6 +29,8 @@ _UNDERLINE = re.compile(r"(?:={3,}|-{3,})[ \t]*")
 _KEY = re.compile(r"[\w-]+:(?:\s|$)")
 _QUOTE = re.compile(r"(?m)^[ \t]*>[ ]?")
 _TICKS = re.compile(r"`+")
+#: What begins a comment, HTML that is code, or code.
+_UNREAD = re.compile(r"<!--|<(?P<name>pre|code|script|style|textarea)\b[^<>\n]*>|`+", re.IGNORECASE)
 _SINGLE = re.compile(r"(?<![\\$])\$(?!\$)[^$\n]+\$(?!\$)")
 _DOLLARS = re.compile(rf"\$\$.*?\$\$|{_SINGLE.pattern}", re.DOTALL)
 #: \\[4pt] behind a row.
@@ -146,6 +149,7 @@ def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]], list
         pieces.append(_blank(text[:position]))
     fence: tuple[str, int, int, str | None] | None = None
     directives: list[str] = []
+    indented = IndentedCode()
     for line in text[position:].splitlines(keepends=True):
         match = _FENCE.match(line)
         after = position + len(line)
@@ -156,12 +160,16 @@ def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]], list
                 if label is not None:
                     fenced.append((inner, position, start, label))
                 fence = None
+                indented.end_block()
+            pieces.append(_blank(line))
+        elif indented.holds(line):
             pieces.append(_blank(line))
         elif match and directives and match[2].startswith(directives[-1]) and not match[3].strip():
             directives.pop()
             pieces.append(_blank(line))
         elif match and match[2][0] != ":" and _DIRECTIVE.fullmatch(match[3].rstrip("\n")):
             directives.append(match[2])
+            indented.end_block()
             pieces.append(_blank(line))
         elif match and not (match[2][0] == "`" and "`" in match[3]):
             is_math = _MATH_FENCE.fullmatch(match[3].rstrip("\n"))
@@ -175,44 +183,56 @@ def _without_code(text: str) -> tuple[str, list[tuple[int, int, int, str]], list
         position = after
     if fence is not None and fence[3] is not None:
         fenced.append((fence[2], len(text), fence[1], fence[3]))
-    searched, ticked = _without_spans(_without_comments("".join(pieces)))
+    searched, ticked = _without_spans("".join(pieces))
     return searched, fenced, ticked
 
 
-def _without_comments(text: str) -> str:
-    pieces, position = [], 0
-    while (start := text.find("<!--", position)) >= 0 and (end := text.find("-->", start)) >= 0:
-        pieces += [text[position:start], _blank(text[start : end + 3])]
-        position = end + 3
-    return "".join([*pieces, text[position:]])
-
-
 def _without_spans(text: str) -> tuple[str, list[tuple[int, int, int, int]]]:
-    """Without code between as many backticks on either side; and the formulas of GitHub's $`…`$."""
+    """Without comments, HTML that is code, and code between as many backticks on either side; and the
+    formulas of GitHub's $`…`$."""
     ticked: list[tuple[int, int, int, int]] = []
-    runs = [match.span() for match in _TICKS.finditer(text)]
     by_length: dict[int, list[int]] = defaultdict(list)
-    for start, end in runs:
-        by_length[end - start].append(start)
+    for run in _TICKS.finditer(text):
+        by_length[len(run[0])].append(run.start())
     pieces, position = [], 0
-    for start, end in runs:
+    absent: set[str] = set()
+    for match in _UNREAD.finditer(text):
+        start = match.start()
         if start < position:
             continue
-        same = by_length[end - start]
-        place = bisect_right(same, start)
-        if place == len(same):
-            continue
-        closing = same[place] + end - start
-        if "\n\n" in text[start : min(closing, start + 5000)] or closing - start > 5000:
-            continue
-        is_formula = text[start - 1 : start] == "$" and text[closing : closing + 1] == "$"
-        if is_formula:
-            ticked.append((start - 1, end, closing - (end - start), closing + 1))
-            pieces += [text[position : start - 1], _blank(text[start - 1 : closing + 1])]
+        if match[0][0] == "`":
+            end = _end_of_ticks(text, match, by_length[len(match[0])])
+            if end and text[start - 1 : start] == "$" and text[end : end + 1] == "$":
+                ticked.append((start - 1, match.end(), end - len(match[0]), end + 1))
+                start, end = start - 1, end + 1
         else:
-            pieces += [text[position:start], _blank(text[start:closing])]
-        position = closing + is_formula
+            end = _end_of_markup(text, match, absent)
+        if end:
+            pieces += [text[position:start], _blank(text[start:end])]
+            position = end
     return "".join([*pieces, text[position:]]), ticked
+
+
+def _end_of_ticks(text: str, run: re.Match[str], same: list[int]) -> int | None:
+    """Where the code span ends that begins with these backticks; None if they begin none. same: where as
+    many stand."""
+    place = bisect_right(same, run.start())
+    if place == len(same):
+        return None
+    end = same[place] + len(run[0])
+    is_far = end - run.start() > 5000
+    return None if is_far or "\n\n" in text[run.start() : end] else end
+
+
+def _end_of_markup(text: str, match: re.Match[str], absent: set[str]) -> int | None:
+    """Where the comment or the element ends. A comment that begins a line and never ends takes all."""
+    closing = f"</{match['name'].lower()}" if match["name"] else "-->"
+    found = None if closing in absent else re.compile(closing, re.IGNORECASE).search(text, match.end())
+    if found is not None:
+        return found.end()
+    absent.add(closing)
+    begins_line = not text[text.rfind("\n", 0, match.start()) + 1 : match.start()].strip()
+    return len(text) if begins_line and not match["name"] else None
 
 
 def _blank(text: str) -> str:

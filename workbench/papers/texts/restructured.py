@@ -18,6 +18,8 @@ _CODE = re.compile(
     r"\s*\.\. (code|code-block|sourcecode|raw|literalinclude|comment|jupyter-\w+|parsed-literal)\b"
 )
 _UNDERLINE = re.compile(r"([=\-~^\"'`#*+.:_])\1{2,}\s*")
+#: What begins with two dots and is no directive, target, footnote or substitution.
+_COMMENT = re.compile(r"\s*\.\.(?:[ \t]+(?![\[_|]|[\w:+.-]+::)\S.*|[ \t]*)")
 _ROLE = re.compile(r":math:`([^`]+)`")
 
 
@@ -51,9 +53,21 @@ def restructured(view: View) -> Iterator[Found]:
                 section = plain(lines[place - 1].text)
             yield from _roles(view, line, section)
             is_note = line.text.lstrip().startswith(".. ")
-            if _CODE.match(line.text) or (line.text.rstrip().endswith("::") and not is_note):
+            if (
+                _CODE.match(line.text)
+                or (line.text.rstrip().endswith("::") and not is_note)
+                or _is_comment(line, lines[place + 1 : place + 2])
+            ):
                 literal = line.indent
         place += 1
+
+
+def _is_comment(line: _Line, following: list[_Line]) -> bool:
+    """Two dots alone before an empty line hold nothing."""
+    is_alone = line.text.strip() == ".."
+    return _COMMENT.fullmatch(line.text) is not None and not (
+        is_alone and (not following or not following[0].text.strip())
+    )
 
 
 def _directive(

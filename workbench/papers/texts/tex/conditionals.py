@@ -159,7 +159,7 @@ def _empty(expander: State) -> bool:
 
 
 def _branches(expander: State, token: Token, tests: int) -> Sequence[Token]:
-    """Of two arguments behind a test that the text does not decide: in a formula the first, elsewhere both."""
+    """Of two arguments behind a test that is not decided: in a formula the first, elsewhere both."""
     for _ in range(tests):
         expander.argument()
     yes, no = expander.argument(), expander.argument()

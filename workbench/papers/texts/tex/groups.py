@@ -16,8 +16,9 @@ CLOSING = {"}": BRACES, "\\right": LEFT, "\\endgroup": BEGINGROUP}
 
 #: Environments whose cells are groups.
 ALIGNMENTS = frozenset((
-    "align", "alignat", "aligned", "alignedat", "array", "bmatrix", "Bmatrix", "bmatrix*", "Bmatrix*", "cases",
-    "cases*", "darray", "dcases", "dcases*", "dgroup", "drcases", "eqnarray", "flalign", "gather", "gathered",
+    "align", "alignat", "aligned", "alignedat", "array", "bmatrix", "Bmatrix", "bmatrix*", "Bmatrix*",
+    "cases", "cases*", "darray", "dcases", "dcases*", "dgroup", "drcases", "eqnarray", "flalign", "gather",
+    "gathered",
     "IEEEeqnarray", "IEEEeqnarraybox", "longtable", "matrix", "matrix*", "multline", "multlined", "NiceArray",
     "NiceMatrix", "NiceTabular", "pmatrix", "pmatrix*", "pNiceMatrix", "bNiceMatrix", "rcases", "smallmatrix",
     "bsmallmatrix", "psmallmatrix", "split", "subarray", "subeqnarray", "supertabular", "tabular", "tabularx",
@@ -89,7 +90,7 @@ class Groups:
         return set()
 
     def end_to(self, depth: int) -> set[str]:
-        """Ends the groups that were begun since `depth` were open; the names that have their old value again."""
+        """Ends all groups but the first `depth`; the names that have their old value again."""
         while len(self._kinds) > depth:
             self._count[self._kinds.pop()] -= 1
         restored = set()

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from workbench.papers.texts.tex.state import NO_VALUE, Environment, Macro, Parameter, State
 from workbench.papers.texts.tex.tokens import Token, joined, lex
+from workbench.papers.texts.tex.unprinted import is_verbatim
 from workbench.papers.texts.view import Source, View
 
 
@@ -221,7 +222,7 @@ def _declare_environment(
     place = _place(token)
     declared = Environment(Macro(parameters, tuple(begin), place), Macro((), tuple(end), place))
     expander.assign(expander.names.environments, name, declared)
-    expander.assign(expander.names.printed, name, True)
+    expander.assign(expander.names.printed, name, not is_verbatim(expander, begin))
 
 
 def _flag(expander: State, token: Token) -> None:

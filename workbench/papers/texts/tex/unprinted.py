@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from workbench.papers.texts.tex.state import Environment, Macro, State
 from workbench.papers.texts.tex.tokens import Lexer, Token, joined
@@ -19,6 +20,11 @@ _BRACE = re.compile(r"[{}]|\n[ \t]*\n")
 def is_unprinted(reader: State, name: str) -> bool:
     """Whether the environment holds no formulas: it is excluded, or what stands in it is printed as typed."""
     return not reader.names.printed.get(name, name not in _VERBATIM)
+
+
+def is_verbatim(reader: State, begin: Sequence[Token]) -> bool:
+    """Whether the code that begins an environment begins a verbatim one, as \\comment does."""
+    return any(token.word in _VERBATIM and token.word not in reader.names.macros for token in begin)
 
 
 def skip_environment(reader: State, name: str) -> None:

@@ -1,0 +1,77 @@
+"""Code blocks of Markdown that are indented by four columns, as CommonMark reads them."""
+
+from __future__ import annotations
+
+import re
+
+_QUOTES = re.compile(r"(?: {0,3}> ?)*")
+_MARKER = re.compile(r" *(?:[-+*:]|\d{1,9}[.)])(?: +|$)")
+#: A footnote, and what MkDocs shows in a box or below a tab: what belongs to it is indented by four.
+_BOX = re.compile(r" *(?:\[\^[^\]]+\]:|(?:!!!|\?\?\?\+?|===) )")
+_RULE = re.compile(r" *(?:(?:\* *){3,}|(?:- *){3,}|(?:_ *){3,}|=+) *$")
+_HEADING = re.compile(r" *#{1,6}(?: |$)")
+_SPAN = re.compile(r"`[^`]*`")
+_WIDTH = 4
+
+
+class IndentedCode:
+    """Tells of one line after the other whether it is indented code.
+
+    A line is, if it is indented by four columns more than the list item around it and continues no
+    paragraph. A formula that holds a blank line is no code.
+    """
+
+    def __init__(self) -> None:
+        self._columns: list[int] = []  # where the contents of the open list items begin
+        self._quotes = 0
+        self._is_after_blank = True
+        self._in_paragraph = False
+        self._dollars_open = False
+        self._environments = 0
+
+    def holds(self, line: str) -> bool:
+        """Whether the line is code; lines within fences are not asked about."""
+        written = line.rstrip("\n").expandtabs(_WIDTH)
+        quoted = _QUOTES.match(written)
+        self._in_quotes(quoted[0].count(">"))
+        rest = written[quoted.end() :]
+        if not rest.strip():
+            self._is_after_blank, self._in_paragraph = True, False
+            return False
+        indent = len(rest) - len(rest.lstrip())
+        is_item = _MARKER.match(rest) is not None and not _RULE.match(rest)
+        if self._is_after_blank or is_item or not self._in_paragraph:
+            while self._columns and indent < self._columns[-1]:
+                self._columns.pop()
+        column = self._columns[-1] if self._columns else 0
+        is_indented = indent - column >= _WIDTH and not self._in_paragraph
+        self._is_after_blank = False
+        if is_indented and not self._dollars_open and self._environments == 0:
+            return True
+        self._text(rest, indent, is_item)
+        return False
+
+    def end_block(self) -> None:
+        """Called behind a fence: what follows continues no paragraph."""
+        self._in_paragraph = False
+
+    def _in_quotes(self, quotes: int) -> None:
+        if quotes != self._quotes:
+            self._columns.clear()
+            self._in_paragraph = self._in_paragraph and quotes < self._quotes
+        self._quotes = quotes
+
+    def _text(self, rest: str, indent: int, is_item: bool) -> None:
+        is_heading = _HEADING.match(rest) is not None
+        self._in_paragraph = not (is_heading or _RULE.match(rest))
+        if is_heading:
+            self._dollars_open, self._environments = False, 0
+        text = _SPAN.sub("", rest)
+        self._dollars_open ^= text.count("$$") % 2 == 1
+        self._environments = max(0, self._environments + text.count("\\begin{") - text.count("\\end{"))
+        if _BOX.match(rest):
+            self._columns.append(indent + _WIDTH)
+        at = 0
+        while is_item and (marker := _MARKER.match(rest, at)) is not None:
+            at = marker.end()
+            self._columns.append(at)

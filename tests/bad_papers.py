@@ -57,7 +57,14 @@ BAD_PAPERS = [
     BadPaper("a key given twice", "title = 'x'\ntitle = 'y'«\n", "not TOML"),
     BadPaper("a table given twice", HEAD + "[symbols«]\n", "not TOML"),
     BadPaper("NUL", "title = 'a«\0b'\n", "not TOML"),
-    BadPaper("deep nesting", "«x = " + "[" * 20_000 + "]" * 20_000, "nested too deep"),
+    BadPaper("deep lists", "x = " + "[" * 100 + "«" + "[" * 19_900 + "]" * 20_000, "nested too deep"),
+    BadPaper("lists deeper than allowed", "x = " + "[" * 100 + "«" + "[" * 5 + "]" * 105, "nested too deep"),
+    BadPaper(
+        "deep tables", "x = " + "{a=" * 100 + "«" + "{a=" * 19_900 + "1" + "}" * 20_000, "nested too deep"
+    ),
+    BadPaper("a deep key", HEAD + "«" + "a." * 20_000 + "a = 1\n", "nested too deep"),
+    BadPaper("a deep key of a symbol", HEAD + "«" + "a." * 101 + "a = 1\n", "nested too deep"),
+    BadPaper("a deep header", HEAD + "[«" + "a." * 20_000 + "a]\nb = 1\n", "nested too deep"),
     BadPaper("a huge integer", "«x = " + "1" * 5_000, "not TOML"),
     BadPaper("a byte-order mark", "«\ufefftitle = 'x'\n", "byte-order mark"),
     # the top of the file

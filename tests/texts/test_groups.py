@@ -12,7 +12,9 @@ from plasTeX.TeX import TeX
 
 import proofs
 from tests.texts.nested_groups import MARKS, PROBE, WRITTEN, Document
+from workbench.papers.load import load_paper
 from workbench.papers.texts import Text, read_text
+from workbench.verify.claims import judge_paper
 
 PROSE = (
     "braces",
@@ -207,3 +209,63 @@ def test_mathjax_keeps_what_a_formula_declares(tmp_path: Path, name: str) -> Non
         else (".. math:: \\def\\x{g} a = \\x", ".. math:: {\\def\\x{h}} b = \\x")
     )
     assert _printed(_read(tmp_path, f"{first}\n\n{second}\n", name)) == "a=g{}b=g"
+
+
+MODEL = 'source = "p.tex"\n[symbols]\na = "vector"\nb = "vector"\nf = "scalar"\ng = "scalar"\n'
+
+#: Where a definition ends before what follows: (what is declared, what follows, the verdicts by label).
+JUDGED = [
+    (r"{\renewcommand{\x}{g} Here \(\x\) is another.}", r"f \x = f^2 + 0 g", "proved"),
+    (r"{\renewcommand{\x}{g} Here \(\x\) is another.}", r"f \x = f g + 0 g", "refuted"),
+    (r"\begin{quote}\def\x{g} Words. \end{quote}", r"f \x = f^2 + 0 g", "proved"),
+    (r"\renewcommand{\x}{a}{\renewcommand{\x}{b} Words.}", r"\x \times b = 0", "refuted"),
+]  # fmt: skip
+AROUND = {
+    "braces": r"{%s}",
+    "begingroup": r"\begingroup%s\endgroup",
+    "bgroup": r"\bgroup%s\egroup",
+    "environment": r"\begin{center}%s\end{center}",
+    "own environment": r"\begin{own}%s\end{own}",
+    "inline": r"\(%s\)",
+    "display": r"\[%s a = a\]",
+    "left": r"\[\left(%s a\right) = a\]",
+    "cell": r"\begin{align*}%s a &= a\end{align*}",
+    "table": r"\begin{tabular}{c}%s & \\ \end{tabular}",
+    "footnote": r"\footnote{%s}",
+    "item": r"\begin{itemize}\item %s\end{itemize}",
+}
+DECLARED = [
+    r"\renewcommand{\x}{g}",
+    r"\def\x{g}",
+    r"\let\x=g",
+    r"\let\x\y",
+    r"\edef\x{\y}",
+    r"\DeclareRobustCommand\x{g}",
+]
+JUDGED += [
+    (AROUND[kind] % declared, formula, verdict)
+    for kind in AROUND
+    for declared in DECLARED
+    for formula, verdict in ((r"f \x = f^2 + 0 g", "proved"), (r"f \x = f g + 0 g", "refuted"))
+]
+JUDGED += [
+    (r"{\global\def\x{g}}", r"f \x = f g + 0 f", "proved"),
+    (r"{\gdef\x{g}}", r"f \x = f^2 + 0 g", "refuted"),
+    (r"\def\y{f}\edef\x{\y}\def\y{g}", r"f \x = f^2 + 0 g", "proved"),
+]
+
+
+def test_the_formula_that_is_printed_is_judged(tmp_path: Path) -> None:
+    """All in one text, each behind a definition of x that holds for it."""
+    parts = [
+        rf"\def\x{{f}}\def\y{{g}}{declared} \begin{{equation}}\label{{{place}}} {formula} \end{{equation}}"
+        for place, (declared, formula, _) in enumerate(JUDGED)
+    ]
+    preamble = r"\documentclass{article}\newenvironment{own}{}{}\begin{document}"
+    (tmp_path / "p.tex").write_text(preamble + "\n\n".join(parts) + r"\end{document}")
+    (tmp_path / "p.toml").write_text(MODEL)
+    results = judge_paper(load_paper(tmp_path / "p.toml"))
+    got = {result.claim.id: str(result.verdict.outcome) for result in results}
+    assert {str(place): got[str(place)] for place in range(len(JUDGED))} == {
+        str(place): wanted for place, (_, _, wanted) in enumerate(JUDGED)
+    }

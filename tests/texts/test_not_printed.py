@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from workbench.papers.load import load_paper
 from workbench.papers.texts import read_text
+from workbench.verify.claims import judge_paper
 
 SHOWN, HIDDEN = r"\[ a = b \]", r"\[ a = c \]"
 
@@ -195,3 +197,20 @@ def test_comments_of_restructuredtext_are_not_judged(
 )
 def test_code_and_comments_of_html_are_not_judged(tmp_path: Path, html: str) -> None:
     assert _displays(tmp_path, f"<p>$$a = b$$</p>{html}<p>$$a = b$$</p>", "p.html") == ["a=b", "a=b"]
+
+
+JUDGED = {
+    "p.tex": r"\documentclass{article}\usepackage{comment}\excludecomment{solution}\begin{document}"
+    r"\begin{solution}\begin{equation} f = f + 1 \end{equation}" + "\n"
+    r"\end{solution}\begin{equation} f g = g f \end{equation}\end{document}",
+    "p.md": "Text.\n\n    $$f = f + 3$$\n\nMore $$f g = g f$$\n",
+    "p.rst": "..\n   .. math:: f = f + 3\n\n.. math:: f g = g f\n",
+}
+
+
+@pytest.mark.parametrize("name", JUDGED)
+def test_only_what_is_printed_has_a_verdict(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text(JUDGED[name])
+    (tmp_path / "p.toml").write_text(f'source = "{name}"\n[symbols]\nf = "scalar"\ng = "scalar"\n')
+    (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
+    assert "g f" in result.claim.printed.latex

@@ -79,7 +79,7 @@ def model_beside(text: Path) -> Path | None:
         source = tomllib.loads(path.read_text("utf-8")).get("source")
     except FileNotFoundError:
         return None
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return path  # its fault is told when it is read
     return path if source == text.name else None
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from workbench.papers.model import PaperError
 from workbench.papers.texts.delimiters import Found, within
+from workbench.papers.texts.includes import includes, unread
 from workbench.papers.texts.markdown import markdown
 from workbench.papers.texts.restructured import restructured
 from workbench.papers.texts.tex.displays import CLOSING, INLINE, add, read_display
@@ -62,6 +63,8 @@ def read_text(
         source = Source.open(path)
         reader.formulas_are_groups = False  # MathJax keeps what a formula declares
         reader.sources.append(source)
+        for start, name in includes(source.text, path.suffix.lower()):
+            reader.warn(Token("", source, start, start), unread(path, name))
         for found in find(source.view()):
             _read_found(reader, found)
     return _text(path, reader)

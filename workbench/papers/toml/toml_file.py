@@ -9,12 +9,16 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
+from workbench.language.typed.errors import place
 from workbench.papers.model import PaperError
 from workbench.papers.toml.file_bytes import file_bytes
-from workbench.papers.toml.toml_places import KeyPath, Places
+from workbench.papers.toml.toml_places import MOST_DEEP, KeyPath, Places, TooDeep, deep_place
 
 MOST_BYTES = 4_000_000
 _TOMLLIB_PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)
+_LONG_KEY = re.compile(
+    rf"""(?<![\w.-])(?:(?:[A-Za-z0-9_-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){{{MOST_DEEP}}}"""
+)
 _TYPE_NAMES = {
     str: "a string",
     bool: "true or false",
@@ -35,13 +39,19 @@ class TomlFile:
     def __init__(self, path: Path, text: str | None = None) -> None:
         self.path = path
         text = self._text() if text is None else text
+        if (
+            _LONG_KEY.search(text) and (offset := deep_place(text)) is not None
+        ):  # it would take tomllib minutes
+            raise self._too_deep(text, offset)
         try:
             self.data: dict[str, Any] = tomllib.loads(text)
             self.places = Places.scan(text)
+        except TooDeep as fault:
+            raise self._too_deep(text, fault.offset) from None
         except tomllib.TOMLDecodeError as error:
             raise self._syntax_error(error, text) from None
         except RecursionError:
-            raise PaperError(path, 1, 1, "tables or lists are nested too deep") from None
+            raise self._too_deep(text, deep_place(text) or 0) from None
         except ValueError as error:  # such as an integer of more digits than Python converts
             raise PaperError(path, 1, 1, f"not TOML: {error}") from None
 
@@ -144,6 +154,10 @@ class TomlFile:
         if not text.strip():
             raise PaperError(self.path, 1, 1, "is empty; expected a paper file with [[claim]] tables")
         return text
+
+    def _too_deep(self, text: str, offset: int) -> PaperError:
+        message = f"tables or lists are nested too deep; expected at most {MOST_DEEP} in each other"
+        return PaperError(self.path, *place(text.replace("\r\n", "\n"), offset), message)
 
     def _syntax_error(self, error: tomllib.TOMLDecodeError, text: str) -> PaperError:
         message, line, column = str(error), None, None

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 from workbench.language.typed.errors import place
@@ -15,12 +16,23 @@ from workbench.language.typed.errors import place
 #: Keys and array positions from the top of the file: ("claim", 3, "printed").
 KeyPath = tuple[str | int, ...]
 
+#: Tables and lists that a file may nest in each other.
+MOST_DEEP = 100
+
 _BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _BARE_VALUE = re.compile(r"[^,\]}\n#]+")
 _PLAIN = re.compile(r'[^"\\]*')
 _LINE_END_ESCAPE = re.compile(r"\\[ \t]*\n[ \t\n]*")
 _ESCAPE_LENGTH = {"u": 6, "U": 10, "x": 4}
+
+
+class TooDeep(Exception):
+    """More than MOST_DEEP tables or lists are nested in each other at this offset."""
+
+    def __init__(self, offset: int) -> None:
+        super().__init__(offset)
+        self.offset = offset
 
 
 @dataclass
@@ -63,6 +75,16 @@ class Places:
                 return place(self.text, offset)
             at_line, at_column = (at_line + 1, 1) if character == "\n" else (at_line, at_column + 1)
         return place(self.text, string_end(self.text, start) - 1)
+
+
+def deep_place(text: str) -> int | None:
+    """Where tables or lists are nested too deep in a text that may be no TOML; None if nowhere."""
+    with suppress(IndexError, AttributeError, ValueError, RecursionError):
+        try:
+            Places.scan(text)
+        except TooDeep as fault:
+            return fault.offset
+    return None
 
 
 def characters(text: str, start: int) -> Iterator[tuple[int, str]]:
@@ -145,6 +167,8 @@ class _Scanner:
         parts = []
         while True:
             start = self._skip_blank()
+            if len(parts) > MOST_DEEP:
+                raise TooDeep(parts[0][1])
             if self.text[start] in "\"'":
                 self.at = string_end(self.text, start)
                 name = self._quoted(start)
@@ -163,6 +187,8 @@ class _Scanner:
 
     def _value(self, path: KeyPath) -> None:
         start = self._skip_blank()
+        if len(path) > MOST_DEEP:
+            raise TooDeep(start)
         self.places.values[path] = start
         opening = self.text[start]
         if opening in "\"'":

@@ -241,7 +241,6 @@ CHOICES: dict[str, Choice] = {
             "ifbool",
             "iftoggle",
             "IfFileExists",
-            "InputIfFileExists",
             "IfPackageLoadedTF",
             "IfClassLoadedTF",
         ),

@@ -8,7 +8,7 @@ from pathlib import Path
 from workbench.papers.model import PaperError
 from workbench.papers.texts.prose import plain
 from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, add, read_display
-from workbench.papers.texts.tex.files import Directive, FileReader
+from workbench.papers.texts.tex.files import INCLUDING, Directive, FileReader
 from workbench.papers.texts.tex.groups import CELL, end_mark
 from workbench.papers.texts.tex.groups import environment as group_of
 from workbench.papers.texts.tex.macros import DECLARATIONS
@@ -270,7 +270,7 @@ _HOOKS = {
 }
 
 _COMMANDS = {
-    **dict.fromkeys(("input", "include", "subfile", "import", "subimport"), TexReader.include),
+    **dict.fromkeys(INCLUDING, TexReader.include),
     **dict.fromkeys(
         ("usepackage", "RequirePackage", "documentclass", "LoadClass", "LoadClassWithOptions"), TexReader.use
     ),

@@ -15,6 +15,10 @@ from workbench.papers.texts.view import Source
 _CLASS = ("documentclass", "LoadClass", "LoadClassWithOptions")
 _STYLES = (".sty", ".cls", ".def", ".clo")
 _MOST_FILES = 500
+#: Of these the folder is an argument by itself.
+FROM_FOLDER = ("import", "subimport", "includefrom", "inputfrom", "subincludefrom", "subinputfrom")
+#: What reads a file where it stands.
+INCLUDING = (*FROM_FOLDER, "input", "include", "subfile", "subfileinclude", "@input", "InputIfFileExists")
 
 
 @dataclass(frozen=True)
@@ -60,13 +64,25 @@ class FileReader(DisplayReader):
             self.open_paths.pop()
 
     def include(self, token: Token) -> None:
-        folder = self.word() if token.word in ("import", "subimport") else ""
+        """\\input and its kin; what \\InputIfFileExists carries out besides."""
+        folder = joined(self.fully_expanded(self.argument())).strip() if token.word in FROM_FOLDER else ""
         name = (folder + self._file_name()).strip().strip('"')
         path = self._find(name, ("", ".tex"))
-        if path is None:
-            self.warn(token, f"no file {name!r} beside this one")
-        else:
+        if token.word == "InputIfFileExists":
+            there, missing = self.argument(), self.argument()
+            self.push(missing if path is None else there)
+        elif path is None:
+            self.warn(token, f"no file {name!r} beside this one; what it holds is not judged")
+        if path is not None:
+            self._tell_outside(token, name, path)
             self._open(token, path)
+
+    def _tell_outside(self, token: Token, name: str, path: Path) -> None:
+        """A warning where who gets the folder of the text does not get the file."""
+        is_outside = not path.resolve().is_relative_to(self.root.resolve())
+        if is_outside or Path(name).is_absolute():
+            why = "an absolute path" if Path(name).is_absolute() else "outside of the folder of the text"
+            self.warn(token, f"{name!r} is {why}; it is read, but copy it beside the text and name it there")
 
     def use(self, token: Token) -> None:
         """\\usepackage and \\documentclass: a style or class file that lies beside the text is read."""
@@ -76,7 +92,11 @@ class FileReader(DisplayReader):
         for name in (part.strip() for part in self.word().split(",")):
             if token.word in _CLASS:
                 self.counters.use_class(name)
-            if (path := self._find(name, (".sty", ".cls"))) is not None:
+            path = self._find(name, (".sty", ".cls"))
+            if path is None and "/" in name:
+                self.warn(token, f"no style or class {name!r} beside this one")
+            if path is not None:
+                self._tell_outside(token, name, path)
                 outer, self.waiting = self.waiting, []  # what it leaves open ends with it
                 known = self.options, self.given, self.at_end
                 self.options, self.given, self.at_end = {}, given, []
@@ -125,10 +145,9 @@ class FileReader(DisplayReader):
 
     def _file_name(self) -> str:
         self.skip_spaces()
-        lexer = self.lexer()
         near = self.peek()
-        if near is None or near.text == "{" or lexer is None:
-            return joined(self.argument())
+        if near is None or near.text == "{":
+            return joined(self.fully_expanded(self.argument()))
         taken = []
         while (near := self.peek()) is not None and near.text not in (" ", "\\par", "}") and not near.word:
             taken.append(self.pop())

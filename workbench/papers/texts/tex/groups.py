@@ -79,6 +79,8 @@ class Groups:
         A brace or \\right closes nothing outside of its environment, and nothing in a formula closes a group
         around the formula.
         """
+        if self.innermost == kind:
+            return self.end_to(len(self._kinds) - 1)
         if not self._count[kind]:
             return set()
         for depth in range(len(self._kinds) - 1, -1, -1):
@@ -93,7 +95,7 @@ class Groups:
         """Ends all groups but the first `depth`; the names that have their old value again."""
         while len(self._kinds) > depth:
             self._count[self._kinds.pop()] -= 1
-        restored = set()
+        restored: set[str] = set()
         while self._saved and self._saved[-1][0] > depth:
             _, values, name, before, level = self._saved.pop()
             key = id(values), name

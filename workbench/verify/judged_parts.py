@@ -4,6 +4,7 @@ depend on anything that its key leaves out."""
 from __future__ import annotations
 
 from dataclasses import fields, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.typed.names import Name
 from workbench.language.typed.operators import PARTIALS
 from workbench.language.typed.terms import Apply, Definition, Derivative, Symbol, sides_of
-from workbench.papers.model import Claim, Formula, Notation, Span
+from workbench.papers.model import Claim, Formula, Notation, OnMotions, Span
 from workbench.verify.told import told
 
 #: What names a claim, places it or comments on it. The judges see the default of each.
@@ -36,8 +37,8 @@ class JudgedParts:
     def of(self, claim: Claim) -> Claim:
         """The claim without its names, places and comments, with the part of its notation that it reaches."""
         seen, reach = seen_of(claim), self._reach_of(claim.notation)
-        part = reach.whole if _needs_all(claim) else reach.part(told(list(seen.values())).names)
-        own = claim.notation.on_motions.get(claim.id)
+        own = _without_place(claim.notation.on_motions.get(claim.id))
+        part = reach.whole if _needs_all(claim) else reach.part(told([*seen.values(), own]).names)
         return Claim(_UNNAMED, notation=part if own is None else _with_hand(part, {_UNNAMED: own}), **seen)
 
     def for_proposals(self, claim: Claim) -> Claim:
@@ -66,7 +67,10 @@ class _Reach:
         self._parts: dict[frozenset[Name], Notation] = {}
         always = (tuple(notation.motion), notation.symbols.frames, notation.symbols.turns)
         self._always = told(always).names
-        self.whole = _with_hand(notation, {})
+
+    @cached_property
+    def whole(self) -> Notation:
+        return _with_hand(self._notation, {})
 
     def part(self, names: frozenset[Name]) -> Notation:
         """The notation as far as it speaks of these names and of what they lead to."""
@@ -129,6 +133,8 @@ def _without_place(value: Any) -> Any:
         return _SOMEWHERE
     if isinstance(value, Formula) and value.at is not None:
         return replace(value, at=None)
+    if isinstance(value, OnMotions):
+        return replace(value, holds=_without_place(value.holds), printed=_without_place(value.printed))
     if isinstance(value, tuple):
         return tuple(map(_without_place, value))
     return value

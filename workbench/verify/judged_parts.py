@@ -108,11 +108,11 @@ def _needs_all(claim: Claim) -> bool:
     """Whether all symbols of the notation may be asked for: a proof names any of them, and so does a formula
     that is printed in the spellings of its author, or that is read again."""
     has_proof = claim.goal is not None or claim.every_n is not None
-    return has_proof or not claim.notation.hand.is_plain or _may_be_read_again(claim.printed)
+    return has_proof or not claim.notation.hand.is_plain or differentiates_product(claim.printed)
 
 
-def _may_be_read_again(formula: Formula) -> bool:
-    """Whether it differentiates a product, and may mean the derivative of the first factor."""
+def differentiates_product(formula: Formula) -> bool:
+    """Whether it holds a derivative of more than a symbol, which may mean that of the first factor."""
     if formula.statement is None:
         return False
     parts = (part for side in sides_of(formula.statement) for part in side.walk())

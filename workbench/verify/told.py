@@ -48,22 +48,23 @@ def _teller(kind: type) -> Callable[[Any], Told]:
     if issubclass(kind, set | frozenset):
         return lambda part: _together("{", sorted(map(told, part), key=lambda each: each.text), "}")
     if hasattr(kind, "__dataclass_fields__"):
-        return _by_fields(kind)
+        return by_fields(kind)
     raise TypeError(f"no key can be made of a {kind.__name__}")
 
 
 def _remembered(kind: type) -> Callable[[Any], Told]:
-    by_fields, is_symbol = _by_fields(kind), issubclass(kind, Symbol)
+    tell_fields, is_symbol = by_fields(kind), issubclass(kind, Symbol)
 
     @cache
     def tell(part: Any) -> Told:
-        text, names = by_fields(part)
+        text, names = tell_fields(part)
         return Told(text, names | {part.declaration.name} if is_symbol else names)
 
     return tell
 
 
-def _by_fields(kind: type) -> Callable[[Any], Told]:
+def by_fields(kind: type) -> Callable[[Any], Told]:
+    """The teller of a dataclass: by its type and all fields that its values are compared by."""
     names, head = [each.name for each in fields(kind) if each.compare], f"{kind.__name__}("
     return lambda part: _together(head, (told(getattr(part, name)) for name in names), ")")
 

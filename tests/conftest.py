@@ -39,12 +39,15 @@ def judged_here(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch)
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--slow", action="store_true", help="also run the campaigns marked slow")
+    parser.addoption("--shared-cache", metavar="DIR", help="let all tests share the verdicts kept in a folder")
+    parser.addoption("--backwards", action="store_true", help="run the last test first")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    os.environ.setdefault(
-        "WORKBENCH_CACHE", os.devnull
-    )  # tests judge anew: a file that cannot be is no cache
+    if shared := config.getoption("--shared-cache"):
+        os.environ["WORKBENCH_CACHE"] = str(Path(shared).absolute())
+    else:  # tests judge anew: a file that cannot be is no cache
+        os.environ.setdefault("WORKBENCH_CACHE", os.devnull)
     if "MUTANT_UNDER_TEST" in os.environ:  # mutmut sees which test calls what in its own process alone
         workers.get_all_start_methods = list
     settings.register_profile("same cases", derandomize=True)
@@ -53,6 +56,8 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if config.getoption("--backwards"):
+        items.reverse()
     if config.getoption("--slow"):
         return
     for item in items:

@@ -24,11 +24,16 @@ SECONDS = 120
 
 
 @pytest.fixture(autouse=True)
-def judged_here(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def judged_here(request: pytest.FixtureRequest) -> Iterator[None]:
     if request.path.relative_to(HERE).parts[0] not in JUDGED_HERE:
         yield
         return
-    monkeypatch.setattr(workers, "get_all_start_methods", list)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(workers, "get_all_start_methods", list)
+        yield from _within_time(request)
+
+
+def _within_time(request: pytest.FixtureRequest) -> Iterator[None]:
     if "MUTANT_UNDER_TEST" in os.environ or request.node.get_closest_marker("slow"):
         yield  # mutmut counts calls, which takes ten times as long; a mutant's tests have limits of their own
         return
@@ -37,9 +42,20 @@ def judged_here(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch)
     signal.setitimer(signal.ITIMER_PROF, 0)
 
 
+@pytest.fixture(autouse=True)
+def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
+    """What a test with changed code finds is kept for no other test."""
+    with pytest.MonkeyPatch.context() as patch:
+        if "monkeypatch" in request.fixturenames:
+            patch.setenv("WORKBENCH_CACHE", os.devnull)
+        yield
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--slow", action="store_true", help="also run the campaigns marked slow")
-    parser.addoption("--shared-cache", metavar="DIR", help="let all tests share the verdicts kept in a folder")
+    parser.addoption(
+        "--shared-cache", metavar="DIR", help="let all tests share the verdicts kept in a folder"
+    )
     parser.addoption("--backwards", action="store_true", help="run the last test first")
 
 

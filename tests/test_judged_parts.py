@@ -58,9 +58,7 @@ class Asked:
             return workbench.check(self.formula, **dict(self.arguments)).verdict.to_dict()
         path = folder / f"p{self.suffix}"
         path.write_text(self.text)
-        return json.loads(
-            CliRunner().invoke(main, ["check", str(path), "--json", "--no-proposals"]).stdout
-        )
+        return json.loads(CliRunner().invoke(main, ["check", str(path), "--json", "--no-proposals"]).stdout)
 
 
 def by_check(formula: str, **arguments: Any) -> Asked:

@@ -23,8 +23,9 @@ from workbench.papers.orders import orders_within
 from workbench.papers.said import SAID_BEFORE, free_in, introduced, introduces, terms_of
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.report.counterexamples import sides_as_text, values_as_text
 from workbench.report.kinds import VERDICTS
-from workbench.report.prose import as_tuple, one_line
+from workbench.report.prose import one_line
 from workbench.verify.claims import judge_claims
 from workbench.verify.keys import Memory
 from workbench.verify.results import HOLDS, ClaimResult
@@ -85,8 +86,8 @@ class Checked:
         if verdict.read_back and one_line(verdict.read_back) != one_line(self.latex):
             parts.append(f"read as $ {verdict.read_back} $")
         if counterexample := verdict.counterexample:
-            values = [f"${name} = {as_tuple(entries)}$" for name, entries in counterexample.values.items()]
-            left, right = as_tuple(counterexample.left), as_tuple(counterexample.right)
+            values = [f"${name} = {value}$" for name, value in values_as_text(counterexample).items()]
+            left, right = sides_as_text(counterexample)
             parts.append("counterexample: " + ", ".join(values) + f" gives ${left} \\neq {right}$")
         evidence = [f"- {_as_text(e.method)}: {_as_text(e.outcome)}" for e in verdict.evidence]
         return "\n\n".join([*parts, "\n".join(evidence)]).rstrip()

@@ -16,8 +16,9 @@ if TYPE_CHECKING:
 
     from workbench.papers import Paper
     from workbench.papers.model import Span
+    from workbench.report.counterexamples import values_as_text
     from workbench.report.findings import Finding
-    from workbench.verify.results import ClaimResult
+from workbench.verify.results import ClaimResult
 
 
 @click.command()
@@ -187,7 +188,7 @@ def _told(result: ClaimResult) -> str:
     lines += [verdict.reason] if verdict.reason else []
     lines += [f"read as `{verdict.read_back}`"] if verdict.read_back else []
     if example := verdict.counterexample:
-        values = ", ".join(f"`{name}` = ({', '.join(each)})" for name, each in example.values.items())
+        values = ", ".join(f"`{name}` = {value}" for name, value in values_as_text(example).items())
         lines += [f"counterexample: {values}"]
     for name in ("reading", "corrected"):
         form, its = getattr(result.claim, name), getattr(result, name)

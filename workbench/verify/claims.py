@@ -63,7 +63,7 @@ class ClaimJudge:
         self.options = {"second_engine": second_engine}
         self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
-        self._judges: dict[int, Judge] = {}
+        self._judges: dict[tuple[int, int], Judge] = {}
         self._meant = Meant(self._judge, self.options)
         self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
@@ -155,15 +155,17 @@ class ClaimJudge:
 
     def _verdict_on(self, name_and_form: tuple[str, str]) -> Verdict:
         name, form = name_and_form
-        claim = self._claims[name]
+        claim = self._keys.parts.of(self._claims[name])
         with in_the_hand_of(claim.notation.hand):
             try:
                 if form == "printed":
                     return self._printed(claim)
                 under = claim.hypothesis if form == "reading" else None
                 return self._verdict(claim, getattr(claim, form), under)
+            except PaperError as error:
+                raise _placed(error, self._claims[name]) from None
             except _DEFECTS as error:
-                if claim.span is None or isinstance(error, PaperError):
+                if claim.span is None:
                     raise
                 return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench: {error!r}")
 
@@ -209,7 +211,7 @@ class ClaimJudge:
         except Unsatisfiable as error:
             if claim.span is not None:
                 return Verdict(Outcome.UNCHECKED, reason=str(error))
-            raise PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error}") from None
+            raise PaperError(None, None, None, str(error)) from None
         if verdict.outcome is Outcome.PROVED and not (verdict.scope or "all").startswith("all"):
             verdict = undisturbed(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
         return self._seen(verdict, claim, formula, hypothesis)
@@ -218,15 +220,25 @@ class ClaimJudge:
         return self._witnesses.seen(verdict, claim, form, hypothesis) if self._witnesses else verdict
 
     def _judge(self, notation: Notation) -> Judge:
-        if id(notation) not in self._judges:
+        key = id(notation.definitions), id(notation.motion)  # `JudgedParts` keeps both
+        if key not in self._judges:
             from workbench.judge.kernel.judge import Judge
 
-            self._judges[id(notation)] = Judge(
+            self._judges[key] = Judge(
                 notation.definitions,
                 bound=frozenset(s.declaration.name for s in notation.motion),
                 **self.options,
             )
-        return self._judges[id(notation)]
+        return self._judges[key]
+
+
+def _placed(error: PaperError, claim: Claim) -> PaperError:
+    """The error at the place of the claim, which the judges do not see."""
+    if error.file is not None:
+        return error
+    if error.path:  # another table of the file
+        return PaperError(claim.file, None, None, f"{'.'.join(error.path)}: {claim.id}: {error.message}")
+    return PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error.message}")
 
 
 def _as_given(verdict: Verdict, claim: Claim) -> Verdict:

@@ -20,6 +20,7 @@ from workbench.papers.model import Aside, Claim, Formula, Notation, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, says_of_defined, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.by_laws import by_laws
+from workbench.verify.judged_parts import differentiates_product
 from workbench.verify.laws import has_laws, is_all_given, is_law, says_no_more
 from workbench.verify.rounding import ROUNDED, is_rounded
 from workbench.verify.under import Under, conditional, with_asides
@@ -101,6 +102,8 @@ class Meant:
 
     def _of_reach(self, claim: Claim) -> str | None:
         """d/dt A P is the rate of the product, unless that is false and that with the rate of A is proved."""
+        if not differentiates_product(claim.printed):
+            return None
         symbols = claim.notation.symbols
         near = replace(claim.notation, symbols=replace(symbols, loose=symbols.loose | {"near"}))
         with suppress(ReadError, IllFormedAt, ValueError):

@@ -61,7 +61,7 @@ class Under:
         """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
         if said.statement is None:
             return False
-        key = id(notation), said.place, said.name
+        key = id(notation.definitions), said.place, said.name
         if key not in self._known:
             verdict = Verdict(Outcome.UNCHECKED)
             with suppress(Unsatisfiable):

@@ -71,12 +71,17 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
             (order,), place = orders, highest[0]
             if sum(map(len, found.values())) == len(entries):
                 return None  # ẋ = 0 says that x is constant
-            foreign = any(all(o.side != place.side for o in others) for others in found.values())
+            beyond = {s for s, others in found.items() if all(o.side != place.side for o in others)}
             alone = all(each.alone for each in highest)
             said = max(named.get(whole, highest), key=lambda each: each.order)
             if whole in named and _is_moved_by(entries, whole, definitions):
                 alone = said.alone
-            if (alone or foreign) and _has_solutions(relation, inventory, definitions, entries, order):
+            if whole.declaration.hidden:  # a law for what is written, by symbols of the author
+                whole, said = _written(whole, place.side, named, definitions)
+                beyond, alone = {s for s in beyond if not s.declaration.hidden}, False
+            if whole is None or not (alone or beyond):
+                continue
+            if _has_solutions(relation, inventory, definitions, entries, order):
                 whole = number_behind(whole)
                 return derivative(whole, said.order) if said.order else whole
     return None
@@ -95,6 +100,18 @@ def _rates_a_definition(
         and all(symbol in by_it for symbol in rates)
         and any(order > by_it[symbol] for symbol, order in rates.items())
     )
+
+
+def _written(
+    hidden: Symbol, side: int, named: Mapping[Symbol, list[_Occurrence]], definitions: Lookup
+) -> tuple[Symbol | None, _Occurrence | None]:
+    """The symbol of the author that stands on the side and is made of a hidden one, and where it is
+    differentiated most often."""
+    for symbol, occurrences in named.items():
+        own = [each for each in occurrences if each.side == side]
+        if own and not symbol.declaration.hidden and hidden in _free_inside(symbol, definitions):
+            return symbol, max(own, key=lambda each: each.order)
+    return None, None
 
 
 def _may_be_given(declared: Declaration) -> bool:

@@ -38,8 +38,7 @@ from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit, Unranged
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.shapes import is_sized
-from workbench.language.typed.terms import Apply, IllFormed, Symbol, Term
+from workbench.language.typed.terms import Apply, Identity, IllFormed, Symbol, Term, Zero
 from workbench.language.typed.types import CLOCK, PI, SCALAR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
@@ -240,9 +239,12 @@ class _Lettering:
         """E_{3×3}, where E is the paper's sign for a unit matrix or a zero of any size."""
         if scripts != Scripts(sub=scripts.sub, sup=scripts.sup) or size_below(scripts.sub)[0] is None:
             return None
-        found = constant(self.scope.table, Name.styled(styles, leaf.text), Scripts())
+        letter = Name.styled(styles, leaf.text)
+        if (spelling := spell(letter, scripts, ())) is not None and self.scope.table.find(spelling):
+            return None
+        found = constant(self.scope.table, letter, Scripts())
         term = None if found is None else self.meant(found, leaf, scripts)
-        return term if term is not None and is_sized(term) else None
+        return term if isinstance(term, Zero | Identity) and term.printed else None
 
     def function(self, leaf: Leaf, declaration, index) -> Term:
         self.takes_bracket = True

@@ -43,7 +43,8 @@ def filling(term: Term) -> Literal["zero", "identity"] | None:
         return None
     if isinstance(term, Apply) and term.head == "transpose":
         term = term.arguments[0]
-    return None if found == "zero" and term.type.kind not in ("scalar", "vector") else found
+    is_shaped = found == "zero" and term.type.kind not in ("scalar", "vector")
+    return None if is_shaped and not any(map(_is_of_one_number, term.walk())) else found
 
 
 def is_sized(term: Term) -> bool:

@@ -112,7 +112,7 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
 
 
 def _are_matrices_of_one_size(function: Term, value: Term) -> bool:
-    """Whether no type tells the product from the function: of a symbol, or of its inverse, as in A(g^{-1})."""
+    """Whether no type tells the product from the function: A(g) and A(g^{-1}) of two matrices."""
     is_inverse = isinstance(value, Apply) and value.head == "inverse"
     if not isinstance(value.arguments[0] if is_inverse else value, Symbol):
         return False

@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from workbench.judge.kernel.closed import is_of_numbers
 from workbench.judge.subject.angles import sum_of_products
 from workbench.judge.verdict import SAME_TERM, Outcome, Verdict
 from workbench.language.definitions import Definitions, expand, only_turns
@@ -95,7 +96,7 @@ class Meant:
         return (
             _of_two_indices(claim)
             or claim.unsettled
-            or _of_pi(claim)
+            or (None if is_of_numbers(verdict) else _of_pi(claim))
             or self._if_special(claim, ())
             or self._of_reach(claim)
         )

@@ -16,6 +16,7 @@ from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import (
     Apply,
     Derivative,
+    Number,
     Power,
     Symbol,
     Term,
@@ -77,7 +78,12 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
 
 
 def _is_symbol_or_quaternion(value: Term) -> bool:
-    """Whether it may be that of which something is a function, as R(p q) is."""
+    """Whether it may be that of which something is a function, as R(p q) and J(-x) are."""
+    match value:
+        case Apply(head="neg" | "inverse" | "transpose", arguments=(inner,)):
+            return _is_symbol_or_quaternion(inner)
+        case Apply(head="mul", arguments=(Number(), inner)):
+            return _is_symbol_or_quaternion(inner)
     return isinstance(value, Symbol) or value.type.kind == "quaternion"
 
 
@@ -100,9 +106,18 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
     if is_difference or names.union(map(_without_prefix, names)) & alike:
         return not _is_constant(function)
     if _is_name(part):
-        return "scalar" in kinds
+        return "scalar" in kinds or (is_symbol and _are_matrices_of_one_size(function, value))
     is_tensor = function.type.is_square and function.type.kind != "scalar"
     return is_symbol and is_tensor and value.type.kind == "scalar"
+
+
+def _are_matrices_of_one_size(function: Term, value: Term) -> bool:
+    """Whether no type tells the product from the function: A(g) and A(g^{-1}) of two matrices."""
+    is_inverse = isinstance(value, Apply) and value.head == "inverse"
+    if not isinstance(value.arguments[0] if is_inverse else value, Symbol):
+        return False
+    same = function.type.with_dual(False) == value.type.with_dual(False)
+    return same and function.type.is_square and not _is_constant(function)
 
 
 def is_said_factor(scope: Scope, part: Node) -> bool:

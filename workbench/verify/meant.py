@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from workbench.judge.subject.angles import sum_of_products
 from workbench.judge.verdict import SAME_TERM, Outcome, Verdict
@@ -16,16 +15,13 @@ from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import Apply, Definition, Implication, Relation, Symbol, Term, sides_of
 from workbench.papers.formulas import read_statement
-from workbench.papers.model import Aside, Claim, Formula, Notation, Said
+from workbench.papers.model import Aside, Claim, Formula, Said
 from workbench.papers.said import SAYS, assigns, free_in, introduces, says_of_defined, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.by_laws import by_laws
 from workbench.verify.laws import has_laws, is_all_given, is_law, says_no_more
 from workbench.verify.rounding import ROUNDED, is_rounded
 from workbench.verify.under import Under, conditional, with_asides
-
-if TYPE_CHECKING:
-    from workbench.judge.kernel.judge import Judge
 
 #: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
@@ -38,10 +34,10 @@ _REACH = "how far does d/dt reach? bracket what it differentiates"
 
 
 class Meant:
-    """judge_of: the judge of a notation.   options: those of a judge."""
+    """options: those of a judge."""
 
-    def __init__(self, judge_of: Callable[[Notation], Judge], options: Mapping[str, bool]) -> None:
-        self._under, self._options = Under(judge_of, options), options
+    def __init__(self, under: Under, options: Mapping[str, bool]) -> None:
+        self._under, self._options = under, options
 
     def verdict(self, claim: Claim, verdict: Verdict) -> Verdict:
         """The verdict on what is printed, given that on its formula."""

@@ -108,6 +108,25 @@ def assigns(formula: Formula) -> bool:
     return any(isinstance(each.left, Symbol) and each.left in each.right.walk() for each in said)
 
 
+def constrains(statement: Statement, definitions: Definitions) -> bool:
+    """Returns whether it is an equation that says something of its symbols, as x · x = 1 or m x = m y does,
+    where x y = y x says that something holds of all: its sides have no free symbol in common, or one occurs
+    once."""
+    return any(
+        free_in([each.left], definitions).isdisjoint(free_in([each.right], definitions))
+        or _has_single(each, definitions)
+        for each in _equations(statement)
+    )
+
+
+def _has_single(equation: Relation, definitions: Definitions) -> bool:
+    """Whether a free symbol is written once in it and stands behind no other symbol there."""
+    written = [part for part in terms_of(equation) if isinstance(part, Symbol)]
+    behind = free_in((body for each in written for body in _bodies(each, definitions)), definitions)
+    free = free_in(written, definitions) - behind
+    return any([part.declaration for part in written].count(each) == 1 for each in free)
+
+
 def _equations(statement: Statement) -> Iterator[Relation]:
     match statement:
         case Relation(operator="="):
@@ -248,7 +267,7 @@ def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, De
     framed = frozenset() if notation is None else notation.framed
     for one, other in ((statement.left, statement.right), (statement.right, statement.left)):
         symbol, order = _derived(one)
-        if symbol is None or any(_derived(term) == (symbol, order) for term in other.walk()):
+        if symbol is None or any(_derived(term) == (symbol, order) for term in definitions.reached(other)):
             continue
         if symbol.declaration.name in framed:
             bodies = (each.body for each in definitions if each.declaration.name in framed)
@@ -259,7 +278,7 @@ def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, De
         if not (is_defined or symbol.declaration.free):
             is_exact = statement.operator == "=" and not order
             return symbol, _definition(symbol, other) if is_exact else None
-    angle = _only_angle(statement, known)
+    angle = _only_angle(statement, known, definitions)
     return None if angle is None else (angle, None)
 
 
@@ -278,10 +297,13 @@ def _definition(symbol: Symbol, body: Term) -> Definition | None:
     return Definition(declaration, (), (), body)
 
 
-def _only_angle(statement: Statement, known: set[Name]) -> Symbol | None:
-    """An angle that occurs once, and of which the sine or the like says what it is."""
+def _only_angle(statement: Statement, known: set[Name], definitions: Definitions) -> Symbol | None:
+    """An angle that occurs once, and in no definition of what else does, and of which the sine or the like
+    says what it is."""
     terms = list(terms_of(statement))
     symbols = [term for term in terms if isinstance(term, Symbol)]
+    defining = [body for each in dict.fromkeys(symbols) for body in _bodies(each, definitions)]
+    symbols += [part for body in defining for part in definitions.reached(body) if isinstance(part, Symbol)]
     for term in terms:
         if isinstance(term, Apply) and term.head in CIRCULAR and isinstance(term.arguments[0], Symbol):
             (angle,) = term.arguments
@@ -289,6 +311,10 @@ def _only_angle(statement: Statement, known: set[Name]) -> Symbol | None:
             if symbols.count(angle) == 1 and not is_given:
                 return angle
     return None
+
+
+def _bodies(symbol: Symbol, definitions: Definitions) -> list[Term]:
+    return [each.body for each in definitions.about(symbol)]
 
 
 def _derived(term: Term) -> tuple[Symbol | None, object]:

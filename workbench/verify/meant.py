@@ -16,7 +16,7 @@ from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import Apply, Definition, Implication, Relation, Symbol, Term, sides_of
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Formula, Said
-from workbench.papers.said import SAYS, assigns, free_in, introduces, says_of_defined, terms_of
+from workbench.papers.said import SAYS, assigns, constrains, free_in, introduces, says_of_defined, stated, terms_of
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.by_laws import by_laws
 from workbench.verify.laws import has_laws, is_all_given, is_law, says_no_more
@@ -54,18 +54,27 @@ class Meant:
         return verdict
 
     def _under_what_holds(self, claim: Claim, proved: Verdict) -> Verdict:
-        """Of a text nothing is proved from what is false of the symbols that its model defines."""
-        said = claim.printed.statement
+        """Of a text nothing is proved from what is false of the symbols that its model defines, or from a
+        given formula that is reported as false."""
+        said, definitions = claim.printed.statement, claim.notation.definitions
         premises = [said.left] if isinstance(said, Implication) else []
         premises += [formula.statement for formula in claim.given]
-        alone = replace(claim, given=(), assume=(), orders=None)
-        for premise in premises:
-            if says_of_defined(premise, claim.notation.definitions):
-                formula = Formula(to_latex(premise), premise)
-                judged = self._under.verdict(replace(alone, printed=formula))
-                if judged.outcome is Outcome.REFUTED:
-                    hypotheses = [*filter(None, [proved.hypothesis]), formula.latex]
-                    return conditional(proved, hypotheses, _CONTRADICTS, judged)
+        bare = {"given": (), "assume": (), "orders": None, "hypothesis": None}
+        alone = replace(claim, **bare, says=None, says_of=None, unsettled=None)
+        for place, premise in enumerate(premises):
+            formula = Formula(to_latex(premise), premise)
+            as_claim = replace(alone, printed=formula, states=stated(premise, claim.notation))
+            is_given = place >= len(premises) - len(claim.given)
+            contradicts = says_of_defined(premise, definitions)
+            if not contradicts and (not is_given or constrains(premise, definitions)):
+                continue
+            judged = self._under.verdict(as_claim)
+            if judged.outcome is Outcome.REFUTED and not contradicts:
+                judged = self.verdict(as_claim, judged)
+            if judged.outcome is Outcome.REFUTED:
+                hypotheses = [*filter(None, [proved.hypothesis]), formula.latex]
+                why = _CONTRADICTS if contradicts else f"{formula.latex} is given, and false by itself"
+                return conditional(proved, hypotheses, why, judged)
         return proved
 
     def _of_refuted(self, claim: Claim, refuted: Verdict) -> Verdict:

@@ -23,7 +23,7 @@ from workbench.language.typed.terms import (
 )
 from workbench.language.typed.types import SCALAR, Declaration
 from workbench.papers.model import Claim
-from workbench.papers.said import SAYS, conditioned, terms_of
+from workbench.papers.said import SAYS, conditioned, constrains, terms_of
 from workbench.papers.text_claims.unread import left_open, said_unread
 from workbench.papers.texts import Text
 
@@ -51,7 +51,8 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             why = _of_components(free, claim) or _of_a_star(statement, text)
             for function in conditioned(statement, claim.notation.definitions):
                 why = f"a condition on {function.name}, of which nothing else is said?"
-            why = _GIVEN if statement in given else why
+            is_postulate = statement in given and constrains(statement, claim.notation.definitions)
+            why = _GIVEN if is_postulate else why
             within = _within(claim, symbols)
             says_of = _solved_for(statement, free, within)
             says = None if says_of is None else SAYS.format(says_of)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from pathlib import Path
 
 from workbench.language.definitions import Definitions, expand
 from workbench.language.grammar.vocabulary import COMMANDS
@@ -86,6 +87,15 @@ def introduces(formula: Formula, notation: Notation) -> set[Name]:
     parts = (part for left in lefts for part in left.walk() if isinstance(part, Symbol))
     free = (part for part in parts if _body(part, notation.definitions) is None)
     return {part.declaration.name for part in free} - bound
+
+
+def is_by_definition(said: Statement, definitions: Definitions) -> bool:
+    """Returns whether it is an equation that says no more than the definitions."""
+    try:
+        sides = [expand(side, definitions) for side in sides_of(said)]
+    except IllFormed:
+        return False
+    return isinstance(said, Relation) and said.operator == "=" and sides[0] == sides[1]
 
 
 def says_of_defined(statement: Statement, definitions: Definitions) -> bool:
@@ -193,11 +203,28 @@ def _is_carried(said: Statement, there: Notation, here: Notation) -> bool:
     parts = (part for side in sides_of(said) for part in there.definitions.reached(side))
     symbols = {part for part in parts if isinstance(part, Symbol)}
     declared = here.symbols.symbols
-    return all(
+    names = {each.declaration.name for each in symbols}
+    return declared_anew(names, there, here) is None and all(
         declared.get(each.declaration.name, each.declaration) == each.declaration
         and there.definitions.about(each) == here.definitions.about(each)
         for each in symbols
     )
+
+
+def names_in(statement: Statement) -> set[Name]:
+    """Returns the names of the symbols that are written in the statement."""
+    return {part.declaration.name for part in terms_of(statement) if isinstance(part, Symbol)}
+
+
+def declared_anew(names: Iterable[Name], there: Notation, here: Notation) -> Name | None:
+    """Returns one of the names that a scope declares between the places of the two notations."""
+    return next((name for name in names if there.since.get(name) != here.since.get(name)), None)
+
+
+def is_before_scope(names: Iterable[Name], file: Path | None, line: int, notation: Notation) -> bool:
+    """Returns whether a scope declares one of the names anew behind the line."""
+    places = map(notation.since.get, names)
+    return any(place is not None and place[0] == file and line < place[1] for place in places)
 
 
 def _law(claim: Claim, earlier: bool) -> Said:
@@ -239,8 +266,9 @@ def conditioned(statement: Statement, definitions: Definitions) -> set[Declarati
 def _rests(
     statement: Statement, notation: Notation, said: dict[Declaration, list[tuple[Said, Notation]]]
 ) -> tuple[Said, ...]:
-    """What is said of the symbols in the statement, and of those in these definitions; of what is said where
-    its symbols mean something else no more than that it is."""
+    """What is said of the symbols in the statement, and of those in these definitions; of what is said by
+    symbols that mean something else no more than that it is, and nothing of a symbol that a scope declares
+    anew."""
     definitions = notation.definitions
     found: dict[tuple[str, str], Said] = {}
     seen: set[Declaration] = set()
@@ -251,6 +279,8 @@ def _rests(
             continue
         seen.add(declaration)
         for saying, there in said.get(declaration, ()):
+            if there.since.get(declaration.name) != notation.since.get(declaration.name):
+                continue
             if not _is_carried(saying.statement, there, notation):
                 saying = replace(saying, definition=None, statement=None)
             found[saying.place, saying.name] = saying

@@ -16,7 +16,16 @@ from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import Apply, Definition, Implication, Relation, Symbol, Term, sides_of
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Formula, Said
-from workbench.papers.said import SAYS, assigns, constrains, free_in, introduces, says_of_defined, stated, terms_of
+from workbench.papers.said import (
+    SAYS,
+    assigns,
+    constrains,
+    free_in,
+    introduces,
+    says_of_defined,
+    stated,
+    terms_of,
+)
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.by_laws import by_laws
 from workbench.verify.laws import has_laws, is_all_given, is_law, says_no_more
@@ -83,6 +92,8 @@ class Meant:
         return self._with_the_text(claim, refuted) if claim.corrected is None else refuted
 
     def _why_open(self, claim: Claim, verdict: Verdict) -> str | None:
+        if (claim.states or claim.says) and self._under.is_impossible(claim):
+            return None
         if claim.states is not None:
             return SAYS.format(claim.states)
         if assigns(claim.printed):
@@ -155,7 +166,7 @@ class Meant:
         rests = [said for said in unused if not self._under.is_known(said, claim.notation)]
         if rests:
             return self._with_what_is_said(claim, rests, refuted)
-        if claim.says and not _is_said_beside(claim):
+        if claim.says and not (_is_said_beside(claim) or self._under.is_impossible(claim)):
             return _open(claim.says, refuted)
         return self._under_asides(claim, refuted)
 

@@ -212,9 +212,7 @@ def _require_all_once(scope: Scope, bracket: Bracket, function: Symbol) -> None:
     """Raises Fault where a function is written with other arguments than it is declared with."""
     _require_once(bracket)
     written = [scope.term(part) for part in bracket.parts if not scope.is_time(part)]
-    missing = [
-        each for each in function.declaration.of if not (each in written or each.declaration.clock)
-    ]
+    missing = [each for each in function.declaration.of if not (each in written or each.declaration.clock)]
     if written and missing and all(each in function.declaration.of for each in written):
         names = ", ".join(str(each.declaration.name) for each in missing)
         own = function.declaration.name

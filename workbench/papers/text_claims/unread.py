@@ -8,15 +8,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 
 from workbench.language.definitions import expand
 from workbench.language.typed.construct import apply, derivative, number, relation, zero
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.operators import CIRCULAR
-from workbench.language.typed.terms import Apply, Derivative, IllFormed, Relation, Symbol, Term, sides_of
+from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term, sides_of
 from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Notation
+from workbench.papers.said import is_before_scope, is_by_definition
 from workbench.papers.texts import Display
 
 _WHY = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
@@ -34,6 +36,7 @@ class Unread:
     left: str
     right: str
     line: int
+    file: Path | None = None
 
     @cached_property
     def latex(self) -> str:
@@ -66,14 +69,14 @@ class Unread:
 def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
     """By what stands before an =: the formulas that are not read, or in a sentence."""
     unread = [each for each in claims if each.printed.statement is None and not each.chain]
-    said = [(each.printed.latex, each.line) for each in unread]
-    said += [(each.latex, each.line) for each in inline]
+    said = [(each.printed.latex, each.line, each.file) for each in unread]
+    said += [(each.latex, each.line, each.source.path) for each in inline]
     found: dict[str, list[Unread]] = {}
-    for latex, line in said:
+    for latex, line, file in said:
         left, equals, right = latex.partition("=")
         if equals:
             name = _ARGUMENTS.sub("", _flat(left.rstrip(" :")))
-            found.setdefault(name, []).append(Unread(left, right, line))
+            found.setdefault(name, []).append(Unread(left, right, line, file))
     return found
 
 
@@ -84,6 +87,8 @@ def left_open(
     asides: list[Aside] = []
     for declaration in free:
         for unread in said.get(_flat(str(declaration.name)), ()):
+            if is_before_scope([declaration.name], unread.file, unread.line, claim.notation):
+                continue
             if _is_by_definition(unread, claim.notation):
                 continue
             terms = _expanded(claim)
@@ -97,10 +102,8 @@ def left_open(
 
 def _is_by_definition(unread: Unread, notation: Notation) -> bool:
     """Whether its sides are the same by what is defined, so that it says nothing."""
-    with suppress(ReadError, IllFormedAt, IllFormed, ValueError):
-        said, _ = read_statement(unread.latex, notation, None)
-        if isinstance(said, Relation):
-            return expand(said.left, notation.definitions) == expand(said.right, notation.definitions)
+    with suppress(ReadError, IllFormedAt, ValueError):
+        return is_by_definition(read_statement(unread.latex, notation, None)[0], notation.definitions)
     return False
 
 

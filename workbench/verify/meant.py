@@ -92,9 +92,7 @@ class Meant:
         return self._with_the_text(claim, refuted) if claim.corrected is None else refuted
 
     def _why_open(self, claim: Claim, verdict: Verdict) -> str | None:
-        if (claim.states or claim.says) and self._under.is_impossible(claim):
-            return None
-        if claim.states is not None:
+        if claim.states is not None and not self._under.is_impossible(claim):
             return SAYS.format(claim.states)
         if assigns(claim.printed):
             return "an assignment is no equation: left of := is a value after the one on its right"

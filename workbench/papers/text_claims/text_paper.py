@@ -226,9 +226,11 @@ def _with_keys(claim: Claim, table) -> Claim:
     changes: dict[str, object] = {}
     for key in ("reading", "corrected", "hypothesis"):
         if (text := table.text((key,))) is not None:
-            is_branch = key == "hypothesis" and WORDS.fullmatch(text)
-            changes[key] = Formula(text) if is_branch else reader.intended(key)
-    assume = reader.intended_list("assume")
+            if key != "hypothesis":
+                changes[key] = reader.intended(key)
+            else:
+                changes[key] = Formula(text) if WORDS.fullmatch(text) else reader.hypothesis(claim.printed)
+    assume = reader.conditions(claim.printed)
     if assume:
         changes["assume"] = (*claim.assume, *assume)
     for key in ("skip", "unread", "note"):

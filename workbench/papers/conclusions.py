@@ -10,8 +10,8 @@ from workbench.language.definitions import Definitions, expand
 from workbench.language.typed.terms import Conjunction, IllFormed, Implication, Relation, Statement
 
 IS_THE_CONCLUSION = (
-    "expected a condition under which the formula holds, got the formula itself (up to definitions, the sides' "
-    "order and a factor); strike it out, or say under `given` what the formula follows from"
+    "expected a condition under which the formula holds, got the formula itself (up to definitions, a factor "
+    "and the order of its sides); strike it out, or say under `given` what the formula follows from"
 )
 _SYMMETRIC = frozenset({"=", "≠"})
 _ENTRIES = (-5, -3, -2, -1, 1, 2, 3, 7)

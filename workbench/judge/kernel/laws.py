@@ -23,6 +23,7 @@ from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parts
 from workbench.language.definitions import number_behind
 from workbench.language.typed.construct import derivative
+from workbench.language.typed.operators import PARTIALS
 from workbench.language.typed.terms import (
     Apply,
     Block,
@@ -60,13 +61,14 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
         for symbol, order, alone in _occurrences(term, definitions, 0, True):
             kept = found if definitions.lookup(symbol) is None else named
             kept[symbol].append(_Occurrence(side, order, alone))
+    claimed = _claimed(found, sides, definitions)
     rates = {symbol: inventory.orders.get(symbol, 0) for symbol in found}
     if any(_rates_a_definition(symbol, named[symbol], rates, definitions) for symbol in named):
         return None
     for whole, entries in [*((s, (s,)) for s in found), *_composed(named, inventory, definitions)]:
         orders = {inventory.orders.get(symbol, 0) for symbol in entries}
         highest = [o for symbol in entries for o in found[symbol] if o.order in orders]
-        free = [s for s in entries if _may_be_given(s.declaration)]
+        free = [s for s in entries if _may_be_given(s.declaration) and s not in claimed]
         if len(orders) == 1 and all(orders) and len(entries) == len(highest) == len(free):
             (order,), place = orders, highest[0]
             if sum(map(len, found.values())) == len(entries):
@@ -98,7 +100,21 @@ def _rates_a_definition(
 
 
 def _may_be_given(declared: Declaration) -> bool:
-    return not (declared.constant or declared.of or declared.clock or declared.free)
+    return not (declared.constant or declared.of or declared.clock)
+
+
+def _claimed(symbols: Iterable[Symbol], sides: Iterable[Term], definitions: Lookup) -> frozenset[Symbol]:
+    """The symbols that are declared free and related to others that are, so that the equation is a claim. One
+    by which it differentiates is a coordinate, of which it may be a law."""
+    free = frozenset(each for each in symbols if each.declaration.free and not each.declaration.constant)
+    slopes = (
+        part.arguments[1]
+        for side in sides
+        for part in reached(side, definitions)
+        if isinstance(part, Apply) and part.head in PARTIALS
+    )
+    by = {each.body if isinstance(each, Derivative) else each for each in slopes}
+    return free - by if len(free) > 1 else frozenset()
 
 
 def _composed(

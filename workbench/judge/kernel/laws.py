@@ -153,7 +153,8 @@ def _free_inside(term: Term, definitions: Lookup) -> dict[Symbol, None]:
 def _occurrences(
     term: Term, definitions: Lookup, order: int, alone: bool
 ) -> Iterator[tuple[Symbol, int, bool]]:
-    """The symbols in the term, and those in the definitions of these."""
+    """The symbols in the term, and those in the definitions of these. A momentum ∂L/∂q̇ holds q̇ once, however
+    L is written."""
     if isinstance(term, Symbol):
         yield term, order, alone
         if (body := definitions.lookup(term)) is not None:
@@ -163,6 +164,10 @@ def _occurrences(
                 yield from _occurrences(argument, definitions, order, False)
     elif isinstance(term, Derivative):
         yield from _occurrences(term.body, definitions, order + int(term.order), alone)
+    elif (rate := _rate_of_momentum(term)) is not None:
+        inside = _occurrences(term.children[0], definitions, order, False)
+        yield from (each for each in inside if each[0] != rate.body)
+        yield rate.body, order + int(rate.order), alone
     else:
         for place, child in enumerate(term.children):
             others = (*term.children[:place], *term.children[place + 1 :])
@@ -172,6 +177,12 @@ def _occurrences(
                 and all(is_constant(other, definitions) for other in others)
             )
             yield from _occurrences(child, definitions, order, alone and (not order or is_linear))
+
+
+def _rate_of_momentum(term: Term) -> Derivative | None:
+    """The q̇ of ∂L/∂q̇."""
+    by = term.children[1] if isinstance(term, Apply) and term.head in PARTIALS else None
+    return by if isinstance(by, Derivative) and isinstance(by.body, Symbol) else None
 
 
 def is_constant(term: Term, definitions: Lookup) -> bool:

@@ -24,6 +24,8 @@ from workbench.papers.texts import Display
 _WHY = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
+#: The indices of a component of a vector, a matrix or a quaternion.
+COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 _WHOLE = re.compile(r"[+-]?\d+")
 _RIGHT_ANGLE = re.compile(r"([+-]|\\pm)?(?:(\d+)(?:\^\\circ|[°˚]|\\degree)|(\\pi)|\\[dt]?frac\\pi2|\\pi/2)")
 _COSINES = (1, 0, -1, 0)
@@ -86,7 +88,7 @@ def left_open(
     """Why the claim is open by what is said of its free symbols; where it only gives them values, these."""
     asides: list[Aside] = []
     for declaration in free:
-        for unread in said.get(_flat(str(declaration.name)), ()):
+        for unread in _said_of(declaration, claim.notation, said):
             if is_before_scope([declaration.name], unread.file, unread.line, claim.notation):
                 continue
             if _is_by_definition(unread, claim.notation):
@@ -98,6 +100,21 @@ def left_open(
                 return _WHY.format(declaration.name, unread), []
             asides += values
     return None, asides
+
+
+def _said_of(
+    declaration: Declaration, notation: Notation, said: Mapping[str, list[Unread]]
+) -> Iterator[Unread]:
+    """What is said of the symbol, or of a component of it that is no symbol of its own."""
+    name = _flat(str(declaration.name))
+    yield from said.get(name, ())
+    if declaration.type.kind == "scalar":
+        return
+    declared = {_flat(str(each)) for each in notation.symbols.symbols}
+    for other, unread in said.items():
+        _, _, index = other.partition(f"{name}_")
+        if other == f"{name}_{index}" and COMPONENT.fullmatch(index) and other not in declared and index:
+            yield from unread
 
 
 def _is_by_definition(unread: Unread, notation: Notation) -> bool:

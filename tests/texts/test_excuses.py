@@ -307,7 +307,7 @@ DENIALS = [
     r"%s \quad \text{is false}",
     r"\mbox{It is incorrect that } %s",
 ]
-ASSENTS = [r"\text{Note: } %s", r"\text{and } %s", r"\text{Here } %s"]
+ASSENTS = [r"\text{Note: } %s", r"\text{and } %s"]
 
 
 @pytest.mark.parametrize("words", DENIALS + ASSENTS)

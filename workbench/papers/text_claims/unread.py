@@ -20,6 +20,8 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Notation
 from workbench.papers.said import is_before_scope, is_by_definition
 from workbench.papers.texts import Display
+from workbench.papers.texts.prose import headings, is_in_section_of
+from workbench.papers.texts.view import Source
 
 _WHY = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
@@ -39,6 +41,7 @@ class Unread:
     right: str
     line: int
     file: Path | None = None
+    sentence: Source | None = None  # in which it stands
 
     @cached_property
     def latex(self) -> str:
@@ -71,14 +74,14 @@ class Unread:
 def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
     """By what stands before an =: the formulas that are not read, or in a sentence."""
     unread = [each for each in claims if each.printed.statement is None and not each.chain]
-    said = [(each.printed.latex, each.line, each.file) for each in unread]
-    said += [(each.latex, each.line, each.source.path) for each in inline]
+    said = [(each.printed.latex, each.line, each.file, None) for each in unread]
+    said += [(each.latex, each.line, each.source.path, each.source) for each in inline]
     found: dict[str, list[Unread]] = {}
-    for latex, line, file in said:
+    for latex, line, file, source in said:
         left, equals, right = latex.partition("=")
         if equals:
             name = _ARGUMENTS.sub("", _flat(left.rstrip(" :")))
-            found.setdefault(name, []).append(Unread(left, right, line, file))
+            found.setdefault(name, []).append(Unread(left, right, line, file, source))
     return found
 
 
@@ -96,10 +99,21 @@ def left_open(
             terms = _expanded(claim)
             own = _own(declaration, terms)
             values = unread.asides(own, terms) if own and with_values else []
+            if values and _is_elsewhere(unread, claim):
+                continue
             if not values:
                 return _WHY.format(declaration.name, unread), []
             asides += values
     return None, asides
+
+
+def _is_elsewhere(value: Unread, claim: Claim) -> bool:
+    """Whether a sentence gives a symbol its value in a section in which the claim does not stand."""
+    if value.sentence is None or value.file != claim.file:
+        return False
+    place = value.sentence.place
+    lines = [(place(start)[0], level) for start, level in headings(value.sentence.prose)]
+    return not is_in_section_of(claim.line, value.line, lines)
 
 
 def _said_of(

@@ -65,9 +65,9 @@ def headings(text: str) -> tuple[tuple[int, int], ...]:
 
 
 def is_in_section_of(place: int, said: int, headings: Sequence[tuple[int, int]]) -> bool:
-    """Returns whether the section in which something is said before the place still goes on there."""
-    own = next((level for start, level in reversed(headings) if start <= said), 0)
-    return not any(said < start <= place and level <= own for start, level in headings)
+    """Returns whether the place lies in the section in which something is said, or in one inside of that."""
+    first, own = next(((start, level) for start, level in reversed(headings) if start <= said), (0, 0))
+    return first <= place and not any(said < start <= place and level <= own for start, level in headings)
 
 
 def supposed_before(text: str, first: int) -> str:

@@ -95,7 +95,9 @@ def test_a_sentence_that_repeats_a_definition_excuses_nothing(
     tmp_path: Path, letters: dict[str, str], form: str
 ) -> None:
     body = renamed(r"\frac{<a>}{\|<a>\|}", letters)
-    false = renamed(r"n \cdot <a> = 2 \|<a>\|", letters)
+    false = renamed(
+        r"\exp(\tilde{<a>}) = \mathbf{I} + \tilde{n} \sin \|<a>\| + \tilde{n}^2 \cos \|<a>\|", letters
+    )
     text = text_of([f"With {inline(f'n = {body}', form)}", display(false, form)], form)
     model = model_of(letters, form, f"[definitions]\n'n' = '{body}'\n")
     (verdict,) = verdicts(tmp_path, text, model, form)

@@ -63,11 +63,13 @@ def asides_of(
     own = _symbols(part for parts in reached for part in parts)
     text = display.source.prose
     first, last = sentence_around(text, display.start, display.end)
-    around = [text[first - len(supposed_before(text, first)) : display.start]]
+    begins = first - len(supposed_before(text, first))
+    around = [text[begins : display.start]]
     around += [behind for behind in [text[display.end : last].lstrip("$] \n.,;")] if behind[:1].islower()]
     around = list(map(_flat, around))
     before = [each for each in inline if each.source.path == display.source.path and each.start < last]
-    spoken = {_flat(each.source.text[each.start : each.end]): each for each in before}
+    near = [each for each in before if each.start >= begins]
+    spoken = {_flat(each.source.text[each.start : each.end]): each for each in near}
     cases = [
         next((case for case in _SPECIAL.finditer(words) if _is_about(case.group(), own, spoken)), None)
         for words in around

@@ -17,6 +17,7 @@ from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.names import Name
 from workbench.memory.store import Store, standard
 from workbench.papers import Claim, Formula, Notation, Orders, Paper
+from workbench.papers.conclusions import IS_THE_CONCLUSION, is_conclusion
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
@@ -154,6 +155,9 @@ def _claims(
         for condition in supposed:
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
+            said = formula.statement
+            if said is not None and is_conclusion(condition.statement, said, known.definitions):
+                raise ValueError(f"assume: {condition.latex}: {IS_THE_CONCLUSION}")
         name = "check" if len(lines) == 1 else f"check.{number}"
         claims.append(Claim(name, formula, known, assume=supposed, orders=values, unsettled=before))
     return claims

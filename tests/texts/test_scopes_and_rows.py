@@ -141,6 +141,6 @@ def test_a_scope_may_begin_at_any_line(tmp_path: Path) -> None:
         (tmp_path / "p.toml").write_text(model + scope.format(line))
         paper = load_paper(tmp_path / "p.toml")
         outcomes = [result.verdict.outcome.value for result in judge_paper(paper)]
-        assert not paper.faults and outcomes == ["unchecked", "proved"], line
+        assert not paper.faults and outcomes == ["refuted", "proved"], line
     (tmp_path / "p.toml").write_text(model + scope.format(10))
     assert "the text has no 'line 10'" in load_paper(tmp_path / "p.toml").faults[0].message

@@ -22,7 +22,8 @@ from workbench.papers.selection import select_claims
 from workbench.verify.keys import Keys, Memory
 from workbench.verify.meant import Meant
 from workbench.verify.results import FORMS, ClaimResult
-from workbench.verify.under import undisturbed
+from workbench.verify.two_readings import in_both_readings, with_what_stands_beside
+from workbench.verify.under import Under, undisturbed
 from workbench.verify.witnesses import Witnesses
 
 if TYPE_CHECKING:
@@ -64,7 +65,8 @@ class ClaimJudge:
         self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
         self._judges: dict[tuple[int, int], Judge] = {}
-        self._meant = Meant(self._judge, self.options)
+        self._under = Under(self._judge, self.options)
+        self._meant = Meant(self._under, self.options)
         self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
         self._memory = memory
@@ -175,6 +177,9 @@ class ClaimJudge:
             return self._seen(verdict, claim, claim.printed, claim.hypothesis)
         if claim.skip is not None:
             return Verdict(Outcome.UNCHECKED, reason=f"left out: {claim.skip}")
+        return in_both_readings(claim, self._in_one_reading(claim), self._in_one_reading)
+
+    def _in_one_reading(self, claim: Claim) -> Verdict:
         if claim.given:  # which may be hard to suppose, and not needed
             free = replace(claim, given=())
             alone = self._verdict(free, claim.printed, claim.hypothesis)
@@ -182,7 +187,8 @@ class ClaimJudge:
                 alone = self._meant.verdict(free, alone)
             if alone.outcome is Outcome.PROVED:
                 return alone
-        verdict = self._meant.verdict(claim, self._verdict(claim, claim.printed, claim.hypothesis))
+        bare = self._verdict(claim, claim.printed, claim.hypothesis)
+        verdict = self._meant.verdict(*with_what_stands_beside(claim, bare, self._under))
         return _as_given(verdict, claim) if claim.given else verdict
 
     @cached_property

@@ -40,6 +40,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         if all(
             is_argument(scope, part) or scope.term(part) in function.declaration.of for part in bracket.parts
         ):
+            _require_all_once(scope, bracket, function)
             return True
         if _is_no_place(scope, bracket, function):
             return False  # u (∇·v)
@@ -199,6 +200,7 @@ def refuse_member(scope: Scope, bracket: Bracket, term: Term) -> None:
 
 def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     """Raises Fault where a symbol is taken at another place in the formula, or by its definition."""
+    _require_once(bracket)
     _take_instant(scope, bracket, function)
     parts = [_without_time(scope, part) for part in bracket.parts if not scope.is_time(part)]
     known = {latex_of(part) for part in parts}
@@ -212,6 +214,24 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
             raise Fault(
                 f"{name} is defined by {min(map(str, missing))}, and taken at another place", bracket.at
             )
+
+
+def _require_once(bracket: Bracket) -> None:
+    """Raises Fault for R(x, x): one of two arguments is a misprint, or R is taken on a diagonal."""
+    parts = [latex_of(part) for part in bracket.parts]
+    if repeated := next((part for place, part in enumerate(parts) if part in parts[:place]), None):
+        raise Fault(f"{repeated} stands twice among the arguments; expected each argument once", bracket.at)
+
+
+def _require_all_once(scope: Scope, bracket: Bracket, function: Symbol) -> None:
+    """Raises Fault where a function is written with other arguments than it is declared with."""
+    _require_once(bracket)
+    written = [scope.term(part) for part in bracket.parts if not scope.is_time(part)]
+    missing = [each for each in function.declaration.of if not (each in written or each.declaration.clock)]
+    if written and missing and all(each in function.declaration.of for each in written):
+        names = ", ".join(str(each.declaration.name) for each in missing)
+        own = function.declaration.name
+        raise Fault(f"{own} is declared as a function of {names}, too, which this bracket lacks", bracket.at)
 
 
 def _is_rate_of(part: Node, known: Collection[str]) -> bool:

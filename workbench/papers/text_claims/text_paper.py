@@ -12,13 +12,13 @@ from pathlib import Path
 from workbench.language.elaboration.arguments import OR_A_PRODUCT
 from workbench.language.reader import unclaimed
 from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Symbol
+from workbench.language.typed.terms import Statement, Symbol
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.numbered import written_out
 from workbench.papers.orders import Orders, orders_within
-from workbench.papers.said import stated, terms_of, with_laws, with_said
+from workbench.papers.said import declared_anew, names_in, stated, terms_of, with_laws, with_said
 from workbench.papers.text_claims.alignment import RELATIONS
 from workbench.papers.text_claims.asides import asides_of, own_asides
 from workbench.papers.text_claims.assigned import Placed, assigned, means, unknown_ids
@@ -115,11 +115,21 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
             for latex in (each.step.spelled()[0] for each in found):
                 try:
                     statement, _ = read_statement(latex, claim.notation, claim.orders, as_condition=True)
+                    _refuse_other_meaning(table, at, statement, found[0].notation, claim.notation)
                     given.append(Formula(latex, statement))
                 except (ReadError, IllFormedAt) as error:
                     raise table.error_at_value(("given",), f"given: {at}: {error.message}") from None
     says_none = any(table.value(("given",), list, None) == [] for table in tables)
     return replace(claim, given=tuple(given), alone=says_none and not given)
+
+
+def _refuse_other_meaning(
+    table: TomlFile, at: str, statement: Statement, there: Notation, here: Notation
+) -> None:
+    """Raises PaperError for a formula that speaks of a symbol that a scope behind it declares anew."""
+    if (name := declared_anew(names_in(statement), there, here)) is not None:
+        message = f"given: {at!r} speaks of another {name}: a [[scope]] behind it declares {name} anew"
+        raise table.error_at_value(("given",), f"{message}; expected a formula of this scope")
 
 
 def _as_it_stands(claim: Claim) -> Claim:
@@ -216,9 +226,11 @@ def _with_keys(claim: Claim, table) -> Claim:
     changes: dict[str, object] = {}
     for key in ("reading", "corrected", "hypothesis"):
         if (text := table.text((key,))) is not None:
-            is_branch = key == "hypothesis" and WORDS.fullmatch(text)
-            changes[key] = Formula(text) if is_branch else reader.intended(key)
-    assume = reader.intended_list("assume")
+            if key != "hypothesis":
+                changes[key] = reader.intended(key)
+            else:
+                changes[key] = Formula(text) if WORDS.fullmatch(text) else reader.hypothesis(claim.printed)
+    assume = reader.conditions(claim.printed)
     if assume:
         changes["assume"] = (*claim.assume, *assume)
     for key in ("skip", "unread", "note"):

@@ -1,4 +1,5 @@
-"""What the right form of a claim is, from its printed form alone; nothing is proposed that is not proved."""
+"""What the right form of a claim is, from its printed form alone; nothing is proposed that is not proved, at
+least where the printed denominators do not vanish."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import symbol
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Statement, Symbol, Term
+from workbench.language.typed.terms import Apply, Statement, Symbol, Term
 from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
@@ -250,8 +251,9 @@ class _Bench:
 
     def _judge_best(self, candidates: Sequence[Candidate]) -> None:
         """Makes proposals of those that are proved, the likeliest first, as long as they have no more changes
-        than the first one."""
+        than the first one; where none is, of those that hold where the printed denominators do not vanish."""
         proposals = self.found.proposals
+        conditional: list[Proposal] = []
         for candidate in sorted(candidates, key=self._rank):
             if proposals and len(candidate.changes) > len(proposals[0].changes):
                 break
@@ -263,6 +265,21 @@ class _Bench:
                 self.proved.append(candidate.statement)
                 if len(proposals) >= self.limits.proposals:
                     break
+            elif verdict is not None and self._holds_where_printed_does(verdict, candidate.statement):
+                conditional.append(Proposal(self._latex(candidate), candidate.changes, verdict))
+        if not proposals and conditional:
+            least = min(len(each.changes) for each in conditional)
+            likeliest = [each for each in conditional if len(each.changes) == least]
+            proposals += likeliest[: self.limits.proposals]
+
+    def _holds_where_printed_does(self, verdict: Verdict, statement: Statement) -> bool:
+        """Whether it holds unless a denominator vanishes, all of them being printed."""
+        printed = self.claim.printed.statement
+        return (
+            verdict.outcome is Outcome.CONDITIONAL
+            and printed is not None
+            and _denominators(statement) <= _denominators(printed)
+        )
 
     def _rank(self, candidate: Candidate) -> tuple:
         """Few changes first; of as many, likely misprints, and what does not make the formula longer."""
@@ -319,6 +336,11 @@ def _unscreened(printed: Candidate) -> Iterator[Candidate]:
         if edit.statement is not None:
             candidate = candidate_of(edit)
             yield replace(candidate, changes=(*printed.changes, *candidate.changes))
+
+
+def _denominators(statement: Statement) -> set[Term]:
+    parts = (term for _, term in places(statement))
+    return {each.arguments[1] for each in parts if isinstance(each, Apply) and each.head == "div"}
 
 
 def _size(statement: Statement) -> int:

@@ -218,6 +218,7 @@ VALUES: dict[str, tuple[Any, Any]] = {
     ),
     "Mapping[Name, tuple[tuple[Linear, ...], ...]]": ({Name("x"): ((),)}, {Name("x"): ((Linear(1),),)}),
     "Mapping[Name, tuple[Type, ...]]": ({Name("x"): (SCALAR,)}, {Name("x"): (VECTOR,)}),
+    "Mapping[Name, tuple[Path, int]]": ({}, {Name("x"): (Path("one"), 1)}),
     "frozenset[Named]": (frozenset({Name("x")}), frozenset({Name("y")})),
     "Notations": (
         Notations(),

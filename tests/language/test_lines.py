@@ -3,13 +3,13 @@
 from itertools import product
 
 import pytest
+from workbench.papers.text_claims.alignment import lines_of
 
 from workbench.language.grammar.lines import split_lines
 from workbench.language.grammar.tokens import MOST_CHARACTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
 from workbench.language.typed.errors import ReadError
-from workbench.papers.text_claims.alignment import lines_of
 from workbench.papers.texts import read_text
 
 TABLE = SymbolTable.build({name: {"kind": "scalar", "weight": 0} for name in "abcdx"})

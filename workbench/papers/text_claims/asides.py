@@ -15,10 +15,10 @@ from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Apply, Relation, Statement, Symbol, Term, Zero, sides_of
 from workbench.language.typed.types import Declaration
+from workbench.papers.cutting.chains import Step, steps_of
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Notation
 from workbench.papers.said import terms_of
-from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.texts import Display, Token, spelled
 from workbench.papers.texts.prose import sentence_around, supposed_before
 

@@ -284,15 +284,18 @@ class _Body:
             case "\\label":
                 row.labels.append((reader.word(), _ON_LETTER in row.marks))
             case "\\tag":
-                reader.star()
-                row.tag = reader.counters.text(joined(reader.argument()))
+                self._tag(token)
             case "\\eqno" | "\\leqno":
                 reader.skip_spaces()
                 row.tag = _eqno(reader, self.closing or "$$")
             case "\\intertext" | "\\shortintertext" | "\\noalign":
-                reader.argument()
                 if self.splits and self.depth <= 0 and any(not kept.text.isspace() for kept in row.tokens):
                     self.rows.append(_Row())
+                if token.word == "noalign":
+                    reader.argument()
+                else:
+                    self._keep(token)
+                    self._words()
             case "\\addtocounter" | "\\setcounter" | "\\stepcounter" | "\\refstepcounter":
                 reader.count(token)
             case "\\ref" | "\\eqref" | "\\cref" | "\\Cref" | "\\autoref":
@@ -311,6 +314,18 @@ class _Body:
             case _:
                 return False
         return True
+
+    def _tag(self, token: Token) -> None:
+        """The number of the row; words in it, such as a reason, stay in the row."""
+        self.reader.star()
+        row = self.rows[-1]
+        before = len(row.tokens)
+        self._keep(token)
+        self._words()
+        inside = row.tokens[before + 2 : -1]
+        row.tag = self.reader.counters.text(joined(inside))
+        if "$" not in (each.text for each in inside):
+            del row.tokens[before:]
 
     def _paragraph(self, token: Token) -> None:
         """It ends a row, as in Sphinx's displays: what stands below is no factor of what stands above."""

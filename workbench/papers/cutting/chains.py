@@ -74,7 +74,7 @@ class _Chain:
 
     def steps(self) -> Iterator[Step]:
         for at, span in enumerate(self._spans()):
-            tokens = self._formula(span.start, span.end)
+            tokens = self._formula(span.start, span.end, span.own)
             if not tokens:
                 continue
             number, labels = self._row(span.end)
@@ -99,9 +99,13 @@ class _Chain:
         ends = [*self._places[1:], len(self._nodes)]
         return [_Span(*span) for span in zip(starts, self._places, ends, strict=False)]
 
-    def _formula(self, start: int, end: int) -> list[Token]:
-        """The tokens of the nodes from `start` to `end`, as the reader knows them."""
-        tokens = self._respelled(trimmed(self._nodes[start:end]))
+    def _formula(self, start: int, end: int, own: int = 0) -> list[Token]:
+        """The tokens of the nodes from `start` to `end`, as the reader knows them. own: the place of the
+        relation of one step among several."""
+        sides = [self._nodes[start:end]]
+        if start < own < end:
+            sides = [self._nodes[start:own], [self._nodes[own]], self._nodes[own + 1 : end]]
+        tokens = self._respelled([node for side in sides for node in trimmed(side)])
         if self._statement.whole:
             return _with_implications(tokens)
         return _as_a_definition(tokens)

@@ -202,9 +202,8 @@ class RowReader:
             case Action.JOIN:
                 if piece.lead is Kind.IMPLICATION and not is_below:
                     target = self._with_premises(target)
-                self._append(target, piece, question, is_below)
                 self._state.columns[self._column] = self._here = target
-                return not is_below and Apart.MARK not in piece.apart
+                return self._append(target, piece, question, is_below)
             case Action.CONDITION | Action.RANGE:
                 role = Role.CONDITION if action is Action.CONDITION else Role.RANGE
                 self._put_beside(role, piece.kept, of_the_row=Apart.MARK in piece.apart)
@@ -244,18 +243,21 @@ class RowReader:
         if statements:
             state.waiting, state.waiting_limits = [], []
 
-    def _append(self, target: Statement, piece: Piece, question: str, is_below: bool) -> None:
+    def _append(self, target: Statement, piece: Piece, question: str, is_below: bool) -> bool:
+        """Adds the piece to the statement; whether the comma or space before it went with it."""
         ends = dangling(target.nodes)
         repeats = ends is not None and ends is piece.lead and target.nodes[-1].name == piece.kept[0].name
         if repeats or (ends is Kind.SIGN and piece.lead is Kind.SIGN and target.nodes[-1].name == "+"):
             self._state.leave(Leftover.REPEATED_SIGN, [target.nodes.pop()])
         if question:
             target.doubts.append(Doubt(len(target.nodes), question))
-        if not is_below and Apart.MARK not in piece.apart:
-            target.nodes += piece.separator
+        signs = (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.IMPLICATION)
+        is_listed = not is_below and piece.lead not in signs
+        target.nodes += piece.separator if is_listed else []
         target.nodes += piece.kept
         target.ends_at_mark = piece.ends_at_mark
         target.whole = target.whole or any(node.kind is Kind.IMPLICATION for node in target.nodes[1:])
+        return is_listed
 
     def _with_premises(self, target: Statement) -> Statement:
         """a = b, c = d ⇒ e = f is one statement: what stands before an implication in its row is part of it."""

@@ -42,7 +42,8 @@ _SPECIAL = re.compile(
     r"|\bapproach(?:es|ing)?\b|\btends? to\b|\b(?:close|near) to\b"
     rf"|\b(?:suppos|assum|restrict)\w*\b(?! *(?:that |for |to )?[$\\:`]){_NOT_A}|"
     r"\b(?:approximat|lineari[sz]|neglect|ignor|negligib)\w*|\bfirst[- ]order\b|\bsmall[- ]angle|"
-    rf"\b(?:(?:for|at|if{_WISH}|when{_WISH}|where|in the case)\b[^.,;:]*|(?:suppos|assum)\w*{_NOT_A}[^.;]*)"
+    r"\b(?:(?:for|at|since|because|as(?= (?:the|both|these|two|\$|\\\())"
+    rf"|if{_WISH}|when{_WISH}|where|in the case)\b[^.,;:]*|(?:suppos|assum)\w*{_NOT_A}[^.;]*)"
     r"\b(?:degrees?|zero|parallel|perpendicular|orthogonal"
     r"|aligned|coincid\w+|pure|planar|small|constant|fixed|stationary|at rest|identity|the same|vanish\w*"
     r"|(?:un|not )chang(?:ed|ing)|(?:do|does) not \w+)\b",

@@ -25,9 +25,9 @@ class Step:
 
     own: what it adds to the step before, all for the first.   assumed: its conditions.   reasons: those that
     its author gives for it.   ranges: those that say where its symbols are, as i ≥ 1 and x ∈ [0, 1] do, with
-    which the tokens end.   perhaps: equations beside it, which may be its conditions.   otherwise: the formula
-    that stands there if the display is read in another way, which `question` names.   limits: words beside it
-    that limit it.   denied: the words that deny it.   number, labels: those of the row that it ends in."""
+    which the tokens end.   perhaps: equations beside it, which may be its conditions.   otherwise: what
+    stands there if the display is read in another way, which `question` names.   limits: words beside it that
+    limit it.   denied: the words that deny it.   number, labels: those of the row that it ends in."""
 
     tokens: tuple[Token, ...]
     own: tuple[Token, ...]
@@ -204,19 +204,25 @@ def _with_implications(tokens: list[Token]) -> list[Token]:
 
 def _as_a_definition(tokens: list[Token]) -> list[Token]:
     """x \\equiv … that says what x is as x := …, and x = const as the rate that is 0."""
-    depth = 0
-    for at, token in enumerate(tokens):
-        depth += (token.text in "([{") - (token.text in ")]}")
-        if depth == 0 and token.text in ("=", "\\equiv"):
-            break
-    else:
+    at = _first_equality(tokens)
+    if at is None:
         return tokens
-    left, right = tokens[:at], tokens[at + 1 :]
+    token, left, right = tokens[at], tokens[:at], tokens[at + 1 :]
     if left and _is_constant(right):
         return _at_rest(left, token)
     if token.text == "\\equiv" and _names(left, right):
         return [*left, token.standing_for(":="), *right]
     return tokens
+
+
+def _first_equality(tokens: Sequence[Token]) -> int | None:
+    """The place of the first = or \\equiv outside of brackets."""
+    depth = 0
+    for at, token in enumerate(tokens):
+        depth += (token.text in "([{") - (token.text in ")]}")
+        if depth == 0 and token.text in ("=", "\\equiv"):
+            return at
+    return None
 
 
 def _is_constant(right: Sequence[Token]) -> bool:

@@ -64,8 +64,8 @@ class Statement:
 
     limits: words beside it that limit it.   denied: the words that deny it.   whole: whether it states more
     than one formula, as an implication does.   begins_left: whether its first row has something before the
-    alignment mark.   is_condition_of: the statement whose condition it may be.   indent: the wide spaces before
-    its first row.   ends_at_mark: whether an alignment mark stands behind it."""
+    alignment mark.   is_condition_of: the statement whose condition it may be.   indent: the wide spaces
+    before its first row.   ends_at_mark: whether an alignment mark stands behind it."""
 
     nodes: list[Node]
     number: str | None = None

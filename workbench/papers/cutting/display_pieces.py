@@ -37,8 +37,8 @@ class Piece:
     """A piece of a row.
 
     kept: its nodes without the blanks around them, which are `around`.   separator: the comma, space or
-    quantifier before it.   indent: the wide spaces before it.   ends_at_mark: whether an alignment mark stands
-    behind it."""
+    quantifier before it.   indent: the wide spaces before it.   ends_at_mark: whether an alignment mark
+    stands behind it."""
 
     nodes: list[Node]
     apart: set[Apart]

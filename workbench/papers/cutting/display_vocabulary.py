@@ -88,8 +88,8 @@ NOTHING = _commands("displaystyle textstyle nonumber notag nobreak allowbreak li
 TERMS = dict.fromkeys(_commands("frac dfrac tfrac cfrac binom"), 2)
 TERMS |= dict.fromkeys(
     _commands(
-        "sqrt operatorname mathrm mathbf boldsymbol mathsf mathit mathcal mathbb bm vec dot ddot hat bar tilde"
-        " widehat widetilde overline underline"
+        "sqrt operatorname mathrm mathbf boldsymbol mathsf mathit mathcal mathbb bm vec dot ddot hat bar"
+        " tilde widehat widetilde overline underline"
     ),
     1,
 )
@@ -123,21 +123,25 @@ KINDS: dict[str, Kind] = {
     for text in texts
 }
 
+
+def _names(names: str) -> frozenset[str]:
+    return frozenset(names.split())
+
+
 #: Environments whose rows are lines.
 LINES = {
     **dict.fromkeys(
-        "align alignat flalign xalignat aligned alignedat split dgroup dmath".split(),
-        Marks.PAIRS,
+        _names("align alignat flalign xalignat aligned alignedat split dgroup dmath"), Marks.PAIRS
     ),
     **dict.fromkeys(
-        "eqnarray subeqnarray IEEEeqnarray array cases dcases rcases empheq".split(), Marks.CELLS
+        _names("eqnarray subeqnarray IEEEeqnarray array cases dcases rcases empheq"), Marks.CELLS
     ),
-    **dict.fromkeys("gather gathered multline multlined equation".split(), Marks.NONE),
+    **dict.fromkeys(_names("gather gathered multline multlined equation"), Marks.NONE),
 }
 #: Those of one formula, whose rows can be its factors.
-ONE_FORMULA = frozenset("split multline multline* multlined aligned alignedat".split())
+ONE_FORMULA = _names("split multline multline* multlined aligned alignedat")
 CASES = ("cases", "dcases", "rcases")
 #: Environments of lines that a file writes with an argument.
-WITH_ARGUMENT = frozenset("array alignedat alignat alignat* IEEEeqnarray xalignat".split())
+WITH_ARGUMENT = _names("array alignedat alignat alignat* IEEEeqnarray xalignat")
 #: A matrix whose rows are equations.
 MATRICES_OF_LINES = frozenset({"matrix", "smallmatrix"})

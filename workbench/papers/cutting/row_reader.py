@@ -260,7 +260,7 @@ class RowReader:
         return is_listed
 
     def _with_premises(self, target: Statement) -> Statement:
-        """a = b, c = d ⇒ e = f is one statement: what stands before an implication in its row is part of it."""
+        """The statement of a = b, c = d ⇒ e = f: what stands before an implication in its row is part of it."""
         while len(self._made) > 1 and target is self._made[-1]:
             self._made.pop()
             self._state.cut.statements.remove(target)
@@ -301,10 +301,10 @@ class RowReader:
         role = role_of(words)
         self._names_what = says_what_is(words) or (self._names_what and words == "and")
         self._last = None
-        if maths and role is not WordRole.DENIAL and any(map(relation_places, maths)):
-            if (lead := lead_of(words)) is not None:
-                self._formula_in_words(node, maths, _ROLES[lead])
-                return
+        relates = role is not WordRole.DENIAL and any(map(relation_places, maths))
+        if relates and (lead := lead_of(words)) is not None:
+            self._formula_in_words(node, maths, _ROLES[lead])
+            return
         if role is WordRole.CONNECTION and self._here is not None:
             self._here.nodes.append(node)
             self._here.nodes.append(Node(Kind.IMPLICATION, [], name="words"))

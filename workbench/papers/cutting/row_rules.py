@@ -26,8 +26,8 @@ COLUMN = "a column with a sign and a relation: terms of the equation before it, 
 
 
 class Action(Enum):
-    """What becomes of a piece. PERHAPS: an equation of its own, which may be a condition; OWN_OR_CONDITION: the
-    same where its place makes either likely."""
+    """What becomes of a piece. PERHAPS: an equation of its own, which may be a condition; OWN_OR_CONDITION:
+    the same where its place makes either likely."""
 
     JOIN = auto()
     NEW = auto()
@@ -115,9 +115,10 @@ def _without_relation(target: Statement, piece: Piece, layout: Layout, rest: Seq
     is_symbol = sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in piece.kept) == 1
     has_relation = bool(relation_places(target.nodes))
     ahead = next((at for at, each in enumerate(rest) if each.relations), None)
-    if is_symbol and has_relation and piece.apart & {Apart.COMMA, Apart.WIDE} and ahead is not None:
-        if Apart.COMMA in rest[ahead].apart and is_range(rest[ahead].kept, rest[ahead + 1 :]):
-            return Action.RANGE  # …, m, n \in N
+    is_beside = is_symbol and has_relation and bool(piece.apart & {Apart.COMMA, Apart.WIDE})
+    is_listed = is_beside and ahead is not None and Apart.COMMA in rest[ahead].apart
+    if is_listed and is_range(rest[ahead].kept, rest[ahead + 1 :]):  # …, m, n \in N
+        return Action.RANGE
     if Apart.MARK in piece.apart and has_relation and layout.is_cases:
         return Action.CONDITION
     return Action.JOIN  # a list, which the reader knows
@@ -161,7 +162,7 @@ def inside_of(kept: Sequence[Node]) -> list[Node]:
 
 
 def is_range(kept: Sequence[Node], rest: Sequence[Piece] = ()) -> bool:
-    """Whether the nodes say where a symbol is: i = 1, 2, 3 with what is listed behind it, i \\geq 1, x \\in V."""
+    """Whether the nodes say where a symbol is: i = 1, 2, 3 with its list behind it, i \\geq 1, x \\in V."""
     names = {kept[at].name for at in relation_places(kept)}
     if names and names <= RANGE_RELATIONS:
         return True

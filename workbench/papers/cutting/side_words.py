@@ -1,4 +1,4 @@
-"""What words in a display say of what stands beside them: the table of words, and the words that are names."""
+"""What words in a display say of what stands beside them: the table of words, and words that are names."""
 
 from __future__ import annotations
 
@@ -44,13 +44,8 @@ _ROLES = (
 _NAMES_WHAT = re.compile(r"\b(?:where|with|here)$")
 #: The same roles where the formula stands within the words: "since $a = 0$".
 _LEADS = (
-    (WordRole.REASON, re.compile(r"\b(?:since|because|as|using|by|from|due|recall|noting)\b")),
-    (
-        WordRole.CONDITION,
-        re.compile(
-            r"\b(?:where|with|given|provided|when|whenever|if|for|while|such that|assuming|at|under|on)\b"
-        ),
-    ),
+    (WordRole.REASON, re.compile(rf"\b(?:{_REASONS})\b")),
+    (WordRole.CONDITION, re.compile(rf"\b(?:{_CONDITIONS})\b")),
 )
 #: Words that say without a formula that what they stand beside holds only somewhere.
 _LIMITS = re.compile(
@@ -109,7 +104,7 @@ def limits(words: str) -> bool:
 
 
 def limits_without_a_relation(words: str) -> bool:
-    """Whether the words limit a statement where only symbols stand behind them: "if (x)", but not "for all x"."""
+    """Whether the words limit a statement where only symbols stand behind them: "if (x)", not "for all x"."""
     return limits(words) and _NO_LIMITS.search(words) is None
 
 

@@ -168,8 +168,7 @@ def _entries(tokens: Sequence[Token]) -> list[list[Token]] | None:
             parts.append([])
         elif not is_gap:
             parts[-1].append(token)
-            is_sign = token.text in ("+", "-")
-            if is_sign and (printed(parts[-1]) != [token.text] or not _touches(tokens, at)):
+            if token.text in ("+", "-") and (printed(parts[-1]) != [token.text] or not _touches(tokens, at)):
                 return None
     parts = [part for part in parts if printed(part)]
     return parts if len(parts) > 1 and all(_is_entry(_bare(part)) for part in parts) else None

@@ -326,7 +326,7 @@ def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], For
 
 
 def _reasons(placed: Placed) -> tuple[list[Formula], tuple[Aside, ...]]:
-    """The reasons that the author gives for the step; those that cannot be read keep it from being refuted."""
+    """The reasons that the author gives for the step, and those that cannot be read, which limit it."""
     made: list[Formula] = []
     unread: list[Aside] = []
     for tokens in placed.step.reasons:

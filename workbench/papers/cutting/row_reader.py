@@ -260,7 +260,7 @@ class RowReader:
         return is_listed
 
     def _with_premises(self, target: Statement) -> Statement:
-        """The statement of a = b, c = d ⇒ e = f: what stands before an implication in its row is part of it."""
+        """The statement of a = b, c = d ⇒ e = f: what stands before ⇒ in its row is part of it."""
         while len(self._made) > 1 and target is self._made[-1]:
             self._made.pop()
             self._state.cut.statements.remove(target)

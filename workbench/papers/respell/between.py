@@ -160,7 +160,7 @@ def row_of_two(tokens: list[Token], place: int) -> tuple[list[Token], int] | Non
 
 
 def _entries(tokens: Sequence[Token]) -> list[list[Token]] | None:
-    """Symbols, numbers and sines that spaces part, each perhaps with a sign that touches it; None for others."""
+    """Symbols, numbers and sines that spaces part, each with or without a sign; None for others."""
     parts: list[list[Token]] = [[]]
     for at, token in enumerate(tokens):
         is_gap = token.text in _WIDE | (_THICK - {"\\,", "\\:"})

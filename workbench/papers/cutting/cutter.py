@@ -151,7 +151,9 @@ class _Cutter:
             self._without_open_signs(statement)
             statement.whole = statement.whole or _maps(statement.nodes)
             with_notes(statement)
-        self.cut.statements = [each for each in self.cut.statements if each.nodes]
+        for statement in [each for each in self.cut.statements if not each.nodes]:
+            self.cut.statements.remove(statement)
+            self.state.waiting += statement.beside
         if self.cut.statements:
             self.cut.statements[-1].beside += self.state.waiting
         else:

@@ -9,13 +9,14 @@ from workbench.language.grammar.vocabulary import NUMBER
 from workbench.papers.cutting.cut import Beside, Cut, Doubt, Leftover, Role, RowEnd, Statement
 from workbench.papers.cutting.display_pieces import Apart, Piece, dangling
 from workbench.papers.cutting.display_tree import Node, relation_places, trimmed, without
-from workbench.papers.cutting.display_vocabulary import RANGE_RELATIONS, Kind, Marks
+from workbench.papers.cutting.display_vocabulary import Kind, Marks
 from workbench.papers.cutting.row_rules import (
     Action,
     Layout,
     behind,
     below,
     is_range,
+    is_symbol,
     leading_side,
     names_what,
 )
@@ -153,6 +154,8 @@ class RowReader:
         self._last = None
         if Apart.COLON in piece.apart:
             self._pending = None
+        if piece.lead in (Kind.RELATION, Kind.IMPLICATION, Kind.INFIX):  # it goes on in spite of the words
+            self._pending = None
         if self._pending is not None and not self._begins_definition(piece):
             self._behind_words(piece, rest)
             return False
@@ -175,9 +178,11 @@ class RowReader:
             return False
         if not piece.relations:
             return Apart.COMMA in piece.apart and piece.lead not in (Kind.SIGN, Kind.INFIX)
-        names = {piece.kept[at].name for at in piece.relations if at}
-        is_open = not relation_places(self._last.nodes)
-        return is_open and bool(names) and (names <= RANGE_RELATIONS or is_range(piece.kept, rest))
+        is_statement = self._here is None and not any(each.relations for each in rest)
+        if relation_places(self._last.nodes) or Apart.WIDE in piece.apart or is_statement:
+            return False
+        is_side = is_symbol(piece.kept[: piece.relations[0]]) and is_range(piece.kept, rest)
+        return Apart.COMMA in piece.apart and is_side
 
     def _begins_definition(self, piece: Piece) -> bool:
         """Whether “where R := …” says what R is: a statement, and no condition."""
@@ -251,8 +256,9 @@ class RowReader:
             self._state.leave(Leftover.REPEATED_SIGN, [target.nodes.pop()])
         if question:
             target.doubts.append(Doubt(len(target.nodes), question))
-        signs = (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.IMPLICATION)
+        signs = (Kind.RELATION, Kind.INFIX, Kind.IMPLICATION)
         is_listed = not is_below and piece.lead not in signs
+        is_listed &= piece.lead is not Kind.SIGN or Apart.COMMA in piece.apart
         target.nodes += piece.separator if is_listed else []
         target.nodes += piece.kept
         target.ends_at_mark = piece.ends_at_mark
@@ -301,6 +307,10 @@ class RowReader:
         role = role_of(words)
         self._names_what = says_what_is(words) or (self._names_what and words == "and")
         self._last = None
+        if self._is_in_a_formula(role, rest):
+            self._here.nodes.append(node)
+            self._pending = None
+            return
         relates = role is not WordRole.DENIAL and any(map(relation_places, maths))
         if relates and (lead := lead_of(words)) is not None:
             self._formula_in_words(node, maths, _ROLES[lead])
@@ -322,6 +332,17 @@ class RowReader:
             self._limit(words)
         if not (role is WordRole.JOIN and words == "and"):
             self._pending = None
+
+    def _is_in_a_formula(self, role: WordRole, rest: Sequence[Piece]) -> bool:
+        """Whether words part a formula that nobody can read without them: x is parallel to y."""
+        behind_it = next((piece for piece in rest if piece.kept), None)
+        if self._here is None or behind_it is None or behind_it.is_words or Apart.MARK in behind_it.apart:
+            return False
+        goes_on = behind_it.lead in (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.IMPLICATION)
+        is_open = not relation_places(self._here.nodes)
+        if role is WordRole.JOIN:
+            return is_open and not goes_on
+        return role is WordRole.REMARK and not goes_on and (is_open or not behind_it.relations)
 
     def _formula_in_words(self, node: Node, maths: Sequence[list[Node]], role: Role) -> None:
         for nodes in maths:

@@ -112,10 +112,11 @@ def behind(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece
 
 
 def _without_relation(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece]) -> Action:
-    is_symbol = sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in piece.kept) == 1
     has_relation = bool(relation_places(target.nodes))
+    if Apart.WORDS in piece.apart and has_relation and piece.lead is not Kind.SIGN and not _is_joined(target):
+        return Action.NEW
     ahead = next((at for at, each in enumerate(rest) if each.relations), None)
-    is_beside = is_symbol and has_relation and bool(piece.apart & {Apart.COMMA, Apart.WIDE})
+    is_beside = is_symbol(piece.kept) and has_relation and bool(piece.apart & {Apart.COMMA, Apart.WIDE})
     is_listed = is_beside and ahead is not None and Apart.COMMA in rest[ahead].apart
     if is_listed and is_range(rest[ahead].kept, rest[ahead + 1 :]):  # …, m, n \in N
         return Action.RANGE
@@ -147,7 +148,9 @@ def leading_side(piece: Piece, rest: Sequence[Piece]) -> Role | None:
     ahead = next((each for each in rest if each.relations), None)
     if not names or not names <= SIDE_RELATIONS or ahead is None or Apart.MARK in ahead.apart:
         return None
-    if {ahead.kept[at].name for at in ahead.relations} <= SIDE_RELATIONS:
+    left = trimmed(piece.kept[: piece.relations[0]])
+    is_of_a_symbol = is_symbol(left) or (bool(left) and left[0].text.strip().isdecimal())
+    if {ahead.kept[at].name for at in ahead.relations} <= SIDE_RELATIONS or not is_of_a_symbol:
         return None
     return Role.RANGE if names <= RANGE_RELATIONS else Role.CONDITION
 
@@ -181,10 +184,19 @@ def names_what(kept: Sequence[Node]) -> bool:
     if not places or kept[places[0]].name not in EQUALITIES | {"\\triangleq"}:
         return False
     left, right = trimmed(kept[: places[0]]), trimmed(kept[places[0] + 1 :])
-    is_symbol = sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in left) == 1
     value = right[0].text.strip() if len(right) == 1 else ""
     is_value = value.isdecimal() or value in ("\\mathbf{0}", "\\pi")
-    return is_symbol and left[0].kind in (Kind.PLAIN, Kind.GROUP) and not is_value
+    return is_symbol(left) and left[0].kind in (Kind.PLAIN, Kind.GROUP) and not is_value
+
+
+def is_symbol(nodes: Sequence[Node]) -> bool:
+    """Whether the nodes are one letter or group, with its scripts."""
+    return sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in nodes) == 1
+
+
+def _is_joined(target: Statement) -> bool:
+    """Whether words that a formula cannot be read without stand at its end."""
+    return target.nodes[-1].kind in (Kind.WORDS, Kind.IMPLICATION)
 
 
 def _closes(nodes: Sequence[Node], kept: Sequence[Node]) -> bool:

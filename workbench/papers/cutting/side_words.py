@@ -35,7 +35,7 @@ _JOINS = (
 #: In this order: the first pattern that the words match decides.
 _ROLES = (
     (WordRole.DENIAL, re.compile(r"(?:wrong|false|incorrect|not|in general not|but not)\b")),
-    (WordRole.CONNECTION, re.compile(r"(?:or|if and only if|iff|implies|unless|either)$")),
+    (WordRole.CONNECTION, re.compile(r"(?:or|implies|unless|either|(?:.*\b)?(?:iff|if and only if))$")),
     (WordRole.CONDITION, re.compile(rf"(?:.*\b)?(?:{_CONDITIONS})\b[^a-z]*$")),
     (WordRole.REASON, re.compile(rf"(?:.*\b)?(?:{_REASONS})\b[^a-z]*$")),
     (WordRole.JOIN, re.compile(rf"(?:{_JOINS})$")),
@@ -51,7 +51,8 @@ _LEADS = (
 _LIMITS = re.compile(
     r"\b(?:(?:orthogonal|perpendicular|parallel|boundar|small|const|stead|equilibri|symmetr|assum|hypothes"
     r"|vanish|neglect|approx|lineari|static)\w*|axis|axes|zero|at rest|fixed|if|when|unless|only|otherwise"
-    r"|special|case|on|along|near|under|at|since|because)\b"
+    r"|special|case|almost|up to|order|modulo|mod|locally|formally|roughly|usually"
+    r"|on|along|near|under|at|since|because)\b"
 )
 
 #: Words that quantify or refer, where what stands behind them relates nothing.
@@ -122,7 +123,12 @@ def is_name(cell: Sequence[Node], at: int) -> bool:
     if not re.search(r"[^\W_]", raw):
         return re.search(r"[^\s.,;:(){}\[\]]", raw) is not None  # x\text{-}y
     is_acronym = raw.isupper() and len(raw) > 1
-    if (role_of(words) is not WordRole.REMARK and not is_acronym) or maths:
+    if maths:
+        return False
+    before = next((n for n in reversed(cell[:at]) if n.kind not in (Kind.GAP, Kind.MARK)), None)
+    if before is not None and before.kind in (Kind.RELATION, Kind.SIGN, Kind.INFIX):
+        return True
+    if role_of(words) is not WordRole.REMARK and not is_acronym:
         return False
     return _is_in_a_term(cell, at, raw)
 

@@ -159,6 +159,42 @@ def test_what_stands_beside_a_formula_never_vanishes(tmp_path: Path, display: st
         assert getattr(steps[0], key), display
 
 
+ROWS_OF_CONDITIONS = {
+    r"A &= B \\ & \text{where } p q = 0 \\ D &= E": {"A=B": ["pq=0"], "D=E": []},
+    r"A &= B \\ & \text{for } p q = 0: \\ D &= E": {"A=B": [], "D=E": ["pq=0"]},
+    r"A &= B \\ \intertext{Since $p q = 0$,} D &= E": {"A=B": [], "D=E": ["pq=0"]},
+    r"A &= B \\ \intertext{and, as $p q = 0$,} &= C": {"A=B": [], "B=C": ["pq=0"]},
+    r"A &= B \text{ for all } n; \quad D = E": {"A=B": [], "D=E": []},
+    r"\forall x, \forall y, \quad D = E": {"D=E": []},
+    r"\forall x, D(x) \leq E": {r"D(x)\leqE": []},
+}
+
+
+@pytest.mark.parametrize("rows", ROWS_OF_CONDITIONS)
+def test_a_condition_belongs_to_the_formula_of_its_row(tmp_path: Path, rows: str) -> None:
+    displays = displays_of(tmp_path, rf"\begin{{align}} {rows} \end{{align}}")
+    steps = [step for line in steps_of(displays[0]) for step in line]
+    found = {plain_of(step): [latex(each) for each in (*step.assumed, *step.reasons)] for step in steps}
+    assert found == ROWS_OF_CONDITIONS[rows]
+    assert_conserved(displays[0])
+
+
+WORDED = [
+    r"F = -G\text{ and is parallel to }(r - s)",
+    r"f = g \text{ times } h",
+    r"x = y + \text{terms that depend on } a",
+    r"x \text{ is a multiple of } y",
+    r"(f, f) \geq 0\text{ with equality iff }f = 0",
+]
+
+
+@pytest.mark.parametrize("formula", WORDED)
+def test_words_within_a_formula_stay_in_it(tmp_path: Path, formula: str) -> None:
+    """Without the words F = -G and is parallel to r was read as F = -G r."""
+    ((step,),) = steps_of(displays_of(tmp_path, rf"\[ {formula} \]")[0])
+    assert plain_of(step) == "".join(formula.split())
+
+
 def test_a_factor_that_is_struck_out_is_not_said_to_vanish(tmp_path: Path) -> None:
     text = r"\[ \cancel{p} q = \cancel{p} r \] \[ \frac{\cancel{p} q}{\cancel{p}} = q \]"
     steps = [step for each in displays_of(tmp_path, text) for line in steps_of(each) for step in line]

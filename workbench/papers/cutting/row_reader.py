@@ -77,6 +77,7 @@ class RowReader:
         self._pending: Role | None = None  # what the words before say that the next formula is
         self._pending_words = ""
         self._names_what = False
+        self._is_quantified = False  # by symbols that the words before name, as "for all x" does
         self._said = False
 
     def begins(self, piece: Piece) -> bool:
@@ -104,7 +105,14 @@ class RowReader:
             self._formula(piece, rest)
 
     def end(self) -> None:
-        """Notes where the row ends in the statements that it adds to."""
+        """Notes where the row ends in the statements that it adds to.
+
+        Conditions in a row of their own are said of the statement above, unless the row ends with a colon."""
+        statements = self._state.cut.statements
+        last = [node for piece in self._row.pieces for node in (*piece.nodes, *piece.separator)][-1:]
+        is_heading = any(node.text.rstrip("} ").endswith(":") for node in last)
+        if self._here is None and statements and not is_heading:
+            self._take_waiting(statements[-1:])
         for statement in self._state.cut.statements:
             if self._counts.get(id(statement), 0) != len(statement.nodes):
                 end = RowEnd(len(statement.nodes), self._row.number, self._row.labels)
@@ -154,7 +162,8 @@ class RowReader:
         self._last = None
         if Apart.COLON in piece.apart:
             self._pending = None
-        if piece.lead in (Kind.RELATION, Kind.IMPLICATION, Kind.INFIX):  # it goes on in spite of the words
+        goes_on = piece.lead in (Kind.RELATION, Kind.IMPLICATION, Kind.INFIX)  # in spite of the words
+        if goes_on or (self._is_quantified and Apart.WIDE in piece.apart):
             self._pending = None
         if self._pending is not None and not self._begins_definition(piece):
             self._behind_words(piece, rest)
@@ -193,6 +202,7 @@ class RowReader:
         return True
 
     def _behind_words(self, piece: Piece, rest: Sequence[Piece]) -> None:
+        self._is_quantified = not piece.relations
         if not piece.relations:  # for all a, b
             self._state.leave(Leftover.NO_RELATION, piece.kept)
             if limits_without_a_relation(self._pending_words):
@@ -208,6 +218,8 @@ class RowReader:
                 if piece.lead is Kind.IMPLICATION and not is_below:
                     target = self._with_premises(target)
                 self._state.columns[self._column] = self._here = target
+                if is_below:
+                    self._take_waiting([target])
                 return self._append(target, piece, question, is_below)
             case Action.CONDITION | Action.RANGE:
                 role = Role.CONDITION if action is Action.CONDITION else Role.RANGE
@@ -242,6 +254,8 @@ class RowReader:
 
     def _take_waiting(self, statements: Sequence[Statement]) -> None:
         state = self._state
+        for beside in state.waiting:
+            beside.first = self._first_step() if beside.role is Role.REASON else 0
         for statement in statements:
             statement.beside += state.waiting
             statement.limits += state.waiting_limits
@@ -326,7 +340,7 @@ class RowReader:
         if role is WordRole.DENIAL and (self._here is None or is_followed):
             self._state.denial = node
         elif role in _ROLES and is_followed:
-            self._pending, self._pending_words = _ROLES[role], words
+            self._pending, self._pending_words, self._is_quantified = _ROLES[role], words, False
             return
         elif role is not WordRole.JOIN and limits(words):
             self._limit(words)
@@ -336,7 +350,11 @@ class RowReader:
     def _is_in_a_formula(self, role: WordRole, rest: Sequence[Piece]) -> bool:
         """Whether words part a formula that nobody can read without them: x is parallel to y."""
         behind_it = next((piece for piece in rest if piece.kept), None)
-        if self._here is None or behind_it is None or behind_it.is_words or Apart.MARK in behind_it.apart:
+        if self._here is None:
+            return False
+        if behind_it is None:  # f is smooth
+            return role is WordRole.REMARK and not relation_places(self._here.nodes)
+        if behind_it.is_words or Apart.MARK in behind_it.apart:
             return False
         goes_on = behind_it.lead in (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.IMPLICATION)
         is_open = not relation_places(self._here.nodes)

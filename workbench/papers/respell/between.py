@@ -242,3 +242,7 @@ def _are_scalars(parts: list[list[Token]]) -> bool:
 def _unsigned(parts: list[list[Token]]) -> list[list[Token]]:
     trimmed = [part[past(part, 0) :] for part in parts]
     return [part[past(part, 1) :] if part[0].text in ("-", "+") else part for part in trimmed]
+
+
+#: The patterns of rows in brackets.
+ROWS = (transposed_row, row_of_a_matrix, row_of_two)

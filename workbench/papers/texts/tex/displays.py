@@ -6,7 +6,6 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from string import whitespace
 
 from workbench.papers.texts.prose import sentence_before
 from workbench.papers.texts.tex.expander import Expander
@@ -101,30 +100,6 @@ class _Row:
     labels: list[tuple[str, bool]] = field(default_factory=list)  # and whether the letter is in the number
     tag: str | None = None
     marks: set[str] = field(default_factory=set)
-
-
-#: What may stand between them: also the mark of a quotation in Markdown.
-_NOTHING = f"{whitespace}>"
-
-
-def add(displays: list[Display], display: Display) -> None:
-    """One more display, or more rows of the last one, where it begins with = and nothing stands between."""
-    first = next((token.text for row in display.rows for token in row.tokens if token.text.strip()), "")
-    last = displays[-1] if displays and first == "=" and displays[-1].source is display.source else None
-    if (
-        last is None
-        or last.latex.rstrip().endswith(".")
-        or display.source.text[last.end : display.start].strip(_NOTHING)
-    ):
-        displays.append(display)
-        return
-    displays[-1] = replace(
-        last,
-        end=display.end,
-        rows=last.rows + display.rows,
-        opaque=last.opaque | display.opaque,
-        warnings=last.warnings + display.warnings,
-    )
 
 
 class DisplayReader(Expander):

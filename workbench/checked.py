@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,14 +14,17 @@ from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.grammar.lines import Line, split_lines, whole_line
 from workbench.language.naming.symbols import SymbolTable
+from workbench.language.reader import Range
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Statement
 from workbench.memory.store import Store, standard
 from workbench.papers import Claim, Formula, Notation, Orders, Paper
 from workbench.papers.conclusions import IS_THE_CONCLUSION, is_conclusion
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
+from workbench.papers.respell.in_models import with_rows
 from workbench.papers.said import SAID_BEFORE, free_in, introduced, introduces, terms_of
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
@@ -232,12 +236,22 @@ def _formula(
     line: Line, notation: Notation, orders: Orders | None, what: str = ""
 ) -> tuple[Formula, Orders | None]:
     try:
-        statement, ranges = read_statement(line.latex, notation, orders, as_condition=bool(what))
+        statement, ranges = _read(line.latex, notation, orders, as_condition=bool(what))
     except IllFormedAt as error:
         return Formula(line.latex, ill_formed=why_ill_formed(error)), orders
     except ReadError as error:
         raise ReadError(what + error.message, *line.place(error.line, error.column)) from None
     return Formula(line.latex, statement), orders_within(orders, ranges)
+
+
+def _read(
+    latex: str, notation: Notation, orders: Orders | None, as_condition: bool
+) -> tuple[Statement, tuple[Range, ...]]:
+    """What the formula says, with rows in brackets as matrices where that can be read."""
+    if (as_rows := with_rows(latex)) != latex:
+        with suppress(ReadError):
+            return read_statement(as_rows, notation, orders, as_condition)
+    return read_statement(latex, notation, orders, as_condition)
 
 
 def _as_text(text: str) -> str:

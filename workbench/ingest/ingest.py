@@ -22,9 +22,9 @@ from workbench.ingest.undeclared import letters_in_bold
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol
+from workbench.papers.cutting.chains import Step, steps_of
 from workbench.papers.model import PaperError
 from workbench.papers.said import stated, terms_of
-from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.texts import Display, Text, read_text
 
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)

@@ -342,13 +342,21 @@ def order_for(sides: Sequence[Term]) -> int:
     return order
 
 
-def surely_apart(relation: Relation) -> tuple[list[float], list[float]] | None:
-    """The entries of both sides, where some entry is sure not to be the same; None where that is open."""
+def surely_apart(relation: Relation) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
+    """Returns the entries of both sides where some entry is sure to differ, else None. Rational sides are given
+    exactly, others by 17 digits."""
     with ctx.workprec(_PRECISION):
         left, right = (entries(side, Balls()) for side in (relation.left, relation.right))
         if all(arb(a - b).contains(0) for a, b in zip(left.flat, right.flat, strict=True)):
             return None
-        return [float(a) for a in left.flat], [float(b) for b in right.flat]
+    return _shown(relation.left, left), _shown(relation.right, right)
+
+
+def _shown(side: Term, balls: np.ndarray) -> tuple[str, ...]:
+    try:
+        return tuple(str(value) for value in entries(side, _Rationals()).flat)
+    except NotExact:
+        return tuple(format(float(ball), ".17g") for ball in balls.flat)
 
 
 def exactly_equal(relation: Relation) -> bool:

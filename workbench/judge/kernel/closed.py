@@ -66,12 +66,11 @@ def _judged(numbers: Relation) -> Verdict | None:
             Evidence("SymPy", "60 digits agree"),
         )
         return Verdict(Outcome.PROVED, evidence=evidence)
-    left, right = (tuple(format(value, ".17g") for value in side) for side in sides)
     evidence = (
         Evidence(NUMBERS, "the two sides differ"),
         Evidence("SymPy, 60 digits", "the two sides differ"),
     )
-    return Verdict(Outcome.REFUTED, counterexample=Counterexample({}, left, right), evidence=evidence)
+    return Verdict(Outcome.REFUTED, counterexample=Counterexample({}, *sides), evidence=evidence)
 
 
 def is_of_numbers(verdict: Verdict) -> bool:

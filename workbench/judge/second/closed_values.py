@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import sympy
+from typing import Any
 
+from workbench.judge.second import sympy_gate as sympy
 from workbench.judge.subject.inventory import NotExact
 from workbench.language.typed.terms import (
     Apply,
@@ -32,7 +33,7 @@ def nearly_equal(relation: Relation) -> bool:
     return all(abs(sympy.N(each, _DIGITS)) < _NEAR for each in difference)
 
 
-def expression(term: Term) -> sympy.Matrix:
+def expression(term: Term) -> Any:
     """The term as a matrix. Raises NotExact."""
     match term:
         case Number(value=value):
@@ -62,7 +63,7 @@ def expression(term: Term) -> sympy.Matrix:
     raise NotExact("a term that is no number")
 
 
-def _applied(head: str, values: list[sympy.Matrix]) -> sympy.Matrix:
+def _applied(head: str, values: list[Any]) -> Any:
     first, last = values[0], values[-1]
     match head:
         case "add":
@@ -98,5 +99,5 @@ def _applied(head: str, values: list[sympy.Matrix]) -> sympy.Matrix:
     raise NotExact(f"{head} of numbers")
 
 
-def _skew(x: sympy.Matrix) -> sympy.Matrix:
+def _skew(x: Any) -> Any:
     return sympy.Matrix([[0, -x[2], x[1]], [x[2], 0, -x[0]], [-x[1], x[0], 0]])

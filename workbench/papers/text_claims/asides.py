@@ -15,10 +15,10 @@ from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Apply, Relation, Statement, Symbol, Term, Zero, sides_of
 from workbench.language.typed.types import Declaration
+from workbench.papers.cutting.chains import Step, steps_of
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Notation
 from workbench.papers.said import is_before_scope, is_by_definition, names_in, terms_of
-from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.texts import Display, Token, spelled
 from workbench.papers.texts.prose import headings, is_in_section_of, sentence_around, supposed_before
 
@@ -42,7 +42,8 @@ _SPECIAL = re.compile(
     r"|\bapproach(?:es|ing)?\b|\btends? to\b|\b(?:close|near) to\b"
     rf"|\b(?:suppos|assum|restrict)\w*\b(?! *(?:that |for |to )?[$\\:`]){_NOT_A}|"
     r"\b(?:approximat|lineari[sz]|neglect|ignor|negligib)\w*|\bfirst[- ]order\b|\bsmall[- ]angle|"
-    rf"\b(?:(?:for|at|if{_WISH}|when{_WISH}|where|in the case)\b[^.,;:]*|(?:suppos|assum)\w*{_NOT_A}[^.;]*)"
+    r"\b(?:(?:for|at|since|because|as(?= (?:the|both|these|two|\$|\\\())"
+    rf"|if{_WISH}|when{_WISH}|where|in the case)\b[^.,;:]*|(?:suppos|assum)\w*{_NOT_A}[^.;]*)"
     r"\b(?:degrees?|zero|parallel|perpendicular|orthogonal"
     r"|aligned|coincid\w+|pure|planar|small|constant|fixed|stationary|at rest|identity|the same|vanish\w*"
     r"|(?:un|not )chang(?:ed|ing)|(?:do|does) not \w+)\b",

@@ -214,7 +214,7 @@ def test_a_reason_that_repeats_its_step_is_none(tmp_path: Path) -> None:
 
 QUESTIONS = {
     r"\begin{align} & A = B \\ & \quad - C = D \end{align}": [("A=B-C", "A=B"), ("B-C=D", "-C=D")],
-    r"\begin{multline} A = B \\ C \end{multline}": [("A=BC", "A=B")],
+    r"\begin{equation}\begin{split} & A = B \\ & C \end{split}\end{equation}": [("A=BC", "A=B")],
     r"\begin{equation}\begin{split} A &= B \\ & C \end{split}\end{equation}": [("A=BC", "A=B")],
     r"\begin{alignat}{2} A &= B && - C = D \end{alignat}": [("A=B-C", "A=B"), ("B-C=D", "-C=D")],
 }

@@ -343,8 +343,10 @@ def order_for(sides: Sequence[Term]) -> int:
 
 
 def surely_apart(relation: Relation) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
-    """Returns the entries of both sides where some entry is sure to differ, else None. Rational sides are given
-    exactly, others by 17 digits."""
+    """Returns the entries of both sides where some entry is sure to differ, else None.
+
+    Rational sides are given exactly, others by 17 digits.
+    """
     with ctx.workprec(_PRECISION):
         left, right = (entries(side, Balls()) for side in (relation.left, relation.right))
         if all(arb(a - b).contains(0) for a, b in zip(left.flat, right.flat, strict=True)):

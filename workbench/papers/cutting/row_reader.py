@@ -339,6 +339,8 @@ class RowReader:
         is_followed = any(piece.kept and not piece.is_words for piece in rest)
         if role is WordRole.DENIAL and (self._here is None or is_followed):
             self._state.denial = node
+        elif role is WordRole.DENIAL and self._here is not None:
+            self._here.denied = node
         elif role in _ROLES and is_followed:
             self._pending, self._pending_words, self._is_quantified = _ROLES[role], words, False
             return

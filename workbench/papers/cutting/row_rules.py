@@ -72,7 +72,7 @@ def below(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece]
     is_followed = any(each.lead is Kind.RELATION for each in rest[:1])
     is_factor = not own and has_relation and layout.base in ONE_FORMULA and not _is_list(target)
     if is_factor and (layout.opens or layout.marks is Marks.NONE) and not is_followed:
-        return Action.JOIN, FACTOR
+        return Action.JOIN, "" if layout.base.startswith("multline") else FACTOR
     return Action.NEW, ""
 
 

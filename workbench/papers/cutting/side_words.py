@@ -32,9 +32,14 @@ _JOINS = (
     "and|so|so that|thus|hence|therefore|and therefore|then|i e|that is|which gives|or equivalently"
     r"|also|but|yields|gives|we have|we get|so we have|&|\\&|"
 )
+_DENIALS = (
+    r"(?:.*\b)?(?:wrong|false|untrue|invalid|incorrect|erroneous|mistaken)(?:ly)?\b"
+    r"|(?:.*\b)?(?:not|never|no longer)\b(?: be| generally| in general)? ?(?:true|valid|correct|right|hold)"
+    r"|.*n['’]t (?:true|hold)|(?:not|never|contrary|in general not|but not)\b"
+)
 #: In this order: the first pattern that the words match decides.
 _ROLES = (
-    (WordRole.DENIAL, re.compile(r"(?:wrong|false|incorrect|not|in general not|but not)\b")),
+    (WordRole.DENIAL, re.compile(_DENIALS)),
     (WordRole.CONNECTION, re.compile(r"(?:or|implies|unless|either|(?:.*\b)?(?:iff|if and only if))$")),
     (WordRole.CONDITION, re.compile(rf"(?:.*\b)?(?:{_CONDITIONS})\b[^a-z]*$")),
     (WordRole.REASON, re.compile(rf"(?:.*\b)?(?:{_REASONS})\b[^a-z]*$")),

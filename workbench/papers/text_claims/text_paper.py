@@ -280,7 +280,7 @@ def _orders(tables: Sequence) -> Orders | None:
 def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Formula, Orders | None]:
     latex, owners = placed.step.spelled()
     if placed.step.denied is not None:
-        return Formula(latex, unread=f"the words before it deny it: {placed.step.denied}"), orders
+        return Formula(latex, unread=f"the words beside it deny it: {placed.step.denied}"), orders
     opaque = sorted(
         name for name in placed.display.opaque if re.search(rf"\\{re.escape(name)}(?![A-Za-z])", latex)
     )

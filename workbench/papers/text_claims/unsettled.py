@@ -22,20 +22,13 @@ from workbench.language.typed.terms import (
     column_of_symbols,
 )
 from workbench.language.typed.types import SCALAR, Declaration
-from workbench.papers.model import Claim, Formula
+from workbench.papers.model import Claim
 from workbench.papers.said import SAYS, conditioned, constrains, terms_of
 from workbench.papers.text_claims.unread import COMPONENT, left_open, said_unread
 from workbench.papers.texts import Text
 
 _EXAMPLE = "gives the numbers of an example, which nothing defines; a definition makes it a claim"
 _GIVEN = "other formulas follow from it: it is given, and no claim"
-_WORDS = re.compile(r"\\(?:text(?:rm|it|bf|sf)?|mbox|hbox|mathrm)\s*\{([^{}]*)\}")
-_DENIAL = re.compile(
-    r"\b(?:wrong(?:ly)?|false(?:ly)?|untrue|invalid|incorrect(?:ly)?|erroneous(?:ly)?|mistaken(?:ly)?)\b"
-    r"|\b(?:not|never|no longer)\b(?: be| generally| in general)? ?(?:true|valid|correct|right|hold)"
-    r"|n['’]t (?:true|hold)|^\s*(?:not|never)\b|^\s*contrary\b",
-    re.IGNORECASE,
-)
 _ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _NO_ADJUGATE = "^* is read as the adjugate, of which the text does not speak; [notation] can say what it is"
 
@@ -47,7 +40,6 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
     given = {formula.statement for claim in claims for formula in claim.given}
     made = []
     for claim in claims:
-        claim = replace(claim, printed=_undenied(claim.printed))
         statement = claim.printed.statement
         if statement is not None:
             known = {definition.declaration.name for definition in claim.notation.definitions}
@@ -72,16 +64,6 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             )
         made.append(claim)
     return made
-
-
-def _undenied(printed: Formula) -> Formula:
-    """The formula, unread where words inside of it deny it: it is not claimed."""
-    words = (match[1] for match in _WORDS.finditer(printed.latex))
-    denial = next((each for each in words if _DENIAL.search(each)), None)
-    if denial is None or printed.statement is None:
-        return printed
-    why = f"not claimed: the words {' '.join(denial.split())!r} beside it deny it"
-    return replace(printed, statement=None, unread=why)
 
 
 def _moving(claims: Sequence[Claim]) -> frozenset[Name]:

@@ -203,7 +203,7 @@ def _notation(
 def _notation_at(paper: Paper, at: str) -> Notation:
     claims = select_claims(paper.claims, [at])
     if len({id(claim.notation) for claim in claims}) > 1:
-        files = ", ".join(sorted({claim.file.name for claim in claims}))
+        files = ", ".join(sorted({claim.file.name for claim in claims if claim.file is not None}))
         raise ValueError(f"at: {at!r} is in {files}, each with a notation of its own; name one claim")
     return claims[0].notation
 

@@ -35,8 +35,8 @@ def _is_exact(a: Any) -> bool:
     return isinstance(a, int | Fraction) or _is_flint(a)
 
 
-def _real_function(name: str, ufunc: np.ufunc, exact: Callable[[Any], Any] | None) -> Callable[[Any], Any]:
-    """``ufunc`` on every scalar, with ``exact`` in its place on exact ones (None: not exact)."""
+def _real_function(name: str, ufunc: np.ufunc, exact: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """``ufunc`` on every scalar, with ``exact`` in its place on exact ones (its value None: not exact)."""
 
     def on_scalar(a: Any) -> Any:
         if not _is_exact(a):
@@ -138,7 +138,7 @@ def _real_atan2(y: Any, x: Any) -> Any:
     raise TypeError(f"atan2({y}, {x}): no exact value; expected floats")
 
 
-def _require_not_negative(name: str, a: Any):
+def _require_not_negative(name: str, a: Any) -> None:
     is_float = isinstance(a, float | np.floating) or (isinstance(a, np.ndarray) and a.dtype != object)
     if is_float and np.any(np.asarray(a) < 0):
         raise ValueError(f"{name}: expected a real part > 0, got {a}")

@@ -172,7 +172,7 @@ def _fix(result: ClaimResult) -> str | None:
 
     claim = result.claim
     pairs = ((claim.corrected, result.corrected), (claim.reading, result.reading))
-    proved = [form.latex for form, verdict in pairs if verdict and verdict.outcome is Outcome.PROVED]
+    proved = [form.latex for form, verdict in pairs if form and verdict and verdict.outcome is Outcome.PROVED]
     if not proved or claim.span is None:
         return None
     if not claim.chain:

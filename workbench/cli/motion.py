@@ -15,9 +15,9 @@ from rich.text import Text
 from workbench.cli.options import Unusable, json_flag, print_json, reports_faults
 
 if TYPE_CHECKING:
-    from workbench.drake.joint_paths import Path as JointPath
     from workbench.kinematics.robot.answers import Peak
     from workbench.kinematics.robot.motion import Motion
+    from workbench.kinematics.robot.paths import SplinePath
     from workbench.kinematics.robot.report import MotionReport
 
 #: Beyond it Drake's numbers, in doubles, have no correct digit left to compare with.
@@ -109,12 +109,12 @@ def motion(
             )
         whole = _whole(report, until, wanted=limits is not None or plot is not None or path is not None)
         peaks = [] if whole is None else whole.peaks(body, report.point, bounds, relative_to)
-        if plot is not None:
+        if plot is not None and whole is not None:
             _draw(whole, body, report, bounds, plot)
     except (ValueError, ImportError) as error:
         raise Unusable(str(error)) from None
     data = report.to_dict() | {
-        "smoothing": _smoothing_dict(report) if path is not None else None,
+        "smoothing": None if path is None else _smoothing_dict(report, path),
         "peaks": [_peak_dict(peak) for peak in peaks],
     }
     if as_json:
@@ -151,7 +151,7 @@ def _numbers(text: str, what: str, count: int | None = None) -> tuple[float, ...
     return numbers
 
 
-def _smoothed(trajectory: Path, urdf: Path, base: str) -> JointPath:
+def _smoothed(trajectory: Path, urdf: Path, base: str) -> SplinePath:
     from workbench.kinematics.robot import Robot
     from workbench.kinematics.robot.paths import SplinePath, read_samples
 
@@ -195,10 +195,10 @@ def _peak_dict(peak: Peak) -> dict[str, Any]:
     return {key: getattr(peak, key) for key in keys}
 
 
-def _smoothing_dict(report: MotionReport) -> dict[str, Any]:
-    error = report.path.error(report.at, report.motion.order)
+def _smoothing_dict(report: MotionReport, path: SplinePath) -> dict[str, Any]:
+    error = path.error(report.at, report.motion.order)
     return {
-        "residual": dict(zip(report.joints, report.path.residual.tolist(), strict=True)),
+        "residual": dict(zip(report.joints, path.residual.tolist(), strict=True)),
         "standard_error": {
             name: error[:, i].tolist() for i, name in enumerate(report.joints)
         },  # of the position and of each derivative at the time

@@ -45,7 +45,7 @@ def kinematic_urdf(path: Path, base: str = "fixed") -> str:
     if base == "floating":
         children = {end.get("link") for end in kept.iter("child")}
         for name in [link.get("name") for link in kept.iter("link")]:
-            if name not in children and name != "world":
+            if name is not None and name not in children and name != "world":
                 floating = ET.Element("joint", {"name": "base", "type": "floating"})
                 ET.SubElement(floating, "parent", {"link": "world"})
                 ET.SubElement(floating, "child", {"link": name})

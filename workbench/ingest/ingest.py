@@ -295,9 +295,10 @@ def _definitions(formulas: list[Formula]) -> list[Proposed]:
 
 
 def _lone_left(statement: Statement) -> str | None:
-    left = statement.left if isinstance(statement, Relation) else None
-    is_plain = isinstance(left, Symbol) and not left.index and not left.arguments
-    return str(left.declaration.name) if is_plain else None
+    match statement:
+        case Relation(left=Symbol(declaration=declaration, index=(), arguments=())):
+            return str(declaration.name)
+    return None
 
 
 def _spin(said: Relation) -> tuple[str, str] | None:

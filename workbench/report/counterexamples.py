@@ -80,7 +80,8 @@ def as_printed(name: str, said: str) -> str:
             bold = f"{style}{{{letter}}}"
             is_bare = re.search(re.escape(letter) + r"(?![A-Za-z])", said.replace(bold, ""))
             if bold in said and not is_bare and bold not in name:
-                return re.sub(re.escape(letter) + r"(?![A-Za-z])", lambda _, b=bold: b, name, count=1)
+                replacement = bold.replace("\\", r"\\")
+                return re.sub(re.escape(letter) + r"(?![A-Za-z])", replacement, name, count=1)
     return name
 
 

@@ -30,7 +30,7 @@ from workbench.repair.propose.proposed import Proposed
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous
-from workbench.repair.terms.edits import edits
+from workbench.repair.terms.edits import Edit, edits
 from workbench.repair.terms.members import membership, other_members
 from workbench.repair.terms.places import places
 from workbench.repair.terms.search import Candidate, Change, Neighbourhood, candidate_of, cost
@@ -75,7 +75,7 @@ class Repair:
     """What was found. `candidates`: how many were looked at; `complete`: the search came to its end;
     `interrupted`: by Ctrl-C."""
 
-    claim: Claim | None
+    claim: Claim
     proposals: list[Proposal] = field(default_factory=list)
     candidates: int = 0
     seconds: float = 0.0
@@ -195,13 +195,10 @@ class _Bench:
         screen = self.screen
         if screen is not None and self._offer(c for c in likeliest if screen.vanishes(c.statement)):
             return
-        if screen is None or not self._is_equation(likeliest):
+        if screen is None or all(screen.residual(c.statement) is None for c in likeliest):
             self._offer(iter(likeliest))
         else:
             self._repair_false(likeliest)
-
-    def _is_equation(self, read: Sequence[Candidate]) -> bool:
-        return any(self.screen.residual(candidate.statement) is not None for candidate in read)
 
     def _repair_false(self, read: Sequence[Candidate]) -> None:
         """One stage of the search after another, each for all readings."""
@@ -214,8 +211,10 @@ class _Bench:
         stages = []
         for candidate in read:
             near, far = symbols_like(candidate.statement, self.table, self.integers)
+            own = self._screen()  # which keeps values of its own
+            assert own is not None
             neighbourhood = Neighbourhood(
-                candidate.statement, self._screen(), second, near, far, len(read) > 1, self._tick
+                candidate.statement, own, second, near, far, len(read) > 1, self._tick
             )
             stages.append((candidate, neighbourhood.stages()))
         while stages:
@@ -333,7 +332,7 @@ class _Bench:
 def _unscreened(printed: Candidate) -> Iterator[Candidate]:
     """One-place edits of what cannot be screened."""
     for edit in sorted(edits(printed.statement), key=cost):
-        if edit.statement is not None:
+        if isinstance(edit, Edit):
             candidate = candidate_of(edit)
             yield replace(candidate, changes=(*printed.changes, *candidate.changes))
 

@@ -58,7 +58,11 @@ class Pieces:
         candidates = [np.array([a, b]), inner]
         for i, row in enumerate(self.coefficients):
             slope = np.polynomial.polynomial.polyder(row, k + 1)
-            roots = np.polynomial.polynomial.polyroots(np.trim_zeros(slope, "b")) if np.trim_zeros(slope, "b").size > 1 else np.zeros(0)
+            roots = (
+                np.polynomial.polynomial.polyroots(np.trim_zeros(slope, "b"))
+                if np.trim_zeros(slope, "b").size > 1
+                else np.zeros(0)
+            )
             real = roots.real[np.abs(roots.imag) < 1e-7] + self.breaks[i]
             end = self.breaks[i + 1] if i + 1 < len(self.breaks) else b
             candidates.append(real[(real > max(a, self.breaks[i])) & (real < min(b, end))])
@@ -75,7 +79,9 @@ def sines(rng, count, lowest, highest):
 def decays(rng):
     """A damped oscillation beside a slow drift."""
     ring = -rng.uniform(0.05, 0.5) + 2j * np.pi * rng.uniform(0.3, 2)
-    return Exponentials(np.array([rng.uniform(0.2, 1) * np.exp(1j * rng.uniform(0, 6)), 0.5]), np.array([ring, -0.1]))
+    return Exponentials(
+        np.array([rng.uniform(0.2, 1) * np.exp(1j * rng.uniform(0, 6)), 0.5]), np.array([ring, -0.1])
+    )
 
 
 REST_TO_REST = {5: (0, 0, 0, 10, -15, 6), 7: (0, 0, 0, 0, 35, -84, 70, -20)}
@@ -102,7 +108,10 @@ def by_constant_derivative(order, spans, values):
     for span, value in zip(spans, values, strict=True):
         row = np.array([*(state / [float(factorial(j)) for j in range(order)]), value / factorial(order)])
         rows.append(row)
-        state = [np.polynomial.polynomial.polyval(span, np.polynomial.polynomial.polyder(row, j)) for j in range(order)]
+        state = [
+            np.polynomial.polynomial.polyval(span, np.polynomial.polynomial.polyder(row, j))
+            for j in range(order)
+        ]
         state = np.array(state)
         breaks.append(breaks[-1] + span)
     return Pieces(np.array(breaks), np.array(rows))
@@ -114,7 +123,15 @@ def bang_bang(rng, count, rest):
     for i in range(count):
         sign, jerk = (-1) ** i, rng.uniform(5, 20)
         rise, hold, cruise = rng.uniform(0.15, 0.4), rng.uniform(0.05, 0.4), rng.uniform(0.05, 0.5)
-        spans += ([rest * rng.uniform(0.7, 1.3)] if rest else []) + [rise, hold, rise, cruise, rise, hold, rise]
+        spans += ([rest * rng.uniform(0.7, 1.3)] if rest else []) + [
+            rise,
+            hold,
+            rise,
+            cruise,
+            rise,
+            hold,
+            rise,
+        ]
         values += ([0.0] if rest else []) + [sign * jerk * s for s in (1, 0, -1, 0, -1, 0, 1)]
     return by_constant_derivative(3, spans, values)
 

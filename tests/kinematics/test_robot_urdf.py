@@ -159,7 +159,10 @@ def test_a_floating_joint_inside_the_tree_carries_what_is_behind_it(file):
 
 def test_limits_are_the_file_s(file):
     limits = Robot.from_urdf(file(FILE)).limits
-    assert limits["k"] == (-1, 2, 3) and np.isnan(limits["j"].upper)
+    assert limits["k"][:3] == (-1, 2, 3) and np.isnan(limits["k"].jerk) and np.isnan(limits["j"].upper)
+    text = FILE.replace('velocity="3"', 'velocity="3" acceleration="4" deceleration="5" jerk="inf"')
+    k = Robot.from_urdf(file(text)).limits["k"]
+    assert (k.acceleration, k.deceleration) == (4, 5) and np.isnan(k.jerk)
 
 
 DRAKE_JOINTS = """<robot name="r" xmlns:drake="http://drake.mit.edu"><link name="a"/><link name="b"/><link name="c"/><link name="d"/><link name="e"/>

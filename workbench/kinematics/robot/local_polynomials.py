@@ -304,13 +304,13 @@ def best_cut(t, q, low, guess, high):
     return where
 
 
-@compiled
-def remove(rest, column, columns, used, length):
-    """Orthogonalizes the column against those before, twice; takes it out of the rest. Returns whether it was
-    independent, and stores it."""
-    size = np.sqrt((column[:length] ** 2).sum())
-    if size == 0:
-        return False
+def _remove(rest, column, columns, used):
+    """Orthogonalizes the column against those before, twice, stores it, and takes it out of the rest. Returns
+    whether it was independent of them."""
+    length = len(rest)
+    size = 0.0
+    for i in range(length):
+        size += column[i] * column[i]
     for _ in range(2):
         for j in range(used):
             s = 0.0
@@ -318,56 +318,60 @@ def remove(rest, column, columns, used, length):
                 s += columns[j, i] * column[i]
             for i in range(length):
                 column[i] -= s * columns[j, i]
-    left = np.sqrt((column[:length] ** 2).sum())
-    if left < 1e-12 * size:
-        return False
-    s = 0.0
+    left = 0.0
     for i in range(length):
-        columns[used, i] = column[i] / left
+        left += column[i] * column[i]
+    if left <= 1e-24 * size:
+        return False
+    s, inverse = 0.0, 1 / np.sqrt(left)
+    for i in range(length):
+        columns[used, i] = column[i] * inverse
         s += columns[used, i] * rest[i]
     for i in range(length):
         rest[i] -= s * columns[used, i]
     return True
 
 
-@compiled
-def two_sided(t, q, low, high, at, squares):
-    """Fits one polynomial plus Σ₍ⱼ≥r₎ aⱼ (t − at)₊ʲ, j ≤ 7, to the samples low, …, high − 1.
+remove = compiled(_remove, fastmath=True)
 
-    squares[r], r = 0, …, 8: the sum of the squared residuals where the derivatives r and higher may jump at
-    the time `at`, those below r being continuous; squares[8]: no jump. Returns nothing.
-    """
-    length = high - low
-    centre, half = 0.5 * (t[low] + t[high - 1]), 0.5 * (t[high - 1] - t[low])
-    columns, column, rest = np.zeros((2 * SIDE_DEGREE + 2, length)), np.zeros(length), np.zeros(length)
-    offset = q[low + length // 2]
-    for i in range(length):
-        rest[i] = q[low + i] - offset
-    used = 0
-    for j in range(SIDE_DEGREE + 1):
-        for i in range(length):
-            column[i] = ((t[low + i] - centre) / half) ** j
-        used += remove(rest, column, columns, used, length)
-    squares[SIDE_DEGREE + 1] = (rest**2).sum()
-    scale = max(t[high - 1] - at, 1e-300)
+
+@compiled
+def two_sided(t, low, high, at, columns, used, rest, squares):
+    """Adds (t − at)₊ʲ, j = 7, …, 0, to the `used` columns; squares[r], r = 0, …, 7: the sum of the squared
+    residuals with those of j >= r, where the derivatives r and higher may jump at the time `at`."""
+    column, scale = np.zeros(high - low), max(t[high - 1] - at, 1e-300)
     for r in range(SIDE_DEGREE, -1, -1):
-        for i in range(length):
+        for i in range(high - low):
             behind = (t[low + i] - at) / scale
             column[i] = behind**r if behind >= 0 else 0.0
-        used += remove(rest, column, columns, used, length)
+        used += remove(rest, column, columns, used)
         squares[r] = (rest**2).sum()
 
 
 @compiled
 def scan_break(t, q, low, high, first, last, parts, squares, places):
-    """The least of `two_sided` over break times in the intervals before the samples first, …, last − 1, at
-    `parts` times each: squares[r] and the times places[r]."""
-    now = np.zeros(SIDE_DEGREE + 2)
+    """Fits a polynomial of degree 7 plus Σ₍ⱼ≥r₎ aⱼ (t − τ)₊ʲ, j ≤ 7, to the samples low, …, high − 1, for τ at
+    `parts` times in each interval before the samples first, …, last − 1.
+
+    squares[r], r = 0, …, 8: the least sum of the squared residuals, places[r]: τ in s; 8: no break.
+    """
+    length = high - low
+    centre, half = 0.5 * (t[low] + t[high - 1]), 0.5 * (t[high - 1] - t[low])
+    columns, column, rest = np.zeros((2 * SIDE_DEGREE + 2, length)), np.zeros(length), np.zeros(length)
+    for i in range(length):
+        rest[i] = q[low + i] - q[low + length // 2]
+    used = 0
+    for j in range(SIDE_DEGREE + 1):
+        for i in range(length):
+            column[i] = ((t[low + i] - centre) / half) ** j
+        used += remove(rest, column, columns, used)
+    now = np.zeros(SIDE_DEGREE + 1)
     squares[:] = np.inf
+    squares[SIDE_DEGREE + 1] = (rest**2).sum()
     for i in range(first, last):
         for part in range(1, parts + 1):
             at = t[i - 1] + (t[i] - t[i - 1]) * part / parts
-            two_sided(t, q, low, high, at, now)
-            for r in range(SIDE_DEGREE + 2):
+            two_sided(t, low, high, at, columns, used, rest.copy(), now)
+            for r in range(SIDE_DEGREE + 1):
                 if now[r] < squares[r]:
                     squares[r], places[r] = now[r], at

@@ -6,15 +6,18 @@ ends of the recording, where derivatives are known less well, are left out where
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from math import factorial
 
 import numpy as np
 
-from workbench.kinematics.robot.recordings import Recording
+from workbench.kinematics.robot.derivative_names import order_name
+from workbench.kinematics.robot.recordings import Break, Recording
 
 MOST = 0.25  # of the peak, by which |estimate| + error may exceed it anywhere
 ENDS = (0.0, 0.005, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15)  # shares of the samples left out at both ends together
+UNKNOWN, BELOW = "not known everywhere", "below its noise"
 RELATIVE = 1e-6  # of a peak: the least error that is stated
 
 
@@ -22,7 +25,8 @@ RELATIVE = 1e-6  # of a peak: the least error that is stated
 class RecordedPeak:
     """A peak: value ± error, at the time in s, on the times span; error: infinite where it is not determined.
 
-    at_least: what the size reaches in any case; 0 where nothing is known. reason: why it is not determined.
+    at_least: what the size reaches in any case; 0 where nothing is known. at_most: what it exceeds nowhere,
+    the ends that span leaves out with them; infinite where that is not known. reason: why the value is not.
     """
 
     value: float
@@ -30,6 +34,7 @@ class RecordedPeak:
     time: float
     span: tuple[float, float]
     at_least: float
+    at_most: float = np.inf
     reason: str = ""
 
 
@@ -40,30 +45,38 @@ def recorded_peak(recording: Recording, order: int) -> RecordedPeak:
     jumps = [one for one in recording.breaks if one.order < order]
     more, moves = _between_samples(recording, order)
     widened = error + more * np.minimum(0.2, 0.5 * _steepness(recording, order, size) * np.abs(moves))
-    return peak_of(recording.times, size + more, widened, jumps, _corners(recording, order), moves)
+    found = peak_of(recording.times, size + more, widened, jumps, _corners(recording, order), moves)
+    return found if order == 1 else below_noise(found, lambda: recorded_peak(recording, order - 1))
+
+
+def below_noise(found: RecordedPeak, lower: Callable[[], RecordedPeak]) -> RecordedPeak:
+    """The peak; of one below its noise at_most is known only if that of the derivative before it is."""
+    if found.reason == BELOW and not np.isfinite(lower().at_most):
+        return replace(found, at_most=np.inf)
+    return found
 
 
 def recorded_bound(recording: Recording, sign: int) -> RecordedPeak:
-    """The largest sign · q, sign = 1 or −1, as value; the coordinate is sign · value."""
+    """The largest sign · q, sign = 1 or −1; the coordinate there is sign · value."""
     value, error = sign * recording.estimates[0], recording.errors[0]
-    shift = value.min()  # sizes are positive; what is added is taken away again
-    unit = max(float(np.abs(value).max()), 1e-300)
     at = int(np.argmax(value))
+    best, time = float(value[at]), float(recording.times[at])
     low, high = float((value - error).max()), float((value + error).max())
     jumps = [one for one in recording.breaks if one.order == 0]
     span = float(recording.times[0]), float(recording.times[-1])
     if jumps or not np.isfinite(high):
-        return RecordedPeak(float(value[at]), np.inf, float(recording.times[at]), span, max(low, shift))
-    stated = max(high - value[at], value[at] - low, 1e-12 * unit)
-    return RecordedPeak(float(value[at]), float(stated), float(recording.times[at]), span, low)
+        reason = jump_reason(jumps) if jumps else UNKNOWN
+        return RecordedPeak(best, np.inf, time, span, low, reason=reason)
+    stated = max(high - best, best - low, 1e-12 * float(np.abs(value).max()))
+    return RecordedPeak(best, stated, time, span, low, best + stated)
 
 
 def peak_of(
     times: np.ndarray,
     size: np.ndarray,
     error: np.ndarray,
-    jumps: list,
-    corners: list[tuple[int, float, float]] = (),
+    jumps: Sequence[Break],
+    corners: Sequence[tuple[int, float, float]] = (),
     moves: np.ndarray | None = None,
 ) -> RecordedPeak:
     """The largest size (n,) at times (n,), whose errors (n,) are stated.
@@ -78,9 +91,11 @@ def peak_of(
     time = float(times[best] + (0.0 if moves is None else moves[best]))
     at_least = max(float(sure[at]), 0.0)
     if jumps:
-        return RecordedPeak(np.nan, np.inf, jumps[0].time, whole, at_least, jump_reason(jumps))
+        reason = f"{jump_reason(jumps)}: no bound there"
+        return RecordedPeak(np.nan, np.inf, jumps[0].time, whole, at_least, reason=reason)
     if not sure[at] > 0:
-        return RecordedPeak(np.nan, np.inf, time, whole, 0.0, "below its noise")
+        most = float((size + error).max())
+        return RecordedPeak(float(size[best]), np.inf, time, whole, 0.0, most, BELOW)
     n, found = len(times), []
     for share in ENDS:
         first, last = round(n * share / 2), n - round(n * share / 2)
@@ -89,14 +104,13 @@ def peak_of(
     least = min(high - low for _, low, high, _ in found)
     value, low, high, span = next(one for one in found if one[2] - one[1] <= 2 * least)
     if not low > 0 or high > (1 + MOST) * value:
-        return RecordedPeak(value, np.inf, time, whole, at_least, "not known everywhere")
-    return RecordedPeak(value, max(high - value, value - low, RELATIVE * value), time, span, low)
+        return RecordedPeak(value, np.inf, time, whole, at_least, reason=UNKNOWN)
+    stated = max(high - value, value - low, RELATIVE * value)
+    return RecordedPeak(value, stated, time, span, low, max(found[0][2], value + stated))
 
 
-def jump_reason(jumps: list) -> str:
+def jump_reason(jumps: Sequence[Break]) -> str:
     """Which derivative jumps, and where: "acceleration jumps at 3 times (1, 2, 3 s)"."""
-    from workbench.kinematics.robot.units import order_name
-
     lowest = min(one.order for one in jumps)
     at = sorted(one.time for one in jumps if one.order == lowest)
     times = ", ".join(f"{time:.6g}" for time in at[:3]) + (", …" if len(at) > 3 else "")
@@ -105,7 +119,7 @@ def jump_reason(jumps: list) -> str:
 
 
 def _bounds(
-    size: np.ndarray, error: np.ndarray, corners: list[tuple[int, float, float]], first: int, last: int
+    size: np.ndarray, error: np.ndarray, corners: Sequence[tuple[int, float, float]], first: int, last: int
 ) -> tuple[float, float, float]:
     """(value, low, high) of the peak on the samples first, …, last − 1 and the corners between them."""
     here = slice(first, last)
@@ -144,7 +158,7 @@ def _corners(recording: Recording, order: int) -> list[tuple[int, float, float]]
     return found
 
 
-def _corner(recording: Recording, order: int, one) -> tuple[int, float, float]:
+def _corner(recording: Recording, order: int, one: Break) -> tuple[int, float, float]:
     """The corner where the two sides' lines f + s x and g − r (step − x) meet, or the larger end of a jump."""
     i, j = one.sample - 1, one.sample
     step = recording.times[j] - recording.times[i]

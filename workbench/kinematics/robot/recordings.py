@@ -7,7 +7,7 @@ the least stated error count. Units: s, and rad or m per sᵏ.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import factorial
 
 import numpy as np
@@ -52,6 +52,19 @@ class Recording:
         """(value, error), each (n,): the derivative of that order at the samples. Raises ValueError beyond 4."""
         require_order(order)
         return self.estimates[order], self.errors[order]
+
+    def within(self, start: float, end: float) -> Recording:
+        """The part from start to end in s, both within the recording, with a sample outside on each side."""
+        n = len(self.times)
+        first = max(0, int(np.searchsorted(self.times, start, side="right")) - 1)
+        last = min(n, int(np.searchsorted(self.times, end)) + 1)
+        if (first, last) == (0, n):
+            return self
+        here = slice(first, last)
+        breaks = (replace(one, sample=one.sample - first) for one in self.breaks if first < one.sample < last)
+        gaps = tuple(gap - first for gap in self.gaps if first < gap < last)
+        estimates, errors = self.estimates[:, here], self.errors[:, here]
+        return Recording(self.times[here], estimates, errors, tuple(breaks), gaps, self.noise, self.step)
 
     def between(self, times: np.ndarray, order: int) -> tuple[np.ndarray, np.ndarray]:
         """Derivatives 0, …, order at any times (...) of the recording and their errors, each (order + 1, ...).

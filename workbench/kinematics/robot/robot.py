@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from workbench.drake.gate import MultibodyPlant
 
 BLOCK = 4096  # states that are worked on at a time, where a batch is streamed
+MOST_ROWS = 21  # of one state's derivatives: more are a table of states by mistake
 
 
 class Robot(Structure):
@@ -77,11 +78,20 @@ class Robot(Structure):
 
         q_derivatives (N + 1, ..., positions): the coordinates and their time derivatives, the order first; or
         q_derivatives (..., positions) and v_derivatives (N, ..., velocities): the coordinates, and the
-        velocities with their derivatives. Raises ValueError for another shape, or a NaN or infinity.
+        velocities with their derivatives; they are copied. Raises ValueError for another shape, a table of
+        more than 21 rows of one state, or a NaN or infinity.
         """
         if v_derivatives is None:
-            return Motion(self, self.derivatives(q_derivatives))
-        return Motion(self, *self.state(q_derivatives, v_derivatives))
+            q = reals(q_derivatives, "q_derivatives")
+            if q.ndim == 2 and len(q) > MOST_ROWS:
+                raise ValueError(
+                    f"q_derivatives: expected at most {MOST_ROWS} rows, one an order of derivatives of one state, "
+                    f"got {len(q)}: for a table of states see `along((t, q))`; for one state to a higher "
+                    "order give the shape (N + 1, 1, positions)"
+                )
+            return Motion(self, np.array(self.derivatives(q)))
+        q, v = self.state(q_derivatives, v_derivatives)
+        return Motion(self, np.array(q), None if v is None else np.array(v))
 
     def along(
         self, trajectory: Any, times: ArrayLike | None = None, order: int = 4, samples: int = 201
@@ -89,7 +99,9 @@ class Robot(Structure):
         """The motion along a trajectory at `times` (...) in s (`samples` of them over all of it unless
         given).
 
-        trajectory: a `Path` of `workbench.kinematics.robot.paths`, or a Drake Trajectory of the positions.
+        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory of the positions, or samples
+        (t, q): t (samples,) increasing, in s, q (samples, positions) in rad or m, whose derivatives are
+        estimated to the order 4 at most. Raises ValueError for a time outside of the trajectory.
         """
         path = self.path(trajectory)
         order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
@@ -101,9 +113,13 @@ class Robot(Structure):
         return states_on_path(Motion, self, path, at, order)
 
     def path(self, trajectory: Any) -> JointPath:
-        """The trajectory as a path of this robot's coordinates; ValueError if it has another number of
-        them."""
-        return as_path(trajectory, len(self.positions))
+        """The trajectory as a path of this robot's coordinates, as `along` takes it.
+
+        Of samples, angles without limits are unwrapped and the signs of quaternions made continuous; the
+        path's `notes` say where. Raises ValueError for another number of coordinates and for bad samples.
+        """
+        angles = [i for i, name in enumerate(self.positions) if name in self.unlimited_angles]
+        return as_path(trajectory, self.positions, angles, self._quaternions)
 
     def blocks(
         self, q_derivatives: np.ndarray, v_derivatives: np.ndarray | None = None, size: int = BLOCK

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.drake.joint_paths import Path
+from workbench.kinematics.robot.common_base import without_common_base
 from workbench.kinematics.robot.frames import FrameMotion, chain_scales
 from workbench.kinematics.robot.leibniz import (
     about_moving_point,
@@ -202,6 +203,15 @@ class RobotFrame(FrameMotion):
             moving += range(steps[at].velocities.start, steps[at].velocities.stop)
             at = steps[at].parent
         return sorted(moving)
+
+    def relative_to(self, other: FrameMotion) -> FrameMotion:
+        """As `FrameMotion.relative_to`; how a common base of both frames moves does not enter."""
+        if not (isinstance(other, RobotFrame) and other.motion is self.motion):
+            return super().relative_to(other)
+        motion = self.motion
+        q, rates = without_common_base(motion.robot, self.name, other.name, motion.q, motion.rates)
+        alone = States(motion.robot, *motion.robot.state(q, rates))
+        return FrameMotion.relative_to(alone.frame(self.name), alone.frame(other.name))
 
     @cached_property
     def _scales(self) -> tuple[np.ndarray, np.ndarray]:

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from workbench.kinematics.chain import SerialChain
 from workbench.kinematics.chain_engine import HIGHEST_DERIVATIVE_ORDER
 from workbench.kinematics.chain_geometry import Joint
-from workbench.kinematics.robot.joints import Limits, TreeJoint
+from workbench.kinematics.robot.joints import ANGLES, Limits, TreeJoint
 from workbench.kinematics.robot.tree import (
     WORLD,
     Step,
@@ -129,9 +129,19 @@ class Structure:
 
     @cached_property
     def limits(self) -> dict[str, Limits]:
-        """Lower, upper and velocity of each coordinate that has a joint of its own, NaN where the file is
-        silent."""
-        return {joint.name: joint.limits for joint in self.joints if joint.name in self.positions}
+        """The limits of each joint of one coordinate, those that follow another joint among them; NaN where
+        there is none."""
+        return {joint.name: joint.limits for joint in self.joints if joint.coordinates == (joint.name,)}
+
+    @cached_property
+    def unlimited_angles(self) -> frozenset[str]:
+        """The coordinates that are angles without limits, known modulo 2π; a pitch is none of them."""
+        names = set()
+        for joint in self.joints:
+            if joint.kind == "revolute" and not np.isfinite([joint.limits.lower, joint.limits.upper]).any():
+                names.add(joint.name)
+            names |= {joint.name + suffix for suffix in ANGLES.get(joint.kind, ())}
+        return frozenset(names.intersection(self.positions))
 
     @property
     def default_positions(self) -> np.ndarray:

@@ -120,8 +120,17 @@ def _joint(element: ET.Element) -> TreeJoint:
 def _limits(element: ET.Element | None, kind: str, what: str) -> Limits:
     if element is None:
         return Limits()
-    bounds = {name: _numbers(element, name, (np.nan,), f"{what}: limit")[0] for name in Limits._fields}
-    return Limits(np.nan, np.nan, bounds["velocity"]) if kind == "continuous" else Limits(**bounds)
+    bounds = {name: _bound(element, name, f"{what}: limit") for name in Limits._fields}
+    if kind == "continuous":
+        bounds |= {"lower": np.nan, "upper": np.nan}
+    return Limits(**bounds)
+
+
+def _bound(element: ET.Element, name: str, what: str) -> float:
+    """A limit; NaN where there is none, or one that is infinite."""
+    if (element.get(name) or "").strip().lstrip("+-").lower() in ("inf", "infinity", "nan", ".inf"):
+        return np.nan
+    return _numbers(element, name, (np.nan,), what)[0]
 
 
 def _mimic(element: ET.Element | None, kind: str, what: str) -> Mimic | None:

@@ -10,7 +10,7 @@ from pydrake.trajectories import BsplineTrajectory, CompositeTrajectory, Piecewi
 from workbench.kinematics.robot import Robot, TreeJoint
 from workbench.kinematics.robot.answers import write_csv
 from workbench.kinematics.robot.joint_limits import read_limits
-from workbench.kinematics.robot.paths import DrakePath, JointPath, SinePath, RecordedPath, read_samples
+from workbench.kinematics.robot.paths import DrakePath, JointPath, RecordedPath, SinePath, read_samples
 
 QUINTIC = np.array([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
 

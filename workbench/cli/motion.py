@@ -16,8 +16,8 @@ from workbench.cli.options import Unusable, json_flag, print_json, reports_fault
 
 if TYPE_CHECKING:
     from workbench.drake.joint_paths import Path as JointPath
-    from workbench.kinematics.robot.peaks import Peak
     from workbench.kinematics.robot.motion import Motion
+    from workbench.kinematics.robot.peaks import Peak
     from workbench.kinematics.robot.report import MotionReport
 
 #: Beyond it Drake's numbers, in doubles, have no correct digit left to compare with.

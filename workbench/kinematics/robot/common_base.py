@@ -1,7 +1,8 @@
-"""Which coordinates move one body relative to another, and the motion of both without what they have in common.
+"""Which coordinates move one body relative to another, and the motion of both without what they have in
+common.
 
-The twist of B relative to A does not depend on how their common base moves. Without that motion its terms, which
-would cancel, are not there.
+The twist of B relative to A does not depend on how their common base moves. Without that motion its terms,
+which would cancel, are not there.
 """
 
 from __future__ import annotations
@@ -43,8 +44,8 @@ def _from_world(robot: Structure, body: str) -> list[TreeJoint]:
 def without_common_base(
     robot: Structure, body: str, relative_to: str, q: np.ndarray, rates: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """q (..., positions) and rates (N, ..., velocities) with those coordinates at rest in their default positions
-    that do not move a body relative to the other."""
+    """q (..., positions) and rates (N, ..., velocities) with those coordinates at rest in their default
+    positions that do not move a body relative to the other."""
     moving = set(coordinates_that_move(robot, body, relative_to))
     still = [i for i in range(len(robot.positions)) if i not in moving]
     names = {robot.positions[i] for i in still}

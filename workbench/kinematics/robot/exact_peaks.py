@@ -1,7 +1,7 @@
 """Peaks along a path whose derivatives are exact: looked for on a grid, then refined to the last digits.
 
-A peak is refined in brackets of the grid and closed by the maximum of a polynomial through the last one. Where
-a derivative jumps at a break of the path, the next ones have no bound.
+A peak is refined in brackets of the grid and closed by the maximum of a polynomial through the last one.
+Where a derivative jumps at a break of the path, the next ones have no bound.
 """
 
 from __future__ import annotations
@@ -95,7 +95,8 @@ def _size(curves: Curves, one: Asked) -> np.ndarray:
 def _refined(
     values: np.ndarray, times: np.ndarray, sizes_at: Callable[[np.ndarray], np.ndarray]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(value, time) of each quantity's maximum: from its highest local maxima on the grid into their brackets."""
+    """(value, time) of each quantity's maximum: from its highest local maxima on the grid into their
+    brackets."""
     rows = np.arange(len(values))
     padded = np.pad(values, ((0, 0), (1, 1)), constant_values=-np.inf)
     is_top = (padded[:, 1:-1] >= padded[:, :-2]) & (padded[:, 1:-1] >= padded[:, 2:])
@@ -119,7 +120,8 @@ def _refined(
 def _better(
     best: np.ndarray, best_time: np.ndarray, value: np.ndarray, time: np.ndarray, slack: float = 0.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The larger ones; within the slack, relative, which is the rounding, the time counts and the value stays."""
+    """The larger ones; within the slack, relative, which is the rounding, the time counts and the value
+    stays."""
     moves = value > best - slack * np.abs(best) if slack else value > best
     return np.where(moves, np.maximum(value, best), best), np.where(moves, time, best_time)
 

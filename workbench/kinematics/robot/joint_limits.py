@@ -19,8 +19,8 @@ def known_limits(robot: Structure, limits: LimitTables | None) -> dict[str, dict
     """All limits by the name of a joint, and of "point", which has none of its own: kind → value.
 
     limits: by joint, joints that follow others among them, "*" for all of the robot's velocities, "point":
-    velocity, acceleration, deceleration, jerk, snap, lower, upper, in rad or m, per s, s², …; they replace the
-    robot's own. Raises ValueError.
+    velocity, acceleration, deceleration, jerk, snap, lower, upper, in rad or m, per s, s², …; they replace
+    the robot's own. Raises ValueError.
     """
     known: dict[str, dict[str, float]] = {name: {} for name in robot.velocities}
     for name, own in robot.limits.items():

@@ -1,4 +1,5 @@
-"""Compiled least-squares polynomials in windows of samples (t, q): derivatives with stated errors, and breaks.
+"""Compiled least-squares polynomials in windows of samples (t, q): derivatives with stated errors, and
+breaks.
 
 In a window of L samples the polynomials P₀, P₁, … are orthonormal on the samples, in u = (t − centre)/half:
 
@@ -66,7 +67,8 @@ def basis(t, first, count, degree, alpha, beta):
 
 
 def _project(t, q, first, count, degree, alpha, beta, centre, half, c, work):
-    """Fills the coefficients c[0..degree] of q − q(middle sample); returns (that q, Σ of the squared residuals)."""
+    """Fills the coefficients c[0..degree] of q − q(middle sample); returns (that q, Σ of the squared
+    residuals)."""
     offset = q[first + count // 2]
     before, now, rest = work[0], work[1], work[2]
     start = 1 / np.sqrt(count)
@@ -110,7 +112,8 @@ def basis_derivatives(u, count, degree, alpha, beta, P):
 
 @compiled
 def least_error(c, degree, offset, half, sigma, P, z, estimate, error):
-    """Of each order, the estimate of the degree whose stated error is least, at the point whose basis is P."""
+    """Of each order, the estimate of the degree whose stated error is least, at the point whose basis is
+    P."""
     for k in range(ORDERS):
         unit = half**-k
         total, square = (offset if k == 0 else 0.0), 0.0
@@ -224,7 +227,8 @@ def fit_windows(t, q, first, last, is_uniform, floor, sums, z, estimates, errors
 
 @compiled
 def misfit(t, q, first, count, floor):
-    """How far the coefficients beyond degree 7 (of up to 11) and the residuals exceed the noise, as a ratio."""
+    """How far the coefficients beyond degree 7 (of up to 11) and the residuals exceed the noise, as a
+    ratio."""
     degree = min(SIDE_DEGREE + TAIL, count - 3)
     alpha, beta, c = np.zeros(degree + 2), np.zeros(degree + 2), np.zeros(degree + 1)
     centre, half = basis(t, first, count, degree, alpha, beta)
@@ -282,8 +286,8 @@ def one_side(t, q, first, last, before, at, floor, sums, z, estimate, error):
 
 @compiled
 def best_cut(t, q, low, guess, high):
-    """The first sample behind the cut, at or before the guess, where polynomials on both sides leave least per
-    degree of freedom."""
+    """The first sample behind the cut, at or before the guess, where polynomials on both sides leave least
+    per degree of freedom."""
     reach = max(12, min(60, (guess - low) // 3))
     lo, hi = max(low + 6, guess - reach), min(high - 6, guess + 3)
     best, where = np.inf, guess
@@ -350,8 +354,8 @@ def two_sided(t, low, high, at, columns, used, rest, squares):
 
 @compiled
 def scan_break(t, q, low, high, first, last, parts, squares, places):
-    """Fits a polynomial of degree 7 plus Σ₍ⱼ≥r₎ aⱼ (t − τ)₊ʲ, j ≤ 7, to the samples low, …, high − 1, for τ at
-    `parts` times in each interval before the samples first, …, last − 1.
+    """Fits a polynomial of degree 7 plus Σ₍ⱼ≥r₎ aⱼ (t − τ)₊ʲ, j ≤ 7, to the samples low, …, high − 1, for τ
+    at `parts` times in each interval before the samples first, …, last − 1.
 
     squares[r], r = 0, …, 8: the least sum of the squared residuals, places[r]: τ in s; 8: no break.
     """

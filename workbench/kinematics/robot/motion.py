@@ -29,8 +29,8 @@ class Motion(States):
         limits: LimitTables | None = None,
         relative_to: str | None = None,
     ) -> list[Peak]:
-        """The largest size of every joint derivative on the path, and of those of a point of a body, in rad or
-        m, per s, s², …, with its time in s.
+        """The largest size of every joint derivative on the path, and of those of a point of a body, in rad
+        or m, per s, s², …, with its time in s.
 
         point (3,): p_BoP_B in m; relative_to: the body in which it is measured. limits: by joint, joints that
         follow others among them, or "*" for all, or "point": {"velocity": ..., "acceleration": ...,

@@ -59,7 +59,8 @@ class SampledPath(Path):
         slack = 1e-9 * (self.end - self.start) + 4e-16 * max(abs(self.start), abs(self.end))
         if not np.all((t >= self.start - slack) & (t <= self.end + slack)):
             raise ValueError(
-                f"times: expected times from {self.start:.10g} to {self.end:.10g} s, got {t.min()} to {t.max()}"
+                f"times: expected times from {self.start:.10g} to {self.end:.10g} s, "
+                f"got {t.min()} to {t.max()}"
             )
         return np.clip(t, self.start, self.end)
 
@@ -112,8 +113,8 @@ class RecordedPath(SampledPath):
     ):
         """t (samples,) increasing, in s; q (samples, joints) in rad or m.
 
-        names: of the coordinates, for the notes. angles: columns of angles that are known modulo 2π, which are
-        unwrapped. quaternions: the first of four columns each, whose sign is made continuous. Raises
+        names: of the coordinates, for the notes. angles: columns of angles that are known modulo 2π, which
+        are unwrapped. quaternions: the first of four columns each, whose sign is made continuous. Raises
         ValueError for bad samples.
         """
         t, q = _samples(t, q)
@@ -169,7 +170,8 @@ def _unwrap(t: np.ndarray, q: np.ndarray, column: int, name: str) -> str | None:
 
 
 def _align_signs(t: np.ndarray, q: np.ndarray, column: int, name: str) -> str | None:
-    """Makes the sign of a quaternion continuous, in place; says how often it was not: q and −q are one rotation."""
+    """Makes the sign of a quaternion continuous, in place; says how often it was not: q and −q are one
+    rotation."""
     four = q[:, column : column + 4]
     changes = (four[1:] * four[:-1]).sum(axis=1) < 0
     if not changes.any():
@@ -240,7 +242,8 @@ def read_samples(file: str | FilePath, positions: Sequence[str]) -> tuple[np.nda
 
 
 def _is_derived(name: str) -> bool:
-    """Whether a column is one that `Motion.table` computes: "jerk NAME", "BODY position x", "BODY jerk size"."""
+    """Whether a column is one that `Motion.table` computes: "jerk NAME", "BODY position x", "BODY jerk
+    size"."""
     orders = [*map(order_name, range(5))]
     words = name.split(" ")
     if words[0] in orders[1:] or re.match(r"derivative \d+ ", name):

@@ -1,7 +1,8 @@
-"""The peaks of a motion along a path beside limits: where each derivative is largest, and whether that is known.
+"""The peaks of a motion along a path beside limits: where each derivative is largest, and whether that is
+known.
 
-Along a formula or a Drake trajectory a peak is exact, unless a lower derivative jumps: then it has no bound. Along
-a recording it has a stated error, or is not determined (`recorded_motion`).
+Along a formula or a Drake trajectory a peak is exact, unless a lower derivative jumps: then it has no
+bound. Along a recording it has a stated error, or is not determined (`recorded_motion`).
 """
 
 from __future__ import annotations
@@ -49,8 +50,8 @@ class Peak:
 
     @property
     def verdict(self) -> str | None:
-        """ "within" if the largest possible value is, "BEYOND" if the least possible value is, "not determined"
-        otherwise; None without a limit."""
+        """ "within" if the largest possible value is, "BEYOND" if the least possible value is, "not
+        determined" otherwise; None without a limit."""
         if self.limit is None:
             return None
         sign = -1 if self.bound == "lower" else 1

@@ -1,9 +1,9 @@
 """The breaks of a recording: the times at which a derivative of order at most 4 jumps, and its order.
 
-A stretch that one polynomial of degree 7 no longer fits is cut where two such polynomials leave least. It is
-a break of order k if the fits of both sides differ in the k-th derivative by more than their stated errors.
-Then a fit of both sides with the time of the break as an unknown decides whether the derivatives to a higher order
-may be continuous:
+A stretch that one polynomial of degree 7 no longer fits is cut where two such polynomials leave least. It
+is a break of order k if the fits of both sides differ in the k-th derivative by more than their stated
+errors. Then a fit of both sides with the time of the break as an unknown decides whether the derivatives to
+a higher order may be continuous:
 
     q(t) = Σ₍ⱼ≤7₎ bⱼ tʲ + Σ₍r≤j≤7₎ aⱼ (t − τ)₊ʲ:
 

@@ -1,6 +1,7 @@
 """Peaks of a robot's motion along a recording, with errors carried over from those of the coordinates.
 
-The error of what depends on many coordinates is, to first order, the sum of what each derivative's own error does:
+The error of what depends on many coordinates is, to first order, the sum of what each derivative's own
+error does:
 
     error(F) = Σ₍ⱼ,ₖ₎ |F(…, qⱼ⁽ᵏ⁾ + eⱼ⁽ᵏ⁾, …) − F|.
 """
@@ -30,8 +31,8 @@ BLOCK = 4096  # samples at a time
 
 @dataclass(frozen=True)
 class Samples:
-    """Estimates and errors (N + 1, samples, positions) at the times (samples,) in s; jumps: of each position the
-    breaks."""
+    """Estimates and errors (N + 1, samples, positions) at the times (samples,) in s; jumps: of each
+    position the breaks."""
 
     times: np.ndarray
     estimates: np.ndarray
@@ -70,7 +71,8 @@ def _as_peak(one: Asked, found: RecordedPeak) -> Peak:
 
 
 def _direct(recording: Recording, one: Asked) -> RecordedPeak:
-    """The peak of a coordinate's derivative from its own recording, the factor of a joint that follows aside."""
+    """The peak of a coordinate's derivative from its own recording, the factor of a joint that follows
+    aside."""
     if one.order == 0:
         sign = -1 if (one.bound == "lower") != (one.factor < 0) else 1
         return recorded_bound(recording, sign)
@@ -80,7 +82,8 @@ def _direct(recording: Recording, one: Asked) -> RecordedPeak:
 
 
 def _deceleration(recording: Recording) -> RecordedPeak:
-    """The largest |q̈| where q̈ and q̇ have opposite signs; where the signs are not known it may count or not."""
+    """The largest |q̈| where q̈ and q̇ have opposite signs; where the signs are not known it may count or
+    not."""
     (v, ev), (a, ea) = recording.estimate(1), recording.estimate(2)
     size = np.abs(a)
     is_sure = (np.abs(v) > ev) & (size > ea)
@@ -135,7 +138,8 @@ def _of_ball(motion: States, one: Asked) -> list[int]:
 def _with_errors(
     values_of: Callable[[np.ndarray], np.ndarray], samples: Samples, coordinates: list[int], order: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """A quantity (samples, components) of derivatives up to the order, and the error (samples,) of its size."""
+    """A quantity (samples, components) of derivatives up to the order, and the error (samples,) of its
+    size."""
     values, errors = [], []
     for first in range(0, len(samples.times), BLOCK):
         here = slice(first, first + BLOCK)
@@ -156,7 +160,8 @@ def _with_errors(
 def _peak(
     samples: Samples, values: np.ndarray, errors: np.ndarray, coordinates: list[int], order: int
 ) -> RecordedPeak:
-    """The peak of a quantity's size; beside a break, and between samples, it may differ by as much as it changes."""
+    """The peak of a quantity's size; beside a break, and between samples, it may differ by as much as it
+    changes."""
     size, errors = np.linalg.norm(values, axis=-1), errors.copy()
     breaks = [one for j in coordinates for one in samples.breaks[j]]
     for one in breaks:

@@ -1,7 +1,7 @@
 """The largest size of a derivative of a recording, with an error that covers it, or "not determined".
 
-The largest |estimate| is told if nowhere |estimate| + error exceeds it by more than a quarter. Stretches at the
-ends of the recording, where derivatives are known less well, are left out where that halves the error.
+The largest |estimate| is told if nowhere |estimate| + error exceeds it by more than a quarter. Stretches at
+the ends of the recording, where derivatives are known less well, are left out where that halves the error.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from workbench.kinematics.robot.recordings import Break, Recording
 MOST = 0.25  # of the peak, by which |estimate| + error may exceed it anywhere
 ENDS = (0.0, 0.005, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15)  # shares of the samples left out at both ends together
 UNKNOWN, BELOW = "not known everywhere", "below its noise"
+WELL = 0.02  # of a peak: a range so small is good enough with the ends
 RELATIVE = 1e-6  # of a peak: the least error that is stated
 
 
@@ -102,11 +103,11 @@ def peak_of(
         span = float(times[first]), float(times[last - 1])
         found.append((*_bounds(size, error, corners, first, last), span))
     least = min(high - low for _, low, high, _ in found)
-    value, low, high, span = next(one for one in found if one[2] - one[1] <= 2 * least)
+    value, low, high, span = next(one for one in found if one[2] - one[1] <= max(2 * least, WELL * one[0]))
     if not low > 0 or high > (1 + MOST) * value:
         return RecordedPeak(value, np.inf, time, whole, at_least, reason=UNKNOWN)
     stated = max(high - value, value - low, RELATIVE * value)
-    return RecordedPeak(value, stated, time, span, low, max(found[0][2], value + stated))
+    return RecordedPeak(value, stated, time, span, at_least, max(found[0][2], value + stated))
 
 
 def jump_reason(jumps: Sequence[Break]) -> str:
@@ -149,8 +150,8 @@ def _steepness(recording: Recording, order: int, size: np.ndarray) -> np.ndarray
 
 
 def _corners(recording: Recording, order: int) -> list[tuple[int, float, float]]:
-    """Of each break, (first sample behind, value, error) of |f| between the last sample before and it, f being
-    the derivative `order`."""
+    """Of each break, (first sample behind, value, error) of |f| between the last sample before and it, f
+    being the derivative `order`."""
     found = []
     for one in recording.breaks:
         if one.order >= order:
@@ -159,7 +160,8 @@ def _corners(recording: Recording, order: int) -> list[tuple[int, float, float]]
 
 
 def _corner(recording: Recording, order: int, one: Break) -> tuple[int, float, float]:
-    """The corner where the two sides' lines f + s x and g − r (step − x) meet, or the larger end of a jump."""
+    """The corner where the two sides' lines f + s x and g − r (step − x) meet, or the larger end of a
+    jump."""
     i, j = one.sample - 1, one.sample
     step = recording.times[j] - recording.times[i]
     (f, s), (g, r) = recording.estimates[order : order + 2, i], recording.estimates[order : order + 2, j]

@@ -1,12 +1,14 @@
-"""Derivatives to the snap of a recorded coordinate, each with a stated error, by local least-squares polynomials.
+"""Derivatives to the snap of a recorded coordinate, each with a stated error, by local least-squares
+polynomials.
 
-A recording is cut at gaps and where a derivative of order at most 4 jumps (`recorded_breaks`). Between the cuts
-windows of many sizes are fitted (`local_polynomials`); of each sample and order the window and the degree with
-the least stated error count. Units: s, and rad or m per sᵏ.
+A recording is cut at gaps and where a derivative of order at most 4 jumps (`recorded_breaks`). Between the
+cuts windows of many sizes are fitted (`local_polynomials`); of each sample and order the window and the
+degree with the least stated error count. Units: s, and rad or m per sᵏ.
 """
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass, replace
 from math import factorial
 
@@ -49,7 +51,8 @@ class Recording:
     step: float
 
     def estimate(self, order: int) -> tuple[np.ndarray, np.ndarray]:
-        """(value, error), each (n,): the derivative of that order at the samples. Raises ValueError beyond 4."""
+        """(value, error), each (n,): the derivative of that order at the samples. Raises ValueError beyond
+        4."""
         require_order(order)
         return self.estimates[order], self.errors[order]
 
@@ -67,11 +70,12 @@ class Recording:
         return Recording(self.times[here], estimates, errors, tuple(breaks), gaps, self.noise, self.step)
 
     def between(self, times: np.ndarray, order: int) -> tuple[np.ndarray, np.ndarray]:
-        """Derivatives 0, …, order at any times (...) of the recording and their errors, each (order + 1, ...).
+        """Derivatives 0, …, order at any times (...) of the recording and their errors, each (order + 1,
+        ...).
 
-        Between two samples the Taylor polynomials of both, of two more orders, are blended linearly; the error
-        is the larger one of the two, plus their difference. At a break it is the polynomial of the sample on
-        the same side; in a gap a quintic, with an infinite error.
+        Between two samples the Taylor polynomials of both, of two more orders, are blended linearly; the
+        error is the larger one of the two, plus their difference. At a break it is the polynomial of the
+        sample on the same side; in a gap a quintic, with an infinite error.
         """
         require_order(order)
         behind = np.clip(np.searchsorted(self.times, times, side="right"), 1, len(self.times) - 1)
@@ -116,7 +120,7 @@ def require_order(order: int) -> None:
     """Raises ValueError for an order that no recording tells."""
     if not 0 <= order <= HIGHEST_RECORDED_ORDER:
         raise ValueError(
-            f"order: expected at most {HIGHEST_RECORDED_ORDER} (snap), which is all that samples tell, got {order}"
+            f"order: expected at most {HIGHEST_RECORDED_ORDER} (snap), all that samples tell, got {order}"
         )
 
 
@@ -140,14 +144,14 @@ def record(t: np.ndarray, q: np.ndarray) -> Recording:
     estimates, errors = np.zeros((ORDERS, n)), np.full((ORDERS, n), np.inf)
     counts, breaks = np.zeros((ORDERS, n), np.int32), []
     edges = [0, *gaps.tolist(), n]
-    for a, b in zip(edges[:-1], edges[1:], strict=True):
+    for a, b in itertools.pairwise(edges):
         if b - a < 6:
             _fill_short(clock, q, a, b, estimates)
             continue
         found = find_breaks(clock, q, a, b, max(0.8 * noise, rounding), sums, z)
         breaks += [Break(float(t[0] + one.time), one.order, one.sample) for one in found]
         inner = [a, *(one.sample for one in found), b]
-        for c, d in zip(inner[:-1], inner[1:], strict=True):
+        for c, d in itertools.pairwise(inner):
             fit_windows(clock, q, c, d, is_uniform, least, sums, z, estimates, errors, counts)
     for array in (estimates, errors):
         array.flags.writeable = False

@@ -85,7 +85,7 @@ class Robot(Structure):
             q = reals(q_derivatives, "q_derivatives")
             if q.ndim == 2 and len(q) > MOST_ROWS:
                 raise ValueError(
-                    f"q_derivatives: expected at most {MOST_ROWS} rows, one an order of derivatives of one state, "
+                    f"q_derivatives: expected at most {MOST_ROWS} rows, one an order of one state, "
                     f"got {len(q)}: for a table of states see `along((t, q))`; for one state to a higher "
                     "order give the shape (N + 1, 1, positions)"
                 )
@@ -99,9 +99,9 @@ class Robot(Structure):
         """The motion along a trajectory at `times` (...) in s (`samples` of them over all of it unless
         given).
 
-        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory of the positions, or samples
-        (t, q): t (samples,) increasing, in s, q (samples, positions) in rad or m, whose derivatives are
-        estimated to the order 4 at most. Raises ValueError for a time outside of the trajectory.
+        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory of the positions, or
+        samples (t, q): t (samples,) increasing, in s, q (samples, positions) in rad or m, whose derivatives
+        are estimated to the order 4 at most. Raises ValueError for a time outside of the trajectory.
         """
         path = self.path(trajectory)
         order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)

@@ -38,7 +38,8 @@ def _told(trajectory: Any) -> list[float] | None:
 
 
 def _bisected(derivatives: Callable[[np.ndarray, int], np.ndarray], start: float, end: float) -> np.ndarray:
-    """Where a derivative changes in an interval by other than its own derivative says, however short that is."""
+    """Where a derivative changes in an interval by other than its own derivative says, however short that
+    is."""
     grid = np.linspace(start, end, INTERVALS + 1)
     values = derivatives(grid, FOUND_ORDERS)
     changes = np.diff(values[:-1], axis=1)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from workbench.drake.urdf import base_joint_name
 from workbench.kinematics.chain_engine import HIGHEST_DERIVATIVE_ORDER
 from workbench.kinematics.robot.inverse import inverse_kinematics
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
@@ -22,7 +23,7 @@ from workbench.kinematics.robot.paths import Path as JointPath
 from workbench.kinematics.robot.paths import as_path
 from workbench.kinematics.robot.states import states_on_path
 from workbench.kinematics.robot.structure import Structure, reals, whole
-from workbench.kinematics.robot.urdf import UrdfError, read_urdf
+from workbench.kinematics.robot.urdf import WORLD, UrdfError, read_urdf
 
 if TYPE_CHECKING:
     from workbench.drake.gate import MultibodyPlant
@@ -42,7 +43,8 @@ class Robot(Structure):
     def from_urdf(cls, path: str | Path, base: str = "fixed", rotations: str = "quaternion") -> Robot:
         """The robot of a URDF file; its meshes are not needed.
 
-        base: how its root moves in the world: "fixed" or "floating", by a joint `base`. rotations: how this
+        base: how its root moves in the world: "fixed" or "floating", by a joint `base` (`floating_base` where
+        the file has a joint of that name). rotations: how this
         and the file's own floating joints are turned: "quaternion" or "rpy" (roll, pitch, yaw).
         Raises UrdfError, a ValueError, in one line.
         """
@@ -51,9 +53,9 @@ class Robot(Structure):
             raise ValueError(f"base: expected {expected}, got {base!r} and {rotations!r}")
         floating = {"floating": "floating" if rotations == "quaternion" else "floating_rpy"}
         urdf = read_urdf(path)
-        world = "world"
-        root = [TreeJoint("base", floating.get(base, base), world, urdf.root)]
-        if urdf.root == world:  # the file's own name for what does not move
+        name = base_joint_name(joint.name for joint in urdf.joints)
+        root = [TreeJoint(name, floating.get(base, base), WORLD, urdf.root)]
+        if urdf.root == WORLD:  # the file's own name for what does not move
             if base != "fixed":
                 raise ValueError(f"{path}: its root is the world itself, so its base cannot be {base}")
             root = []

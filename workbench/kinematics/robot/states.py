@@ -87,10 +87,14 @@ class States:
         """The pose (S, 4, 4) that a step reaches, by the steps on the way to it."""
         if "_tree" in vars(self):
             return self._tree.poses[at]
-        if at not in self._poses:
-            step = self.robot.steps[at]
-            before = step.before if step.parent == WORLD else self._pose_after(step.parent) @ step.before
-            self._poses[at] = before @ step_motion(step, self._all[0])
+        way = [at]
+        while way[-1] not in self._poses and (parent := self.robot.steps[way[-1]].parent) != WORLD:
+            way.append(parent)
+        for one in reversed(way):
+            if one not in self._poses:
+                step = self.robot.steps[one]
+                before = step.before if step.parent == WORLD else self._poses[step.parent] @ step.before
+                self._poses[one] = before @ step_motion(step, self._all[0])
         return self._poses[at]
 
     def _sizes(self, body: Body) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
 from xml.parsers import expat
+
+BAD_DECLARATION = re.compile(rb"^(\xef\xbb\xbf)?\s*<\?xml(?!\s+version\s*=)[^>]*\?>")
 
 
 def parse_plain(text: bytes) -> ET.Element:
     """The outermost element of an XML text; tags such as "joint" and "drake:joint" are as they are written.
 
-    Namespaces need not be declared. Raises ValueError for what is no XML.
+    Namespaces need not be declared, and an XML declaration without a version is skipped. Raises ValueError for what is no XML.
     """
     builder, parser = ET.TreeBuilder(), expat.ParserCreate()
     parser.StartElementHandler = builder.start
@@ -17,7 +20,7 @@ def parse_plain(text: bytes) -> ET.Element:
     parser.CharacterDataHandler = builder.data
     parser.buffer_text = True
     try:
-        parser.Parse(text.lstrip(), True)
+        parser.Parse(BAD_DECLARATION.sub(b"", text.lstrip()), True)
     except (expat.ExpatError, ValueError) as error:  # ValueError: an encoding that Python does not know
         raise ValueError(f"not XML: {error}") from None
     return builder.close()

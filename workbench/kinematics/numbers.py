@@ -1,14 +1,15 @@
 """What every function of lines, screws and reduced accelerations does with the numbers it is given.
 
 Lists become arrays. Exact and symbolic scalars stay what they are. A float that is not finite is refused,
-as `workbench.kinematics.tensors.as_vectors` refuses it. Integers are exact scalars; where the result needs
-a root or an angle, which the integers do not have, they become floats.
+as `workbench.kinematics.tensors.as_vectors` refuses it. Integers and fractions are exact scalars; where the result needs
+a root or an angle, which the rational numbers do not have, they become floats.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
+from numbers import Real
 from typing import Any, TypeVar
 
 import numpy as np
@@ -29,7 +30,7 @@ def takes_numbers(function: Function) -> Function:
 
 
 def takes_reals(function: Function) -> Function:
-    """As `takes_numbers`; integers that have no exact result are taken for floats."""
+    """As `takes_numbers`; integers and fractions that have no exact result are taken for floats."""
 
     @wraps(function)
     def on_reals(*arguments: Any, **options: Any) -> Any:
@@ -37,7 +38,11 @@ def takes_reals(function: Function) -> Function:
         try:
             return function(*exact, **options)
         except TypeError:
-            if not all(map(_is_integer, exact)):
+            if not _are_all(int | np.integer, exact):
+                raise
+            return function(*map(_floats, exact), **options)
+        except AttributeError:  # NumPy asks objects for methods of the names of its functions
+            if not _are_all(Real, exact):
                 raise
             return function(*map(_floats, exact), **options)
 
@@ -58,10 +63,9 @@ def _finite(entries: np.ndarray, name: str) -> np.ndarray:
     return entries
 
 
-def _is_integer(argument: Any) -> bool:
-    parts = (argument.re, argument.du) if isinstance(argument, Dual) else (argument,)
-    entries = [entry for part in parts for entry in np.asarray(part).flat]
-    return all(isinstance(entry, int | np.integer) for entry in entries)
+def _are_all(kind: Any, arguments: list[Any]) -> bool:
+    parts = [part for x in arguments for part in ((x.re, x.du) if isinstance(x, Dual) else (x,))]
+    return all(isinstance(entry, kind) for part in parts for entry in np.asarray(part).flat)
 
 
 def _floats(argument: Any) -> Any:

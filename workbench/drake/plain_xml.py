@@ -12,7 +12,8 @@ BAD_DECLARATION = re.compile(rb"^(\xef\xbb\xbf)?\s*<\?xml(?!\s+version\s*=)[^>]*
 def parse_plain(text: bytes) -> ET.Element:
     """The outermost element of an XML text; tags such as "joint" and "drake:joint" are as they are written.
 
-    Namespaces need not be declared, and an XML declaration without a version is skipped. Raises ValueError for what is no XML.
+    Namespaces need not be declared, and an XML declaration without a version is skipped. Raises ValueError
+    for what is no XML.
     """
     builder, parser = ET.TreeBuilder(), expat.ParserCreate()
     parser.StartElementHandler = builder.start

@@ -1,8 +1,8 @@
 """What every function of lines, screws and reduced accelerations does with the numbers it is given.
 
 Lists become arrays. Exact and symbolic scalars stay what they are. A float that is not finite is refused,
-as `workbench.kinematics.tensors.as_vectors` refuses it. Integers and fractions are exact scalars; where the result needs
-a root or an angle, which the rational numbers do not have, they become floats.
+as `workbench.kinematics.tensors.as_vectors` refuses it. Integers and fractions are exact scalars; where the
+result needs a root or an angle, which the rational numbers do not have, they become floats.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from workbench.algebra.dual import Dual, as_array
+from workbench.algebra.dual_functions import NoExactValue
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -37,12 +38,10 @@ def takes_reals(function: Function) -> Function:
         exact = [_arrays(argument, function.__name__) for argument in arguments]
         try:
             return function(*exact, **options)
-        except TypeError:
-            if not _are_all(int | np.integer, exact):
-                raise
-            return function(*map(_floats, exact), **options)
-        except AttributeError:  # NumPy asks objects for methods of the names of its functions
-            if not _are_all(Real, exact):
+        except (TypeError, AttributeError) as error:
+            # NumPy asks objects for methods of the names of its functions: an AttributeError
+            has_no_value = isinstance(error, NoExactValue | AttributeError)
+            if not _are_all(Real if has_no_value else int | np.integer, exact):
                 raise
             return function(*map(_floats, exact), **options)
 

@@ -146,7 +146,8 @@ def _between_samples(recording: Recording, order: int) -> tuple[np.ndarray, np.n
 
 def _steepness(recording: Recording, order: int, size: np.ndarray) -> np.ndarray:
     """|f″/f|^½: the rate per s at which f oscillates at most."""
-    return np.sqrt(np.abs(recording.estimates[order + 2]) / np.maximum(size, 1e-300))
+    bend = np.abs(recording.estimates[order + 2])
+    return np.sqrt(np.divide(bend, size, out=np.zeros_like(size), where=size > 1e-290 * bend))
 
 
 def _corners(recording: Recording, order: int) -> list[tuple[int, float, float]]:

@@ -243,8 +243,8 @@ def _require_tree(links: tuple[str, ...], joints: tuple[TreeJoint, ...]) -> None
             raise UrdfError(f"joint {joint.name!r} is there twice: expected one of each name")
         if joint.child == WORLD:
             raise UrdfError(
-                f"joint {joint.name!r} moves the link {WORLD!r}: that name is the world's own, which does not "
-                "move; expected another name"
+                f"joint {joint.name!r} moves the link {WORLD!r}: that name is the world's own, which does "
+                "not move; expected another name"
             )
         if joint.child in inboard:
             other = inboard[joint.child].name

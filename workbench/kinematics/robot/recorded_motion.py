@@ -103,28 +103,28 @@ def _carried(
     samples: Samples,
 ) -> dict[int, RecordedPeak]:
     """The peaks of the point and of balls' velocities, by their places in `asked`."""
-    robot, found = motion.robot, {}
+    robot = motion.robot
     wanted = {i: one for i, one in enumerate(asked) if one.position is None}
     if not wanted:
-        return found
+        return {}
 
     def values_at(q: np.ndarray) -> dict[int, np.ndarray]:
-        there = type(motion)(robot, robot.derivatives(q))
+        there = robot.motion(q)
         of_point = None if body is None else point_of(there, body, point, relative_to).derivatives
         return {
             i: of_point[one.order] if one.velocity is None else there.rates[one.order - 1][:, [one.velocity]]
             for i, one in wanted.items()
         }
 
-    movers, places = list(range(len(robot.positions))), {}
-    if body is not None:
-        movers = coordinates_that_move(robot, body, relative_to)
-    for i, one in wanted.items():
-        own = movers if one.velocity is None else _of_ball(motion, one)
-        values, errors = _with_errors(lambda q, i=i: values_at(q)[i], samples, own, one.order)
-        now = found[i] = _peak(samples, values, errors, own, one.order)
+    movers = [] if body is None else coordinates_that_move(robot, body, relative_to)
+    own = {i: movers if one.velocity is None else _of_ball(motion, one) for i, one in wanted.items()}
+    found: dict[int, RecordedPeak] = {}
+    places: dict[tuple[str, int], int] = {}
+    for i, (values, errors) in _with_errors(values_at, samples, wanted, own).items():
+        one = wanted[i]
+        found[i] = _peak(samples, values, errors, own[i], one.order)
         if (one.of, one.order - 1) in places:
-            found[i] = below_noise(now, lambda at=places[one.of, one.order - 1]: found[at])
+            found[i] = below_noise(found[i], lambda at=places[one.of, one.order - 1]: found[at])
         places[one.of, one.order] = i
     return found
 
@@ -136,25 +136,47 @@ def _of_ball(motion: States, one: Asked) -> list[int]:
 
 
 def _with_errors(
-    values_of: Callable[[np.ndarray], np.ndarray], samples: Samples, coordinates: list[int], order: int
-) -> tuple[np.ndarray, np.ndarray]:
-    """A quantity (samples, components) of derivatives up to the order, and the error (samples,) of its
-    size."""
-    values, errors = [], []
+    values_at: Callable[[np.ndarray], dict[int, np.ndarray]],
+    samples: Samples,
+    wanted: dict[int, Asked],
+    own: dict[int, list[int]],
+) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+    """Of each quantity its values (samples, components), and the errors (samples,) of their sizes; own: the
+    coordinates that it depends on."""
+    blocks = []
     for first in range(0, len(samples.times), BLOCK):
         here = slice(first, first + BLOCK)
-        q, own = samples.estimates[:, here], samples.errors[:, here]
-        now = values_of(q)
-        total = np.zeros(now.shape[0])
-        for k in range(order + 1):
-            for j in coordinates:
-                moved = q.copy()
-                moved[k, :, j] += np.where(np.isfinite(own[k, :, j]), own[k, :, j], 0.0)
-                total += np.linalg.norm(values_of(moved) - now, axis=-1)
-                total[~np.isfinite(own[k, :, j])] = np.inf
-        values.append(now)
-        errors.append(total)
-    return np.concatenate(values), np.concatenate(errors)
+        blocks.append(_block(values_at, samples.estimates[:, here], samples.errors[:, here], wanted, own))
+    return {
+        i: (
+            np.concatenate([block[i][0] for block in blocks]),
+            np.concatenate([block[i][1] for block in blocks]),
+        )
+        for i in wanted
+    }
+
+
+def _block(
+    values_at: Callable[[np.ndarray], dict[int, np.ndarray]],
+    q: np.ndarray,
+    errors: np.ndarray,
+    wanted: dict[int, Asked],
+    own: dict[int, list[int]],
+) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+    now = values_at(q)
+    totals = {i: np.zeros(q.shape[1]) for i in wanted}
+    for j in sorted({j for coordinates in own.values() for j in coordinates}):
+        for k in range(len(q)):
+            error = errors[k, :, j]
+            is_known = np.isfinite(error)
+            moved = q.copy()
+            moved[k, :, j] += np.where(is_known, error, 0.0)
+            changed = values_at(moved)
+            for i, one in wanted.items():
+                if k <= one.order and j in own[i]:
+                    totals[i] += np.linalg.norm(changed[i] - now[i], axis=-1)
+                    totals[i][~is_known] = np.inf
+    return {i: (now[i], totals[i]) for i in wanted}
 
 
 def _peak(

@@ -111,7 +111,7 @@ class Robot(Structure):
             if not np.isfinite([path.start, path.end]).all():
                 raise ValueError("times: expected finite times in s, for a path without end")
             times = np.linspace(path.start, path.end, whole(samples, "samples", 1))
-        at = reals(times, "times")
+        at = np.array(reals(times, "times"))
         return states_on_path(Motion, self, path, at, order)
 
     def path(self, trajectory: Any) -> JointPath:

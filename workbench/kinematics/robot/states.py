@@ -214,7 +214,7 @@ class RobotFrame(FrameMotion):
             return super().relative_to(other)
         motion = self.motion
         q, rates = without_common_base(motion.robot, self.name, other.name, motion.q, motion.rates)
-        alone = States(motion.robot, *motion.robot.state(q, rates))
+        alone = motion.robot.motion(q, rates)
         return FrameMotion.relative_to(alone.frame(self.name), alone.frame(other.name))
 
     @cached_property

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -128,10 +129,12 @@ class Structure:
         self._of_positions, self._of_velocities, self._offset = of_positions, of_velocities, offset
 
     @cached_property
-    def limits(self) -> dict[str, Limits]:
+    def limits(self) -> Mapping[str, Limits]:
         """The limits of each joint of one coordinate, those that follow another joint among them; NaN where
         there is none."""
-        return {joint.name: joint.limits for joint in self.joints if joint.coordinates == (joint.name,)}
+        return MappingProxyType(
+            {joint.name: joint.limits for joint in self.joints if joint.coordinates == (joint.name,)}
+        )
 
     @cached_property
     def unlimited_angles(self) -> frozenset[str]:

@@ -29,6 +29,7 @@ KEPT = 2  # coefficients before the end of the sum that count for the bias
 KAPPA = 2.0
 LEAST = 12  # samples of a window
 SIDE_DEGREE = 7  # of the polynomials on both sides of a break
+EXCESS = 1.1  # of what a polynomial leaves over the noise, beside its scatter
 BREAK_SAMPLES = 160  # on each side of a break, at most
 
 
@@ -245,7 +246,7 @@ def longest_fit(t, q, first, last, floor):
     """The longest stretch from `first` on that a polynomial of degree 7 fits, in samples."""
     good, bad, count = min(LEAST, last - first), -1, min(LEAST, last - first)
     while count >= LEAST:
-        if misfit(t, q, first, count, floor) < 1 + 4 / np.sqrt(count):
+        if misfit(t, q, first, count, floor) < EXCESS + 4 / np.sqrt(count):
             good = count
             if first + count >= last:
                 break

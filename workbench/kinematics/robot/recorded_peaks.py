@@ -1,6 +1,6 @@
 """The largest size of a derivative of a recording, with an error that covers it, or "not determined".
 
-The largest |estimate| is told if nowhere |estimate| + error exceeds it by more than a quarter. Stretches at
+The largest |estimate| is told if nowhere |estimate| + error exceeds it by more than two fifths. Stretches at
 the ends of the recording, where derivatives are known less well, are left out where that halves the error.
 """
 
@@ -15,7 +15,7 @@ import numpy as np
 from workbench.kinematics.robot.derivative_names import order_name
 from workbench.kinematics.robot.recordings import Break, Recording
 
-MOST = 0.25  # of the peak, by which |estimate| + error may exceed it anywhere
+MOST = 0.4  # of the peak, by which |estimate| + error may exceed it anywhere
 ENDS = (0.0, 0.005, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15)  # shares of the samples left out at both ends together
 UNKNOWN, BELOW = "not known everywhere", "below its noise"
 WELL = 0.02  # of a peak: a range so small is good enough with the ends

@@ -148,7 +148,7 @@ def record(t: np.ndarray, q: np.ndarray) -> Recording:
         if b - a < 6:
             _fill_short(clock, q, a, b, estimates)
             continue
-        found = find_breaks(clock, q, a, b, max(0.8 * noise, rounding), sums, z)
+        found = find_breaks(clock, q, a, b, noise, sums, z)
         breaks += [Break(float(t[0] + one.time), one.order, one.sample) for one in found]
         inner = [a, *(one.sample for one in found), b]
         for c, d in itertools.pairwise(inner):

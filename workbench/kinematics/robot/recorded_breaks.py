@@ -86,7 +86,7 @@ def _jump(t, q, low: int, cut: int, high: int, floor: float, sums: np.ndarray, z
 
 def _refined(t, q, low: int, cut: int, high: int, floor: float, order: int) -> Found:
     """The break with the highest order that a fit of both sides with an unknown time allows."""
-    from scipy.stats import chi2
+    from scipy.special import chdtri
 
     squares, places = np.zeros(SIDE_DEGREE + 2), np.zeros(SIDE_DEGREE + 2)
     low, high = max(low, cut - BREAK_SAMPLES), min(high, cut + BREAK_SAMPLES)
@@ -102,7 +102,7 @@ def _refined(t, q, low: int, cut: int, high: int, floor: float, order: int) -> F
     allowed = [
         r
         for r in range(order, SIDE_DEGREE + 2)
-        if squares[r] - squares[0] <= variance * chi2.isf(TOLERANCE, r + 1)
+        if squares[r] - squares[0] <= variance * chdtri(r + 1, TOLERANCE)
     ]
     if not allowed or max(allowed) == order:
         return middle

@@ -126,7 +126,7 @@ def require_order(order: int) -> None:
 
 def record(t: np.ndarray, q: np.ndarray) -> Recording:
     """The recording of the samples q (n,) at increasing times t (n,) in s; n is at least 10."""
-    from scipy.stats import norm
+    from scipy.special import ndtri
 
     from workbench.kinematics.robot.recorded_breaks import find_breaks
 
@@ -136,11 +136,11 @@ def record(t: np.ndarray, q: np.ndarray) -> Recording:
     gaps = np.flatnonzero(distances > GAP * typical) + 1
     is_uniform = not len(gaps) and bool(np.abs(distances - typical).max() < 1e-6 * typical)
     steepest = np.abs(np.diff(q) / distances).max()
-    rounding = 5e-16 * np.abs(q).max() + 1.5e-16 * np.abs(t).max() * steepest + 1e-300
+    rounding = 5e-16 * np.abs(q).max() + 1.5e-16 * np.abs(t).max() * steepest + 1e-150
     step = encoder_step(q)
     least = max(rounding, step / np.sqrt(12))
     noise, sums = _local_noise(clock, q, least)
-    z = float(norm.isf(CONFIDENCE / 2 / max(1.0, n / 16)))
+    z = -float(ndtri(CONFIDENCE / 2 / max(1.0, n / 16)))
     estimates, errors = np.zeros((ORDERS, n)), np.full((ORDERS, n), np.inf)
     counts, breaks = np.zeros((ORDERS, n), np.int32), []
     edges = [0, *gaps.tolist(), n]
@@ -148,7 +148,7 @@ def record(t: np.ndarray, q: np.ndarray) -> Recording:
         if b - a < 6:
             _fill_short(clock, q, a, b, estimates)
             continue
-        found = find_breaks(clock, q, a, b, noise, sums, z)
+        found = find_breaks(clock, q, a, b, max(noise, rounding), sums, z)
         breaks += [Break(float(t[0] + one.time), one.order, one.sample) for one in found]
         inner = [a, *(one.sample for one in found), b]
         for c, d in itertools.pairwise(inner):
@@ -172,7 +172,7 @@ def _local_noise(t: np.ndarray, q: np.ndarray, floor: float) -> tuple[float, np.
 
     Of several kinds of small windows those count that leave least: what they leave is noise and not motion.
     """
-    from scipy.stats import chi2
+    from scipy.special import chdtri
 
     n, best = len(t), None
     for count, degree in NOISE_WINDOWS:
@@ -181,7 +181,7 @@ def _local_noise(t: np.ndarray, q: np.ndarray, floor: float) -> tuple[float, np.
         found = np.zeros((n - count) // (count // 2) + 1)
         mean_squares(t, q, count, degree, found)
         freedom = count - degree - 1
-        level = np.median(found) / (chi2.median(freedom) / freedom)
+        level = np.median(found) / (chdtri(freedom, 0.5) / freedom)
         if best is None or level < 0.6 * best[0]:
             best = level, found, count
     if best is None:

@@ -306,5 +306,5 @@ def test_a_chain_may_have_a_thousand_joints(file):
 
 def test_a_path_that_cannot_be_read_is_a_urdf_error(tmp_path):
     for path in (tmp_path, tmp_path / ("x" * 300), tmp_path / "none.urdf"):
-        with pytest.raises(UrdfError, match="no URDF file at|cannot be read"):
+        with pytest.raises(UrdfError, match=r"no URDF file at|cannot be read"):
             Robot.from_urdf(path)

@@ -40,7 +40,7 @@ SCALE_SAMPLES = 257  # at which a path is looked at for the size of its derivati
 class SampledPath(Path):
     """A path whose terms are not known: the size of a derivative's terms is its largest value on the path."""
 
-    def magnitudes(self, t, order: int) -> np.ndarray:
+    def magnitudes(self, t: ArrayLike, order: int) -> np.ndarray:
         sizes = self._sizes(order).reshape(order + 1, *[1] * np.ndim(t), self.joints)
         return np.broadcast_to(sizes, (order + 1, *np.shape(t), self.joints))
 
@@ -54,7 +54,7 @@ class SampledPath(Path):
     def _size_of_order(self) -> dict[int, np.ndarray]:
         return {}
 
-    def _inside(self, t) -> np.ndarray:
+    def _inside(self, t: ArrayLike) -> np.ndarray:
         t = np.asarray(t, dtype=float)
         slack = 1e-9 * (self.end - self.start) + 4e-16 * max(abs(self.start), abs(self.end))
         if not np.all((t >= self.start - slack) & (t <= self.end + slack)):
@@ -68,7 +68,8 @@ class SampledPath(Path):
 class DrakePath(SampledPath):
     """A path of a `pydrake.trajectories.Trajectory` whose value is the vector of the robot's positions."""
 
-    def __init__(self, trajectory: Any):
+    def __init__(self, trajectory: Any) -> None:
+        """trajectory: of a vector of positions, with derivatives. Raises ValueError."""
         try:
             columns = trajectory.cols()
         except RuntimeError as error:
@@ -80,7 +81,7 @@ class DrakePath(SampledPath):
         self.trajectory, self.joints = trajectory, trajectory.rows()
         self.start, self.end = trajectory.start_time(), trajectory.end_time()
 
-    def derivatives(self, t, order: int) -> np.ndarray:
+    def derivatives(self, t: ArrayLike, order: int) -> np.ndarray:
         t = self._inside(t)
         trajectory = self.trajectory
         values = [trajectory.vector_values(t.ravel()).T.reshape(*t.shape, self.joints)]
@@ -110,7 +111,7 @@ class RecordedPath(SampledPath):
         names: Sequence[str] | None = None,
         angles: Sequence[int] = (),
         quaternions: Sequence[int] = (),
-    ):
+    ) -> None:
         """t (samples,) increasing, in s; q (samples, joints) in rad or m.
 
         names: of the coordinates, for the notes. angles: columns of angles that are known modulo 2π, which

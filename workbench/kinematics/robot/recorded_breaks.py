@@ -16,15 +16,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from workbench.kinematics.robot.local_polynomials import (
+from workbench.kinematics.robot.break_fits import (
     BREAK_SAMPLES,
-    ORDERS,
     SIDE_DEGREE,
     best_cut,
     longest_fit,
     one_side,
     scan_break,
 )
+from workbench.kinematics.robot.local_polynomials import ORDERS
 
 HIGHEST_BREAK = 4
 APART = 1.2  # times the stated errors of both sides
@@ -69,7 +69,9 @@ def find_breaks(
             a = cut
 
 
-def _jump(t, q, low: int, cut: int, high: int, floor: float, sums: np.ndarray, z: float) -> int | None:
+def _jump(
+    t: np.ndarray, q: np.ndarray, low: int, cut: int, high: int, floor: float, sums: np.ndarray, z: float
+) -> int | None:
     """The lowest order in which the fits of both sides differ by more than their errors, or None."""
     (left, le), (right, re) = np.zeros((2, 2, ORDERS))
     at, gap = 0.5 * (t[cut - 1] + t[cut]), t[cut] - t[cut - 1]
@@ -84,7 +86,7 @@ def _jump(t, q, low: int, cut: int, high: int, floor: float, sums: np.ndarray, z
     return None
 
 
-def _refined(t, q, low: int, cut: int, high: int, floor: float, order: int) -> Found:
+def _refined(t: np.ndarray, q: np.ndarray, low: int, cut: int, high: int, floor: float, order: int) -> Found:
     """The break with the highest order that a fit of both sides with an unknown time allows."""
     from scipy.special import chdtri
 

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot import answers, meshcat_scene, plots
 from workbench.kinematics.robot.joint_limits import LimitTables
-from workbench.kinematics.robot.peaks import Peak, peaks
+from workbench.kinematics.robot.path_peaks import peaks
+from workbench.kinematics.robot.peaks import Peak
 from workbench.kinematics.robot.states import States
 
 if TYPE_CHECKING:

@@ -180,7 +180,7 @@ def test_a_point_s_peaks_along_a_recording_are_covered():
     robot = Robot("r", [TreeJoint("a", "revolute", "world", "a"), TreeJoint("b", "prismatic", "a", "b")])
     path = JointPath([[0.1, 0.2], [1.0, -0.5], [-0.4, 0.3], [0.2, 0.1], [-0.05, 0.02]])
     t = np.linspace(0, 3, 601)
-    samples = path.derivatives(t, 0)[0] + 1e-7 * np.random.default_rng(0).normal(size=(601, 2))
+    samples = path.derivatives(t, 0)[0] + 1e-5 * np.random.default_rng(0).normal(size=(601, 2))
     true = {p.order: p for p in robot.along(path, t, 4).peaks("b", (0, 0.3, 0)) if p.of == "point"}
     found = {
         p.order: p for p in robot.along((t, samples), order=4).peaks("b", (0, 0.3, 0)) if p.of == "point"

@@ -207,7 +207,7 @@ def _peak_dict(peak: Peak) -> dict[str, Any]:
         "bound",
         "within",
     )
-    found = {key: getattr(peak, key) for key in (*keys, "verdict", "reason")}
+    found = {key: getattr(peak, key) for key in (*keys, "verdict", "reason", "span")}
     plain = {key: None if isinstance(x, float) and not math.isfinite(x) else x for key, x in found.items()}
     return plain | {"unbounded": peak.value == math.inf}
 

@@ -27,10 +27,12 @@ WITHIN, BEYOND, NOT_DETERMINED = "within", "BEYOND", "not determined"
 class Peak:
     """Where a quantity is largest on a path. `of`: a coordinate or "point"; order: which derivative.
 
-    value ± error: the largest |derivative|, at the time in s; infinite where a lower derivative jumps; error:
-    infinite where the value is not determined. The size is at_least and at_most so large. limit: None where
-    there is none. bound: "upper"; of order 0 "lower" or "upper", value being the coordinate at its least or
-    greatest; "deceleration": of |q̈| where q̈ and q̇ have opposite signs. reason: why there is no value.
+    value ± error: the largest |derivative|, at the time in s; infinite where a lower derivative jumps;
+    error: infinite where the value is not determined. The size is at_least and at_most so large. limit:
+    None where there is none. bound: "upper"; of order 0 "lower" or "upper", value being the coordinate at
+    its least or greatest; "deceleration": of |q̈| where q̈ and q̇ have opposite signs. reason: why there is
+    no value. span: the times in s that the value is of, where ends of a recording that are known less well
+    are left out; at_least and at_most, and with them the verdict, are of all times.
     """
 
     of: str
@@ -44,6 +46,7 @@ class Peak:
     at_least: float = np.nan
     at_most: float = np.nan
     reason: str = ""
+    span: tuple[float, float] | None = None
 
     @property
     def verdict(self) -> str | None:
@@ -77,7 +80,8 @@ class Peak:
             return f"unbounded: {self.reason}"
         if not np.isfinite(self.error):
             return f"not determined{self._bounds()}: {self.reason}"
-        return f"{with_error(self.value, self.error)} {self.unit} at {self.time:.6g} s"
+        span = "" if self.span is None else f" (from {self.span[0]:.6g} to {self.span[1]:.6g} s)"
+        return f"{with_error(self.value, self.error)} {self.unit} at {self.time:.6g} s{span}"
 
     def _bounds(self) -> str:
         """What is known of a size that is not determined, such as ", at least 10 rad/s^3"."""
@@ -122,7 +126,9 @@ def point_of(motion: States, body: str, point: ArrayLike, relative_to: str | Non
     return (frame if relative_to is None else frame.relative_to(motion.frame(relative_to))).point(point)
 
 
-def peak_at(asked: Asked, value: float, time: float, **options: float | str) -> Peak:
+def peak_at(
+    asked: Asked, value: float, time: float, **options: float | str | tuple[float, float] | None
+) -> Peak:
     """The peak of what was asked; the value of a lower bound is that of −q. Options: see `Peak`."""
     signed = -value if asked.bound == "lower" else value
     found = Peak(asked.of, asked.order, signed + 0.0, time, asked.limit, asked.unit, asked.bound)

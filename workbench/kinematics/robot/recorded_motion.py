@@ -53,20 +53,27 @@ def recorded_peaks(
     )
     samples = Samples(parts[0].times, estimates, errors, tuple(part.breaks for part in parts))
     carried = _carried(motion, body, point, relative_to, asked, samples)
+    whole = samples.times[0], samples.times[-1]
     return [
-        _as_peak(one, _direct(parts[one.position], one) if one.position is not None else carried[i])
+        _as_peak(one, whole, _direct(parts[one.position], one) if one.position is not None else carried[i])
         for i, one in enumerate(asked)
     ]
 
 
-def _as_peak(one: Asked, found: RecordedPeak) -> Peak:
+def _as_peak(one: Asked, whole: tuple[float, float], found: RecordedPeak) -> Peak:
     """The peak of what was asked, of the coordinate's own."""
     scale, shift = (abs(one.factor), 0.0)
     if one.order == 0:
         shift = -one.offset if one.bound == "lower" else one.offset
     least, most, value = (scale * x + shift for x in (found.at_least, found.at_most, found.value))
+    bounds = {"error": scale * found.error, "at_least": least, "at_most": most}
     return peak_at(
-        one, value, found.time, error=scale * found.error, at_least=least, at_most=most, reason=found.reason
+        one,
+        value,
+        found.time,
+        **bounds,
+        reason=found.reason,
+        span=None if found.span == whole else found.span,
     )
 
 

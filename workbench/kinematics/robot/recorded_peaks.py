@@ -18,7 +18,7 @@ from workbench.kinematics.robot.recordings import Break, Recording
 MOST = 0.4  # of the peak, by which |estimate| + error may exceed it anywhere
 ENDS = (0.0, 0.005, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15)  # shares of the samples left out at both ends together
 UNKNOWN, BELOW = "not known everywhere", "below its noise"
-WELL = 0.02  # of a peak: a range so small is good enough with the ends
+WELL = 0.1  # of a peak: a range so small is good enough with the ends
 RELATIVE = 1e-6  # of a peak: the least error that is stated
 
 
@@ -103,7 +103,13 @@ def peak_of(
         span = float(times[first]), float(times[last - 1])
         found.append((*_bounds(size, error, corners, first, last), span))
     least = min(high - low for _, low, high, _ in found)
-    value, low, high, span = next(one for one in found if one[2] - one[1] <= max(2 * least, WELL * one[0]))
+    chosen = next(one for one in found if one[2] - one[1] <= max(2 * least, WELL * one[0]))
+    if chosen[2] < at_least and found[0][2] <= (1 + MOST) * found[0][0]:
+        chosen = found[0]  # the peak lies at an end
+    value, low, high, span = chosen
+    inside = (times >= span[0]) & (times <= span[1])
+    best = int(np.argmax(np.where(np.isfinite(error) & inside, size, -1.0)))
+    time = float(times[best] + (0.0 if moves is None else moves[best]))
     if not low > 0 or high > (1 + MOST) * value:
         return RecordedPeak(value, np.inf, time, whole, at_least, reason=UNKNOWN)
     stated = max(high - value, value - low, RELATIVE * value)

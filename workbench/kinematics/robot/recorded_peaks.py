@@ -51,10 +51,13 @@ def recorded_peak(recording: Recording, order: int) -> RecordedPeak:
 
 
 def below_noise(found: RecordedPeak, lower: Callable[[], RecordedPeak]) -> RecordedPeak:
-    """The peak; of one below its noise at_most is known only if that of the derivative before it is."""
-    if found.reason == BELOW and not np.isfinite(lower().at_most):
-        return replace(found, at_most=np.inf)
-    return found
+    """The peak; of one below its noise at_most is known only if the derivative before it is known well, or is
+    below its noise with a bound of its own: else it may jump."""
+    if found.reason != BELOW:
+        return found
+    before = lower()
+    is_sure = before.error <= WELL * before.value if np.isfinite(before.error) else before.reason == BELOW
+    return found if is_sure and np.isfinite(before.at_most) else replace(found, at_most=np.inf)
 
 
 def recorded_bound(recording: Recording, sign: int) -> RecordedPeak:

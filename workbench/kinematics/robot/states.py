@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.drake.joint_paths import Path
+from workbench.kinematics.robot.common_base import without_common_base
 from workbench.kinematics.robot.frames import FrameMotion, chain_scales
 from workbench.kinematics.robot.leibniz import (
     about_moving_point,
@@ -86,10 +87,14 @@ class States:
         """The pose (S, 4, 4) that a step reaches, by the steps on the way to it."""
         if "_tree" in vars(self):
             return self._tree.poses[at]
-        if at not in self._poses:
-            step = self.robot.steps[at]
-            before = step.before if step.parent == WORLD else self._pose_after(step.parent) @ step.before
-            self._poses[at] = before @ step_motion(step, self._all[0])
+        way = [at]
+        while way[-1] not in self._poses and (parent := self.robot.steps[way[-1]].parent) != WORLD:
+            way.append(parent)
+        for one in reversed(way):
+            if one not in self._poses:
+                step = self.robot.steps[one]
+                before = step.before if step.parent == WORLD else self._poses[step.parent] @ step.before
+                self._poses[one] = before @ step_motion(step, self._all[0])
         return self._poses[at]
 
     def _sizes(self, body: Body) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -202,6 +207,15 @@ class RobotFrame(FrameMotion):
             moving += range(steps[at].velocities.start, steps[at].velocities.stop)
             at = steps[at].parent
         return sorted(moving)
+
+    def relative_to(self, other: FrameMotion) -> FrameMotion:
+        """As `FrameMotion.relative_to`; how a common base of both frames moves does not enter."""
+        if not (isinstance(other, RobotFrame) and other.motion is self.motion):
+            return super().relative_to(other)
+        motion = self.motion
+        q, rates = without_common_base(motion.robot, self.name, other.name, motion.q, motion.rates)
+        alone = motion.robot.motion(q, rates)
+        return FrameMotion.relative_to(alone.frame(self.name), alone.frame(other.name))
 
     @cached_property
     def _scales(self) -> tuple[np.ndarray, np.ndarray]:

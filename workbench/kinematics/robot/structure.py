@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from numpy.typing import ArrayLike
 from workbench.kinematics.chain import SerialChain
 from workbench.kinematics.chain_engine import HIGHEST_DERIVATIVE_ORDER
 from workbench.kinematics.chain_geometry import Joint
-from workbench.kinematics.robot.joints import Limits, TreeJoint
+from workbench.kinematics.robot.joints import ANGLES, Limits, TreeJoint
 from workbench.kinematics.robot.tree import (
     WORLD,
     Step,
@@ -128,10 +129,22 @@ class Structure:
         self._of_positions, self._of_velocities, self._offset = of_positions, of_velocities, offset
 
     @cached_property
-    def limits(self) -> dict[str, Limits]:
-        """Lower, upper and velocity of each coordinate that has a joint of its own, NaN where the file is
-        silent."""
-        return {joint.name: joint.limits for joint in self.joints if joint.name in self.positions}
+    def limits(self) -> Mapping[str, Limits]:
+        """The limits of each joint of one coordinate, those that follow another joint among them; NaN where
+        there is none."""
+        return MappingProxyType(
+            {joint.name: joint.limits for joint in self.joints if joint.coordinates == (joint.name,)}
+        )
+
+    @cached_property
+    def unlimited_angles(self) -> frozenset[str]:
+        """The coordinates that are angles without limits, known modulo 2π; a pitch is none of them."""
+        names = set()
+        for joint in self.joints:
+            if joint.kind == "revolute" and not np.isfinite([joint.limits.lower, joint.limits.upper]).any():
+                names.add(joint.name)
+            names |= {joint.name + suffix for suffix in ANGLES.get(joint.kind, ())}
+        return frozenset(names.intersection(self.positions))
 
     @property
     def default_positions(self) -> np.ndarray:

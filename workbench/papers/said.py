@@ -190,10 +190,16 @@ def with_laws(claims: Sequence[Claim]) -> list[Claim]:
         laws = tuple(
             _law(each, p < at)
             for p, each in near
-            if _is_carried(each.printed.statement, each.notation, claim.notation)
+            if not _are_of_one_chain(each, claim)
+            and _is_carried(each.printed.statement, each.notation, claim.notation)
         )
         made.append(replace(claim, laws=laws))
     return made
+
+
+def _are_of_one_chain(one: Claim, other: Claim) -> bool:
+    """Whether the claims are steps of one chain: a false step must not prove the next one."""
+    return one.id in other.chain or other.id in one.chain
 
 
 def _is_carried(said: Statement, there: Notation, here: Notation) -> bool:

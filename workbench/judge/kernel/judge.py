@@ -136,7 +136,12 @@ class Judge(Setting):
             if (closed := judge_closed(statement, assume, self.definitions)) is None:
                 raise
             return closed
-        if verdict.outcome is Outcome.PROVED or verdict.reason == SAME_TERM:
+        values = verdict.counterexample and verdict.counterexample.values
+        is_refuted = (
+            verdict.outcome is Outcome.REFUTED and not values
+        )  # with π, a value for it would be needed
+        is_settled = is_refuted or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION)
+        if is_settled or verdict.reason == SAME_TERM:
             return verdict
         return judge_closed(statement, assume, self.definitions) or verdict
 

@@ -106,7 +106,7 @@ class Peer:
 class Workbench(Peer):
     def __init__(self, problem):
         from workbench.kinematics.chain import Joint, SerialChain
-        from workbench.kinematics.chain_engine import load_kernel
+        from workbench.kinematics.tree_engine import load_kernel
 
         load_kernel()
         joints = [joint for C in problem.links for joint in (Joint.fixed(C), Joint.revolute([0, 0, 1]))]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.chain_engine import HIGHEST_DERIVATIVE_ORDER
+from workbench.kinematics.robot.evaluator import Evaluator, evaluator_of
 from workbench.kinematics.robot.inverse import inverse_kinematics
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.motion import Motion
@@ -23,6 +23,7 @@ from workbench.kinematics.robot.paths import as_path
 from workbench.kinematics.robot.states import states_on_path
 from workbench.kinematics.robot.structure import Structure, reals, whole
 from workbench.kinematics.robot.urdf import UrdfError, read_urdf
+from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER
 
 if TYPE_CHECKING:
     from workbench.drake.gate import MultibodyPlant
@@ -82,6 +83,22 @@ class Robot(Structure):
         if v_derivatives is None:
             return Motion(self, self.derivatives(q_derivatives))
         return Motion(self, *self.state(q_derivatives, v_derivatives))
+
+    def evaluator(self, frame: str, order: int, jacobians: int = 0) -> Evaluator:
+        """A call for a control loop: reads its array `q` and writes its `pose`, `twists` and `jacobians`.
+
+        order: N, the highest derivative of the coordinates. jacobians: of how many orders the Jacobian is
+        computed, too, N + 1 at most. The call checks nothing and makes no new array; see `Evaluator`.
+        Raises ValueError for an unknown frame or another order, and for a robot with ball or floating joints.
+        """
+        order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
+        jacobians = whole(jacobians, "jacobians", 0, order + 1)
+        if not self._plain:
+            raise ValueError(
+                f"{self.name}: expected a robot without ball or floating joints; use `motion` for this one"
+            )
+        plan = self.engine.plan(self.body(frame).name, order, jacobians)
+        return evaluator_of(plan, order, len(self.positions), jacobians)
 
     def along(
         self, trajectory: Any, times: ArrayLike | None = None, order: int = 4, samples: int = 201

@@ -1,0 +1,92 @@
+"""Evaluates a tree of joints by the compiled kernel, which is loaded when something is first computed.
+
+Loading takes some tenths of a second; the first time on a machine the kernel is compiled, which takes some
+seconds, and kept on disk.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from workbench.kinematics.tree_steps import Frame, Step, Wanted
+
+if TYPE_CHECKING:
+    from workbench.kinematics.tree_plan import Plan
+
+_kernel: Callable[[np.ndarray, int, np.ndarray, bool], bool] | None = None
+
+
+def load_kernel() -> Callable[[np.ndarray, int, np.ndarray, bool], bool]:
+    """The compiled kernel: (q, address of a plan, out, exactly) → whether `out` is right."""
+    global _kernel
+    if _kernel is None:
+        from workbench.kinematics.tree_kernel import compiled_pass
+
+        _kernel = compiled_pass()
+    return _kernel
+
+
+class TreeEngine:
+    """Poses, twist derivatives and Jacobian derivatives of frames on a tree of steps.
+
+    frames: by name. channels: how many input channels the steps' drives read; velocities: how many columns
+    the Jacobians have. about_origin, taylor: see `Wanted`."""
+
+    def __init__(
+        self,
+        steps: Sequence[Step],
+        frames: Mapping[str, Frame],
+        channels: int,
+        velocities: int,
+        *,
+        about_origin: bool = False,
+        taylor: bool = False,
+    ):
+        self._steps, self._frames = tuple(steps), frames
+        self._channels, self._velocities = channels, velocities
+        self._about_origin, self._taylor = about_origin, taylor
+        self._plans: dict[tuple, Plan] = {}
+
+    def plan(self, names: str | tuple[str, ...], order: int, jacobians: int = 0) -> Plan:
+        """The plan for one frame or more, inputs with `order` derivatives, and so many orders of
+        Jacobians."""
+        key = names, order, jacobians
+        plan = self._plans.get(key)
+        if plan is None:
+            plan = self._plans[key] = self._new_plan(names, order, jacobians)
+        return plan
+
+    def _new_plan(self, names: str | tuple[str, ...], order: int, jacobians: int) -> Plan:
+        from workbench.kinematics.tree_plan import plan_of
+
+        frames = [self._frames[name] for name in ((names,) if isinstance(names, str) else names)]
+        wanted = Wanted(order, jacobians, self._about_origin, self._taylor)
+        return plan_of(self._steps, frames, self._channels, self._velocities, wanted)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return vars(self) | {"_plans": {}}  # plans hold addresses of this process
+
+
+def compute(q: np.ndarray, plan: Plan, out: np.ndarray) -> None:
+    """Run a plan: q (order + 1, states, channels) → out (frames, states, orders, parts), both of doubles.
+
+    The numbers of a frame and a state are `plan.rows`: the pose's 16, the twists, the Jacobians. They are
+    spread over the last two axes in this order."""
+    kernel = _kernel or load_kernel()
+    if not kernel(q, plan.address, out, False):
+        kernel(q, plan.address, out, True)  # some angle is so large that only the C library reduces it
+
+
+def states_side_by_side(frames: int, states: int, rows: int) -> np.ndarray:
+    """Fresh memory (frames, states, rows) in which the states' numbers are neighbours, on whole cache
+    lines."""
+    from workbench.kinematics.lanes import SIZE, WIDTH
+
+    padded = -(-states // WIDTH) * WIDTH
+    memory = np.empty(frames * rows * padded + WIDTH)
+    start = -memory.ctypes.data % SIZE // 8
+    whole = memory[start : start + frames * rows * padded].reshape(frames, rows, padded)
+    return whole[..., :states].swapaxes(1, 2)

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy import empty
 
 from workbench.kinematics.tree_steps import Frame, Step, Wanted
 
@@ -54,10 +55,20 @@ class TreeEngine:
         """The plan for one frame or more, inputs with `order` derivatives, and so many orders of
         Jacobians."""
         key = names, order, jacobians
-        plan = self._plans.get(key)
-        if plan is None:
-            plan = self._plans[key] = self._new_plan(names, order, jacobians)
-        return plan
+        if key not in self._plans:
+            self._plans[key] = self._new_plan(names, order, jacobians)
+        return self._plans[key]
+
+    def of_one_state(self, q: np.ndarray, name: str, order: int) -> np.ndarray:
+        """The pose's 16 numbers and the twists (16 + 6 order,) of a frame at one state q (order + 1,
+        channels)."""
+        plan = self._plans.get((name, order, 0)) or self.plan(name, order)
+        record = empty(plan.rows)
+        out = record[None, None, None]
+        if _kernel is None or not _kernel(q[:, None], plan.address, out, False):
+            compute(q[:, None], plan, out)
+        record.setflags(write=False)
+        return record
 
     def _new_plan(self, names: str | tuple[str, ...], order: int, jacobians: int) -> Plan:
         from workbench.kinematics.tree_plan import plan_of

@@ -11,7 +11,6 @@ from functools import cached_property
 from math import prod
 
 import numpy as np
-from numpy import empty
 from numpy.typing import ArrayLike
 
 from workbench.drake.joint_paths import Path
@@ -38,31 +37,32 @@ class States:
     """
 
     times = path = None
-    _q_derivatives = _rates = _channels = None
+    _q = _q_derivatives = _rates = _channels = None
 
     def __init__(self, robot: Structure, q: np.ndarray, rates: np.ndarray | None = None):
         self.robot = robot
         if rates is None:
-            self._q_derivatives, self._q, self.order = q, q[0], len(q) - 1
+            self._q_derivatives, self.order = q, len(q) - 1
         else:
             self._q, self._rates, self.order = q, rates, len(rates)
         self._records: dict[str, np.ndarray] = {}  # no frames: these would keep the motion alive, and it them
-        self._jacobians: dict[str, np.ndarray] = {}
 
     @property
     def q(self) -> np.ndarray:
-        return self._q
+        q = self._q_derivatives[0] if self._q is None else self._q
+        q.setflags(write=False)
+        return q
 
     @property
     def rates(self) -> np.ndarray:
         if self._rates is None:
             self._rates = self.robot.velocity_derivatives(self._q_derivatives)
-            self._rates.flags.writeable = False
+        self._rates.setflags(write=False)
         return self._rates
 
     @property
     def shape(self) -> tuple[int, ...]:
-        return self._q.shape[:-1]
+        return self.q.shape[:-1]
 
     def frame(self, name: str) -> RobotFrame:
         """The motion of a body's frame; ValueError lists the bodies."""
@@ -114,9 +114,9 @@ class States:
         """(N + 1, states, channels)"""
         channels = self._channels
         if channels is None:
-            plain = self.robot._plain and self._q_derivatives is not None
-            channels = self._q_derivatives if plain else self.robot.channels(self.q, self.rates)
-            self._channels = channels
+            channels = self._q_derivatives  # of a robot without balls: see `Structure.state`
+            if not self.robot._plain:
+                channels = self._channels = self.robot.channels(self.q, self.rates)
         if channels.ndim == 2:
             return channels[:, None]
         return channels.reshape(len(channels), prod(self.shape), channels.shape[-1])
@@ -125,8 +125,17 @@ class States:
         """(..., 16 + 6 N): the pose and the twists of a body."""
         record = self._records.get(name)
         if record is None:
-            record = self._records[name] = self._new_record(name, 0)
+            robot, q = self.robot, self._q_derivatives
+            if q is not None and q.ndim == 2 and robot._plain:
+                record = robot.engine.of_one_state(q, name, self.order)
+            else:
+                record = self._new_record(name, 0)
+            self._records[name] = record
         return record
+
+    @cached_property
+    def _jacobians(self) -> dict[str, np.ndarray]:
+        return {}
 
     def _jacobian_record(self, name: str, orders: int) -> np.ndarray:
         """(..., orders or more, 6, velocities)"""
@@ -139,16 +148,11 @@ class States:
         return J
 
     def _new_record(self, name: str, jacobians: int) -> np.ndarray:
-        plan = self.robot.engine.plan(name, self.order, jacobians)
-        if self._q.ndim == 1:
-            record = empty(plan.rows)
-            compute(self._input(), plan, record[None, None, None])
-        else:
-            record = empty((prod(self.shape), plan.rows))
-            compute(self._input(), plan, record[None, :, None])
-            record = record.reshape(*self.shape, plan.rows)
-        record.flags.writeable = False
-        return record
+        plan, q = self.robot.engine.plan(name, self.order, jacobians), self._input()
+        record = np.empty((q.shape[1], plan.rows))
+        compute(q, plan, record[None, :, None])
+        record.setflags(write=False)
+        return record.reshape(*self.shape, plan.rows)
 
     def _sizes(self, body: Body) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """What moves a body, for `chain_scales`: sizes and terms (N, ...) of its joints' rates, and its
@@ -194,17 +198,20 @@ class RobotFrame(FrameMotion):
     @property
     def pose(self) -> np.ndarray:
         record = self.motion._record(self.name)
+        if record.ndim == 1:
+            return record[:16].reshape(4, 4)
         return record[..., :16].reshape(*record.shape[:-1], 4, 4)
 
     @property
     def twists(self) -> np.ndarray:
         record = self.motion._record(self.name)
-        twists = record[..., 16:].reshape(*record.shape[:-1], self.order, 6)
-        return np.moveaxis(twists, -2, 0)
+        if record.ndim == 1:
+            return record[16:].reshape(self.order, 6)
+        return np.moveaxis(record[..., 16:].reshape(*record.shape[:-1], self.order, 6), -2, 0)
 
     def _twist(self, k: int) -> np.ndarray:
-        at = 16 + 6 * k
-        return self.motion._record(self.name)[..., at : at + 6]
+        record, at = self.motion._record(self.name), 16 + 6 * k
+        return record[at : at + 6] if record.ndim == 1 else record[..., at : at + 6]
 
     def jacobian(
         self, order: int = 0, *, point: ArrayLike = (0, 0, 0), expressed: str = "mixed"
@@ -233,7 +240,8 @@ class RobotFrame(FrameMotion):
         """(order + 1, ..., 6, velocities)"""
         self._require(order, self.order)
         self._check(expressed)
-        J = np.moveaxis(self.motion._jacobian_record(self.name, order + 1), -3, 0)[: order + 1]
+        J = self.motion._jacobian_record(self.name, order + 1)
+        J = (J if J.ndim == 3 else np.moveaxis(J, -3, 0))[: order + 1]
         if expressed == "mixed" and not np.any(point):
             self.point(point)
             return J

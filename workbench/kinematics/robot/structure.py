@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy import inf, ndarray
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.chain import SerialChain
@@ -196,10 +197,12 @@ class Structure:
         return (SerialChain(reversed(joints)), coordinates[::-1]) if coordinates else None
 
     def derivatives(self, q_derivatives: ArrayLike) -> np.ndarray:
-        """A copy of q_derivatives (N + 1, ..., positions), checked and read-only."""
-        q = _copied(reals(q_derivatives, "q_derivatives"))
-        if q.shape in self._states:
-            return q
+        """A copy of q_derivatives (N + 1, ..., positions), checked."""
+        if type(q_derivatives) is ndarray and q_derivatives.dtype is DOUBLE:
+            numbers = q_derivatives.ravel()
+            if q_derivatives.shape in self._states and numbers.dot(numbers) < inf:  # a state as before
+                return q_derivatives.copy()
+        q = reals(q_derivatives, "q_derivatives").copy("K")
         count = len(self.positions)
         if q.ndim < 2 or q.shape[-1] != count or len(q) < 2:
             raise ValueError(
@@ -212,8 +215,8 @@ class Structure:
         return q
 
     def state(self, q: ArrayLike, v_derivatives: ArrayLike) -> tuple[np.ndarray, np.ndarray | None]:
-        """Copies of q (..., positions) and v_derivatives (N, ..., velocities), checked and read-only; as
-        q_derivatives where that is the same."""
+        """Copies of q (..., positions) and v_derivatives (N, ..., velocities), checked; as q_derivatives
+        where that is the same."""
         q, v = reals(q, "q"), reals(v_derivatives, "v_derivatives")
         nq, nv = len(self.positions), len(self.velocities)
         if q.ndim < 1 or q.shape[-1] != nq:
@@ -222,7 +225,7 @@ class Structure:
             expected = ", ".join(map(str, ("N", *q.shape[:-1], nv)))
             raise ValueError(f"v_derivatives: expected shape ({expected}), the order first, got {v.shape}")
         self.check(q, len(v))
-        return (_copied(np.concatenate([q[None], v])), None) if self._plain else (_copied(q), _copied(v))
+        return (np.concatenate([q[None], v]), None) if self._plain else (q.copy(), v.copy())
 
     def check(self, q: np.ndarray, order: int) -> None:
         if order > HIGHEST_DERIVATIVE_ORDER:
@@ -280,12 +283,6 @@ class Structure:
         return [name for name in super().__dir__() if not name.startswith("_")]
 
 
-def _copied(array: np.ndarray) -> np.ndarray:
-    array = array.copy("K")
-    array.flags.writeable = False
-    return array
-
-
 def _rate(q: np.ndarray) -> np.ndarray:
     return q[1:]
 
@@ -317,7 +314,6 @@ def reals(values: ArrayLike, what: str) -> np.ndarray:
         if array.dtype.kind not in "fiu":
             raise ValueError(f"{what}: expected real numbers, got an array of {array.dtype}")
         array = array.astype(float)
-    numbers = array.ravel()
-    if not (numbers.dot(numbers) < np.inf or np.isfinite(array).all()):
+    if not (np.add.reduce(array, axis=None) < np.inf or np.isfinite(array).all()):
         raise ValueError(f"{what}: expected finite numbers, got a NaN or an infinity")
     return array

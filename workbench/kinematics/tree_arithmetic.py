@@ -163,9 +163,12 @@ def carry(w, u, last, reciprocals):
 
 @inlined
 def carry_last(w, u, k, reciprocals):
-    t = zero3()
-    for j in range(k):
+    """u_k alone, its terms in the order in which `carry` adds them."""
+    t, even = zero3(), 1 - (k & 1)
+    for j in range(even, k):
         t = add_cross(t, load3(w, 3 * j), load3(u, 3 * (k - 1 - j)))
+    if even:
+        t = add_cross(t, load3(w, 0), load3(u, 3 * (k - 1)))
     store_carried(u, k, reciprocals, t)
 
 

@@ -6,6 +6,7 @@ from workbench.kinematics.tree_arithmetic import (
     add_scaled,
     carry,
     carry_both,
+    carry_last,
     compiled,
     constant3,
     inlined,
@@ -161,10 +162,13 @@ def next_step(row, kind, drives, before, slot, u, v, keep, N, reciprocals):
             carry(before_w, v, N, reciprocals)
     else:
         store3(u, 0, Z)
+        last = N if kind != TURN or keep else max(N - 1, 0)
         if apart:
-            carry_both(before_w, u, v, N, reciprocals)
+            carry_both(before_w, u, v, last, reciprocals)
+            if last < N:
+                carry_last(before_w, v, N, reciprocals)
         else:
-            carry(before_w, u, N if kind != TURN or keep else max(N - 1, 0), reciprocals)
+            carry(before_w, u, last, reciprocals)
         if kind == SLIDE:
             for k in range(N):
                 store3(w, 3 * k, load3(before_w, 3 * k))

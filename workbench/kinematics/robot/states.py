@@ -26,6 +26,7 @@ from workbench.kinematics.robot.structure import Body, Structure
 from workbench.kinematics.tree_engine import compute, states_side_by_side
 from workbench.kinematics.tree_steps import WORLD
 
+ORIGIN = (0, 0, 0)
 EXPRESSED = ("world", "mixed", "body")
 
 
@@ -91,6 +92,11 @@ class States:
         robot, states = self.robot, prod(self.shape)
         plan = robot.engine.plan(robot.bodies, self.order)
         shape = len(robot.bodies), *self.shape, plan.rows
+        if out is None and not self.shape:
+            records = np.empty(shape)
+            compute(self._input(), plan, records[:, None, None])
+            records.setflags(write=False)
+            return records
         if out is None:
             records = states_side_by_side(len(robot.bodies), states, plan.rows)
             compute(self._input(), plan, records[:, :, None])
@@ -213,9 +219,7 @@ class RobotFrame(FrameMotion):
         record, at = self.motion._record(self.name), 16 + 6 * k
         return record[at : at + 6] if record.ndim == 1 else record[..., at : at + 6]
 
-    def jacobian(
-        self, order: int = 0, *, point: ArrayLike = (0, 0, 0), expressed: str = "mixed"
-    ) -> np.ndarray:
+    def jacobian(self, order: int = 0, *, point: ArrayLike = ORIGIN, expressed: str = "mixed") -> np.ndarray:
         """dᵏJ/dtᵏ, k = order, (..., 6, velocities): the derivative of ∂(ω; v)/∂(velocities) along the motion.
 
         point (3,): p_FoP_F in m, whose velocity v is. expressed: "mixed": v of the point, all in W's axes
@@ -226,9 +230,7 @@ class RobotFrame(FrameMotion):
         """
         return self._jacobian_derivatives(order, point, expressed)[order]
 
-    def velocity(
-        self, order: int = 0, *, point: ArrayLike = (0, 0, 0), expressed: str = "mixed"
-    ) -> np.ndarray:
+    def velocity(self, order: int = 0, *, point: ArrayLike = ORIGIN, expressed: str = "mixed") -> np.ndarray:
         """The k-th derivative, k = order, of (ω; v), (..., 6), as `jacobian` has it: point and expressed."""
         self._require(order, self.order - 1)
         self._check(expressed)
@@ -242,8 +244,7 @@ class RobotFrame(FrameMotion):
         self._check(expressed)
         J = self.motion._jacobian_record(self.name, order + 1)
         J = (J if J.ndim == 3 else np.moveaxis(J, -3, 0))[: order + 1]
-        if expressed == "mixed" and not np.any(point):
-            self.point(point)
+        if expressed == "mixed" and point is ORIGIN:
             return J
         return self._expressed(J.swapaxes(-1, -2), point, expressed).swapaxes(-1, -2)
 

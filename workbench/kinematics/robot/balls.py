@@ -35,6 +35,41 @@ def quaternion_of_rpy(rpy: np.ndarray) -> np.ndarray:
     )
 
 
+def quaternion_of_rotation(R: np.ndarray) -> np.ndarray:
+    """The unit quaternion (..., 4), w x y z with w >= 0, of a rotation (..., 3, 3), from the largest of its
+    four squares (Shepperd's method)."""
+    xx, yy, zz = (R[..., i, i] for i in range(3))
+    squares = np.stack([1 + xx + yy + zz, 1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz], axis=-1)
+    wx, wy, wz = (R[..., i, j] - R[..., j, i] for i, j in ((2, 1), (0, 2), (1, 0)))
+    xy, yz, zx = (R[..., i, j] + R[..., j, i] for i, j in ((0, 1), (1, 2), (2, 0)))
+    s0, s1, s2, s3 = np.moveaxis(squares, -1, 0)
+    rows = np.stack(
+        [
+            np.stack([s0, wx, wy, wz], axis=-1),
+            np.stack([wx, s1, xy, zx], axis=-1),
+            np.stack([wy, xy, s2, yz], axis=-1),
+            np.stack([wz, zx, yz, s3], axis=-1),
+        ],
+        axis=-2,
+    )
+    best = np.argmax(squares, axis=-1)[..., None, None]
+    row = np.take_along_axis(rows, best, axis=-2)[..., 0, :]
+    row = np.where(row[..., :1] < 0, -row, row)
+    return row / np.linalg.norm(row, axis=-1, keepdims=True)
+
+
+def rpy_of_rotation(R: np.ndarray) -> np.ndarray:
+    """(roll, pitch, yaw), (..., 3), of a rotation (..., 3, 3). Yaw is taken out before roll is measured, so
+    that R is met next to pitch = ±π/2, too; there roll is 0."""
+    level = np.hypot(R[..., 0, 0], R[..., 1, 0])
+    straight = level < 1e-12
+    yaw = np.where(straight, np.arctan2(-R[..., 0, 1], R[..., 1, 1]), np.arctan2(R[..., 1, 0], R[..., 0, 0]))
+    pitch = np.arctan2(-R[..., 2, 0], level)
+    c, s = np.cos(yaw), np.sin(yaw)
+    roll = np.arctan2(s * R[..., 0, 2] - c * R[..., 1, 2], c * R[..., 1, 1] - s * R[..., 0, 1])
+    return np.stack([np.where(straight, 0.0, roll), pitch, yaw], axis=-1)
+
+
 def unit_quaternion(kind: str, coordinates: np.ndarray) -> np.ndarray:
     """The unit quaternion (..., 4) of a ball's coordinates, of the kind "quaternion" or "rpy"."""
     if kind == "rpy":

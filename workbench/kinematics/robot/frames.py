@@ -13,6 +13,7 @@ from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import apply, cross, dot
 from workbench.kinematics.centres import Locus, acceleration_centre, field_scales
 from workbench.kinematics.fields import acceleration_tensors, invariant_vectors
+from workbench.kinematics.robot.balls import quaternion_of_rotation, rpy_of_rotation
 from workbench.kinematics.robot.leibniz import (
     about_world_origin,
     carried_vector,
@@ -81,6 +82,17 @@ class FrameMotion:
     def origin_twist(self) -> np.ndarray:
         """(N, ..., 6): the chapter's twist (ω; v) and its derivatives, v of the body point at W's origin."""
         return _read_only(about_world_origin(self.twists, self.pose[..., :3, 3]))
+
+    @property
+    def quaternion(self) -> np.ndarray:
+        """The unit quaternion (..., 4), w x y z with w >= 0, of the pose's rotation."""
+        return quaternion_of_rotation(self.pose[..., :3, :3])
+
+    @property
+    def rpy(self) -> np.ndarray:
+        """(roll, pitch, yaw), (..., 3) in rad, R = Rz(yaw) Ry(pitch) Rx(roll) of the pose's rotation; pitch
+        from −π/2 to π/2, and roll 0 where pitch is at one of these."""
+        return rpy_of_rotation(self.pose[..., :3, :3])
 
     def point(self, p: ArrayLike = (0, 0, 0)) -> PointMotion:
         """The motion of a point P fixed in F; p (3,) is p_FoP_F in m."""

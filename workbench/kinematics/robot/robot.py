@@ -20,6 +20,7 @@ from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.motion import Motion
 from workbench.kinematics.robot.paths import Path as JointPath
 from workbench.kinematics.robot.paths import as_path
+from workbench.kinematics.robot.scalars import casadi_function, jax_function, object_motion
 from workbench.kinematics.robot.states import states_on_path
 from workbench.kinematics.robot.structure import Structure, reals, whole
 from workbench.kinematics.robot.urdf import UrdfError, read_urdf
@@ -93,12 +94,57 @@ class Robot(Structure):
         """
         order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
         jacobians = whole(jacobians, "jacobians", 0, order + 1)
-        if not self._plain:
-            raise ValueError(
-                f"{self.name}: expected a robot without ball or floating joints; use `motion` for this one"
-            )
+        self.require_rates("evaluator")
         plan = self.engine.plan(self.body(frame).name, order, jacobians)
         return evaluator_of(plan, order, len(self.positions), jacobians)
+
+    def on_objects(self, frame: str, q_derivatives: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+        """The pose (4, 4) and the twists (N, 6) of a frame, of one state of Drake's Expression or AutoDiffXd
+        or of SymPy's symbols, q_derivatives (N + 1, positions): arrays of these.
+
+        Twists are V_WF = (ω; velocity of Fo) and its derivatives, in W's axes. Raises ValueError for another
+        shape, an unknown frame, and a robot with ball or floating joints.
+        """
+        q = np.asarray(q_derivatives, dtype=object)
+        if q.ndim != 2 or q.shape[1] != len(self.positions) or len(q) < 2:
+            raise ValueError(
+                f"q_derivatives: expected shape (N + 1, {len(self.positions)}) with N >= 1, got {q.shape}"
+            )
+        return object_motion(self, frame, q)
+
+    def casadi(self, frame: str, order: int) -> Any:
+        """A casadi.Function q (positions, N + 1) → pose (4, 4), twists (6, N) of a frame, N = order.
+
+        A column is an order. Raises ImportError without CasADi, ValueError as `on_objects`.
+        """
+        return casadi_function(self, frame, whole(order, "order", 1))
+
+    def jax(self, frame: str, order: int) -> Any:
+        """A function of JAX arrays q (N + 1, positions) → pose (4, 4), twists (N, 6) of a frame, N = order;
+        for jax.jit, jax.vmap (batches) and jax.jacfwd. Raises ImportError without JAX, ValueError as
+        `on_objects`."""
+        return jax_function(self, frame, whole(order, "order", 1))
+
+    def to_c(self, frame: str, order: int) -> str:
+        """C code of a function frame_motion(arg, res, iw, w, mem), in CasADi's calling convention.
+
+        arg[0]: q, the derivatives of all coordinates order by order, (N + 1) × positions. res[0]: the pose,
+        16 numbers column by column. res[1]: the twists, N × 6. Raises ImportError without CasADi, ValueError
+        as `on_objects`."""
+        function = self.casadi(frame, order)
+        import casadi
+
+        generator = casadi.CodeGenerator("frame_motion")
+        generator.add(function)
+        return generator.dump()
+
+    def with_frame(self, name: str, body: str, X_BF: ArrayLike) -> Robot:
+        """This robot with one more frame, of a tool: fixed to a body at X_BF (4, 4), m. Raises ValueError
+        for a name that is there, an unknown body, or a transform that is not rigid."""
+        if name in self.frames:
+            raise ValueError(f"frame {name!r}: the robot has a body of that name, expected a new name")
+        joint = TreeJoint(f"{name}_weld", "fixed", self.body(body).name, name, np.asarray(X_BF, dtype=float))
+        return Robot(self.name, [*self.joints, joint], self.world)
 
     def along(
         self, trajectory: Any, times: ArrayLike | None = None, order: int = 4, samples: int = 201

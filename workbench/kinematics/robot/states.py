@@ -22,7 +22,9 @@ from workbench.kinematics.robot.leibniz import (
     rotation_derivatives,
     turned,
 )
-from workbench.kinematics.robot.structure import Body, Structure
+from workbench.kinematics.robot.partials import twist_partial
+from workbench.kinematics.robot.relative import RelativeFrame
+from workbench.kinematics.robot.structure import Body, Structure, whole
 from workbench.kinematics.tree_engine import compute, states_side_by_side
 from workbench.kinematics.tree_steps import WORLD
 
@@ -228,7 +230,40 @@ class RobotFrame(FrameMotion):
         components, so that V⁽ᵏ⁾ = Σ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾ with `velocity(k)` of the same two arguments.
         Raises ValueError for an order beyond the motion's.
         """
-        return self._jacobian_derivatives(order, point, expressed)[order]
+        return self.jacobian_derivatives(order, point=point, expressed=expressed)[order]
+
+    def jacobian_derivatives(
+        self, order: int, *, point: ArrayLike = ORIGIN, expressed: str = "mixed"
+    ) -> np.ndarray:
+        """J, dJ/dt, …, dᵏJ/dtᵏ, k = order, (k + 1, ..., 6, velocities); see `jacobian`."""
+        self._require(order, self.order)
+        self._check(expressed)
+        J = self.motion._jacobian_record(self.name, order + 1)
+        J = (J if J.ndim == 3 else np.moveaxis(J, -3, 0))[: order + 1]
+        if expressed == "mixed" and point is ORIGIN:
+            return J
+        return self._expressed(J.swapaxes(-1, -2), point, expressed).swapaxes(-1, -2)
+
+    def twist_partial(self, k: int, j: int, *, point: ArrayLike = ORIGIN) -> np.ndarray:
+        """∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, positions): how the k-th derivative of the twist V = (ω; velocity of the
+        point) depends on the j-th derivatives of the coordinates, the other derivatives being held.
+
+        In W's axes, rad and m, per s¹⁺ᵏ⁻ʲ; k < N; 0 for j > k + 1. point (3,): p_FoP_F in m. For k = 0, j =
+        1 it is the Jacobian. Closed form, see `partials`. Raises ValueError for an order beyond the
+        motion's, and for a robot with ball or floating joints, whose velocities are not the rates of its
+        coordinates."""
+        self._require(k, self.order - 1)
+        whole(j, "j", 0)
+        self.motion.robot.require_rates("partial derivatives")
+        J = self.jacobian_derivatives(k + 1, point=point)
+        return twist_partial(J, self.twists[..., :3], k, j)
+
+    def relative_to(self, other: FrameMotion) -> FrameMotion:
+        """The motion of this frame B as an observer in the frame A of `other` sees it, expressed in A; with
+        its `jacobian` where `other` is a frame of the same motion."""
+        if isinstance(other, RobotFrame) and other.motion is self.motion:
+            return RelativeFrame(self, other)
+        return super().relative_to(other)
 
     def velocity(self, order: int = 0, *, point: ArrayLike = ORIGIN, expressed: str = "mixed") -> np.ndarray:
         """The k-th derivative, k = order, of (ω; v), (..., 6), as `jacobian` has it: point and expressed."""
@@ -237,16 +272,6 @@ class RobotFrame(FrameMotion):
         if expressed == "world":
             return self.origin_twist[order]
         return self._expressed(self.twists[: order + 1, ..., None, :], point, expressed)[order][..., 0, :]
-
-    def _jacobian_derivatives(self, order: int, point: ArrayLike, expressed: str) -> np.ndarray:
-        """(order + 1, ..., 6, velocities)"""
-        self._require(order, self.order)
-        self._check(expressed)
-        J = self.motion._jacobian_record(self.name, order + 1)
-        J = (J if J.ndim == 3 else np.moveaxis(J, -3, 0))[: order + 1]
-        if expressed == "mixed" and point is ORIGIN:
-            return J
-        return self._expressed(J.swapaxes(-1, -2), point, expressed).swapaxes(-1, -2)
 
     @cached_property
     def _scales(self) -> tuple[np.ndarray, np.ndarray]:

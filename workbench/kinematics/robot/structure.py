@@ -196,6 +196,14 @@ class Structure:
             at = step.parent
         return (SerialChain(reversed(joints)), coordinates[::-1]) if coordinates else None
 
+    def require_rates(self, what: str) -> None:
+        """Raise ValueError unless the velocities are the rates of the coordinates."""
+        if not self._plain:
+            raise ValueError(
+                f"{what}: expected a robot without ball or floating joints, whose velocities are the rates "
+                f"of its coordinates; {self.name!r} has such joints"
+            )
+
     def derivatives(self, q_derivatives: ArrayLike) -> np.ndarray:
         """A copy of q_derivatives (N + 1, ..., positions), checked."""
         if type(q_derivatives) is ndarray and q_derivatives.dtype is DOUBLE:

@@ -19,11 +19,10 @@ from numpy.typing import ArrayLike
 
 from workbench.algebra.dual_tensors import apply
 from workbench.kinematics.robot.leibniz import product_derivatives, rotation_derivatives
-from workbench.kinematics.robot.states import States
 from workbench.kinematics.robot.structure import reals, whole
 
 if TYPE_CHECKING:
-    from workbench.drake.gate import MultibodyPlant
+    from workbench.kinematics.robot.states import States
 
 GRAVITY = (0.0, 0.0, -9.81)
 
@@ -74,14 +73,3 @@ def _wrench(
 
 def _too_low(motion: States) -> int:
     raise ValueError(f"expected a motion of order 2 (accelerations) or more, got order {motion.order}")
-
-
-def inertias_of_plant(plant: MultibodyPlant, names: Mapping[str, object]) -> dict[str, Inertia]:
-    """The inertias of a finalized plant's bodies; names: the plant's index of each body by its name."""
-    context, found = plant.CreateDefaultContext(), {}
-    for name, index in names.items():
-        M = plant.get_body(index).CalcSpatialInertiaInBodyFrame(context)
-        com = np.array(M.get_com())
-        about_com = M.Shift(com).CalcRotationalInertia().CopyToFullMatrix3()
-        found[name] = Inertia(float(M.get_mass()), com, about_com)
-    return found

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot import answers, meshcat_scene, plots
 from workbench.kinematics.robot.answers import Limits, Peak
+from workbench.kinematics.robot.dynamics import GRAVITY, torques
 from workbench.kinematics.robot.states import States
 
 if TYPE_CHECKING:
@@ -20,6 +21,16 @@ if TYPE_CHECKING:
 class Motion(States):
     """What `Robot.motion` and `Robot.along` return: `frame(name)` and `frames`, and what is asked of a
     whole path."""
+
+    def torques(self, order: int = 0, gravity: ArrayLike = GRAVITY) -> np.ndarray:
+        """The generalized forces τ that the motion needs and their derivatives to the `order`, (order + 1,
+        ..., velocities): N or N m, per sᵏ, one for each velocity.
+
+        Inverse dynamics by Newton, Euler and d'Alembert with the robot's `inertias`; gravity (3,) in m/s², in
+        W's axes. Friction and rotors are left out. Needs a motion of order + 2. Raises ValueError for a robot
+        without inertias, or an order beyond the motion's.
+        """
+        return torques(self, self.robot.inertias, order, gravity)
 
     def peaks(
         self,

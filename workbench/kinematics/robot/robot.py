@@ -9,13 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from workbench.kinematics.robot.dynamics import Inertia
 from workbench.kinematics.robot.evaluator import Evaluator, evaluator_of
-from workbench.kinematics.robot.inverse import inverse_kinematics
+from workbench.kinematics.robot.inverse import DampedInverse, Task, damped_inverse, inverse_kinematics
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.motion import Motion
 from workbench.kinematics.robot.paths import Path as JointPath
@@ -35,9 +37,11 @@ BLOCK = 4096  # states that are worked on at a time, where a batch is streamed
 class Robot(Structure):
     """A robot with named joints and bodies; make it by `from_urdf`, `from_plant`, or of `TreeJoint`s.
 
-    name; bodies, positions, velocities: names, in the order of every array; limits: by joint.
-    The world is the body "world".
+    name; bodies, positions, velocities: names, in the order of every array; limits: by joint. The world is
+    the body "world". inertias: of the bodies, for `Motion.torques`; a URDF read by `from_urdf` gives none.
     """
+
+    inertias: Mapping[str, Inertia] = MappingProxyType({})
 
     @classmethod
     def from_urdf(cls, path: str | Path, base: str = "fixed", rotations: str = "quaternion") -> Robot:
@@ -70,9 +74,38 @@ class Robot(Structure):
 
         mimics: joints that follow others (a plant does not tell). Raises ValueError.
         """
-        from workbench.kinematics.robot.plant import tree_joints
+        from workbench.kinematics.robot.plant import inertias, tree_joints
 
-        return cls("plant", tree_joints(plant, mimics or {}))
+        robot = cls("plant", tree_joints(plant, mimics or {}))
+        robot.inertias = inertias(plant)
+        return robot
+
+    @classmethod
+    def from_file(
+        cls,
+        path: str | Path,
+        base: str = "fixed",
+        packages: Mapping[str, str | Path] | None = None,
+        mimics: Mapping[str, Mimic] | None = None,
+    ) -> Robot:
+        """The robot of an SDF, MJCF, URDF or model-directives file, all models of it, by Drake's parser.
+
+        base: "fixed" welds the root of each model that nothing holds to the world, "floating" lets it move.
+        packages: folders by the names that package:// paths start with. mimics: see `from_plant`. A body that
+        several models have is model::body. Raises ValueError in one line.
+        """
+        if base not in ("fixed", "floating"):
+            raise ValueError(f"base: expected fixed or floating, got {base!r}")
+        from workbench.drake.plants import PlantError, load_models
+
+        try:
+            robot = cls.from_plant(load_models(path, base, packages), mimics)
+        except PlantError as error:
+            raise ValueError(str(error)) from None
+        except ValueError as error:
+            raise ValueError(f"{path}: {error}") from None
+        robot.name = Path(path).stem
+        return robot
 
     def motion(self, q_derivatives: ArrayLike, v_derivatives: ArrayLike | None = None) -> Motion:
         """The motion of all bodies to the order N, at one state or at many.
@@ -144,7 +177,9 @@ class Robot(Structure):
         if name in self.frames:
             raise ValueError(f"frame {name!r}: the robot has a body of that name, expected a new name")
         joint = TreeJoint(f"{name}_weld", "fixed", self.body(body).name, name, np.asarray(X_BF, dtype=float))
-        return Robot(self.name, [*self.joints, joint], self.world)
+        robot = Robot(self.name, [*self.joints, joint], self.world)
+        robot.inertias = self.inertias
+        return robot
 
     def along(
         self, trajectory: Any, times: ArrayLike | None = None, order: int = 4, samples: int = 201
@@ -199,6 +234,7 @@ class Robot(Structure):
         rows: Sequence[int] = range(6),
         weight: ArrayLike | None = None,
         null_space: ArrayLike | None = None,
+        relative_to: str | None = None,
         rtol: float = 1e-6,
     ) -> np.ndarray:
         """The velocities and their derivatives (N, ..., velocities) that move a body as prescribed.
@@ -209,12 +245,42 @@ class Robot(Structure):
         that fit, nearest to `null_space` (N, ..., velocities), 0 unless given; weight (velocities,) > 0, 1
         unless given. Raises SingularJacobian, with the singular values, where σ_min <= rtol · σ_max.
         """
-        options = {
-            "expressed": expressed,
-            "point": point,
-            "rows": tuple(np.atleast_1d(rows).tolist()),
-            "rtol": rtol,
-        }
         return inverse_kinematics(
-            self, body, q, twist_derivatives, weight=weight, null_space=null_space, **options
+            self,
+            Task(body, expressed, point, tuple(np.atleast_1d(rows).tolist()), relative_to),
+            q,
+            twist_derivatives,
+            weight=weight,
+            null_space=null_space,
+            rtol=rtol,
+        )
+
+    def inverse_damped(
+        self,
+        body: str,
+        q: ArrayLike,
+        twist_derivatives: ArrayLike,
+        damping: float,
+        *,
+        expressed: str = "mixed",
+        point: ArrayLike = (0, 0, 0),
+        rows: Sequence[int] = range(6),
+        weight: ArrayLike | None = None,
+        null_space: ArrayLike | None = None,
+        relative_to: str | None = None,
+    ) -> DampedInverse:
+        """As `inverse`, near and at singular positions, too: at each order the velocities of least |V − V
+        wanted|² + damping² Σ weightᵢ (vᵢ − nullᵢ)², and what is missed.
+
+        damping > 0, in the units of a singular value of the Jacobian (m, or 1 of rotations); damped least
+        squares of Nakamura and Hanafusa (1986), order by order. Returns rates (N, ..., velocities) and
+        residual (N, ..., len(rows)) = wanted − reached. Raises ValueError."""
+        return damped_inverse(
+            self,
+            Task(body, expressed, point, tuple(np.atleast_1d(rows).tolist()), relative_to),
+            q,
+            twist_derivatives,
+            damping=damping,
+            weight=weight,
+            null_space=null_space,
         )

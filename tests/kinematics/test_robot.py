@@ -39,15 +39,6 @@ def test_twists_are_the_derivatives_of_the_poses(seed):
             np.testing.assert_allclose(frame.Phi[n] @ X[2, :3, :3], rate[:3, :3], atol=tolerance)
 
 
-def test_the_engine_of_chains_and_the_recursion_over_the_tree_agree():
-    robot = tree(0, ["revolute", "helical", "universal", "cylindrical", "planar", "prismatic"])
-    alone, together = motion(robot, 7, (5,)), motion(robot, 7, (5,))
-    assert together.frames
-    for body in robot.bodies:
-        ours, theirs = alone.frame(body).twists, together.frame(body).twists
-        np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-13 * np.abs(theirs).max())
-
-
 @pytest.mark.parametrize("expressed", ["world", "mixed", "body"])
 @pytest.mark.parametrize("seed", range(3))
 def test_twists_are_sums_of_jacobian_derivatives_and_velocities(seed, expressed):

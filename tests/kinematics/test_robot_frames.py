@@ -126,7 +126,7 @@ def test_the_inverse_of_a_relative_twist_gives_it_back():
         robot.inverse("b6", q, wanted, rows=(3, 4, 5), relative_to="b1", point=(1, 0, 0))
 
 
-def test_the_damped_inverse_is_the_inverse_where_damping_is_little():
+def test_little_damping_gives_the_inverse():
     robot = serial_arm()
     q, wanted = np.random.default_rng(6).normal(size=7), np.random.default_rng(7).normal(size=(3, 6))
     found = robot.inverse_damped("b6", q, wanted, 1e-7)
@@ -134,7 +134,7 @@ def test_the_damped_inverse_is_the_inverse_where_damping_is_little():
     assert np.abs(found.residual).max() < 1e-6
 
 
-def test_the_damped_inverse_at_a_singular_position_says_what_it_misses():
+def test_the_damped_inverse_states_what_it_misses():
     """A stretched planar arm cannot move along itself: all of that is missed, the rest is reached."""
     robot = Robot("planar", stretched())
     q = np.zeros(3)

@@ -44,12 +44,9 @@ class _Planner:
         self.channels, self.velocities = channels, velocities
         self.order = self._steps_on_the_way()
         self.place = {at: i for i, at in enumerate(self.order)}
-        self.origin = (
-            steps[0].before[:3, 3] if steps else np.zeros(3)
-        )  # the first joint, which may be far away
-        self.after: dict[int, np.ndarray] = {
-            WORLD: _transform(p=-self.origin)
-        }  # step → its aligned frame to it
+        # positions are reckoned from the first joint, which may be far from the world's origin
+        self.origin = steps[0].before[:3, 3] if steps else np.zeros(3)
+        self.after: dict[int, np.ndarray] = {WORLD: _transform(p=-self.origin)}
         self.axes_of: dict[int, int] = {}
         self._choose_slots()
 

@@ -5,6 +5,10 @@ its rotation's three columns R (9 numbers), then the series of its origin p (N +
 velocity w (N vectors), all in the world's axes.
 """
 
+from __future__ import annotations
+
+from typing import Any
+
 from numba import njit
 
 from workbench.kinematics.lanes import (
@@ -22,6 +26,12 @@ compiled = njit(**OPTIONS)
 inlined = njit(forceinline=True, **OPTIONS)  # a call would put all registers into memory
 MANY_REGISTERS = REGISTERS >= 32  # two series of two coefficients have 12 sums and 9 factors
 
+Number = Any
+"""As many doubles as `lanes` says, one a state. In compiled code an int is a count, or an address."""
+
+Vector = tuple[Number, Number, Number]
+Axes = tuple[Vector, Vector, Vector]
+
 # -- trigonometry ---------------------------------------------------------------------------------
 
 LARGEST_ANGLE = 2.0**50  # radians; beyond it the nearest multiple of π/2 is not exact
@@ -30,7 +40,7 @@ ROUNDING = 1.5 * 2.0**52  # adding it rounds to a whole number, which the last b
 
 
 @compiled
-def cosine_and_sine(x):
+def cosine_and_sine(x: Number) -> tuple[Number, Number]:
     """Within 2^-52 of the values, by reduction to |r| ≤ π/4 and the polynomials of Sun's fdlibm there."""
     shifted = 0.6366197723675814 * x + spread(ROUNDING)
     n = shifted - spread(ROUNDING)
@@ -59,45 +69,45 @@ def cosine_and_sine(x):
 
 
 @inlined
-def load3(memory, at):
+def load3(memory: int, at: int) -> Vector:
     return load(memory, at), load(memory, at + 1), load(memory, at + 2)
 
 
 @inlined
-def store3(memory, at, v):
+def store3(memory: int, at: int, v: Vector) -> None:
     store(memory, at, v[0])
     store(memory, at + 1, v[1])
     store(memory, at + 2, v[2])
 
 
 @inlined
-def zero3():
+def zero3() -> Vector:
     zero = spread(0.0)
     return zero, zero, zero
 
 
 @inlined
-def plus(a, b):
+def plus(a: Vector, b: Vector) -> Vector:
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 @inlined
-def minus(a, b):
+def minus(a: Vector, b: Vector) -> Vector:
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 @inlined
-def scaled(s, v):
+def scaled(s: Number, v: Vector) -> Vector:
     return s * v[0], s * v[1], s * v[2]
 
 
 @inlined
-def add_scaled(t, s, v):
+def add_scaled(t: Vector, s: Number, v: Vector) -> Vector:
     return t[0] + s * v[0], t[1] + s * v[1], t[2] + s * v[2]
 
 
 @inlined
-def add_cross(t, a, b):
+def add_cross(t: Vector, a: Vector, b: Vector) -> Vector:
     """t + a × b."""
     return (
         t[0] + a[1] * b[2] - a[2] * b[1],
@@ -107,12 +117,12 @@ def add_cross(t, a, b):
 
 
 @inlined
-def constant3(row, at):
+def constant3(row: int, at: int) -> Vector:
     return spread(number(row, at)), spread(number(row, at + 1)), spread(number(row, at + 2))
 
 
 @inlined
-def turned_constant(slot, row, at):
+def turned_constant(slot: int, row: int, at: int) -> Vector:
     """R c of a constant vector c (three doubles at row[at]) and the rotation R of a slot."""
     x, y, z = number(row, at), number(row, at + 1), number(row, at + 2)
     X, Y, Z = load3(slot, 0), load3(slot, 3), load3(slot, 6)
@@ -123,7 +133,7 @@ IDENTITY, ABOUT_X, GENERAL = 0, 1, 2  # what a constant rotation is
 
 
 @inlined
-def turned_axes(slot, row, at, turn):
+def turned_axes(slot: int, row: int, at: int, turn: int) -> Axes:
     """The columns of R C for the rotation R of a slot and a constant rotation C, its columns at row[at]."""
     X, Y, Z = load3(slot, 0), load3(slot, 3), load3(slot, 6)
     if turn == ABOUT_X:
@@ -140,14 +150,14 @@ def turned_axes(slot, row, at, turn):
 
 
 @inlined
-def store_carried(u, k, reciprocals, t):
+def store_carried(u: int, k: int, reciprocals: int, t: Vector) -> Vector:
     t = scaled(number(reciprocals, k), t)
     store3(u, 3 * k, t)
     return t
 
 
 @inlined
-def carry(w, u, last, reciprocals):
+def carry(w: int, u: int, last: int, reciprocals: int) -> None:
     """Fill the series u up to u_last, of which u_0 is there: u' = w × u. Two coefficients at a time, since
     they share their factors; each is the same whatever `last` is."""
     for k in range(1, last, 2):
@@ -162,7 +172,7 @@ def carry(w, u, last, reciprocals):
 
 
 @inlined
-def carry_last(w, u, k, reciprocals):
+def carry_last(w: int, u: int, k: int, reciprocals: int) -> None:
     """u_k alone, its terms in the order in which `carry` adds them."""
     t, even = zero3(), 1 - (k & 1)
     for j in range(even, k):
@@ -173,7 +183,7 @@ def carry_last(w, u, k, reciprocals):
 
 
 @inlined
-def carry_both(w, u, v, last, reciprocals):
+def carry_both(w: int, u: int, v: int, last: int, reciprocals: int) -> None:
     """`carry` of two series."""
     if not MANY_REGISTERS:
         carry(w, u, last, reciprocals)
@@ -193,7 +203,7 @@ def carry_both(w, u, v, last, reciprocals):
 
 
 @inlined
-def add_product(t, k, u, rate, rate_first):
+def add_product(t: Vector, k: int, u: int, rate: int, rate_first: int) -> Vector:
     """t + Σⱼ uⱼ · rate₍ₖ₋ⱼ₎, the coefficients of the rate from index rate_first on."""
     for j in range(k + 1):
         t = add_scaled(t, load(rate, rate_first + k - j), load3(u, 3 * j))

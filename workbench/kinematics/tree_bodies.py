@@ -1,5 +1,9 @@
 """The compiled results of the pass over a tree: a body's pose, twists and Jacobians."""
 
+from __future__ import annotations
+
+from typing import Any
+
 from workbench.kinematics.lanes import (
     SIZE,
     load,
@@ -10,6 +14,7 @@ from workbench.kinematics.lanes import (
     store_side_by_side,
 )
 from workbench.kinematics.tree_arithmetic import (
+    Number,
     add_cross,
     carry,
     compiled,
@@ -30,7 +35,7 @@ ALIGNED, AT_ONCE, PAST_CACHES = 0, 1, 2  # where the numbers of a body go
 
 
 @inlined
-def put(target, way, value):
+def put(target: int, way: int, value: Number) -> None:
     """A number of one row, to the workspace (aligned) or to where the caller wants it."""
     if way == ALIGNED:
         store(target, 0, value)
@@ -41,7 +46,7 @@ def put(target, way, value):
 
 
 @compiled
-def body_out(row, slot, v, N, constants, rows, way):
+def body_out(row: int, slot: int, v: int, N: int, constants: Any, rows: tuple[int, ...], way: int) -> None:
     """The pose and the twists to `rows`: (address of the pose, bytes of its row, address of the twists,
     bytes of an order and of a part). With row[18] the twist is that of the body point at the world's origin,
     without the pose. v gets the series of the body's origin. In the workspace the pose's last row is there
@@ -85,7 +90,9 @@ def body_out(row, slot, v, N, constants, rows, way):
 
 
 @compiled
-def jacobian_out(entries, count, where, J, orders, velocities, factors):
+def jacobian_out(
+    entries: int, count: int, where: tuple[int, ...], J: int, orders: int, velocities: int, factors: int
+) -> None:
     """J(k, a, velocity), k < orders, of the body whose origin's series is v, from the rows of its `count`
     columns. where: the addresses and size of slots, the axes, v, and d, room for a series."""
     S, slot_size, U, v, d = where

@@ -1,7 +1,11 @@
 """The compiled steps of the pass over a tree: from a frame to the one that a joint moves."""
 
+from __future__ import annotations
+
 from workbench.kinematics.lanes import SIZE, load, number, spread, store
 from workbench.kinematics.tree_arithmetic import (
+    Axes,
+    Vector,
     add_product,
     add_scaled,
     carry,
@@ -23,7 +27,7 @@ TURN, SLIDE, SCREW, BALL = 0, 1, 2, 3  # kinds of steps
 
 
 @inlined
-def scaled_rates(Q, channel, factor, offset, F, N):
+def scaled_rates(Q: int, channel: int, factor: float, offset: float, F: int, N: int) -> int:
     """The address of a drive's coefficients: [value, rate₀, rate₁, …] of factor · (channel) + offset."""
     source = Q + SIZE * channel * (N + 1)
     if factor == 1.0 and offset == 0.0:
@@ -35,7 +39,7 @@ def scaled_rates(Q, channel, factor, offset, F, N):
 
 
 @inlined
-def turned_by_quaternion(X, Y, Z, Q, first, columns):
+def turned_by_quaternion(X: Vector, Y: Vector, Z: Vector, Q: int, first: int, columns: int) -> Axes:
     """The axes times the rotation of a unit quaternion, the 0-th coefficients of four channels."""
     w, x = load(Q, first * columns), load(Q, (first + 1) * columns)
     y, z = load(Q, (first + 2) * columns), load(Q, (first + 3) * columns)
@@ -52,7 +56,9 @@ def turned_by_quaternion(X, Y, Z, Q, first, columns):
 
 
 @inlined
-def store_rotation(slot, kind, X, Y, Z, E, Q, channel, columns):
+def store_rotation(
+    slot: int, kind: int, X: Vector, Y: Vector, Z: Vector, E: int, Q: int, channel: int, columns: int
+) -> None:
     """The rotation after the joint, of the axes before it."""
     if kind == BALL:
         X, Y, Z = turned_by_quaternion(X, Y, Z, Q, channel, columns)
@@ -65,7 +71,9 @@ def store_rotation(slot, kind, X, Y, Z, E, Q, channel, columns):
 
 
 @compiled
-def first_step(row, kind, drives, slot, u, N, reciprocals):
+def first_step(
+    row: int, kind: int, drives: tuple[int, ...], slot: int, u: int, N: int, reciprocals: int
+) -> None:
     """A joint on the world: its frame from what the world is."""
     columns = N + 1
     E, Q, channel, turn_rate, slide_rate = drives
@@ -105,7 +113,7 @@ def first_step(row, kind, drives, slot, u, N, reciprocals):
 
 
 @inlined
-def store_turning(before, w, u, rate, N):
+def store_turning(before: int, w: int, u: int, rate: int, N: int) -> None:
     """ω' = ω + z α̇, two coefficients at a time."""
     for k in range(0, N - 1, 2):
         t, s, r = load3(before, 3 * k), load3(before, 3 * k + 3), load(rate, k + 2)
@@ -119,7 +127,7 @@ def store_turning(before, w, u, rate, N):
 
 
 @inlined
-def turn_ball(before, w, u, Q, N, reciprocals):
+def turn_ball(before: int, w: int, u: int, Q: int, N: int, reciprocals: int) -> None:
     """Carry the three axes u of a ball, and ω' = ω + Σ axis · rate, the rates in the channels Q after the
     first."""
     of_axis = 3 * SIZE * (N + 1)
@@ -133,7 +141,7 @@ def turn_ball(before, w, u, Q, N, reciprocals):
 
 
 @inlined
-def add_shift(t, k, u, rate, reciprocals):
+def add_shift(t: Vector, k: int, u: int, rate: int, reciprocals: int) -> Vector:
     """t + (z d)₍ₖ₎ of a shift d, whose coefficients after the first are those of its rate over 1, 2, …"""
     for j in range(k):
         t = add_scaled(t, number(reciprocals, k - j) * load(rate, k - j), load3(u, 3 * j))
@@ -141,7 +149,18 @@ def add_shift(t, k, u, rate, reciprocals):
 
 
 @compiled
-def next_step(row, kind, drives, before, slot, u, v, keep, N, reciprocals):
+def next_step(
+    row: int,
+    kind: int,
+    drives: tuple[int, ...],
+    before: int,
+    slot: int,
+    u: int,
+    v: int,
+    keep: bool,
+    N: int,
+    reciprocals: int,
+) -> None:
     """A joint on the frame in the slot `before`; u gets its axis (of a ball three), v is room for its offset.
     keep: whether the last coefficient of the axis is wanted, too."""
     columns = N + 1

@@ -14,6 +14,8 @@ is (z; z × (p_F − p')), of a shift (0; z). States go WIDTH at a time (`lanes`
 `tree_plan` makes the plan, which holds everything constant and the workspace.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
@@ -34,13 +36,14 @@ from workbench.kinematics.lanes import (
 from workbench.kinematics.tree_arithmetic import (
     LARGEST_ANGLE,
     OPTIONS,
+    Number,
     compiled,
     cosine_and_sine,
     inlined,
 )
 from workbench.kinematics.tree_bodies import ALIGNED, AT_ONCE, COLUMN, PAST_CACHES, body_out, jacobian_out
 from workbench.kinematics.tree_joints import SCREW, SLIDE, TURN, first_step, next_step, scaled_rates
-from workbench.kinematics.tree_memory import read_block, read_side_by_side, runs, write_block
+from workbench.kinematics.tree_memory import Axis, read_block, read_side_by_side, runs, write_block
 
 HEAD, STEP, BODY = 14, 24, 20  # doubles of the header, a step and a body in the plan
 ORIGIN = 11  # where in the header the point is that positions are reckoned from
@@ -80,7 +83,7 @@ class Constants(NamedTuple):
 
 
 @inlined
-def constants_of(plan, channels, columns):
+def constants_of(plan: int, channels: int, columns: int) -> Constants:
     factors = plan + 8 * HEAD
     out_factors = factors + 8 * channels * columns
     reciprocals = out_factors + 8 * 2 * columns
@@ -98,7 +101,7 @@ def constants_of(plan, channels, columns):
 
 
 @inlined
-def room_of(plan, channels, columns):
+def room_of(plan: int, channels: int, columns: int) -> Room:
     slot = SIZE * (6 + 6 * columns)  # R, and N + 1 and N vectors
     S = SIZE * channels * columns
     E = S + slot * int(number(plan, 2))
@@ -111,7 +114,9 @@ def room_of(plan, channels, columns):
 
 
 @inlined
-def read_states(q, first, blocks, inputs, factors, room):
+def read_states(
+    q: np.ndarray, first: int, blocks: int, inputs: tuple[Axis, Axis], factors: int, room: Room
+) -> None:
     here, of_state = min(WIDTH, q.shape[1]), q.strides[1]
     last = q.shape[1] - here  # of the states that begin a block: it repeats some of the block before
     if here == WIDTH and of_state == 8:
@@ -124,7 +129,7 @@ def read_states(q, first, blocks, inputs, factors, room):
 
 
 @compiled
-def sines_of_steps(Q, E, steps, table, columns, exactly):
+def sines_of_steps(Q: int, E: int, steps: int, table: int, columns: int, exactly: bool) -> Number:
     """cos and sin of all angles of a block, to E; the sum of the squares of the angles."""
     squares = spread(0.0)
     for step in range(steps):
@@ -142,7 +147,7 @@ def sines_of_steps(Q, E, steps, table, columns, exactly):
 
 
 @inlined
-def move_joint(step, blocks, constants, room, keep, N):
+def move_joint(step: int, blocks: int, constants: Constants, room: Room, keep: bool, N: int) -> None:
     """The frame after a step, of each block."""
     row = constants.steps + 8 * STEP * step
     kind, parent, own, channel = (
@@ -168,7 +173,20 @@ def move_joint(step, blocks, constants, room, keep, N):
 
 
 @inlined
-def write_body(row, first, blocks, out, way, outputs, constants, room, of_pose, orders, velocities, N):
+def write_body(
+    row: int,
+    first: int,
+    blocks: int,
+    out: np.ndarray,
+    way: int,
+    outputs: tuple[Axis, Axis],
+    constants: Constants,
+    room: Room,
+    of_pose: int,
+    orders: int,
+    velocities: int,
+    N: int,
+) -> None:
     """The results of a body, of each block. way: AT_ONCE or PAST_CACHES to the result itself, else by way of
     W."""
     target = out.ctypes.data + out.strides[0] * int(number(row, 2))
@@ -196,7 +214,7 @@ def write_body(row, first, blocks, out, way, outputs, constants, room, of_pose, 
 
 
 @inlined
-def way_of(out, orders):
+def way_of(out: np.ndarray, orders: int) -> int:
     """How results are written: straight to where states are neighbours, past the caches if they are many."""
     if out.shape[1] < WIDTH or out.strides[1] != 8 or orders > 0:
         return ALIGNED
@@ -204,7 +222,7 @@ def way_of(out, orders):
     return PAST_CACHES if SIZE == 64 and out.size > LARGE and misaligned % SIZE == 0 else AT_ONCE
 
 
-def tree_pass(q, plan, out, exactly):
+def tree_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
     """q (N + 1, states, channels) → out (bodies, states, orders, parts), as the plan at that address says.
     False, with `out` unusable, if an angle is beyond LARGEST_ANGLE and its sine was not computed `exactly`.
     The arrays may lie in memory in any way; states that are neighbours there need no transposition."""

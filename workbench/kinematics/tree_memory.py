@@ -1,5 +1,7 @@
 """States of an array in memory, into the kernel's workspace and out of it."""
 
+from __future__ import annotations
+
 from workbench.kinematics.lanes import (
     CHUNK,
     SIZE,
@@ -14,9 +16,11 @@ from workbench.kinematics.lanes import (
 )
 from workbench.kinematics.tree_arithmetic import compiled
 
+Axis = tuple[int, int, int]  # count, bytes between numbers, distance of their rows in the workspace
+
 
 @compiled
-def runs(first, second):
+def runs(first: Axis, second: Axis) -> tuple[Axis, Axis]:
     """The two axes of one state of an array, each (count, bytes between numbers, distance of their rows in
     the workspace), that whose numbers are neighbours first. Where one axis continues the other they are
     one."""
@@ -29,7 +33,9 @@ def runs(first, second):
 
 
 @compiled
-def read_side_by_side(source, last, blocks, axes, factors, Q, apart):
+def read_side_by_side(
+    source: int, last: int, blocks: int, axes: tuple[Axis, Axis], factors: int, Q: int, apart: int
+) -> None:
     """Blocks of states side by side, the first from `source` on but none beyond `last`, times their factors,
     into Q. It goes row by row, as they lie in memory, and asks for what the next turn will read."""
     (count, of_row, rows), (runs_there, of_run, rows_apart) = axes
@@ -43,7 +49,7 @@ def read_side_by_side(source, last, blocks, axes, factors, Q, apart):
 
 
 @compiled
-def read_block(source, of_state, here, axes, factors, Q):
+def read_block(source: int, of_state: int, here: int, axes: tuple[Axis, Axis], factors: int, Q: int) -> None:
     """`here` states, `of_state` bytes apart, times their factors, into Q; the first in all other lanes."""
     (count, apart, rows), (runs_there, runs_apart, rows_apart) = axes
     for run in range(runs_there):
@@ -62,7 +68,7 @@ def read_block(source, of_state, here, axes, factors, Q):
 
 
 @compiled
-def write_block(W, here, axes, target, of_state):
+def write_block(W: int, here: int, axes: tuple[Axis, Axis], target: int, of_state: int) -> None:
     """`here` states of the rows of W to memory, `of_state` bytes apart."""
     (count, apart, rows), (runs_there, runs_apart, rows_apart) = axes
     for run in range(runs_there):

@@ -13,17 +13,19 @@ from math import prod
 import numpy as np
 from numpy.typing import ArrayLike
 
+from workbench.algebra.dual_tensors import transpose
 from workbench.drake.joint_paths import Path
 from workbench.kinematics.robot.frames import FrameMotion, chain_scales
 from workbench.kinematics.robot.leibniz import (
     about_moving_point,
     carried_vector,
+    inverse_pose,
     origin_derivatives,
+    relative_twist,
     rotation_derivatives,
     turned,
 )
 from workbench.kinematics.robot.partials import twist_partial
-from workbench.kinematics.robot.relative import RelativeFrame
 from workbench.kinematics.robot.structure import Body, Structure, whole
 from workbench.kinematics.tree_engine import compute, states_side_by_side
 from workbench.kinematics.tree_steps import WORLD
@@ -297,6 +299,36 @@ class RobotFrame(FrameMotion):
     def _check(expressed: str) -> None:
         if expressed not in EXPRESSED:
             raise ValueError(f"expressed: expected one of {', '.join(EXPRESSED)}, got {expressed!r}")
+
+
+class RelativeFrame(FrameMotion):
+    """The motion of a frame B in a frame A, expressed in A, of the same motion of a robot."""
+
+    def __init__(self, moving: RobotFrame, observer: RobotFrame):
+        pose = inverse_pose(observer.pose) @ moving.pose
+        twists = relative_twist(observer.twists, observer.pose, moving.twists, moving.pose)
+        super().__init__(f"{moving.name} relative to {observer.name}", moving.order, pose, twists)
+        self._moving, self._observer = moving, observer
+
+    def jacobian(self, order: int = 0) -> np.ndarray:
+        """dᵏJ/dtᵏ, k = order <= N, (..., 6, velocities): the derivative of ∂V_AB/∂(velocities) in A's axes.
+
+        V_AB = (ω; velocity of Bo) as A sees it, `twist(0)`; the derivative is that of the components in the
+        moving A, so that V_AB⁽ᵏ⁾ = Σ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾. Raises ValueError for an order beyond the motion's.
+        """
+        self._require(order, self.order)
+        A, B = self._observer, self._moving
+        of_A, of_B = (frame.jacobian_derivatives(order).swapaxes(-1, -2) for frame in (A, B))
+        between = np.concatenate(
+            [
+                (B.pose[..., :3, 3] - A.pose[..., :3, 3])[None],
+                B.twists[:order, ..., 3:] - A.twists[:order, ..., 3:],
+            ]
+        )
+        R = A.pose[..., :3, :3]
+        R = rotation_derivatives(A.twists[:order, ..., :3], R) if order else R[None]
+        J = of_B - about_moving_point(of_A, between[..., None, :])
+        return turned(transpose(R)[..., None, :, :], J)[order].swapaxes(-1, -2)
 
 
 def states_on_path(kind: type[States], robot: Structure, path: Path, times: np.ndarray, order: int) -> States:

@@ -3,7 +3,9 @@
 import ctypes
 import shutil
 import subprocess
+import sys
 from math import factorial
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -132,19 +134,30 @@ def test_casadi_and_its_c_code_compute_the_same(order, tmp_path):
 
 
 def test_jax_computes_the_same_and_its_jacobian():
-    jax = pytest.importorskip("jax")
-    jax.config.update("jax_enable_x64", True)
-    robot, order = Robot("arm", tree(2, ["revolute", "prismatic", "revolute"]).joints), 2
-    q = np.random.default_rng(2).normal(size=(4, order + 1, 3))
-    function = robot.jax("b2", order)
-    pose, twists = jax.jit(jax.vmap(function))(q)
-    frame = robot.motion(q.swapaxes(0, 1)).frame("b2")
-    close(np.array(pose), frame.pose, 13)
-    close(np.array(twists).swapaxes(0, 1), frame.twists, 13)
-    partials = np.array(jax.jacfwd(lambda x: function(x)[1])(q[0]))
-    for k in range(order):
-        for j in range(order + 1):
-            close(partials[k, :, j], frame.twist_partial(k, j)[0], 11)
+    """In a process of its own: JAX starts threads, which other tests' processes must not be forked from."""
+    pytest.importorskip("jax")
+    program = f"""
+import sys
+sys.path.insert(0, {str(Path(__file__).parent)!r})
+import jax
+import numpy as np
+from random_chains import close
+from random_robots import tree
+from workbench.kinematics.robot import Robot
+jax.config.update("jax_enable_x64", True)
+robot, order = Robot("arm", tree(2, ["revolute", "prismatic", "revolute"]).joints), 2
+q = np.random.default_rng(2).normal(size=(4, order + 1, 3))
+function = robot.jax("b2", order)
+pose, twists = jax.jit(jax.vmap(function))(q)
+frame = robot.motion(q.swapaxes(0, 1)).frame("b2")
+close(np.array(pose), frame.pose, 13)
+close(np.array(twists).swapaxes(0, 1), frame.twists, 13)
+partials = np.array(jax.jacfwd(lambda x: function(x)[1])(q[0]))
+for k in range(order):
+    for j in range(order + 1):
+        close(partials[k, :, j], frame.twist_partial(k, j)[0], 11)
+"""
+    subprocess.run([sys.executable, "-c", program], check=True)
 
 
 def test_derivatives_of_a_symbolic_pose_are_those_of_its_origin():

@@ -15,23 +15,29 @@ from math import comb
 
 import numpy as np
 
-from workbench.algebra.dual_tensors import cross
+
+def turning_parts(J: np.ndarray, omega: np.ndarray) -> np.ndarray:
+    """D, Ḋ, …, (n, ..., 3, coordinates), of J (n + 1, ..., 6, coordinates) and ω (n, ..., 3), each with its
+    derivatives."""
+    z, found = J[..., :3, :], np.empty((len(omega), *J.shape[1:-2], 3, J.shape[-1]))
+    for n in range(len(omega)):
+        found[n] = z[n + 1]
+        for i in range(n + 1):
+            w, u = omega[i][..., None], comb(n, i) * z[n - i]
+            for a, b, c in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+                found[n][..., a, :] -= w[..., b, :] * u[..., c, :] - w[..., c, :] * u[..., b, :]
+    return found
 
 
-def twist_partial(J: np.ndarray, omega: np.ndarray, k: int, j: int) -> np.ndarray:
-    """∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, coordinates), of J (k + 2, ..., 6, coordinates) and ω (k + 1 or more, ..., 3),
-    each with its derivatives; V = (ω; velocity of the point that J is of), in W's axes."""
+def twist_partial(J: np.ndarray, D: np.ndarray, k: int, j: int) -> np.ndarray:
+    """∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, coordinates), of J (k + 2, ..., 6, coordinates) with its derivatives and the
+    turning parts D; V = (ω; velocity of the point that J is of), in W's axes."""
     partial = np.zeros(J.shape[1:])
     if j > k + 1:
         return partial
-    partial[..., 3:, :] = comb(k + 1, j) * J[k + 1 - j][..., 3:, :]
-    z = np.swapaxes(J[..., :3, :], -1, -2)  # (k + 2, ..., coordinates, 3)
-    angular = 0.0
-    if j <= k:
-        n = k - j
-        turning = sum(comb(n, i) * cross(omega[i][..., None, :], z[n - i]) for i in range(n + 1))
-        angular = angular + comb(k, j) * (z[n + 1] - turning)
     if j >= 1:
-        angular = angular + comb(k, j - 1) * z[k - j + 1]
-    partial[..., :3, :] = np.swapaxes(angular, -1, -2)
+        partial[..., :3, :] = comb(k, j - 1) * J[k - j + 1][..., :3, :]
+    if j <= k:
+        partial[..., :3, :] += comb(k, j) * D[k - j]
+    partial[..., 3:, :] = comb(k + 1, j) * J[k + 1 - j][..., 3:, :]
     return partial

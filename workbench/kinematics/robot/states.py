@@ -25,7 +25,7 @@ from workbench.kinematics.robot.leibniz import (
     rotation_derivatives,
     turned,
 )
-from workbench.kinematics.robot.partials import twist_partial
+from workbench.kinematics.robot.partials import turning_parts, twist_partial
 from workbench.kinematics.robot.structure import Body, Structure, whole
 from workbench.kinematics.tree_engine import compute, states_side_by_side
 from workbench.kinematics.tree_steps import WORLD
@@ -258,7 +258,11 @@ class RobotFrame(FrameMotion):
         whole(j, "j", 0)
         self.motion.robot.require_rates("partial derivatives")
         J = self.jacobian_derivatives(k + 1, point=point)
-        return twist_partial(J, self.twists[..., :3], k, j)
+        return twist_partial(J, self._turning, k, j)
+
+    @cached_property
+    def _turning(self) -> np.ndarray:
+        return turning_parts(self.jacobian_derivatives(self.order), self.twists[..., :3])
 
     def relative_to(self, other: FrameMotion) -> FrameMotion:
         """The motion of this frame B as an observer in the frame A of `other` sees it, expressed in A; with

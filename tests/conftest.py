@@ -24,11 +24,16 @@ SECONDS = 120
 
 
 @pytest.fixture(autouse=True)
-def judged_here(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def judged_here(request: pytest.FixtureRequest) -> Iterator[None]:
     if request.path.relative_to(HERE).parts[0] not in JUDGED_HERE:
         yield
         return
-    monkeypatch.setattr(workers, "get_all_start_methods", list)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(workers, "get_all_start_methods", list)
+        yield from _within_time(request)
+
+
+def _within_time(request: pytest.FixtureRequest) -> Iterator[None]:
     if "MUTANT_UNDER_TEST" in os.environ or request.node.get_closest_marker("slow"):
         yield  # mutmut counts calls, which takes ten times as long; a mutant's tests have limits of their own
         return
@@ -37,14 +42,28 @@ def judged_here(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch)
     signal.setitimer(signal.ITIMER_PROF, 0)
 
 
+@pytest.fixture(autouse=True)
+def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
+    """What a test with changed code finds is kept for no other test."""
+    with pytest.MonkeyPatch.context() as patch:
+        if "monkeypatch" in request.fixturenames:
+            patch.setenv("WORKBENCH_CACHE", os.devnull)
+        yield
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--slow", action="store_true", help="also run the campaigns marked slow")
+    parser.addoption(
+        "--shared-cache", metavar="DIR", help="let all tests share the verdicts kept in a folder"
+    )
+    parser.addoption("--backwards", action="store_true", help="run the last test first")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    os.environ.setdefault(
-        "WORKBENCH_CACHE", os.devnull
-    )  # tests judge anew: a file that cannot be is no cache
+    if shared := config.getoption("--shared-cache"):
+        os.environ["WORKBENCH_CACHE"] = str(Path(shared).absolute())
+    else:  # tests judge anew: a file that cannot be is no cache
+        os.environ.setdefault("WORKBENCH_CACHE", os.devnull)
     if "MUTANT_UNDER_TEST" in os.environ:  # mutmut sees which test calls what in its own process alone
         workers.get_all_start_methods = list
     settings.register_profile("same cases", derandomize=True)
@@ -53,6 +72,8 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if config.getoption("--backwards"):
+        items.reverse()
     if config.getoption("--slow"):
         return
     for item in items:

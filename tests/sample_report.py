@@ -127,7 +127,7 @@ CLAIMS = [
         counterexample={
             "values": {r"\Phi": ["1", "0", "0", "0", "0", "0", "0", "0", "0"],
                        "X": ["0", "0", "0", "0", "0", "0", "0", "0", "1/2"]},
-            "lhs": ["0"] * 9, "rhs": ["0"] * 9},
+            "lhs": ["0"] * 9, "rhs": ["0"] * 9, "kinds": {r"\Phi": "tensor", "X": "tensor"}, "kind": "tensor"},
         evidence=[EXACT, SECOND],
     ),
     claim(
@@ -173,7 +173,7 @@ CLAIMS = [
         counterexample={
             "values": {r"\boldsymbol{\omega}": ["1", "0", "0"], r"\dot{\boldsymbol{\omega}}": ["0", "1", "-1/2"]},
             "lhs": ["0", "0", "1", "0", "-4/3", "0", "0", "0", "0"],
-            "rhs": ["0", "0", "1", "0", "2/3", "0", "0", "0", "1"]},
+            "rhs": ["0", "0", "1", "0", "2/3", "0", "0", "0", "1"], "kind": "tensor"},
         evidence=[{"method": "residual modulo a 61-bit prime", "outcome": "non-zero", "points": 1}, SECOND],
         inherits=["61.det", "nowhere"],
     ),

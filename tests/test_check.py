@@ -230,3 +230,18 @@ def test_an_error_comes_through_from_another_process():
 
     error = pickle.loads(pickle.dumps(PaperError("a.toml", 3, 4, "what was wrong")))
     assert str(error) == "a.toml:3:4: what was wrong" and error.line == 3
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "result"),
+    [
+        (r"[f \quad -g]", r"\begin{bmatrix} x \\ y \end{bmatrix}", "f x - g y"),
+        (r"[f \; g]", r"[x \; y]^T", "f x + g y"),
+        (r"\left[ f \; -g \right]", r"\left[ x \quad y \right]^T", "f x - g y"),
+        (r"\begin{pmatrix} f \; -g \end{pmatrix}", r"\begin{pmatrix} x \\ y \end{pmatrix}", "f x - g y"),
+    ],
+)
+def test_entries_that_spaces_part_are_a_row(row, column, result):
+    scalars = dict.fromkeys("fgxy", "scalar")
+    assert check(f"{row} {column} = {result}", symbols=scalars)
+    assert not check(f"{row} {column} = {result} + f", symbols=scalars)

@@ -54,7 +54,7 @@ def test_a_trajectory_beside_limits_with_a_plot(arm, samples, tmp_path):
     peaks = {(peak["of"], peak["order"]): peak for peak in data["peaks"]}
     assert peaks["turn", 1]["value"] == pytest.approx(15 / 16, rel=1e-4)  # of the textbook, over 2 s
     assert peaks["turn", 3]["within"] and peaks["turn", 3]["unit"] == "rad/s^3"
-    assert data["smoothing"]["residual"]["turn"] < 1e-6
+    assert data["recording"]["noise"]["turn"] < 1e-6 and not data["recording"]["notes"]
     assert plot.stat().st_size > 10_000
     limits.write_text('["*"]\njerk = 7\n[point]\nacceleration = 100\n')
     result = run(*options)

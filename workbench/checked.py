@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,18 +14,23 @@ from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.grammar.lines import Line, split_lines, whole_line
 from workbench.language.naming.symbols import SymbolTable
+from workbench.language.reader import Range
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Statement
 from workbench.memory.store import Store, standard
 from workbench.papers import Claim, Formula, Notation, Orders, Paper
+from workbench.papers.conclusions import IS_THE_CONCLUSION, is_conclusion
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within
+from workbench.papers.respell.in_models import with_rows
 from workbench.papers.said import SAID_BEFORE, free_in, introduced, introduces, terms_of
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.report.counterexamples import sides_as_text, values_as_text
 from workbench.report.kinds import VERDICTS
-from workbench.report.prose import as_tuple, one_line
+from workbench.report.prose import one_line
 from workbench.verify.claims import judge_claims
 from workbench.verify.keys import Memory
 from workbench.verify.results import HOLDS, ClaimResult
@@ -85,8 +91,8 @@ class Checked:
         if verdict.read_back and one_line(verdict.read_back) != one_line(self.latex):
             parts.append(f"read as $ {verdict.read_back} $")
         if counterexample := verdict.counterexample:
-            values = [f"${name} = {as_tuple(entries)}$" for name, entries in counterexample.values.items()]
-            left, right = as_tuple(counterexample.left), as_tuple(counterexample.right)
+            values = [f"${name} = {value}$" for name, value in values_as_text(counterexample).items()]
+            left, right = sides_as_text(counterexample)
             parts.append("counterexample: " + ", ".join(values) + f" gives ${left} \\neq {right}$")
         evidence = [f"- {_as_text(e.method)}: {_as_text(e.outcome)}" for e in verdict.evidence]
         return "\n\n".join([*parts, "\n".join(evidence)]).rstrip()
@@ -153,6 +159,9 @@ def _claims(
         for condition in supposed:
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
+            said = formula.statement
+            if said is not None and is_conclusion(condition.statement, said, known.definitions):
+                raise ValueError(f"assume: {condition.latex}: {IS_THE_CONCLUSION}")
         name = "check" if len(lines) == 1 else f"check.{number}"
         claims.append(Claim(name, formula, known, assume=supposed, orders=values, unsettled=before))
     return claims
@@ -194,7 +203,7 @@ def _notation(
 def _notation_at(paper: Paper, at: str) -> Notation:
     claims = select_claims(paper.claims, [at])
     if len({id(claim.notation) for claim in claims}) > 1:
-        files = ", ".join(sorted({claim.file.name for claim in claims}))
+        files = ", ".join(sorted({claim.file.name for claim in claims if claim.file is not None}))
         raise ValueError(f"at: {at!r} is in {files}, each with a notation of its own; name one claim")
     return claims[0].notation
 
@@ -227,12 +236,22 @@ def _formula(
     line: Line, notation: Notation, orders: Orders | None, what: str = ""
 ) -> tuple[Formula, Orders | None]:
     try:
-        statement, ranges = read_statement(line.latex, notation, orders, as_condition=bool(what))
+        statement, ranges = _read(line.latex, notation, orders, as_condition=bool(what))
     except IllFormedAt as error:
         return Formula(line.latex, ill_formed=why_ill_formed(error)), orders
     except ReadError as error:
         raise ReadError(what + error.message, *line.place(error.line, error.column)) from None
     return Formula(line.latex, statement), orders_within(orders, ranges)
+
+
+def _read(
+    latex: str, notation: Notation, orders: Orders | None, as_condition: bool
+) -> tuple[Statement, tuple[Range, ...]]:
+    """What the formula says, with rows in brackets as matrices where that can be read."""
+    if (as_rows := with_rows(latex)) != latex:
+        with suppress(ReadError):
+            return read_statement(as_rows, notation, orders, as_condition)
+    return read_statement(latex, notation, orders, as_condition)
 
 
 def _as_text(text: str) -> str:

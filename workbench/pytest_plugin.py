@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 if TYPE_CHECKING:
+    from _pytest._code.code import TerminalRepr, TracebackStyle
+
     from workbench.papers import Claim
     from workbench.verify.claims import PaperJudge
     from workbench.verify.results import ClaimResult
@@ -65,8 +67,8 @@ class NotAsExpected(Exception):
 class ClaimItem(pytest.Item):
     """Passes if the verdicts on the claim are those that its keys announce."""
 
-    def __init__(self, *, claim: Claim, judge: PaperJudge, **rest: object) -> None:
-        super().__init__(**rest)
+    def __init__(self, *, name: str, parent: pytest.Collector, claim: Claim, judge: PaperJudge) -> None:
+        super().__init__(name, parent)
         self.claim, self.judge = claim, judge
 
     def runtest(self) -> None:
@@ -74,7 +76,9 @@ class ClaimItem(pytest.Item):
         if not result.passed:
             raise NotAsExpected(result)
 
-    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: object = None) -> object:
+    def repr_failure(
+        self, excinfo: pytest.ExceptionInfo[BaseException], style: TracebackStyle | None = None
+    ) -> str | TerminalRepr:
         from workbench.cli.terminal import claim_lines
         from workbench.papers import PaperError
 

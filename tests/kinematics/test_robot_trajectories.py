@@ -8,8 +8,9 @@ import pytest
 from pydrake.trajectories import BsplineTrajectory, CompositeTrajectory, PiecewisePolynomial
 
 from workbench.kinematics.robot import Robot, TreeJoint
-from workbench.kinematics.robot.answers import read_limits, write_csv
-from workbench.kinematics.robot.paths import DrakePath, JointPath, SinePath, SplinePath, read_samples
+from workbench.kinematics.robot.answers import write_csv
+from workbench.kinematics.robot.joint_limits import read_limits
+from workbench.kinematics.robot.paths import DrakePath, JointPath, RecordedPath, SinePath, read_samples
 
 QUINTIC = np.array([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
 
@@ -69,33 +70,6 @@ def test_drake_s_trajectories_move_a_robot(name):
     np.testing.assert_allclose(now.velocity, (after.position - before.position) / (2 * h), atol=1e-7)
 
 
-@pytest.mark.parametrize("noise", [0.0, 1e-4, 1e-2])
-@pytest.mark.parametrize("count", [40, pytest.param(400, marks=pytest.mark.slow)])
-def test_the_spline_s_error_is_about_what_it_states(noise, count):
-    rng = np.random.default_rng(0)
-    t = np.linspace(0, 4, count)
-    true = SinePath(2).derivatives(t, 4)
-    path = SplinePath(t, true[0] + noise * rng.normal(size=(count, 2)))
-    inside = slice(count // 10, -count // 10)
-    actual = np.sqrt(np.mean((path.derivatives(t, 4) - true)[:, inside] ** 2, axis=1))
-    stated = np.sqrt(np.mean(path.error(t, 4)[:, inside] ** 2, axis=1))
-    if noise:
-        assert (actual < 3 * stated).all() and (stated[:3] < 8 * actual[:3]).all()
-        np.testing.assert_allclose(path.residual, noise, rtol=0.4)
-    else:
-        assert (actual[:4] < 1e-3).all()
-
-
-def test_a_spline_through_a_polynomial_of_its_kind_is_it():
-    t = np.sort(np.random.default_rng(0).uniform(0, 2, 60))
-    cubic = JointPath([[1.0], [2.0], [-3.0], [0.5]])  # ∫ (q'''')² is 0
-    path = SplinePath(t, cubic.derivatives(t, 0)[0])
-    at = np.linspace(path.start, path.end, 9)
-    np.testing.assert_allclose(path.derivatives(at, 3), cubic.derivatives(at, 3), atol=1e-6)
-    piece = path.taylor(0.9)
-    np.testing.assert_allclose(piece.jet(0.0, 4), path.jet(0.9, 4), atol=1e-9)
-
-
 def test_samples_from_csv(tmp_path):
     file = tmp_path / "samples.csv"
     file.write_text("t, j1\n" + "".join(f"{i / 10},{i}\n" for i in range(12)))
@@ -130,10 +104,9 @@ def test_bad_samples_and_trajectories():
         ((t, q[:4]), r"shapes \(samples,\) and \(samples, joints\)"),
         ((t, q + np.nan), "finite"),
         ((t, q + 1j), "q: expected real numbers"),
-        ((t, q, -1.0), "smoothing: expected a finite number >= 0"),
     ):
         with pytest.raises(ValueError, match=message):
-            SplinePath(*bad)
+            RecordedPath(*bad)
     robot = arm()
     with pytest.raises(ValueError, match="expected 3 coordinates, got 2"):
         robot.along(SinePath(2), 0.0)

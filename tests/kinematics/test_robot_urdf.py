@@ -159,7 +159,10 @@ def test_a_floating_joint_inside_the_tree_carries_what_is_behind_it(file):
 
 def test_limits_are_the_file_s(file):
     limits = Robot.from_urdf(file(FILE)).limits
-    assert limits["k"] == (-1, 2, 3) and np.isnan(limits["j"].upper)
+    assert limits["k"][:3] == (-1, 2, 3) and np.isnan(limits["k"].jerk) and np.isnan(limits["j"].upper)
+    text = FILE.replace('velocity="3"', 'velocity="3" acceleration="4" deceleration="5" jerk="inf"')
+    k = Robot.from_urdf(file(text)).limits["k"]
+    assert (k.acceleration, k.deceleration) == (4, 5) and np.isnan(k.jerk)
 
 
 DRAKE_JOINTS = """<robot name="r" xmlns:drake="http://drake.mit.edu"><link name="a"/><link name="b"/><link name="c"/><link name="d"/><link name="e"/>
@@ -232,3 +235,76 @@ def test_a_missing_file_and_an_unknown_base(tmp_path, file):
         Robot.from_urdf(tmp_path / "none.urdf")
     with pytest.raises(ValueError, match="expected fixed or floating"):
         Robot.from_urdf(file(FILE), "free")
+
+
+PLAIN = '<robot name="r"><link name="base"/><link name="arm"/><joint name="j" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/><limit effort="1" velocity="1"/></joint></robot>'
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        PLAIN.replace("<robot", '<robot xmlns="http://www.ros.org"'),
+        PLAIN.replace(
+            "<robot",
+            '<robot xmlns="http://drake.mit.edu" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"',
+        ),
+        PLAIN.replace("</robot>", '<gazebo><sensor:camera name="rgb"/></gazebo></robot>'),
+        PLAIN.replace("</robot>", "<xacro:left_over/></robot>"),
+        PLAIN.replace("</robot>", '<xacro:property name="x" value="${1}"/></robot>'),
+        PLAIN.replace("</robot>", '<xacro:include filename="$(find x)/y.xacro"/></robot>'),
+        '<?xml vertsion="1.0"?>' + PLAIN,
+        "\n\n" + PLAIN,
+    ],
+)
+def test_unknown_names_and_declarations_do_not_matter(file, text):
+    assert Robot.from_urdf(file(text)).positions == ("j",)
+    assert_moves_as_its_plant(file(text), "floating")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        PLAIN.replace("</robot>", '<xacro:macro name="m"><link name="x"/></xacro:macro></robot>'),
+        PLAIN.replace("</robot>", '<xacro:if value="1"><joint name="x"/></xacro:if></robot>'),
+        PLAIN.replace("</robot>", '<xacro:include filename="y"/><xacro:leg side="l"/></robot>'),
+        PLAIN.replace('"0 0 1"', '"${x} 0 1"'),
+        '<robot><link name="a"/><xacro:include filename="y"/></robot>',
+    ],
+)
+def test_a_xacro_whose_links_or_joints_are_to_come_is_refused(file, text):
+    with pytest.raises(UrdfError, match="xacro that is not expanded"):
+        Robot.from_urdf(file(text))
+
+
+def test_a_joint_named_base_is_no_clash(file):
+    path = file(PLAIN.replace('name="j"', 'name="base"'))
+    assert Robot.from_urdf(path).positions == ("base",)
+    assert Robot.from_urdf(path, "floating", "rpy").positions[0] == "floating_base_qx"
+    for base in ("fixed", "floating"):
+        assert_moves_as_its_plant(path, base)
+
+
+def test_the_world_needs_no_link(file):
+    path = file(PLAIN.replace('<link name="base"/>', "").replace('link="base"', 'link="world"'))
+    assert Robot.from_urdf(path).bodies == ("arm",)
+    assert_moves_as_its_plant(path, "fixed")
+    with pytest.raises(ValueError, match="its root is the world itself"):
+        Robot.from_urdf(path, "floating")
+
+
+def test_a_chain_may_have_a_thousand_joints(file):
+    links = "".join(f'<link name="l{i}"/>' for i in range(991))
+    joint = '<joint name="j{}" type="revolute"><parent link="l{}"/><child link="l{}"/><axis xyz="0 0 1"/><origin xyz="1 0 0"/></joint>'
+    joints = "".join(joint.format(i, i, i + 1) for i in range(990))
+    robot = Robot.from_urdf(file(f'<robot name="r">{links}{joints}</robot>'))
+    q = np.zeros((2, 990))
+    q[1, 0] = 1
+    tip = robot.motion(q).frame("l990")
+    np.testing.assert_allclose(tip.pose[:3, 3], [990, 0, 0])
+    np.testing.assert_allclose(tip.twist(0), [0, 0, 1, 0, 989, 0])
+
+
+def test_a_path_that_cannot_be_read_is_a_urdf_error(tmp_path):
+    for path in (tmp_path, tmp_path / ("x" * 300), tmp_path / "none.urdf"):
+        with pytest.raises(UrdfError, match=r"no URDF file at|cannot be read"):
+            Robot.from_urdf(path)

@@ -9,7 +9,7 @@ from workbench.language.grammar.tokens import MOST_CHARACTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
 from workbench.language.typed.errors import ReadError
-from workbench.papers.text_claims.alignment import lines_of
+from workbench.papers.cutting.cutter import cut_display
 from workbench.papers.texts import read_text
 
 TABLE = SymbolTable.build({name: {"kind": "scalar", "weight": 0} for name in "abcdx"})
@@ -120,11 +120,11 @@ def test_each_character_of_a_line_is_placed_in_the_formula():
 
 @pytest.mark.parametrize("rows", ROWS)
 def test_a_text_is_cut_into_the_lines_of_a_formula(rows, tmp_path):
-    first, second, count = rows
+    first, second, _ = rows
     formula = rf"\begin{{aligned}} {first} \\ {second} \end{{aligned}}"
     (tmp_path / "paper.tex").write_text(rf"\begin{{document}}\[ {formula} \]\end{{document}}")
     (display,) = read_text(tmp_path / "paper.tex").displays
-    assert len(lines_of(display, ())) == len(split_lines(formula)) == count
+    assert len(cut_display(display).statements) == len(split_lines(formula)) + first.count(", ")
 
 
 def test_a_formula_of_as_many_characters_as_are_read_has_lines_and_no_longer_one():

@@ -20,7 +20,7 @@ from workbench.repair.propose.limits import STANDARD, Limits
 from workbench.repair.propose.repair import repair
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.edits import edits
+from workbench.repair.terms.edits import Edit, edits
 from workbench.repair.trees.marks import Mark, all_marks, marked
 from workbench.repair.trees.nodes import below
 
@@ -48,7 +48,7 @@ def damages(claim: Claim, formula: Formula, random: Random, each: int) -> Iterat
     """Up to `each` damages of each kind, each of which makes the claim false or ill-formed."""
     pool: dict[str, list[Formula]] = {}
     for edit in edits(formula.statement):
-        if edit.statement is not None:
+        if isinstance(edit, Edit):
             pool.setdefault(edit.kind, []).append(Formula(to_latex(edit.statement), edit.statement))
     for kind, latex in _in_latex(formula.latex, claim):
         damaged = read_or_fault(latex, claim)
@@ -67,7 +67,7 @@ def twice(damaged: Damaged, random: Random) -> Damaged | None:
     """One more damage of the term; None where the claim has no term."""
     if damaged.claim.printed.statement is None:
         return None
-    more = [e for e in edits(damaged.claim.printed.statement) if e.statement is not None]
+    more = [e for e in edits(damaged.claim.printed.statement) if isinstance(e, Edit)]
     random.shuffle(more)
     for edit in more:
         if is_false(damaged.claim, edit.statement):

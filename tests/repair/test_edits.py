@@ -12,7 +12,7 @@ from workbench.language.grammar.parser import parse
 from workbench.papers import find_paper
 from workbench.repair.terms.arithmetic import coefficient, times
 from workbench.repair.terms.coefficients import LARGEST, fewest_changes, rational
-from workbench.repair.terms.edits import KINDS, edits
+from workbench.repair.terms.edits import KINDS, Edit, Refused, edits
 from workbench.repair.terms.places import places, replaced, subterm
 
 
@@ -33,8 +33,8 @@ def test_an_edit_changes_the_statement_at_its_place_and_nowhere_else(right):
     for claim, formula in right[::3]:
         for edit in edits(formula.statement):
             assert edit.kind in KINDS
-            assert (edit.statement is None) == (edit.ill_formed is not None)
-            if edit.statement is None:
+            if isinstance(edit, Refused):
+                assert edit.ill_formed
                 continue
             assert edit.statement != formula.statement, (claim.id, edit.description)
             assert subterm(formula.statement, edit.place) == edit.old
@@ -45,7 +45,7 @@ def test_an_edit_changes_the_statement_at_its_place_and_nowhere_else(right):
 
 def test_no_edit_comes_twice(right):
     for _, formula in right[::3]:
-        found = [edit.statement for edit in edits(formula.statement) if edit.statement is not None]
+        found = [edit.statement for edit in edits(formula.statement) if isinstance(edit, Edit)]
         assert len(found) == len(set(found))
 
 

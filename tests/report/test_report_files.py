@@ -17,7 +17,7 @@ from workbench.judge.verdict import Outcome
 from workbench.papers.model import Edit, Mend
 from workbench.repair.propose.proposed import Proposed
 from workbench.report import ReportError, render
-from workbench.report.counterexamples import as_printed, value_of
+from workbench.report.counterexamples import as_printed
 from workbench.report.document import document_of
 from workbench.report.kinds import VERDICTS
 from workbench.report.render import write_report
@@ -268,20 +268,6 @@ def test_the_note_begins_with_a_page_for_the_editor():
     many = [claim(str(n), str(n), "1", "refuted", printed="a") for n in range(6)]
     page = render.render(*report_of(many))["erratum.tex"].split(r"\clearpage")[0]
     assert r"\today" in page and r"\section*{Errors" not in page
-
-
-@pytest.mark.parametrize(
-    ("entries", "latex"),
-    [
-        (["1"] + 8 * ["0"], r"\begin{bmatrix} 1 & 0 & 0 \\ 0 & 0 & 0 \\ 0 & 0 & 0 \end{bmatrix}"),
-        (["2", "-1/2"], r"2 - \varepsilon \frac{1}{2}"),
-        (5 * ["0"] + ["1"], r"\varepsilon \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}"),
-        (3 * ["0"], r"\mathbf{0}"),
-        (["about 1"], None),
-    ],
-)
-def test_a_value_is_a_number_a_vector_or_a_matrix(entries, latex):
-    assert value_of(entries).latex == latex
 
 
 def test_a_claim_without_a_printed_form_shows_its_statement(texts):

@@ -19,7 +19,7 @@ from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
 from workbench.language.typed.errors import ReadError
 from workbench.papers import load_paper
-from workbench.papers.text_claims.steps import steps_of
+from workbench.papers.cutting.chains import steps_of
 from workbench.papers.texts import read_text
 from workbench.verify.claims import judge_paper
 
@@ -45,7 +45,7 @@ SPELLED = [
     (r"x_1{}^2 = a (y{}^2)", [r"x_1^2 = a (y{}^2)"]),
     (r"x = R{}^2 y + {}^2 a", [r"x = R{}^2 y + {}^2 a"]),
     (r"x = \textrm{Adj}\left(A\right)", [r"x = \operatorname{Adj}\left(A\right)"]),
-    (r"x_\text{ref}(t) = y \text{ if}(x)", [r"x_\text{ref}(t) = y \text{ if}(x)"]),
+    (r"x_\text{ref}(t) = y \text{ if}(x)", [r"x_\text{ref}(t) = y"]),
     (r"\theta = \tan^{-1} x", [r"\theta = \arctan x"]),
     (r"x = a \ \ y = b", ["x = a", "y = b"]),
     (r"x = a \hfill y = b", ["x = a", "y = b"]),
@@ -75,8 +75,9 @@ SPELLED = [
     (r"x = [-a \; b \; c]^T", ["x = [-a , b , c]^T"]),
     (r"x = \lVert [a \; b\ c] \rVert", [r"x = \lVert[a , b,c] \rVert"]),
     (r"x = y [a \, b \, c]", [r"x = y [a \, b \, c]"]),
-    (r"x = [a \; -b]", [r"x = [a \; -b]"]),
-    (r"x = [a \quad -b]", [r"x = [a \quad -b]"]),
+    (r"x = [a \; -b]", [r"x = \begin{bmatrix}a&-b\end{bmatrix}"]),
+    (r"x = [a \quad -b]", [r"x = \begin{bmatrix}a&-b\end{bmatrix}"]),
+    (r"x = [a \; - b]", [r"x = [a \; - b]"]),
     (r"R = \left[ a \quad b\,\right]", [r"R = \begin{bmatrix} a &b\,\end{bmatrix}"]),
     (r"R = \left[ a \quad b \right)", [r"R = \left[ a \quad b \right)"]),
     (r"x = [a + b \quad c]", [r"x = [a + b \quad c]"]),
@@ -93,8 +94,8 @@ SPELLED = [
         r"v_{ij} = w_i, \; i, j = 1,...,6, \quad u = z",
         [r"v_{ij} = w_i,i=\overline{1,6},j=\overline{1,6}", "u = z"],
     ),
-    (r"v_i = w_i, \quad i = 1, 3", [r"v_i=w_i,\quad i", r"w_i,\quad i=1, 3"]),
-    (r"v = w, \quad i = 1, 2", [r"v=w, \quad i", r"w, \quad i=1, 2"]),
+    (r"v_i = w_i, \quad i = 1, 3", ["v_i=w_i,i=1,3"]),
+    (r"v = w, \quad i = 1, 2", ["v=w,i=1,2"]),
     (r"x_i = y_i, k = 1", ["x_i = y_i", "k = 1"]),
     (
         r"\omega_{\cal{B}/\cal{N}} = {\cal B/N}",
@@ -117,7 +118,7 @@ SPELLED = [
     (r"(2) \qquad x = y", ["x = y"]),
     (r"L:\ x = y \\ R: \quad a = b", ["x = y", "a = b"]),
     (r"\begin{aligned} x &= a + \\ & - b + \\ &+ c \end{aligned}", ["x = a - b + c"]),
-    (r"\begin{aligned} x &= a - \\ & - b \end{aligned}", ["x = a - - b"]),
+    (r"\begin{aligned} x &= a - \\ & - b \end{aligned}", ["x = a - b"]),
     (r"f:\ A \to B", [r"f:\ A \to B"]),
     (r"L: x = y", ["L: x = y"]),
     (r"x = y \; (2)", [r"x = y \; (2)"]),
@@ -133,7 +134,7 @@ SPELLED = [
         r"x = \left[ p \; \dot{q}_1 \; \mathbf{r} \right]^T",
         [r"x = \left[ p , \dot{q}_1 , \mathbf{r} \right]^T"],
     ),
-    (r"x = [ A \; B ] + [a\;+\;b]^T", [r"x = [ A \; B ] + [a\;+\;b]^T"]),
+    (r"x = [ A \; B ] + [a\;+\;b]^T", [r"x = \begin{bmatrix}A&B\end{bmatrix} + [a\;+\;b]^T"]),
     (r"\leftidx{^A}{\textbf{v}}{_B} = y", [r"{}^A \mathbf{v}_B = y"]),
     (r"x = \textbf{two words}", [r"x = \textbf{two words}"]),
     (r"\require{cancel} x = y", ["x = y"]),
@@ -159,11 +160,11 @@ SPELLED = [
     (r"x = \qty(y z) \qty[w]", [r"x = (y z) [w]"]),
     (r"x = \bbox[10px, gray]{y} + \bbox{z}", ["x = y + z"]),
     (r"\text{\makebox[3em]{}} x = y", ["x = y"]),
-    (r"\text{\makebox[3em]{a}} x = y", [r"\text{\makebox[3em]{a}} x = y"]),
+    (r"\text{\makebox[3em]{a}} x = y", ["x = y"]),
     (r"x = 90^\circ + 5^{ \circ } y", [r"x = \frac{90}{180}\pi + \frac{5}{180}\pi y"]),
     (r"x = 1.5^\circ + x^\circ", [r"x = 1.5^\circ + x^\circ"]),
     (r"x = y \quad \text{(Using } z = w\text{)} \\ z = y \text{ (since (1) holds)}", ["x = y", "z = y"]),
-    (r"x = y \quad \text{(if } z = w\text{)}", [r"x = y \quad \text{(if } z = w\text{)}"]),
+    (r"x = y \quad \text{(if } z = w\text{)}", ["x = y"]),
     (r"\begin{aligned} x &= y \\ &= z = \end{aligned}", ["x = y", "y = z"]),
     (r"\begin{split} x &= y \\ &= z \end{split} (1.2)", ["x = y", "y = z"]),
     (r"x = \begin{array}{c} y \end{array} (1)", [r"x = \begin{array}{c} y \end{array} (1)"]),

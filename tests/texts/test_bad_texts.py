@@ -203,7 +203,7 @@ def test_a_damaged_text_is_read_or_refused_in_words(
 @pytest.mark.skipif("WORKBENCH_TEXTS" not in os.environ, reason="WORKBENCH_TEXTS names no folder of texts")
 def test_a_folder_of_public_texts() -> None:
     """No exception, no hang, every token in its place, over all texts in the folder."""
-    from workbench.papers.text_claims.steps import steps_of
+    from workbench.papers.cutting.chains import steps_of
 
     count = 0
     for path in sorted(Path(os.environ["WORKBENCH_TEXTS"]).rglob("*")):

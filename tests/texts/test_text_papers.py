@@ -12,8 +12,8 @@ from workbench.cli.commands import main
 from workbench.judge.verdict import Outcome
 from workbench.language.typed.names import Name
 from workbench.papers import load_paper
+from workbench.papers.cutting.chains import steps_of
 from workbench.papers.model import PaperError
-from workbench.papers.text_claims.steps import steps_of
 from workbench.papers.texts import read_text
 from workbench.verify.claims import judge_paper
 
@@ -186,7 +186,7 @@ STEPS = [
     (r"x = 1 \text{ or } x = 2", [r"x = 1 \text{ or } x = 2"]),
     (r"a = b \Rightarrow c = d", [r"a = b \Rightarrow c = d"]),
     (r"f = g(a, b), h", [r"f = g(a, b), h"]),
-    (r"\begin{split} a &= b & \rightarrow b &= a \\ c &= d & \to d &= c \end{split}", ["a = b", "b = a", "c = d", "d = c"]),
+    (r"\begin{split} a &= b & \rightarrow b &= a \\ c &= d & \to d &= c \end{split}", [r"a = b \Rightarrow b = a", r"c = d \Rightarrow d = c"]),
     (r"x_\text{and} = y \text{ and } u = v", [r"x_\text{and} = y", "u = v"]),
     (r"a = 1 + 2 + ...", ["a = 1 + 2 + ..."]),
     (r"\begin{cases} a = b \\ c = d \end{cases}", ["a = b", "c = d"]),

@@ -51,7 +51,7 @@ class DifferentialRing:
         """A constant polynomial as a fraction."""
         if not p.is_constant():
             raise ValueError("expected a constant polynomial")
-        value = fmpq(0) if p == 0 else p.leading_coefficient()
+        value = fmpq(0) if p.is_zero() else p.leading_coefficient()
         return Fraction(int(value.p), int(value.q))
 
     def derive_as(self, name: str, rate: Polynomial) -> None:
@@ -102,7 +102,7 @@ class DifferentialRing:
     def reciprocal(self, d: Polynomial, spare: Sequence[str]) -> tuple[Polynomial, Fraction]:
         """(z, factor) with 1/d = factor·z; denominators equal up to a number share one z. `spare` names the
         generators set aside for reciprocals."""
-        if d == 0:
+        if d.is_zero():
             raise ZeroDivisionError("division by an expression that is identically zero")
         leading = d.leading_coefficient()
         if d.is_constant():
@@ -172,7 +172,7 @@ class DifferentialRing:
             if p.degrees()[self._places[name]] <= 0:
                 continue
             rows = []  # by rising power of the reciprocal
-            while p != 0:
+            while not p.is_zero():
                 p, row = divmod(p, self.generators[name])
                 rows.append(row)
             for row in rows:

@@ -32,7 +32,7 @@ class Dual:
     re: Any
     du: Any
 
-    def __init__(self, re: Any, du: Any = 0):
+    def __init__(self, re: Any, du: Any = 0) -> None:
         if isinstance(re, Dual) or isinstance(du, Dual):
             raise TypeError("a dual number over dual numbers: expected re and du in a real ring")
         if isinstance(re, np.ndarray | list | tuple) or isinstance(du, np.ndarray | list | tuple):
@@ -42,10 +42,10 @@ class Dual:
         object.__setattr__(self, "re", re)
         object.__setattr__(self, "du", du)
 
-    def __setattr__(self, name: str, value: Any):
+    def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a dual number is immutable: cannot set {name}")
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type["Dual"], tuple[Any, Any]]:
         return Dual, (self.re, self.du)
 
     def __repr__(self) -> str:
@@ -64,10 +64,12 @@ class Dual:
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> "Dual":
-        return self + (-other)
+        difference: Dual = self + (-other)
+        return difference
 
     def __rsub__(self, other: Any) -> "Dual":
-        return -self + other
+        difference: Dual = -self + other
+        return difference
 
     def __mul__(self, other: Any) -> "Dual":
         if not isinstance(other, Dual):
@@ -246,7 +248,7 @@ def is_zero(a: Any) -> bool:
     if isinstance(a, np.ndarray):
         return all(is_zero(x) for x in a.flat) if a.dtype == object else not np.any(a)
     if type(a).__module__.startswith("pydrake.symbolic"):
-        return (1 * a).Expand().EqualTo(0)  # 1 * makes an Expression of a Variable
+        return bool((1 * a).Expand().EqualTo(0))  # 1 * makes an Expression of a Variable
     return bool(a == 0)
 
 

@@ -35,15 +35,19 @@ def _is_exact(a: Any) -> bool:
     return isinstance(a, int | Fraction) or _is_flint(a)
 
 
-def _real_function(name: str, ufunc: np.ufunc, exact: Callable[[Any], Any] | None) -> Callable[[Any], Any]:
-    """``ufunc`` on every scalar, with ``exact`` in its place on exact ones (None: not exact)."""
+class NoExactValue(TypeError):
+    """A function of exact scalars whose value is none, such as a square root."""
+
+
+def _real_function(name: str, ufunc: np.ufunc, exact: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """``ufunc`` on every scalar, with ``exact`` in its place on exact ones (its value None: not exact)."""
 
     def on_scalar(a: Any) -> Any:
         if not _is_exact(a):
             return ufunc(a)
         value = exact(a)
         if value is None:
-            raise TypeError(f"{name}({a}): no exact value; expected a float, got {type(a).__name__}")
+            raise NoExactValue(f"{name}({a}): no exact value; expected a float, got {type(a).__name__}")
         return value
 
     on_objects = np.frompyfunc(on_scalar, 1, 1)
@@ -135,10 +139,10 @@ def _real_atan2(y: Any, x: Any) -> Any:
         return np.arctan2(y, x)
     if y == 0 and not hasattr(x, "context") and x > 0:  # a polynomial has a context and no sign
         return y
-    raise TypeError(f"atan2({y}, {x}): no exact value; expected floats")
+    raise NoExactValue(f"atan2({y}, {x}): no exact value; expected floats")
 
 
-def _require_not_negative(name: str, a: Any):
+def _require_not_negative(name: str, a: Any) -> None:
     is_float = isinstance(a, float | np.floating) or (isinstance(a, np.ndarray) and a.dtype != object)
     if is_float and np.any(np.asarray(a) < 0):
         raise ValueError(f"{name}: expected a real part > 0, got {a}")

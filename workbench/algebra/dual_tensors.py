@@ -7,7 +7,7 @@ by its scalars with `scale`. Arrays of dtype object carry exact or symbolic scal
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 
@@ -32,7 +32,8 @@ def tensor(re: Any, du: Any = None) -> Dual:
 
 def as_vector(a: Any) -> np.ndarray:
     """A real vector of shape (..., 3), exact if its entries are; errors as `vector`."""
-    return vector(a).re
+    entries: np.ndarray = vector(a).re
+    return entries
 
 
 def _dual_array(re: Any, du: Any, shape: tuple[int, ...]) -> Dual:
@@ -45,13 +46,13 @@ def _dual_array(re: Any, du: Any, shape: tuple[int, ...]) -> Dual:
     return Dual(re, du)
 
 
-def bilinear(product: Callable[[Any, Any], Any]) -> Callable[[Array, Array], Array]:
+def bilinear(product: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Callable[[Array, Array], Array]:
     """The extension of a bilinear product of real arrays to dual ones (ε commutes with it)."""
 
     def extended(a: Array, b: Array) -> Array:
-        if isinstance(a, Dual) and isinstance(b, Dual):
-            return Dual(product(a.re, b.re), product(a.re, b.du) + product(a.du, b.re))
         if isinstance(a, Dual):
+            if isinstance(b, Dual):
+                return Dual(product(a.re, b.re), product(a.re, b.du) + product(a.du, b.re))
             return Dual(product(a.re, b), product(a.du, b))
         if isinstance(b, Dual):
             return Dual(product(a, b.re), product(a, b.du))
@@ -62,7 +63,7 @@ def bilinear(product: Callable[[Any, Any], Any]) -> Callable[[Array, Array], Arr
     return extended
 
 
-def linear(map_: Callable[[Any], Any]) -> Callable[[Array], Array]:
+def linear(map_: Callable[[np.ndarray], np.ndarray]) -> Callable[[Array], Array]:
     """The extension of a linear map of real arrays to dual ones."""
 
     def extended(a: Array) -> Array:
@@ -79,28 +80,31 @@ def _components(a: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 @bilinear
-def dot(a, b):
+def dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """The scalar product a · b: (..., 3), (..., 3) → (...)."""
-    return (a * b).sum(axis=-1)
+    total: np.ndarray = (a * b).sum(axis=-1)
+    return total
 
 
 @bilinear
-def cross(a, b):
+def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """The cross product a × b: (..., 3), (..., 3) → (..., 3)."""
     (a1, a2, a3), (b1, b2, b3) = _components(a), _components(b)
     return np.concatenate([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1], axis=-1)
 
 
 @bilinear
-def outer(a, b):
+def outer(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """The tensor a ⊗ b: (..., 3), (..., 3) → (..., 3, 3)."""
-    return a[..., :, None] * b[..., None, :]
+    products: np.ndarray = a[..., :, None] * b[..., None, :]
+    return products
 
 
 @bilinear
-def apply(T, a):
+def apply(T: np.ndarray, a: np.ndarray) -> np.ndarray:
     """The vector T a: (..., 3, 3), (..., 3) → (..., 3)."""
-    return (T @ a[..., None])[..., 0]
+    image: np.ndarray = (T @ a[..., None])[..., 0]
+    return image
 
 
 def scale(c: Any, a: Array, rank: int = 1) -> Array:
@@ -116,7 +120,7 @@ def _with_axes(c: Any, rank: int) -> Array:
 
 
 @linear
-def skew(a):
+def skew(a: np.ndarray) -> np.ndarray:
     """The tensor ã with ã b = a × b: (..., 3) → (..., 3, 3)."""
     a1, a2, a3 = _components(a)
     zero = 0 * a1
@@ -125,22 +129,24 @@ def skew(a):
 
 
 @linear
-def vect(T):
+def vect(T: np.ndarray) -> np.ndarray:
     """The axial vector of the skew part of T, so that vect(ã) = a: (..., 3, 3) → (..., 3)."""
     twice = [T[..., k, j : j + 1] - T[..., j, k : k + 1] for j, k in ((1, 2), (2, 0), (0, 1))]
-    return divide(np.concatenate(twice, axis=-1), 2)
+    axis: np.ndarray = divide(np.concatenate(twice, axis=-1), 2)
+    return axis
 
 
 @linear
-def transpose(T):
+def transpose(T: np.ndarray) -> np.ndarray:
     """The transposed tensor, u · (T v) = v · (Tᵀ u); in Eq. (76) the first v̲₁ is meant as v̲₂."""
     return np.swapaxes(T, -1, -2)
 
 
 @linear
-def trace(T):
+def trace(T: np.ndarray) -> np.ndarray:
     """The trace: (..., 3, 3) → (...)."""
-    return T[..., range(3), range(3)].sum(axis=-1)
+    total: np.ndarray = T[..., range(3), range(3)].sum(axis=-1)
+    return total
 
 
 def triple(a: Array, b: Array, c: Array) -> Any:
@@ -157,6 +163,10 @@ def determinant(T: Array) -> Any:
     return triple(*_columns(T))
 
 
+@overload
+def adjugate(T: Dual) -> Dual: ...
+@overload
+def adjugate(T: np.ndarray) -> np.ndarray: ...
 def adjugate(T: Array) -> Array:
     """The adjugate, T adj T = adj T T = (det T) I: (..., 3, 3) → (..., 3, 3)."""
     c1, c2, c3 = _columns(T)
@@ -203,7 +213,7 @@ def _norm_of_floats(a: np.ndarray, a0: np.ndarray) -> Dual:
     length = _length(a)
     is_pure = length == 0
     direction = a / np.where(is_pure, 1.0, length)[..., None]
-    return Dual(length, np.where(is_pure, _length(a0), dot(a0, direction)))
+    return Dual(length, np.where(is_pure, _length(a0), (a0 * direction).sum(axis=-1)))
 
 
 def _length(a: np.ndarray) -> Any:

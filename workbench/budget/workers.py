@@ -81,7 +81,8 @@ class Workers:
             self._prepare()
         asked = list(enumerate(items))
         waiting = deque(deque(run) for _, run in groupby(asked, lambda each: self._alike(each[1])))
-        free, places = list(self._workers), {}
+        free = list(self._workers)
+        places: dict[_Worker, int] = {}
         answers: dict[int, Any] = {}
         try:
             self._ask(free, waiting, places, seconds)
@@ -145,12 +146,18 @@ class _Worker:
         self.queue: deque[tuple[int, Any]] = deque()  # what it is to be asked, with the places
         self._owner = os.getpid()
         self._process: Any = None
-        self.pipe: Connection | None = None
+        self._pipe: Connection | None = None
         self.end_at: float | None = None
 
     @property
     def runs(self) -> bool:
         return self._process is not None
+
+    @property
+    def pipe(self) -> Connection:
+        """To and from the process, while it runs."""
+        assert self._pipe is not None, "the process does not run"
+        return self._pipe
 
     def ask(self, item: Any, seconds: float | None) -> None:
         if self._process is not None and not self._process.is_alive():
@@ -181,13 +188,13 @@ class _Worker:
             self._process.kill()
             self._process.join()
             self.pipe.close()
-            self._process = self.pipe = None
+            self._process = self._pipe = None
 
     def _cause_of_end(self) -> OutOfBudget:
         self._process.join()
         code = self._process.exitcode
         self.end()
-        if code == -signal.SIGPROF:
+        if code == -signal.SIGPROF and self._budget is not None:
             return OutOfBudget(f"not decided within {self._budget.seconds:g} s of processor time")
         return self._out_of_memory()
 
@@ -198,7 +205,7 @@ class _Worker:
 
     def _start(self) -> None:
         context = get_context("fork")
-        self.pipe, theirs = context.Pipe()
+        self._pipe, theirs = context.Pipe()
         self._process = context.Process(target=self._serve, args=(theirs,))
         self._process.start()
         theirs.close()
@@ -244,9 +251,10 @@ def _answering(workers: Iterable[_Worker]) -> list[_Worker]:
     """Those that have answered, or whose time is over; waits for one."""
     by_pipe = {worker.pipe: worker for worker in workers}
     ends = [worker.end_at for worker in by_pipe.values() if worker.end_at is not None]
-    ready = connection.wait(by_pipe, max(0.0, min(ends) - monotonic()) if ends else None)
+    ready = connection.wait(list(by_pipe), max(0.0, min(ends) - monotonic()) if ends else None)
+    answered = [by_pipe[pipe] for pipe in ready if isinstance(pipe, Connection)]
     late = [w for w in by_pipe.values() if w.end_at is not None and w.end_at <= monotonic()]
-    return list(dict.fromkeys([by_pipe[pipe] for pipe in ready] + late))
+    return list(dict.fromkeys(answered + late))
 
 
 def _limit_memory(megabytes: float) -> None:

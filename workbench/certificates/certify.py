@@ -44,8 +44,10 @@ class Certified:
     @property
     def certified(self) -> bool:
         """Coq accepts the certificate, and that its premises can be met, if it has any."""
-        own = self.checked is not None and self.checked.expected and not (self.gap or self.misread)
-        return own and (self.certificate.motions is None or (self.met is not None and self.met.expected))
+        if self.certificate is None or self.checked is None or self.gap or self.misread:
+            return False
+        met = self.certificate.motions is None or (self.met is not None and self.met.expected)
+        return self.checked.expected and met
 
     @property
     def seconds(self) -> float:
@@ -117,7 +119,8 @@ def written(form: Form, verdict: Verdict) -> Certified:
     except OneInstant as obstacle:
         try:
             made = of_one_instant(form)
-            return Certified(form, verdict.outcome, made, misread=made.misread or made.motions.misread)
+            misread = made.misread or (made.motions.misread if made.motions else "")
+            return Certified(form, verdict.outcome, made, misread=misread)
         except NotCertified:
             return Certified(form, verdict.outcome, None, str(obstacle))
     except NotCertified as obstacle:
@@ -147,7 +150,7 @@ def with_certificates(results: Sequence[ClaimResult], paper: Paper) -> list[Clai
         found.setdefault(result.claim.id, []).append(each.certification)
     for steps in all_steps(results, paper.theorems):
         found.setdefault(steps.claim.id, []).append(steps.certification)
-    for each in by_hand(paper):
-        for claim, certification in each.certifications:
+    for file in by_hand(paper):
+        for claim, certification in file.certifications:
             found.setdefault(claim, []).append(certification)
     return [replace(result, certificates=tuple(found.get(result.claim.id, ()))) for result in results]

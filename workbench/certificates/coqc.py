@@ -176,8 +176,9 @@ def _note(text: str) -> Path:
 
 def check(text: str, remember: bool = True) -> Checked:
     """Whether Coq accepts the certificate, and what its theorems rest on."""
-    if remember and is_settled(text):
-        return recall(text)
+    known = recall(text) if remember else None
+    if known is not None and not known.unfinished:
+        return known
     result, _ = _asked(text)
     if remember:
         _remember(text, result)

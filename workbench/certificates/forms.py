@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Protocol
 
 from workbench.certificates.emission.families import general
 from workbench.certificates.emission.nodes import NotCertified
 from workbench.certificates.inequations import HEADER as OF_INEQUATIONS
 from workbench.certificates.inequations import denies, unequal
-from workbench.certificates.theorem import HEADER, Theorem, theorem
+from workbench.certificates.theorem import HEADER, theorem
 from workbench.certificates.values.trial import can_be_certified
 from workbench.language.typed.instances import instantiate
-from workbench.language.typed.terms import IllFormed, Relation
+from workbench.language.typed.terms import IllFormed, Relation, Statement
 from workbench.papers.model import Claim, Formula
 
 #: What is needed where a dual quantity is divided by, or has a length; and where sums or numbers depend on n.
@@ -41,6 +42,26 @@ class Form:
     def identifier(self) -> str:
         return "claim_" + re.sub(r"\W+", "_", f"{self.claim.id}_{self.name}").strip("_")
 
+    @property
+    def statement(self) -> Statement:
+        """The statement of the formula, which every form has (`forms_of`)."""
+        assert self.formula.statement is not None, f"{self.claim.id}, {self.name} is not read"
+        return self.formula.statement
+
+
+class Written(Protocol):
+    """A theorem as a file has it: its name, what it says, and all its text."""
+
+    name: str
+
+    @property
+    def statement(self) -> str: ...
+
+    @property
+    def text(self) -> str: ...
+
+    def read_back_faults(self) -> list[str]: ...
+
 
 @dataclass(frozen=True)
 class Certificate:
@@ -48,7 +69,7 @@ class Certificate:
     no form), since it rests on the real numbers and many theorems can share it."""
 
     form: Form | None
-    theorems: tuple[Theorem, ...]
+    theorems: tuple[Written, ...]
     scope: str | None = None
     header: str = HEADER
     motions: Certificate | None = None
@@ -108,21 +129,21 @@ def certificate(form: Form, every: bool) -> Certificate:
     definitions = claim.notation.definitions
     if every:
         try:
-            statement, supposed, integers = general(form.formula.statement, claim.supposed, definitions)
+            statement, supposed, integers = general(form.statement, claim.supposed, definitions)
             made = theorem(form.identifier, statement, supposed, definitions, list(integers))
             if not can_be_certified(made):
                 raise NotCertified("a sum of which the library knows too little")
             return Certificate(form, (made,), f"all {', '.join(integers)}" if integers else None)
         except NotCertified:
             pass
-    if denies(form.formula.statement):
-        made = unequal(form.identifier, form.formula.statement, claim.supposed, definitions)
-        return Certificate(form, (made,), header=OF_INEQUATIONS)
+    if denies(form.statement):
+        denied = unequal(form.identifier, form.statement, claim.supposed, definitions)
+        return Certificate(form, (denied,), header=OF_INEQUATIONS)
     theorems = []
     for values in claim.instances:
         suffix = "".join(f"_{name}{value}" for name, value in values.items())
         try:
-            statement = instantiate(form.formula.statement, values)
+            statement = instantiate(form.statement, values)
             supposed = [instantiate(s, values) for s in claim.supposed]
             if isinstance(statement, Relation) and statement.left == statement.right:
                 continue

@@ -78,8 +78,8 @@ class Generalizer:
             return made
         known = len(self.meant)
         named = self._anything(term)
-        if len(self.meant) > known and not named.index and (body := self._meaning(term)) is not None:
-            self.premises.append(relation("=", named, self.term(body)))
+        if len(self.meant) > known and not named.index and (meaning := self._meaning(term)) is not None:
+            self.premises.append(relation("=", named, self.term(meaning)))
         return named
 
     def _meaning(self, term: Term) -> Term | None:

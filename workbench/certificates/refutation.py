@@ -153,7 +153,7 @@ class Denied:
 
     def _meaning(self, origin: Origin) -> str:
         known = self.instance.variables.get(origin)
-        return known[1] if known else origin.value.deep
+        return known[1] if known else origin.meaning.deep
 
     def _posed(self) -> Iterator[str]:
         """The variables, and the definitions, in an order in which each is made of those before."""
@@ -219,7 +219,7 @@ def refutation(form: Form, verdict: Verdict) -> Certificate:
         if values and f"for {place_}" not in (verdict.reason or ""):
             continue
         try:
-            statement = instantiate(form.formula.statement, values)
+            statement = instantiate(form.statement, values)
             supposed = [instantiate(s, values) for s in claim.supposed]
             if isinstance(statement, Naming) and len(statement.parts) > 1 and not statement.given:
                 statement = Conjunction(statement.parts)  # what must be true for it to be one
@@ -254,7 +254,7 @@ def not_empty(of: Certificate) -> Certificate | None:
     Raises NotCertified where no motion was found."""
     shown = {}
     for each in of.theorems:
-        if each.emitter.holes:
+        if isinstance(each, Theorem) and each.emitter.holes:
             met = (
                 _met(each) if any(line.endswith("->") for line in each.emitter.statement) else _declared(each)
             )
@@ -272,11 +272,12 @@ def _declared(of: Theorem) -> Denied:
     emitter = Emitter(of.emitter.definitions, BASE)
     for name, type_ in of.emitter.binders:
         if name in of.emitter.holes:
-            emitter.symbol(of.emitter.read_back[type_.split()[-1]])
+            emitter.symbol(of.emitter.symbol_named(type_.split()[-1]))
     return _instance("premises", emitter, Theorem("premises", emitter), {})
 
 
 def _met(of: Theorem) -> Denied:
+    assert of.source is not None, f"{of.name} is written of no statement"
     statement, assume, integers = of.source
     for number in _NUMBERS if integers else (0,):
         values = dict.fromkeys(integers, number)
@@ -340,7 +341,7 @@ def _motion(emitter: Emitter, name: str, values: Mapping[str, tuple[str, ...]]) 
     symbol = emitter.read_back.get(name)
     if symbol is None:
         return [[Fraction(x) for x in component] for component in _PROBE]
-    given = []
+    given: list[tuple[str, ...]] = []
     while (found := values.get(to_latex(derivative(symbol, len(given)) if given else symbol))) is not None:
         given.append(found)
     return [[Fraction(x) for x in component] for component in zip(*given, strict=True)]

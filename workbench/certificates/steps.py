@@ -88,13 +88,13 @@ class Steps:
     def certification(self) -> Certification:
         """As a result tells it, beside the forms'."""
         done = [step for step in self.asked if step.certified]
-        axioms = {name for step in done for name in step.checked.axioms}
+        axioms = {name for step in done if step.checked for name in step.checked.axioms}
         return Certification(
             form="goal" if self.is_one_theorem else "steps",
             checked_by=f"Coq {coqc.version()}" if len(self.certified) == len(self.steps) else None,
             axioms=tuple(sorted(axioms)),
             scope=None,
-            statement="\n\n".join(step.certificate.statement for step in done) or None,
+            statement="\n\n".join(step.certificate.statement for step in done if step.certificate) or None,
             premises_met=None,
             obstacle=next((step.obstacle for step in self.asked if step.obstacle), None),
             word=self.word,

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from workbench.certificates.emission import blocks, functions, nodes, operators, sums
+from workbench.certificates.emission.collector import Summed
 from workbench.certificates.emission.emitter import Emitter
 from workbench.certificates.emission.families import general
 from workbench.certificates.emission.nodes import ATOM, KINDS, Node, NotCertified, OneInstant, flag, single
@@ -132,10 +133,10 @@ class _Emitter(Emitter):
         for own, type_ in lemma.emitter.binders:
             what, _, of = type_.rpartition(" ")
             if own in lemma.emitter.holes:
-                of = self.symbol(lemma.emitter.read_back[of]).text
+                of = self.symbol(lemma.emitter.symbol_named(of)).text
                 own = next(name for name, said_ in self.binders if said_ == f"{what} {of}")
             else:
-                own = self.symbol(lemma.emitter.read_back[own]).at(ATOM)
+                own = self.symbol(lemma.emitter.symbol_named(own)).at(ATOM)
             arguments.append(own)
         self.before[name] = lemma.text
         return f"({' '.join([name, 'K', *arguments])})"
@@ -155,7 +156,7 @@ def theorem(
     families of several indices are taken, too, of which it is not shown that there are any. lasting: what is
     assumed holds at all times."""
     for expands in (False, True):
-        cores: Sequence[sums.Summed] = ()
+        cores: Sequence[Summed] = ()
         while True:  # once more where there are sums, with what these have in common
             emitter = _Emitter(definitions, slots)
             emitter.several, emitter.expands, emitter.cores = several, expands, cores
@@ -302,15 +303,10 @@ def _pivot(emitter: Emitter, premise: Relation) -> tuple[Symbol, list[Term], str
     for side, other, proof in ((left, right, "as_given"), (right, left, "turned")):
         if isinstance(side, Symbol) and _may_stand(emitter, side, other):
             return side, [other], proof
-    if (
-        isinstance(left, Apply)
-        and left.head == "add"
-        and isinstance(left.arguments[0], Symbol)
-        and len(left.arguments) == 2
-    ):
-        symbol, rest = left.arguments
-        if _may_stand(emitter, symbol, rest) and not _occurs(symbol, right):
-            return symbol, [right, rest], "carried"
+    match left:
+        case Apply(head="add", arguments=(Symbol() as symbol, rest)):
+            if _may_stand(emitter, symbol, rest) and not _occurs(symbol, right):
+                return symbol, [right, rest], "carried"
     return None
 
 

@@ -47,11 +47,13 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
     try:
         hand = [] if select else by_hand(paper)
         if asked:
-            texts = {each.text for each in hand}.union(*(each.texts for each in (*made, *steps)))
+            texts = {each.text for each in hand}
+            texts = texts.union(*(each.texts for each in made), *(each.texts for each in steps))
             with progress_bar(len(texts), "checking") as advance:
                 coqc.check_all(texts, advance)
             made = [recalled(each) for each in made]
-        refused = [each.path.name for each in hand if asked and not coqc.recall(each.text).expected]
+        known = [(each.path.name, coqc.recall(each.text)) for each in hand if asked]
+        refused = [name for name, said in known if said is None or not said.expected]
     except coqc.CoqFault as fault:
         raise Defect(str(fault)) from None
     terminal = console(sys.stdout)
@@ -68,10 +70,10 @@ def certify(select: Sequence[str], paper_name: str | None, out: Path | None, ask
         terminal.print(
             f"{len(steps)} theorem claims, {whole} as one theorem; {counts} certified", markup=False
         )
-    for each in hand:
-        said = ": refused" if each.path.name in refused else ": certified" if asked else ""
-        about = ", ".join(claim for claim, _, _ in each.about)
-        terminal.print(f"{each.path.name}, written by hand, on {about}{said}", markup=False)
+    for file in hand:
+        word = ": refused" if file.path.name in refused else ": certified" if asked else ""
+        about = ", ".join(claim for claim, _, _ in file.about)
+        terminal.print(f"{file.path.name}, written by hand, on {about}{word}", markup=False)
     wrong = [s.claim.id for s in steps if s.broken] if asked else []
     if broken := [*(c.form.identifier for c in made if c.broken), *wrong, *refused]:
         raise Defect(f"Coq refuses {len(broken)} of them, or they say something else: {', '.join(broken)}")

@@ -8,6 +8,7 @@ import gc
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
+from io import TextIOWrapper
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +39,8 @@ def main() -> None:
     gc.set_threshold(100_000, 50, 100)  # hardly anything that a paper is read into is let go before the end
     atexit.register(gc.freeze)  # and then it goes with the process
     for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="backslashreplace")  # where the locale has no Φ
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # where the locale has no Φ
 
 
 main.add_command(repair_claim)
@@ -117,7 +119,7 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     else:
         terminal = console(sys.stdout)
         for result in results:
-            for line in (*claim_lines(result), *proposal_lines(result.proposed, terminal.is_terminal)):
+            for line in (*claim_lines(result), *proposal_lines(result.proposed or (), terminal.is_terminal)):
                 terminal.print(line)
     sys.exit(0 if all(result.passed for result in results) else 1)
 

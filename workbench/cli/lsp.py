@@ -16,8 +16,9 @@ if TYPE_CHECKING:
 
     from workbench.papers import Paper
     from workbench.papers.model import Span
+    from workbench.report.counterexamples import values_as_text
     from workbench.report.findings import Finding
-    from workbench.verify.results import ClaimResult
+from workbench.verify.results import ClaimResult
 
 
 @click.command()
@@ -171,7 +172,7 @@ def _fix(result: ClaimResult) -> str | None:
 
     claim = result.claim
     pairs = ((claim.corrected, result.corrected), (claim.reading, result.reading))
-    proved = [form.latex for form, verdict in pairs if verdict and verdict.outcome is Outcome.PROVED]
+    proved = [form.latex for form, verdict in pairs if form and verdict and verdict.outcome is Outcome.PROVED]
     if not proved or claim.span is None:
         return None
     if not claim.chain:
@@ -187,7 +188,7 @@ def _told(result: ClaimResult) -> str:
     lines += [verdict.reason] if verdict.reason else []
     lines += [f"read as `{verdict.read_back}`"] if verdict.read_back else []
     if example := verdict.counterexample:
-        values = ", ".join(f"`{name}` = ({', '.join(each)})" for name, each in example.values.items())
+        values = ", ".join(f"`{name}` = {value}" for name, value in values_as_text(example).items())
         lines += [f"counterexample: {values}"]
     for name in ("reading", "corrected"):
         form, its = getattr(result.claim, name), getattr(result, name)

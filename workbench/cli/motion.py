@@ -16,8 +16,8 @@ from workbench.cli.options import Unusable, json_flag, print_json, reports_fault
 
 if TYPE_CHECKING:
     from workbench.drake.joint_paths import Path as JointPath
-    from workbench.kinematics.robot.answers import Peak
     from workbench.kinematics.robot.motion import Motion
+    from workbench.kinematics.robot.peaks import Peak
     from workbench.kinematics.robot.report import MotionReport
 
 #: Beyond it Drake's numbers, in doubles, have no correct digit left to compare with.
@@ -49,7 +49,8 @@ HIGHEST_ORDER = 20
     "--trajectory",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Samples of the joints, as CSV: columns t (s) and joints by name (rad or m); smoothed by a spline.",
+    help="Samples of the joints, as CSV: columns t (s) and joints by name (rad or m); "
+    "their derivatives are estimated up to the snap, with errors.",
 )
 @click.option(
     "--until", type=float, help="Without a trajectory: the end in s of what --limits and --plot see."
@@ -58,7 +59,8 @@ HIGHEST_ORDER = 20
     "--limits",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help='TOML: a table [JOINT], ["*"] or [point] with velocity, acceleration, jerk, snap, lower, upper.',
+    help='TOML: a table [JOINT], ["*"] or [point] with velocity, acceleration, jerk, snap, '
+    "deceleration, lower, upper.",
 )
 @click.option("--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw all orders (.png, .pdf).")
 @click.option("--base", type=click.Choice(["fixed", "floating"]), default="fixed", show_default=True)
@@ -81,18 +83,18 @@ def motion(
 ) -> None:
     """Higher-order kinematics of a body of a real robot: acceleration tensors, invariant vectors, centres,
     beside Drake's own numbers; with --limits or --plot the peaks on a whole trajectory too. Exit status 1 if
-    Drake disagrees or a limit is exceeded."""
+    Drake disagrees or, with --limits, a limit is exceeded."""
     import numpy as np
 
     from workbench.cli.terminal import console
-    from workbench.kinematics.robot.answers import read_limits
+    from workbench.kinematics.robot.joint_limits import read_limits
     from workbench.kinematics.robot.report import motion_report
 
     try:
         polynomials, path = _joint_polynomials(joints), None
         bounds = None if limits is None else read_limits(limits)
         if trajectory is not None:
-            path = _smoothed(trajectory, urdf, base)
+            path = _recorded(trajectory, urdf, base)
             at = (path.start + path.end) / 2 if at is None else at
         at = 0.0 if at is None else at
         with np.errstate(all="ignore"):  # an overflow ends in a message of its own
@@ -109,19 +111,19 @@ def motion(
             )
         whole = _whole(report, until, wanted=limits is not None or plot is not None or path is not None)
         peaks = [] if whole is None else whole.peaks(body, report.point, bounds, relative_to)
-        if plot is not None:
+        if plot is not None and whole is not None:
             _draw(whole, body, report, bounds, plot)
     except (ValueError, ImportError) as error:
         raise Unusable(str(error)) from None
     data = report.to_dict() | {
-        "smoothing": _smoothing_dict(report) if path is not None else None,
+        "recording": _recording_dict(report) if path is not None else None,
         "peaks": [_peak_dict(peak) for peak in peaks],
     }
     if as_json:
         print_json(data)
     else:
         terminal = console(sys.stdout)
-        for line in (*motion_lines(data), *_smoothing_lines(data), *_peak_lines(peaks)):
+        for line in (*motion_lines(data), *_recording_lines(data), *_peak_lines(peaks)):
             terminal.print(line)
     beyond = limits is not None and any(peak.within is False for peak in peaks)
     sys.exit(0 if report.agrees and not beyond else 1)
@@ -151,14 +153,14 @@ def _numbers(text: str, what: str, count: int | None = None) -> tuple[float, ...
     return numbers
 
 
-def _smoothed(trajectory: Path, urdf: Path, base: str) -> JointPath:
+def _recorded(trajectory: Path, urdf: Path, base: str) -> JointPath:
     from workbench.kinematics.robot import Robot
-    from workbench.kinematics.robot.paths import SplinePath, read_samples
+    from workbench.kinematics.robot.paths import read_samples
 
     robot = Robot.from_urdf(urdf, base, rotations="rpy")
     t, q = read_samples(trajectory, robot.positions)
     try:
-        return SplinePath(t, q)
+        return robot.path((t, q))
     except ValueError as error:
         raise ValueError(f"{trajectory}: {error}") from None
 
@@ -191,17 +193,36 @@ def _draw(whole: Motion, body: str, report: MotionReport, bounds: Any, file: Pat
 
 
 def _peak_dict(peak: Peak) -> dict[str, Any]:
-    keys = ("of", "order", "value", "time", "limit", "unit", "bound", "within")
-    return {key: getattr(peak, key) for key in keys}
+    """A number that is not finite is None; "unbounded" says whether that is the value's own."""
+    keys = (
+        "of",
+        "order",
+        "value",
+        "error",
+        "at_least",
+        "at_most",
+        "time",
+        "limit",
+        "unit",
+        "bound",
+        "within",
+    )
+    found = {key: getattr(peak, key) for key in (*keys, "verdict", "reason", "span")}
+    plain = {key: None if isinstance(x, float) and not math.isfinite(x) else x for key, x in found.items()}
+    return plain | {"unbounded": peak.value == math.inf}
 
 
-def _smoothing_dict(report: MotionReport) -> dict[str, Any]:
+def _recording_dict(report: MotionReport) -> dict[str, Any]:
+    """noise: the deviation of each coordinate's samples; error: of the position and of each derivative at the
+    time; notes: what was changed in the samples."""
     error = report.path.error(report.at, report.motion.order)
     return {
-        "residual": dict(zip(report.joints, report.path.residual.tolist(), strict=True)),
-        "standard_error": {
-            name: error[:, i].tolist() for i, name in enumerate(report.joints)
-        },  # of the position and of each derivative at the time
+        "noise": dict(zip(report.joints, report.path.noise.tolist(), strict=True)),
+        "error": {
+            name: [x if math.isfinite(x) else None for x in error[:, i].tolist()]
+            for i, name in enumerate(report.joints)
+        },
+        "notes": list(report.path.notes),
     }
 
 
@@ -244,19 +265,20 @@ def _short(value: float | None) -> str:
     return "not finite" if value is None else f"{value:.2g}"
 
 
-def _smoothing_lines(data: Mapping[str, Any]) -> Iterator[Text]:
-    if data["smoothing"] is None:
+def _recording_lines(data: Mapping[str, Any]) -> Iterator[Text]:
+    if data["recording"] is None:
         return
-    heading = "smoothing spline: residual, then the standard error of each derivative at this time"
-    yield Text(heading, style="bold")
-    for name, residual in data["smoothing"]["residual"].items():
-        errors = " ".join(f"{value:9.2g}" for value in data["smoothing"]["standard_error"][name])
-        yield Text(f"{name:>22}  {residual:9.2g}  {errors}")
+    yield Text("samples: noise, then the error of each derivative at this time", style="bold")
+    for name, noise in data["recording"]["noise"].items():
+        errors = " ".join(f"{_short(value):>10}" for value in data["recording"]["error"][name])
+        yield Text(f"{name:>22}  {noise:9.2g}  {errors}")
+    for note in data["recording"]["notes"]:
+        yield Text(f"{'':>22}  {note}", style="yellow")
 
 
 def _peak_lines(peaks: Sequence[Peak]) -> Iterator[Text]:
     if peaks:
         yield Text("peaks", style="bold")
     for peak in peaks:
-        style = {None: "", True: "green", False: "bold red"}[peak.within]
+        style = {None: "", "within": "green", "BEYOND": "bold red", "not determined": "yellow"}[peak.verdict]
         yield Text(f"{'':>22}  {peak}", style=style)

@@ -40,7 +40,7 @@ def print_judged(
         told = [report_json(paper, results) | _faults_json(paper) for paper, results in judged]
         told += [{"faults": [_fault_json(fault) for fault in unusable]}] if unusable else []
         text = json_text(told[0] if len(told) == 1 else told)
-        if form == "json" or json_out == "-":
+        if form == "json" or json_out is None or json_out == "-":
             click.echo(text, nl=False)
             return
         write_atomically(Path(json_out), text)

@@ -74,7 +74,8 @@ def search_bar(name: str, limits: Limits) -> Iterator[Callable[[Repair], None]]:
 
         def advance(found: Repair) -> None:
             if found.candidates % _STRIDE == 1:
-                used = max(found.candidates / limits.candidates, progress.tasks[0].elapsed / limits.seconds)
+                elapsed = progress.tasks[0].elapsed or 0.0
+                used = max(found.candidates / limits.candidates, elapsed / limits.seconds)
                 said = f"repairing {name}: {found.candidates} candidates, {len(found.proposals)} proved"
                 progress.update(task, completed=min(used, 1.0), description=said)
 

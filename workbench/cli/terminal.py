@@ -12,9 +12,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
+from workbench.report.counterexamples import sides_as_text, value_as_text, values_as_text
 from workbench.report.counts import summary, witness_counts
 from workbench.report.kinds import STATES, VERDICTS
-from workbench.report.prose import as_tuple
 
 if TYPE_CHECKING:
     from workbench.judge.verdict import Counterexample
@@ -153,13 +153,14 @@ def _fault(fault: str, claim: Claim) -> Iterator[Text]:
 
 def _counterexample(example: Counterexample) -> Iterator[Text]:
     yield Text(f"{'counterexample':>15}")
-    for symbol, entries in example.values.items():
-        yield Text(f"{'':17}{symbol} = {as_tuple(entries)}")
+    for symbol, value in values_as_text(example).items():
+        yield Text(f"{'':17}{symbol} = {value}")
     for symbol, entries in example.defined.items():
         if len(entries) <= _LARGEST:
-            yield Text(f"{'':17}so that {symbol} = {as_tuple(entries)}")
-    yield Text(f"{'':17}left  = {as_tuple(example.left)}")
-    yield Text(f"{'':17}right = {as_tuple(example.right)}")
+            yield Text(f"{'':17}so that {symbol} = {value_as_text(entries, example.kinds.get(symbol, ''))}")
+    left, right = sides_as_text(example)
+    yield Text(f"{'':17}left  = {left}")
+    yield Text(f"{'':17}right = {right}")
 
 
 @contextmanager

@@ -13,6 +13,7 @@ from workbench.cli.options import memory_of_verdicts
 
 if TYPE_CHECKING:
     from workbench.papers import Paper
+    from workbench.verify.results import ClaimResult
 
 #: Milliseconds for which an editor may go on writing before its file is read.
 _PAUSE = 100
@@ -86,7 +87,7 @@ def _judged(
     start = monotonic()
     try:
         paper = load_paper(file, faults=[])
-        results = judge_paper(paper, jobs=jobs, budget=budget, memory=memory, **engines)
+        results = judge_paper(paper, (), _unseen, jobs, budget=budget, memory=memory, **engines)
     except PaperError as error:
         print_faults(error.faults)
         return before or [file, file.with_suffix(".toml")]
@@ -96,9 +97,14 @@ def _judged(
     return [file, *paths_of(paper)]
 
 
+def _unseen(result: ClaimResult) -> None:
+    """A result that is shown with the others."""
+
+
 def paths_of(paper: Paper) -> list[Path]:
     """The files that a paper is read from, and the model that may come to lie beside it."""
     from workbench.papers.text_claims.text_paper import TextPaper
 
-    sources = [source.path for source in paper.text.sources] if isinstance(paper, TextPaper) else []
+    text = paper.text if isinstance(paper, TextPaper) else None
+    sources = [] if text is None else [source.path for source in text.sources]
     return [*paper.paths, *sources, *(path.with_suffix(".toml") for path in paper.paths)]

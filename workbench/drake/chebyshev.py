@@ -40,7 +40,7 @@ def _nodes_and_transform() -> tuple[np.ndarray, np.ndarray]:
 def _derivatives_at_middle(order: int) -> np.ndarray:
     """T_k^(order)(0) for k = 0 .. NODES - 1."""
     differentiated = chebyshev.chebder(np.eye(NODES), order)
-    return chebyshev.chebval(0.0, differentiated)
+    return np.asarray(chebyshev.chebval(0.0, differentiated))
 
 
 def derivatives(

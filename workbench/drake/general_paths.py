@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterable
 
 import numpy as np
 
 from workbench.drake.joint_paths import JointPath
 from workbench.drake.plants import CylindricalAxis
+
+
+def _three(values: Iterable[float]) -> tuple[float, float, float]:
+    x, y, z = values
+    return x, y, z
 
 
 def small_path(seed: int, joints: int) -> JointPath:
@@ -28,8 +34,8 @@ def small_axes(seed: int, count: int = 2) -> tuple[CylindricalAxis, ...]:
     integer_lengths = (((1, 2, 2), 3), ((2, -3, 6), 7), ((1, 4, -8), 9), ((2, 6, 9), 11))
     return tuple(
         CylindricalAxis(
-            tuple(component / length for component in draw.sample(direction, 3)),
-            tuple(draw.randint(-4, 4) / 4 for _ in range(3)),
+            _three(component / length for component in draw.sample(direction, 3)),
+            _three(draw.randint(-4, 4) / 4 for _ in range(3)),
         )
         for direction, length in draw.sample(integer_lengths, count)
     )

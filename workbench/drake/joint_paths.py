@@ -63,6 +63,7 @@ class JointPath(Path):
             raise ValueError("a joint path needs finite coefficients, got nan or infinity")
         table.setflags(write=False)
         self.coefficients = table
+        self.joints = table.shape[1]
 
     @classmethod
     def from_derivatives(cls, derivatives: Sequence[Sequence[float]] | np.ndarray) -> JointPath:
@@ -71,10 +72,6 @@ class JointPath(Path):
         if rows.ndim != 2:
             raise ValueError(f"derivatives need shape (orders, joints), got shape {rows.shape}")
         return cls(rows / np.array([[factorial(k)] for k in range(len(rows))], dtype=float))
-
-    @property
-    def joints(self) -> int:
-        return self.coefficients.shape[1]
 
     @property
     def degree(self) -> int:

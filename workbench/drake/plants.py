@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -30,6 +31,9 @@ from workbench.drake.gate import (
 from workbench.drake.urdf import kinematic_urdf
 
 ROBOT_DATA = "example-robot-data"
+
+#: Coordinates, velocities or components: floats, or a plant's own scalars.
+Numbers = Sequence[Any] | np.ndarray
 
 
 class PlantError(ValueError):
@@ -210,10 +214,10 @@ class BodyMotion:
 def body_motion(
     plant: MultibodyPlant,
     body: str,
-    q: Sequence[float],
-    v: Sequence[float],
-    vdot: Sequence[float],
-    p_BoBp_B: Sequence[float] = (0.0, 0.0, 0.0),
+    q: Numbers,
+    v: Numbers,
+    vdot: Numbers,
+    p_BoBp_B: Numbers = (0.0, 0.0, 0.0),
     context: Context | None = None,
 ) -> BodyMotion:
     """Pose, velocity and acceleration of a body's point Bp, natively by Drake.
@@ -227,11 +231,11 @@ def body_motion(
     frame = body_named(plant, body).body_frame()
     context = context or plant.CreateDefaultContext()
     set_state(plant, context, q, v)
-    vdot = _of_length(vdot, plant.num_velocities(), "vdot")
+    rates = _of_length(vdot, plant.num_velocities(), "vdot")
     X_WB = frame.CalcPoseInWorld(context)
     p_BoBp_W = X_WB.rotation() @ _of_length(p_BoBp_B, 3, "p_BoBp_B")
     V_WBo = frame.CalcSpatialVelocityInWorld(context)
-    A_WBo = plant.CalcSpatialAccelerationsFromVdot(context, vdot)[int(frame.body().index())]
+    A_WBo = plant.CalcSpatialAccelerationsFromVdot(context, rates)[int(frame.body().index())]
     return BodyMotion(
         R_WB=X_WB.rotation().matrix(),
         p_WBp=X_WB.translation() + p_BoBp_W,
@@ -240,13 +244,13 @@ def body_motion(
     )
 
 
-def set_state(plant: MultibodyPlant, context: Context, q: Sequence, v: Sequence) -> None:
+def set_state(plant: MultibodyPlant, context: Context, q: Numbers, v: Numbers) -> None:
     """Put joint positions and velocities into the context; PlantError if the counts differ."""
     plant.SetPositions(context, _of_length(q, plant.num_positions(), "q"))
     plant.SetVelocities(context, _of_length(v, plant.num_velocities(), "v"))
 
 
-def _of_length(values: Sequence, length: int, name: str) -> np.ndarray:
+def _of_length(values: Numbers, length: int, name: str) -> np.ndarray:
     array = np.asarray(values)
     if array.shape != (length,):
         raise PlantError(f"{name} needs shape ({length},), got {array.shape}")

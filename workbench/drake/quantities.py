@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from workbench.drake.gate import AngleAxis_, AutoDiffXd, Expression, JacobianWrtVariable, RollPitchYaw_
-from workbench.drake.plants import CylindricalAxis
+from workbench.drake.plants import CylindricalAxis, Numbers
 
 P_BO_P_B = np.array([0.5, -0.25, 1.0])
 P_BO_Q_B = np.array([-0.75, 0.5, 0.25])
@@ -88,9 +88,7 @@ def relative_quantities(X_WA: Any, V_WA: Any, X_AB: Any, V_AB_A: Any, X_WB: Any,
     }
 
 
-def cylinder_quantities(
-    q: Sequence[Any], axes: Sequence[CylindricalAxis], X_WA: Any, point2_W: Any
-) -> Quantities:
+def cylinder_quantities(q: Numbers, axes: Sequence[CylindricalAxis], X_WA: Any, point2_W: Any) -> Quantities:
     """Of the first two joints of a chain of cylindrical joints, q = (d₁, θ₁, d₂, θ₂, …)."""
     d1, theta1, d2, theta2 = q[:4]
     u1_W, u2_A = (np.array(axis.direction, dtype=float) for axis in axes[:2])

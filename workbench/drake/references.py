@@ -27,7 +27,7 @@ from workbench.drake import chebyshev
 from workbench.drake.gate import AutoDiffXd, ExtractGradient, MultibodyPlant, Variable
 from workbench.drake.joint_paths import Path, ShiftedPath
 from workbench.drake.magnitudes import Reach, reach
-from workbench.drake.plants import PlantError, body_motion
+from workbench.drake.plants import BodyMotion, Numbers, PlantError, body_motion
 from workbench.drake.symbolic_motions import SymbolicMotion, evaluated
 
 SMALL_PLANT = 3
@@ -106,8 +106,7 @@ def point_derivatives(
 class BodyPoint:
     """A point Bp of a body of the plant, carried along a path whose clock starts now."""
 
-    def __init__(self, plant: MultibodyPlant, body: str, path: Path, t: float, p_BoBp_B: Sequence[float]):
-        p_BoBp_B = np.asarray(p_BoBp_B, dtype=float)
+    def __init__(self, plant: MultibodyPlant, body: str, path: Path, t: float, p_BoBp_B: Numbers):
         if path.joints != plant.num_positions():
             raise PlantError(
                 f"the path has {path.joints} joints, the plant {plant.num_positions()} positions"
@@ -117,17 +116,17 @@ class BodyPoint:
                 "references need joints whose velocities are the rates of their positions; "
                 "this plant has a ball joint or a floating base"
             )
-        self.plant, self.body, self.p_BoBp_B = plant, body, p_BoBp_B
+        self.plant, self.body, self.p_BoBp_B = plant, body, np.asarray(p_BoBp_B, dtype=float)
         self.path = ShiftedPath(path, t)
-        self.reach: Reach = reach(plant, body, p_BoBp_B)
+        self.reach: Reach = reach(plant, body, self.p_BoBp_B)
         self._context = plant.CreateDefaultContext()
 
     def rounding(self, derivative_of_V: int) -> float:
         return self.reach.rounding_error(self.path, 0.0, derivative_of_V + 1)
 
-    def _at(self, s: float):
-        state = self.path.jet(s, 2)
-        return body_motion(self.plant, self.body, *state, self.p_BoBp_B, self._context)
+    def _at(self, s: float) -> BodyMotion:
+        q, v, vdot = self.path.jet(s, 2)
+        return body_motion(self.plant, self.body, q, v, vdot, self.p_BoBp_B, self._context)
 
     def position(self) -> Reference:
         return Reference(self._at(0.0).p_WBp, self.reach.rounding_error(self.path, 0.0, 0), "double")
@@ -141,11 +140,11 @@ class BodyPoint:
 
     def jerk(self) -> Reference:
         jet = self.path.jet(0.0, 3)
-        state = [
+        q, v, vdot = (
             [AutoDiffXd(x, [x_dot]) for x, x_dot in zip(values, rates, strict=True)]
             for values, rates in pairwise(jet)
-        ]
-        moving = body_motion(self.plant.ToAutoDiffXd(), self.body, *state, self.p_BoBp_B)
+        )
+        moving = body_motion(self.plant.ToAutoDiffXd(), self.body, q, v, vdot, self.p_BoBp_B)
         gradient = ExtractGradient(moving.A_WBp)
         value = gradient[:, 0] if gradient.size else np.zeros(6)
         return Reference(value, self.rounding(2), "AutoDiffXd")

@@ -11,10 +11,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from workbench.drake import chebyshev
-from workbench.drake.gate import AutoDiffXd, ExtractGradient, MultibodyPlant
+from workbench.drake.gate import AutoDiffXd, Context, ExtractGradient, MultibodyPlant
 from workbench.drake.joint_paths import Path
 from workbench.drake.magnitudes import Reach
-from workbench.drake.plants import body_named, set_state
+from workbench.drake.plants import Numbers, body_named, set_state
 from workbench.drake.references import TURNS, BodyPoint, Reference
 
 
@@ -48,11 +48,11 @@ def relative_twist_derivatives(
     if order > 1:
         q, v, vdot = point.path.jet(0.0, 2)
         moving = plant.ToAutoDiffXd()
-        state = [
+        q_t, v_t = (
             [AutoDiffXd(x, [rate]) for x, rate in zip(values, rates, strict=True)]
             for values, rates in ((q, v), (v, vdot))
-        ]
-        value = _velocity(moving, moving.CreateDefaultContext(), *state, body, other, point.p_BoBp_B)
+        )
+        value = _velocity(moving, moving.CreateDefaultContext(), q_t, v_t, body, other, point.p_BoBp_B)
         gradient = ExtractGradient(value)
         rate = gradient[:, 0] if gradient.size else np.zeros(6)
         found.append(Reference(rate, point.rounding(1), "AutoDiffXd"))
@@ -67,7 +67,15 @@ def relative_twist_derivatives(
     return found
 
 
-def _velocity(plant, context, q, v, body: str, other: str, p_BoBp_B: np.ndarray) -> np.ndarray:
+def _velocity(
+    plant: MultibodyPlant,
+    context: Context,
+    q: Numbers,
+    v: Numbers,
+    body: str,
+    other: str,
+    p_BoBp_B: np.ndarray,
+) -> np.ndarray:
     set_state(plant, context, q, v)
     B, A = (body_named(plant, name).body_frame() for name in (body, other))
     p_BoBp_A = B.CalcPose(context, A).rotation() @ p_BoBp_B

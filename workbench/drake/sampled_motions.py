@@ -198,13 +198,13 @@ def _three_cylinders(axes: Sequence[CylindricalAxis], posture: Posture) -> Quant
     }
 
 
-def three_cylinders_motion(seed: int, **options: Sequence[float]) -> SampledMotion:
+def three_cylinders_motion(seed: int) -> SampledMotion:
     """A 3C chain: bodies A on W, B on A and C on B, each on a cylindrical joint; q = (d₁, θ₁, …, d₃, θ₃)."""
     axes = small_axes(seed, 3)
     plant = cylindrical_chain(axes, ("A", "B", "C"))
     path = small_path(seed, joints=6)
     name = f"three cylindrical joints, seed {seed}"
-    return SampledMotion(name, plant, path, partial(_three_cylinders, axes), **options)
+    return SampledMotion(name, plant, path, partial(_three_cylinders, axes))
 
 
 def six_revolute_arm() -> MultibodyPlant:
@@ -224,10 +224,13 @@ def six_revolute_arm() -> MultibodyPlant:
     return plant
 
 
-def six_revolute_motion(seed: int, **options: Sequence[float]) -> SampledMotion:
+def six_revolute_motion(
+    seed: int, samples: Sequence[float] = SAMPLES, turns: Sequence[float] = TURNS
+) -> SampledMotion:
     """The arm on a general path; q = (θ₁, …, θ₆)."""
     path = small_path(seed, joints=6)
-    return SampledMotion(f"6R arm, seed {seed}", six_revolute_arm(), path, _with_intermediate, **options)
+    name = f"6R arm, seed {seed}"
+    return SampledMotion(name, six_revolute_arm(), path, _with_intermediate, samples=samples, turns=turns)
 
 
 @lru_cache(maxsize=8)

@@ -30,7 +30,7 @@ expressions_are_not_nan = np.errstate(invalid="ignore")
 
 
 def _entrywise(function: Callable, array: np.ndarray, dtype: type = object) -> np.ndarray:
-    values = np.empty(array.shape, dtype)
+    values: np.ndarray = np.empty(array.shape, dtype)
     for index in np.ndindex(array.shape):
         values[index] = function(array[index])
     return values

@@ -9,9 +9,12 @@ parser drops, becomes three prismatic and three revolute ones, `<name>_x`, `_y`,
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from collections.abc import Iterable
 from pathlib import Path
 
-DRAKE = "{http://drake.mit.edu}"
+from workbench.drake.plain_xml import parse_plain
+
+DRAKE = "drake:"
 KEPT = ("parent", "child", "origin", "axis", "limit", f"{DRAKE}screw_thread_pitch")
 INERTIA = '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
 INERTIAL = f'<inertial><mass value="1"/>{INERTIA}</inertial>'
@@ -23,20 +26,15 @@ STEPS = (
     ("qy", "continuous", "0 1 0"),
     ("qx", "continuous", "1 0 0"),
 )
-ET.register_namespace("drake", DRAKE.strip("{}"))
 
 
 def kinematic_urdf(path: Path, base: str = "fixed") -> str:
     """The text for Drake's parser, with a floating joint `base` if it is to be. Raises ValueError if not
     XML."""
-    text = path.read_bytes()
-    if b"<drake:" in text and b"xmlns:drake" not in text:
-        text = text.replace(b"<robot", b'<robot xmlns:drake="http://drake.mit.edu"', 1)
-    try:
-        robot = ET.fromstring(text)
-    except ET.ParseError as error:
-        raise ValueError(f"not XML: {error}") from None
+    robot = parse_plain(path.read_bytes())
     kept = ET.Element(robot.tag, {"name": robot.get("name") or "robot"})
+    if kept.tag == "robot":
+        kept.set("xmlns:drake", "http://drake.mit.edu")
     for element in robot:
         if element.tag == "link":
             kept.append(_link(element.get("name")))
@@ -45,14 +43,26 @@ def kinematic_urdf(path: Path, base: str = "fixed") -> str:
     if base == "floating":
         children = {end.get("link") for end in kept.iter("child")}
         for name in [link.get("name") for link in kept.iter("link")]:
-            if name not in children and name != "world":
-                floating = ET.Element("joint", {"name": "base", "type": "floating"})
+            if name is not None and name not in children and name != "world":
+                own = base_joint_name(
+                    element.get("name", "") for element in robot if element.tag in ("joint", f"{DRAKE}joint")
+                )
+                floating = ET.Element("joint", {"name": own, "type": "floating"})
                 ET.SubElement(floating, "parent", {"link": "world"})
                 ET.SubElement(floating, "child", {"link": name})
                 kept.extend(_joints(floating))
     elif base != "fixed":
         raise ValueError(f"base: expected fixed or floating, got {base!r}")
     return ET.tostring(kept, encoding="unicode")
+
+
+def base_joint_name(names: Iterable[str]) -> str:
+    """The name of the joint that moves a robot's root: "base", or where the file has a joint of that name,
+    "floating_base", with as many "_" behind as it takes."""
+    taken, name = set(names), "base"
+    while name in taken:
+        name = "floating_base" if name == "base" else f"{name}_"
+    return name
 
 
 def _link(name: str | None) -> ET.Element:

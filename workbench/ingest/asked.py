@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, ValuesView
 from dataclasses import dataclass, field
 
 from workbench.language.typed.names import Name
@@ -58,6 +58,6 @@ class Asked(Mapping[Name, Declaration]):
     def __len__(self) -> int:
         return len(self.symbols)
 
-    def values(self) -> Iterable[Declaration]:
+    def values(self) -> ValuesView[Declaration]:
         """The reader looks for a quaternion among them."""
         return self.symbols.values()

@@ -22,9 +22,9 @@ from workbench.ingest.undeclared import letters_in_bold
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol
+from workbench.papers.cutting.chains import Step, steps_of
 from workbench.papers.model import PaperError
 from workbench.papers.said import stated, terms_of
-from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.texts import Display, Text, read_text
 
 _DEFINES = re.compile(r"\b(?:defined?|denote[ds]?|where|let|set|introduce|is called)\b", re.IGNORECASE)
@@ -295,9 +295,10 @@ def _definitions(formulas: list[Formula]) -> list[Proposed]:
 
 
 def _lone_left(statement: Statement) -> str | None:
-    left = statement.left if isinstance(statement, Relation) else None
-    is_plain = isinstance(left, Symbol) and not left.index and not left.arguments
-    return str(left.declaration.name) if is_plain else None
+    match statement:
+        case Relation(left=Symbol(declaration=declaration, index=(), arguments=())):
+            return str(declaration.name)
+    return None
 
 
 def _spin(said: Relation) -> tuple[str, str] | None:

@@ -241,11 +241,13 @@ class Guesser:
             outcome, asked = self._fresh(
                 latex, [*(guesses[name] for name in near), *filter(None, [quaternion])]
             )
-            place, slot = self._read_before, key
+            place: dict[object, Asks | Outcome] = self._read_before
+            slot: object = key
             for name in asked:
-                if not isinstance(place.get(slot), Asks):
-                    place[slot] = Asks(name)
-                place, slot = place[slot].then, answer(name)
+                asks = place.get(slot)
+                if not isinstance(asks, Asks):
+                    asks = place[slot] = Asks(name)
+                place, slot = asks.then, answer(name)
             known = place[slot] = outcome
         return known
 

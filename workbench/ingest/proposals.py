@@ -51,8 +51,8 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
     for trigger, key in ((_IN_BRACKETS, "[V]"), (r"\^\s*\{?\s*\\wedge(?![A-Za-z])", r"V^\wedge")):
         question = f"Is {key} of a twist its matrix of 4×4?"
         yield _notation(trigger, key, {"V": "matrix 6×1"}, means, "a bracket or a wedge on a twist", question)
-    for entry in _NOTATION:
-        yield _notation(*entry)
+    for row in _NOTATION:
+        yield _notation(*row)
     for unit in dict.fromkeys(match[0] for match in _UNITS.finditer(together)):
         trigger = re.escape(unit)
         question = f"Is {unit} the unit tensor?"
@@ -61,14 +61,14 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
     yield _prime(("scalar", "vector", "tensor", *(["quaternion"] if speaks_of_quaternions(prose) else [])))
     for inside in dict.fromkeys(match[1] for match in _BRACKET.finditer(together)):
         question = f"Does ({inside}) only say what a symbol depends on?"
-        trigger = re.compile(re.escape(inside))
-        yield _conventions("arguments", f"['{inside}']", "a bracket with one symbol", question, trigger)
+        found = re.compile(re.escape(inside))
+        yield _conventions("arguments", f"['{inside}']", "a bracket with one symbol", question, found)
     for inside in dict.fromkeys(match[1].strip() for match in _LIST.finditer(together)):
         question = f"Does ({inside}) only say what a symbol depends on?"
         bare = (_DOTS_OFF.sub(r"\1", symbol.strip()) for symbol in inside.split(","))
         several = ", ".join(f"'{symbol}'" for symbol in dict.fromkeys(bare))
-        trigger = re.compile(re.escape(inside))
-        yield _conventions("arguments", f"[{several}]", "symbols in a bracket", question, trigger)
+        found = re.compile(re.escape(inside))
+        yield _conventions("arguments", f"[{several}]", "symbols in a bracket", question, found)
     gradient = '"row"' if _TRANSPOSED_SLOPE.search(together) else '"column"'
     question = "How does the derivative of a scalar by a column stand, as a row or a column?"
     yield _conventions("gradient", gradient, "a partial derivative", question, re.compile(r"\\partial"))

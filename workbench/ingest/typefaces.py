@@ -101,7 +101,8 @@ def by_typeface(name: str) -> Guess:
         return Guess(name, "matrix 6×6", "a map of twists")
     marked = _MARKED.match(core)
     letter = (marked[1] if marked else core).lstrip("\\")
-    letter = re.match(r"[A-Za-z]+", letter)[0] if re.match(r"[A-Za-z]", letter) else ""
+    word = re.match(r"[A-Za-z]+", letter)
+    letter = word[0] if word else ""
     is_capital = bool(_GREEK_CAPITALS.fullmatch(letter)) or (len(letter) == 1 and letter.isupper())
     if marked is not None:
         if is_capital:

@@ -53,20 +53,24 @@ class Counterexample:
     symbol of its own, `\\dot{\\omega}`), and what the two sides then are.
 
     defined: the values that definitions give to what else stands in the formula.
-    behind: those of `values` of which the formula does not speak."""
+    behind: those of `values` of which the formula does not speak.
+    kinds: of each value the type, as `str(Type)` has it; kind: that of the two sides."""
 
     values: Mapping[str, tuple[str, ...]]
     left: tuple[str, ...]
     right: tuple[str, ...]
     defined: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     behind: tuple[str, ...] = ()
+    kinds: Mapping[str, str] = field(default_factory=dict)
+    kind: str = ""
 
     def to_dict(self) -> dict[str, Any]:
         values, defined = (
             {name: list(entries) for name, entries in given.items()} for given in (self.values, self.defined)
         )
         sides = {"lhs": list(self.left), "rhs": list(self.right)}
-        return {"values": values, **sides, "defined": defined, "behind": list(self.behind)}
+        kinds = {"kinds": dict(self.kinds), "kind": self.kind}
+        return {"values": values, **sides, "defined": defined, "behind": list(self.behind), **kinds}
 
     @staticmethod
     def from_dict(data: Mapping[str, Any]) -> Counterexample:
@@ -74,7 +78,9 @@ class Counterexample:
             {name: tuple(entries) for name, entries in data[key].items()} for key in ("values", "defined")
         )
         sides = tuple(data["lhs"]), tuple(data["rhs"])
-        return Counterexample(values, *sides, defined, tuple(data["behind"]))
+        return Counterexample(
+            values, *sides, defined, tuple(data["behind"]), dict(data.get("kinds", {})), data.get("kind", "")
+        )
 
 
 @dataclass(frozen=True)

@@ -1,19 +1,21 @@
 """What every function of lines, screws and reduced accelerations does with the numbers it is given.
 
 Lists become arrays. Exact and symbolic scalars stay what they are. A float that is not finite is refused,
-as `workbench.kinematics.tensors.as_vectors` refuses it. Integers are exact scalars; where the result needs
-a root or an angle, which the integers do not have, they become floats.
+as `workbench.kinematics.tensors.as_vectors` refuses it. Integers and fractions are exact scalars; where the
+result needs a root or an angle, which the rational numbers do not have, they become floats.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
+from numbers import Real
 from typing import Any, TypeVar
 
 import numpy as np
 
 from workbench.algebra.dual import Dual, as_array
+from workbench.algebra.dual_functions import NoExactValue
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -29,15 +31,17 @@ def takes_numbers(function: Function) -> Function:
 
 
 def takes_reals(function: Function) -> Function:
-    """As `takes_numbers`; integers that have no exact result are taken for floats."""
+    """As `takes_numbers`; integers and fractions that have no exact result are taken for floats."""
 
     @wraps(function)
     def on_reals(*arguments: Any, **options: Any) -> Any:
         exact = [_arrays(argument, function.__name__) for argument in arguments]
         try:
             return function(*exact, **options)
-        except TypeError:
-            if not all(map(_is_integer, exact)):
+        except (TypeError, AttributeError) as error:
+            # NumPy asks objects for methods of the names of its functions: an AttributeError
+            has_no_value = isinstance(error, NoExactValue | AttributeError)
+            if not _are_all(Real if has_no_value else int | np.integer, exact):
                 raise
             return function(*map(_floats, exact), **options)
 
@@ -58,10 +62,9 @@ def _finite(entries: np.ndarray, name: str) -> np.ndarray:
     return entries
 
 
-def _is_integer(argument: Any) -> bool:
-    parts = (argument.re, argument.du) if isinstance(argument, Dual) else (argument,)
-    entries = [entry for part in parts for entry in np.asarray(part).flat]
-    return all(isinstance(entry, int | np.integer) for entry in entries)
+def _are_all(kind: Any, arguments: list[Any]) -> bool:
+    parts = [part for x in arguments for part in ((x.re, x.du) if isinstance(x, Dual) else (x,))]
+    return all(isinstance(entry, kind) for part in parts for entry in np.asarray(part).flat)
 
 
 def _floats(argument: Any) -> Any:

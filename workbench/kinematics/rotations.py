@@ -5,8 +5,10 @@ vector, a rotation tensor (..., 3, 3).
 """
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from workbench.algebra.dual_tensors import skew
+from workbench.kinematics.tensors import as_vectors
 
 
 def sine_and_versine(angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -14,10 +16,14 @@ def sine_and_versine(angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.sin(angle), 2 * np.sin(angle / 2) ** 2
 
 
-def rotation(angle: np.ndarray, axis: np.ndarray) -> np.ndarray:
-    """R = I + sin α ũ + (1 − cos α) ũ², the first line of Eq. (83)."""
-    sine, versine = sine_and_versine(angle)
-    u = skew(axis)
+def rotation(angle: ArrayLike, axis: ArrayLike) -> np.ndarray:
+    """R = I + sin α ũ + (1 − cos α) ũ², (..., 3, 3), the first line of Eq. (83).
+
+    angle (...) in rad, axis (..., 3), a unit vector; their leading axes broadcast. Raises
+    ValueError for an axis of another shape and for one that is not finite.
+    """
+    sine, versine = sine_and_versine(np.asarray(angle))
+    u = skew(as_vectors(axis, "axis"))
     return np.eye(3) + sine[..., None, None] * u + versine[..., None, None] * (u @ u)
 
 

@@ -192,7 +192,7 @@ def _introduced(head: _Head, body: str, table: SymbolTable) -> tuple[Definition,
     refuse_builtin(own, term.type, head.key)
     declaration = _declaration(head, term.type, weight)
     table = table.with_symbol(declaration, head.formals)
-    if isinstance(term, Zero | Identity):
+    if isinstance(term, Zero | Identity) and not term.printed:
         types = (TENSOR, VECTOR, SCALAR) if isinstance(term, Zero) else (TENSOR, OPERATOR)
         table = replace(table, untyped={**table.untyped, declaration.name: types})
     return Definition(declaration, index, head.formals, term), table

@@ -114,7 +114,7 @@ class Definitions:
         exact = self._exact.get(symbol.declaration.name.at(symbol.index))
         if exact is not None:
             body = _with_arguments(exact.body, exact, symbol)
-            is_bare = isinstance(body, Zero | Identity)
+            is_bare = isinstance(body, Zero | Identity) and not body.printed
             return replace(body, type=symbol.type.with_dual(False)) if is_bare else body
         own = self._of[symbol.declaration.name]
         for definition in own:

@@ -23,7 +23,9 @@ def ground(packages: Iterable[str], rests_on: Iterable[str]) -> str:
 @cache
 def _code_of(package: str) -> str:
     """A digest of the package's sources, the grammar among them, in the order of their names."""
-    root = Path(sys.modules[package].__file__).parent
+    file = sys.modules[package].__file__
+    assert file is not None, f"{package} has no __init__.py"
+    root = Path(file).parent
     digest = sha256()
     for path in sorted((*root.rglob("*.py"), *root.rglob("*.lark"))):
         digest.update(f"{path.relative_to(root)}\n".encode() + path.read_bytes())

@@ -186,8 +186,8 @@ class ClaimTable:
                     printed=printed,
                     reading=reading,
                     corrected=corrections and reader.intended("corrected", corrections[number]),
-                    hypothesis=reader.intended("hypothesis"),
-                    assume=reader.intended_list("assume"),
+                    hypothesis=reader.hypothesis(printed),
+                    assume=reader.conditions(printed),
                     orders=reader.orders,
                 )
             )

@@ -11,6 +11,7 @@ from workbench.language.grammar.lines import Line, whole_line
 from workbench.language.reader import Range, read_formula
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Conjunction, Statement
+from workbench.papers.conclusions import IS_THE_CONCLUSION, is_conclusion
 from workbench.papers.model import Formula, Notation
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.respell.in_models import or_respelled
@@ -63,6 +64,25 @@ class FormulaReader:
     def intended_list(self, key: str) -> tuple[Formula, ...]:
         texts = self.toml.texts((*self.path, key))
         return tuple(self._intended((key, index), whole_line(text)) for index, text in enumerate(texts))
+
+    def conditions(self, printed: Formula) -> tuple[Formula, ...]:
+        """What the table assumes for the printed formula. Raises PaperError where that is its conclusion."""
+        found = self.intended_list("assume")
+        for index, formula in enumerate(found):
+            self._refuse_conclusion(("assume", index), formula, printed)
+        return found
+
+    def hypothesis(self, printed: Formula) -> Formula | None:
+        """What the table supposes that the text does not. Raises PaperError as `conditions` does."""
+        found = self.intended("hypothesis")
+        if found is not None:
+            self._refuse_conclusion(("hypothesis",), found, printed)
+        return found
+
+    def _refuse_conclusion(self, place: KeyPath, formula: Formula, printed: Formula) -> None:
+        said, definitions = printed.statement, self.notation.definitions
+        if said is not None and is_conclusion(formula.statement, said, definitions):
+            raise self.toml.error_at_value((*self.path, *place), f"{place[0]}: {IS_THE_CONCLUSION}")
 
     def _intended(self, place: KeyPath, line: Line) -> Formula:
         try:

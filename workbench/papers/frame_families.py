@@ -50,7 +50,7 @@ class Frames:
         """Q_F; None for the base, whose is I."""
         name = _own("Q", frame)
         if frame in self.given:
-            return self.defined(name, TENSOR, self.given[frame])
+            return self.defined(name, TENSOR, self.given[frame], hidden=True)
         return None if frame == self.base else self.free(name, TENSOR, rotation=True)
 
     def spin(self, frame: str) -> Term:
@@ -60,7 +60,7 @@ class Frames:
             return zero(VECTOR)
         name = _own("w", frame)
         body = apply("vect", apply("mul", derivative(turn, 1), apply("transpose", turn)))
-        return self.defined(name, VECTOR, body)
+        return self.defined(name, VECTOR, body, hidden=True)
 
     def origin(self, frame: str) -> Term:
         if frame == self.base:
@@ -101,12 +101,12 @@ class Frames:
 
     def free(self, name: Name, type_: Type, **flags: bool) -> Term:
         if name not in self.declarations:
-            self.declarations[name] = Declaration(name, type_, **flags)
+            self.declarations[name] = Declaration(name, type_, hidden=True, **flags)
         return symbol(self.declarations[name], ())
 
-    def defined(self, name: Name, type_: Type, body: Term) -> Term:
+    def defined(self, name: Name, type_: Type, body: Term, **flags: bool) -> Term:
         if name not in self.declarations:
-            self.declarations[name] = Declaration(name, type_)
+            self.declarations[name] = Declaration(name, type_, **flags)
             self.definitions.append(Definition(self.declarations[name], (), (), body))
         return symbol(self.declarations[name], ())
 

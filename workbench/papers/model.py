@@ -170,7 +170,7 @@ class Notation:
     """What the formulas of one file are written in. `motion`: symbol → its name on Drake's motions.
     `on_motions`: claim → what is looked at there, where that is not the claim's own formula. `words`:
     functions that a text writes without their backslash. `framed`: symbols that [frames] and [points]
-    define."""
+    define. `since`: for a symbol that a scope declares anew, the file and line where that begins."""
 
     symbols: SymbolTable
     definitions: Definitions
@@ -179,6 +179,7 @@ class Notation:
     on_motions: Mapping[str, OnMotions] = field(default_factory=dict)
     words: frozenset[str] = frozenset()
     framed: frozenset[Name] = frozenset()
+    since: Mapping[Name, tuple[Path, int]] = field(default_factory=dict)
 
     @cached_property
     def hand(self) -> Hand:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeAlias
 
 from workbench.language.circles import USED_ABOVE
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions
 from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
 from workbench.language.typed.names import Name
@@ -38,6 +39,8 @@ CONVENTIONS = {
     "brackets": ("factors",),
 }
 _LOOSE = ("products", "one", "powers", "cross", "brackets")
+#: A definition as a file has it: the file, what is defined, and its body.
+_Entry: TypeAlias = tuple[TomlFile, str, str]
 _DOTS = re.compile(r"^\s*\\d{1,4}ot(?![A-Za-z])")
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
@@ -77,38 +80,55 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     return replace(notation, on_motions=dict(f for file in files for f in formulas(file, notation)))
 
 
-def _in_order(
-    entries: list[tuple[TomlFile, str, str]], table: SymbolTable
-) -> list[tuple[TomlFile, str, str]]:
+def _in_order(entries: list[_Entry], table: SymbolTable) -> list[_Entry]:
     """Each before those that use it, as a scope that defines anew may need it; as they are, where no order is
     such."""
     order = list(entries)
-    for _ in range(2 * len(entries)):
-        if (late := _used_above(order, table)) is None:
+    for _ in range(len(entries) ** 2):
+        if (better := _with_users_behind(order, table)) is None:
             return order
-        order.insert(0, order.pop(late))
+        order = better
     return entries
 
 
-def _used_above(entries: list[tuple[TomlFile, str, str]], table: SymbolTable) -> int | None:
-    for place, (_, key, body) in enumerate(entries):
-        try:
-            _, table = _read(key, body, table)
-        except SpecError as error:
-            if error.message == USED_ABOVE:
-                return place
-        except (ReadError, IllFormedAt):
-            pass
-    return None
+def _with_users_behind(entries: list[_Entry], table: SymbolTable) -> list[_Entry] | None:
+    """The entries, those that use the first one that is used above it moved behind it, and each moved
+    behind what it uses; None if each can be read where it stands."""
+    read: list[tuple[_Entry, Definition]] = []
+    waiting: list[_Entry] = []
+    for place, entry in enumerate(entries):
+        waiting.append(entry)
+        tried: list[_Entry] = []
+        while waiting != tried:
+            tried = list(waiting)
+            for each in tried:
+                try:
+                    definition, table = _read(*each[1:], table)
+                except (ReadError, IllFormedAt, SpecError) as error:
+                    if isinstance(error, SpecError) and error.message == USED_ABOVE:
+                        using = [user for user, known in read if _uses(known, each[1])]
+                        others = [other for other, _ in read if other not in using]
+                        rest = [other for other in waiting if other != each]
+                        return [*others, each, *using, *rest, *entries[place + 1 :]] if using else None
+                    continue
+                read.append((each, definition))
+                waiting.remove(each)
+    order = [*(each for each, _ in read), *waiting]
+    return None if order == entries else order
+
+
+def _uses(definition: Definition, key: str) -> bool:
+    names = {read_key(key, letters)[0] for letters in (INDEX_LETTERS, frozenset())}
+    return any(isinstance(part, Symbol) and part.declaration.name in names for part in definition.body.walk())
 
 
 def _definitions(
-    entries: list[tuple[TomlFile, str, str]], scopes: Sequence[TomlFile], table: SymbolTable
+    entries: list[_Entry], scopes: Sequence[TomlFile], table: SymbolTable
 ) -> tuple[list[Definition], SymbolTable]:
     """The definitions in their order. In a scope, one that needs another behind it comes after that; and one
     from before it that does not fit what the scope declares is no longer in force."""
     found: list[Definition] = []
-    waiting: list[tuple[TomlFile, str, str]] = []
+    waiting: list[_Entry] = []
     refused: list[PaperError] = []
     for file, key, body in entries:
         try:
@@ -128,9 +148,7 @@ def _definitions(
     return found, table
 
 
-def _refuse_circle(
-    entries: Sequence[tuple[TomlFile, str, str]], found: Sequence[Definition], known: Definitions
-) -> None:
+def _refuse_circle(entries: Sequence[_Entry], found: Sequence[Definition], known: Definitions) -> None:
     """Of what frames and points are said to be, which may name what is defined later. Raises PaperError."""
     for definition in found:
         parts = () if definition.index else known.reached(definition.body)
@@ -229,7 +247,7 @@ def _convention(files: Sequence[TomlFile], key: str) -> str | None:
     return found[-1] if found else None
 
 
-def _in_scope(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> Iterator[tuple[TomlFile, str, str]]:
+def _in_scope(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> Iterator[_Entry]:
     """The definitions, those of the last scope in the places of those that they replace."""
     found = {key: (file, key, body) for file, key, body in _entries(files, "definitions")}
     for scope in scopes:
@@ -239,7 +257,7 @@ def _in_scope(files: Sequence[TomlFile], scopes: Sequence[TomlFile]) -> Iterator
     yield from found.values()
 
 
-def _entries(files: Sequence[TomlFile], table: str) -> Iterator[tuple[TomlFile, str, str]]:
+def _entries(files: Sequence[TomlFile], table: str) -> Iterator[_Entry]:
     for file, keys in _keys(files, table):
         for key in keys:
             yield file, key, file.text((table, key))

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from pathlib import Path
 
 from workbench.language.definitions import Definitions, expand
 from workbench.language.grammar.vocabulary import COMMANDS
@@ -88,6 +89,15 @@ def introduces(formula: Formula, notation: Notation) -> set[Name]:
     return {part.declaration.name for part in free} - bound
 
 
+def is_by_definition(said: Statement, definitions: Definitions) -> bool:
+    """Returns whether it is an equation that says no more than the definitions."""
+    try:
+        sides = [expand(side, definitions) for side in sides_of(said)]
+    except IllFormed:
+        return False
+    return isinstance(said, Relation) and said.operator == "=" and sides[0] == sides[1]
+
+
 def says_of_defined(statement: Statement, definitions: Definitions) -> bool:
     """Whether a side is a symbol that is defined, or a slope or rate of one, and the other holds symbols."""
     for each in _equations(statement):
@@ -106,6 +116,25 @@ def assigns(formula: Formula) -> bool:
         return False
     said = _equations(formula.statement)
     return any(isinstance(each.left, Symbol) and each.left in each.right.walk() for each in said)
+
+
+def constrains(statement: Statement, definitions: Definitions) -> bool:
+    """Returns whether it is an equation that says something of its symbols, as x · x = 1 or m x = m y does,
+    where x y = y x says that something holds of all: its sides have no free symbol in common, or one occurs
+    once."""
+    return any(
+        free_in([each.left], definitions).isdisjoint(free_in([each.right], definitions))
+        or _has_single(each, definitions)
+        for each in _equations(statement)
+    )
+
+
+def _has_single(equation: Relation, definitions: Definitions) -> bool:
+    """Whether a free symbol is written once in it and stands behind no other symbol there."""
+    written = [part for part in terms_of(equation) if isinstance(part, Symbol)]
+    behind = free_in((body for each in written for body in _bodies(each, definitions)), definitions)
+    free = free_in(written, definitions) - behind
+    return any([part.declaration for part in written].count(each) == 1 for each in free)
 
 
 def _equations(statement: Statement) -> Iterator[Relation]:
@@ -174,11 +203,28 @@ def _is_carried(said: Statement, there: Notation, here: Notation) -> bool:
     parts = (part for side in sides_of(said) for part in there.definitions.reached(side))
     symbols = {part for part in parts if isinstance(part, Symbol)}
     declared = here.symbols.symbols
-    return all(
+    names = {each.declaration.name for each in symbols}
+    return declared_anew(names, there, here) is None and all(
         declared.get(each.declaration.name, each.declaration) == each.declaration
         and there.definitions.about(each) == here.definitions.about(each)
         for each in symbols
     )
+
+
+def names_in(statement: Statement) -> set[Name]:
+    """Returns the names of the symbols that are written in the statement."""
+    return {part.declaration.name for part in terms_of(statement) if isinstance(part, Symbol)}
+
+
+def declared_anew(names: Iterable[Name], there: Notation, here: Notation) -> Name | None:
+    """Returns one of the names that a scope declares between the places of the two notations."""
+    return next((name for name in names if there.since.get(name) != here.since.get(name)), None)
+
+
+def is_before_scope(names: Iterable[Name], file: Path | None, line: int, notation: Notation) -> bool:
+    """Returns whether a scope declares one of the names anew behind the line."""
+    places = map(notation.since.get, names)
+    return any(place is not None and place[0] == file and line < place[1] for place in places)
 
 
 def _law(claim: Claim, earlier: bool) -> Said:
@@ -220,8 +266,9 @@ def conditioned(statement: Statement, definitions: Definitions) -> set[Declarati
 def _rests(
     statement: Statement, notation: Notation, said: dict[Declaration, list[tuple[Said, Notation]]]
 ) -> tuple[Said, ...]:
-    """What is said of the symbols in the statement, and of those in these definitions; of what is said where
-    its symbols mean something else no more than that it is."""
+    """What is said of the symbols in the statement, and of those in these definitions; of what is said by
+    symbols that mean something else no more than that it is, and nothing of a symbol that a scope declares
+    anew."""
     definitions = notation.definitions
     found: dict[tuple[str, str], Said] = {}
     seen: set[Declaration] = set()
@@ -232,6 +279,8 @@ def _rests(
             continue
         seen.add(declaration)
         for saying, there in said.get(declaration, ()):
+            if there.since.get(declaration.name) != notation.since.get(declaration.name):
+                continue
             if not _is_carried(saying.statement, there, notation):
                 saying = replace(saying, definition=None, statement=None)
             found[saying.place, saying.name] = saying
@@ -248,7 +297,7 @@ def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, De
     framed = frozenset() if notation is None else notation.framed
     for one, other in ((statement.left, statement.right), (statement.right, statement.left)):
         symbol, order = _derived(one)
-        if symbol is None or any(_derived(term) == (symbol, order) for term in other.walk()):
+        if symbol is None or any(_derived(term) == (symbol, order) for term in definitions.reached(other)):
             continue
         if symbol.declaration.name in framed:
             bodies = (each.body for each in definitions if each.declaration.name in framed)
@@ -259,7 +308,7 @@ def _stated(statement: Statement, notation: Notation | None) -> tuple[Symbol, De
         if not (is_defined or symbol.declaration.free):
             is_exact = statement.operator == "=" and not order
             return symbol, _definition(symbol, other) if is_exact else None
-    angle = _only_angle(statement, known)
+    angle = _only_angle(statement, known, definitions)
     return None if angle is None else (angle, None)
 
 
@@ -278,10 +327,13 @@ def _definition(symbol: Symbol, body: Term) -> Definition | None:
     return Definition(declaration, (), (), body)
 
 
-def _only_angle(statement: Statement, known: set[Name]) -> Symbol | None:
-    """An angle that occurs once, and of which the sine or the like says what it is."""
+def _only_angle(statement: Statement, known: set[Name], definitions: Definitions) -> Symbol | None:
+    """An angle that occurs once, and in no definition of what else does, and of which the sine or the like
+    says what it is."""
     terms = list(terms_of(statement))
     symbols = [term for term in terms if isinstance(term, Symbol)]
+    defining = [body for each in dict.fromkeys(symbols) for body in _bodies(each, definitions)]
+    symbols += [part for body in defining for part in definitions.reached(body) if isinstance(part, Symbol)]
     for term in terms:
         if isinstance(term, Apply) and term.head in CIRCULAR and isinstance(term.arguments[0], Symbol):
             (angle,) = term.arguments
@@ -289,6 +341,10 @@ def _only_angle(statement: Statement, known: set[Name]) -> Symbol | None:
             if symbols.count(angle) == 1 and not is_given:
                 return angle
     return None
+
+
+def _bodies(symbol: Symbol, definitions: Definitions) -> list[Term]:
+    return [each.body for each in definitions.about(symbol)]
 
 
 def _derived(term: Term) -> tuple[Symbol | None, object]:

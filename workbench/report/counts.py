@@ -26,7 +26,7 @@ def versions() -> dict[str, str]:
 
 def summary(results: Sequence[ClaimResult]) -> dict[str, int]:
     """How many claims have each verdict."""
-    counts = Counter(result.verdict.outcome for result in results)
+    counts: Counter[str] = Counter(result.verdict.outcome for result in results)
     return {name: counts[name] for name in VERDICTS if counts[name]}
 
 

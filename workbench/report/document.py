@@ -83,7 +83,7 @@ class Entry:
         """The letters of the evidence on the form that is right, or else on what is printed."""
         right = list(self.result.verdicts)[-1]
         about = [item for item in self.evidence if item.of == right] or self.evidence
-        return tuple(sorted({item.sign for item in about} - {None}))
+        return tuple(sorted({item.sign for item in about if item.sign is not None}))
 
 
 @dataclass(frozen=True)
@@ -179,7 +179,7 @@ def document_of(paper: Paper, results: Sequence[ClaimResult]) -> Document:
     cited = {**paper.citation, "doi": paper.doi}
     return Document(
         title=paper.title,
-        citation=tuple((key, cited[key]) for key in CITED_AS if cited.get(key)),
+        citation=tuple((key, text) for key in CITED_AS if (text := cited.get(key))),
         versions=tuple(versions().items()),
         sections=tuple(sections),
         tiles=tuple(_tile(kind, everything) for kind in STATES.values()),
@@ -269,8 +269,8 @@ def _forms(result: ClaimResult) -> list[Form]:
             forms[index] = replace(after, marked=found.marked_after)
     if claim.goal:
         forms.append(Form("What is shown of it", claim.goal.latex))
-    before = result.verdict.read_back or claim.shown
-    return forms + [_proposed(before, proposal) for proposal in result.proposed or ()]
+    printed = result.verdict.read_back or claim.shown
+    return forms + [_proposed(printed, proposal) for proposal in result.proposed or ()]
 
 
 def _proposed(printed: str | None, proposal: Proposed) -> Form:

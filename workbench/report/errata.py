@@ -109,8 +109,11 @@ class Errata:
 
 def errata_of(results: Sequence[ClaimResult], places: Mapping[str, Place], heirs: Heirs) -> Errata:
     """places: of the claims. What the edits of another claim mend is none of its own."""
-    faulty = [result for result in results if result.fault and not result.claim.mend.by]
-    corrections = [_correction(result, places) for result in faulty]
+    corrections = [
+        _correction(result, fault, places)
+        for result in results
+        if (fault := result.fault) and not result.claim.mend.by
+    ]
     groups: dict[str, list[Correction]] = {}
     for each in corrections:
         if each.fault == "error":
@@ -150,7 +153,7 @@ def _row(same: Sequence[Correction]) -> Row:
     return Row(joined(headings), same[0], tuple(same))
 
 
-def _correction(result: ClaimResult, places: Mapping[str, Place]) -> Correction:
+def _correction(result: ClaimResult, fault: str, places: Mapping[str, Place]) -> Correction:
     claim, mend = result.claim, result.claim.mend
     heading, anchor = places[claim.id]
     return Correction(
@@ -158,7 +161,7 @@ def _correction(result: ClaimResult, places: Mapping[str, Place]) -> Correction:
         anchor=anchor,
         heading=heading,
         place=mend.place,
-        fault=result.fault,
+        fault=fault,
         cause=mend.cause,
         changes=tuple(_changes(result)),
         said=tuple(_said(result)),
@@ -167,7 +170,7 @@ def _correction(result: ClaimResult, places: Mapping[str, Place]) -> Correction:
         why=tuple(runs_of(with_headings(claim.note or reason_for_readers(result), places))),
         example=tuple(runs_of(mend.example or "")),
         counterexample=against(result),
-        picture=residuals_svg(result) if result.fault == "error" else None,
+        picture=residuals_svg(result) if fault == "error" else None,
         cost=_cost(result),
     )
 

@@ -13,7 +13,7 @@ from workbench.judge.verdict import Outcome
 from workbench.papers import Paper, PaperError
 from workbench.papers.model import Span
 from workbench.papers.text_claims.text_paper import TextPaper
-from workbench.report.prose import as_tuple
+from workbench.report.counterexamples import sides_as_text, values_as_text
 from workbench.verify.results import HOLDS, ClaimResult
 
 _LEVEL_OF = {
@@ -95,8 +95,8 @@ def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:
     if verdict.hypothesis:
         parts.append(f"holds if {verdict.hypothesis}")
     if counterexample := verdict.counterexample:
-        values = ", ".join(f"{name} = {as_tuple(entries)}" for name, entries in counterexample.values.items())
-        sides = f"{as_tuple(counterexample.left)} ≠ {as_tuple(counterexample.right)}"
+        values = ", ".join(f"{name} = {value}" for name, value in values_as_text(counterexample).items())
+        sides = " ≠ ".join(sides_as_text(counterexample))
         parts.append(f"{values} gives {sides}")
     if not result.passed and result.why_not and verdict.outcome in HOLDS | {result.expected}:
         parts.append(result.why_not)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -45,8 +44,3 @@ def plain_value(value: Any) -> str:
 
 def one_line(latex: str) -> str:
     return " ".join(latex.split())
-
-
-def as_tuple(entries: Sequence[str]) -> str:
-    """A scalar alone, the components of anything else in brackets."""
-    return entries[0] if len(entries) == 1 else "(" + ", ".join(entries) + ")"

@@ -96,7 +96,7 @@ def _html_runs(runs: tuple[Run, ...] | list[Run]) -> Markup:
 _HTML_FILTERS = {"math": _html_math, "runs": _html_runs}
 
 
-def _environment(filters: Mapping[str, Any], html: bool = False, **syntax: str) -> Environment:
+def _environment(filters: Mapping[str, Any], html: bool = False) -> Environment:
     environment = Environment(
         loader=_loader(),
         autoescape=select_autoescape(("html.j2",)) if html else False,
@@ -104,7 +104,6 @@ def _environment(filters: Mapping[str, Any], html: bool = False, **syntax: str) 
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        **syntax,
     )
     environment.filters.update(filters)
     return environment
@@ -112,8 +111,7 @@ def _environment(filters: Mapping[str, Any], html: bool = False, **syntax: str) 
 
 def _tex_environment() -> Environment:
     """TeX is full of braces and per cents: its template uses << >> and <% %>."""
-    return _environment(
-        tex.FILTERS,
+    return _environment(tex.FILTERS).overlay(
         block_start_string="<%",
         block_end_string="%>",
         variable_start_string="<<",

@@ -83,7 +83,8 @@ def escaped(plain: str, indices: bool = True) -> str:
 
 def _unaccented(letter: str) -> str:
     """A letter of mathematics: one with an accent of text becomes its base under a command."""
-    base, *marks = unicodedata.normalize("NFD", letter)
+    decomposed = unicodedata.normalize("NFD", letter)
+    base, marks = decomposed[0], decomposed[1:]
     if letter.startswith("\\") or not marks:
         return letter
     return rf"{_COMBINING[marks[0]]}{{{base}}}" if marks[0] in _COMBINING else letter
@@ -96,7 +97,8 @@ def _character(character: str) -> str:
         return rf"\ensuremath{{{_MATH_CHARACTERS[character]}}}"
     if character.isascii() and character.isprintable():
         return character
-    base, *marks = unicodedata.normalize("NFD", character)
+    decomposed = unicodedata.normalize("NFD", character)
+    base, marks = decomposed[0], decomposed[1:]
     in_text = character < _LAST_ACCENTED and len(marks) == 1 and marks[0] in _ACCENTS_OF_TEXT
     if character in _LATIN or (in_text and base.isascii()):
         return character

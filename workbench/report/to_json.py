@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from workbench.judge.verdict import Verdict
+from workbench.judge.verdict import Counterexample, Verdict
 from workbench.papers.mends import mended, same_formula
 from workbench.papers.model import CITATION_KEYS, Claim, Formula, Paper
 from workbench.repair.propose.proposed import Proposed
@@ -52,7 +52,7 @@ def claim_json(result: ClaimResult) -> dict[str, Any]:
         "hypothesis": result.hypothesis,
         "assume": [formula.latex for formula in (*claim.assume, *claim.given)],
         "orders": str(claim.orders) if claim.orders else None,
-        "counterexample": against.to_dict() if against else None,
+        "counterexample": _values(against) if against else None,
         "evidence": [evidence.to_dict() for evidence in verdict.evidence],
         "motion": asdict(result.on_motions),
         "no_motion": verdict.no_motion or None,
@@ -83,6 +83,11 @@ def _form(formula: Formula | None, verdict: Verdict | None) -> dict[str, Any] | 
         "evidence": [evidence.to_dict() for evidence in verdict.evidence],
         "no_motion": verdict.no_motion or None,
     }
+
+
+def _values(example: Counterexample) -> dict[str, Any]:
+    """The values, whose kinds the symbols of the paper say."""
+    return {name: value for name, value in example.to_dict().items() if name not in ("kinds", "kind")}
 
 
 def _mend(claim: Claim) -> dict[str, Any] | None:

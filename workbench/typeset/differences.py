@@ -78,10 +78,10 @@ def difference(before: str, after: str) -> Difference | None:
         return None
     if _has_pairs(first) and _has_pairs(second):
         first, second = _with_round_brackets(first), _with_round_brackets(second)
-    by_shape = _compare(first, second, lambda atom: _in_any_order(atom.shape))
+    by_shape = _compare(first, second, lambda atom: _in_any_order(_shape_of(atom)))
     if by_shape.changes or by_shape.rewritten:
         return by_shape
-    return _compare(first, second, lambda atom: _in_any_order(atom.identity))
+    return _compare(first, second, lambda atom: _in_any_order(_identity_of(atom)))
 
 
 def in_one_line(parts: Iterable[Mapping[str, str]]) -> str:
@@ -93,6 +93,16 @@ def in_one_line(parts: Iterable[Mapping[str, str]]) -> str:
             if part.get(key):
                 pieces.append(f"{opening}{part[key]}{closing}")
     return " ".join(filter(None, pieces))
+
+
+def _shape_of(atom: Atom) -> str:
+    assert atom.shape is not None, f"{atom.latex} does not count"
+    return atom.shape
+
+
+def _identity_of(atom: Atom) -> str:
+    assert atom.identity is not None, f"{atom.latex} does not count"
+    return atom.identity
 
 
 def _in_any_order(marks: str) -> str:
@@ -178,7 +188,9 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
     keys = [list(map(key, atoms)) for atoms in sides]
     starts = [_units(atoms) for atoms in sides]
     units = [[tuple(k[a:b]) for a, b in pairwise(start)] for k, start in zip(keys, starts, strict=True)]
-    changes, blocks, marked = [], [], (set(), set())
+    changes: list[Change] = []
+    blocks: list[list[int]] = []
+    marked: tuple[set[int], set[int]] = (set(), set())
     for ends in _unequal_blocks(*units):
         spans = [(starts[side][ends[2 * side]], starts[side][ends[2 * side + 1]]) for side in (0, 1)]
         offsets = [span[0] for span in spans for _ in range(2)]
@@ -191,14 +203,17 @@ def _compare(first: list[Atom], second: list[Atom], key: _Key) -> Difference:
             new = [place for block in within for place in range(*block[2 * side : 2 * side + 2])]
             leaves = _leaves_within(sides[side], new)
             marked[side].update(leaves or _leaves_within(sides[side], range(*span)))
-        parts = [sides[side][slice(*spans[side])] for side in (0, 1)]
-        changes.append(Change(_kind(*parts), *map(_fragment, parts), _preceding(second, spans[1][0])))
+        before, after = (sides[side][slice(*spans[side])] for side in (0, 1))
+        following = _preceding(second, spans[1][0])
+        changes.append(Change(_kind(before, after), _fragment(before), _fragment(after), following))
     parts = tuple(_side_by_side(first, second, blocks))
-    leaves = sum(atom.leaf for atom in (*first, *second))
-    if all(keys) and len(marked[0]) + len(marked[1]) > (1 - _RECOGNISABLE) * leaves:
+    count = sum(atom.leaf for atom in (*first, *second))
+    if all(keys) and len(marked[0]) + len(marked[1]) > (1 - _RECOGNISABLE) * count:
         return Difference(rewritten=True, parts=parts)
-    places = (frozenset(atoms[i].place for i in found) for atoms, found in zip(sides, marked, strict=True))
-    return Difference(tuple(changes), *places, parts=parts)
+    in_first, in_second = (
+        frozenset(atoms[i].place for i in found) for atoms, found in zip(sides, marked, strict=True)
+    )
+    return Difference(tuple(changes), in_first, in_second, parts=parts)
 
 
 def _side_by_side(
@@ -216,7 +231,8 @@ def _side_by_side(
 
 
 def _is_same(pair: tuple[Atom, Atom]) -> bool:
-    return _in_any_order(pair[0].identity) == _in_any_order(pair[1].identity)
+    one, other = map(_identity_of, pair)
+    return _in_any_order(one) == _in_any_order(other)
 
 
 def _close(atoms: Sequence[Atom]) -> str:
@@ -309,9 +325,10 @@ def _kind(before: Sequence[Atom], after: Sequence[Atom]) -> str:
     scripts = [[atom.shape for atom in part][1:] for part in (before, after)]
     if before and after and bases[0] == bases[1] and scripts[0] != scripts[1]:
         openers = {atom.latex for atom in either if atom.is_script}
-        return {"^{": "exponent", "_{": "index"}.get(*openers, "part") if len(openers) == 1 else "part"
+        opener = openers.pop() if len(openers) == 1 else ""
+        return {"^{": "exponent", "_{": "index"}.get(opener, "part")
     letters = [
-        [re.sub(_MARK_NAMES, "", atom.shape) for atom in part if not atom.is_accent and opens(atom) >= 0]
+        [re.sub(_MARK_NAMES, "", _shape_of(atom)) for atom in part if not atom.is_accent and opens(atom) >= 0]
         for part in (before, after)
     ]
     if letters[0] == letters[1]:

@@ -22,7 +22,8 @@ from workbench.papers.selection import select_claims
 from workbench.verify.keys import Keys, Memory
 from workbench.verify.meant import Meant
 from workbench.verify.results import FORMS, ClaimResult
-from workbench.verify.under import undisturbed
+from workbench.verify.two_readings import in_both_readings, with_what_stands_beside
+from workbench.verify.under import Under, undisturbed
 from workbench.verify.witnesses import Witnesses
 
 if TYPE_CHECKING:
@@ -63,8 +64,9 @@ class ClaimJudge:
         self.options = {"second_engine": second_engine}
         self.budget = budget or STANDARD
         self._waiting: Sequence[Claim] = ()
-        self._judges: dict[int, Judge] = {}
-        self._meant = Meant(self._judge, self.options)
+        self._judges: dict[tuple[int, int], Judge] = {}
+        self._under = Under(self._judge, self.options)
+        self._meant = Meant(self._under, self.options)
         self._claims = {claim.id: claim for claim in claims}
         self._workers = self._new_workers(1)
         self._memory = memory
@@ -155,15 +157,17 @@ class ClaimJudge:
 
     def _verdict_on(self, name_and_form: tuple[str, str]) -> Verdict:
         name, form = name_and_form
-        claim = self._claims[name]
+        claim = self._keys.parts.of(self._claims[name])
         with in_the_hand_of(claim.notation.hand):
             try:
                 if form == "printed":
                     return self._printed(claim)
                 under = claim.hypothesis if form == "reading" else None
                 return self._verdict(claim, getattr(claim, form), under)
+            except PaperError as error:
+                raise _placed(error, self._claims[name]) from None
             except _DEFECTS as error:
-                if claim.span is None or isinstance(error, PaperError):
+                if claim.span is None:
                     raise
                 return Verdict(Outcome.UNCHECKED, reason=f"a defect of the workbench: {error!r}")
 
@@ -173,6 +177,9 @@ class ClaimJudge:
             return self._seen(verdict, claim, claim.printed, claim.hypothesis)
         if claim.skip is not None:
             return Verdict(Outcome.UNCHECKED, reason=f"left out: {claim.skip}")
+        return in_both_readings(claim, self._in_one_reading(claim), self._in_one_reading)
+
+    def _in_one_reading(self, claim: Claim) -> Verdict:
         if claim.given:  # which may be hard to suppose, and not needed
             free = replace(claim, given=())
             alone = self._verdict(free, claim.printed, claim.hypothesis)
@@ -180,7 +187,8 @@ class ClaimJudge:
                 alone = self._meant.verdict(free, alone)
             if alone.outcome is Outcome.PROVED:
                 return alone
-        verdict = self._meant.verdict(claim, self._verdict(claim, claim.printed, claim.hypothesis))
+        bare = self._verdict(claim, claim.printed, claim.hypothesis)
+        verdict = self._meant.verdict(*with_what_stands_beside(claim, bare, self._under))
         return _as_given(verdict, claim) if claim.given else verdict
 
     @cached_property
@@ -209,7 +217,7 @@ class ClaimJudge:
         except Unsatisfiable as error:
             if claim.span is not None:
                 return Verdict(Outcome.UNCHECKED, reason=str(error))
-            raise PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error}") from None
+            raise PaperError(None, None, None, str(error)) from None
         if verdict.outcome is Outcome.PROVED and not (verdict.scope or "all").startswith("all"):
             verdict = undisturbed(lambda: self._of_theorems.for_every_n(claim, formula, verdict))
         return self._seen(verdict, claim, formula, hypothesis)
@@ -218,15 +226,25 @@ class ClaimJudge:
         return self._witnesses.seen(verdict, claim, form, hypothesis) if self._witnesses else verdict
 
     def _judge(self, notation: Notation) -> Judge:
-        if id(notation) not in self._judges:
+        key = id(notation.definitions), id(notation.motion)  # `JudgedParts` keeps both
+        if key not in self._judges:
             from workbench.judge.kernel.judge import Judge
 
-            self._judges[id(notation)] = Judge(
+            self._judges[key] = Judge(
                 notation.definitions,
                 bound=frozenset(s.declaration.name for s in notation.motion),
                 **self.options,
             )
-        return self._judges[id(notation)]
+        return self._judges[key]
+
+
+def _placed(error: PaperError, claim: Claim) -> PaperError:
+    """The error at the place of the claim, which the judges do not see."""
+    if error.file is not None:
+        return error
+    if error.path:  # another table of the file
+        return PaperError(claim.file, None, None, f"{'.'.join(error.path)}: {claim.id}: {error.message}")
+    return PaperError(claim.file, claim.line or None, None, f"claim {claim.id}: {error.message}")
 
 
 def _as_given(verdict: Verdict, claim: Claim) -> Verdict:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
+from workbench.judge.kernel.closed import is_of_numbers
 from workbench.judge.subject.angles import sum_of_products
 from workbench.judge.verdict import SAME_TERM, Outcome, Verdict
 from workbench.language.definitions import Definitions, expand, only_turns
@@ -16,16 +16,23 @@ from workbench.language.typed.integers import Linear
 from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import Apply, Definition, Implication, Relation, Symbol, Term, sides_of
 from workbench.papers.formulas import read_statement
-from workbench.papers.model import Aside, Claim, Formula, Notation, Said
-from workbench.papers.said import SAYS, assigns, free_in, introduces, says_of_defined, terms_of
+from workbench.papers.model import Aside, Claim, Formula, Said
+from workbench.papers.said import (
+    SAYS,
+    assigns,
+    constrains,
+    free_in,
+    introduces,
+    says_of_defined,
+    stated,
+    terms_of,
+)
 from workbench.papers.text_claims.unsettled import of_an_example
 from workbench.verify.by_laws import by_laws
+from workbench.verify.judged_parts import differentiates_product
 from workbench.verify.laws import has_laws, is_all_given, is_law, says_no_more
 from workbench.verify.rounding import ROUNDED, is_rounded
 from workbench.verify.under import Under, conditional, with_asides
-
-if TYPE_CHECKING:
-    from workbench.judge.kernel.judge import Judge
 
 #: What another kind of a symbol could undo, and what its author would take for a fault of the paper.
 _RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
@@ -38,10 +45,10 @@ _REACH = "how far does d/dt reach? bracket what it differentiates"
 
 
 class Meant:
-    """judge_of: the judge of a notation.   options: those of a judge."""
+    """options: those of a judge."""
 
-    def __init__(self, judge_of: Callable[[Notation], Judge], options: Mapping[str, bool]) -> None:
-        self._under, self._options = Under(judge_of, options), options
+    def __init__(self, under: Under, options: Mapping[str, bool]) -> None:
+        self._under, self._options = under, options
 
     def verdict(self, claim: Claim, verdict: Verdict) -> Verdict:
         """The verdict on what is printed, given that on its formula."""
@@ -58,18 +65,27 @@ class Meant:
         return verdict
 
     def _under_what_holds(self, claim: Claim, proved: Verdict) -> Verdict:
-        """Of a text nothing is proved from what is false of the symbols that its model defines."""
-        said = claim.printed.statement
+        """Of a text nothing is proved from what is false of the symbols that its model defines, or from a
+        given formula that is reported as false."""
+        said, definitions = claim.printed.statement, claim.notation.definitions
         premises = [said.left] if isinstance(said, Implication) else []
         premises += [formula.statement for formula in claim.given]
-        alone = replace(claim, given=(), assume=(), orders=None)
-        for premise in premises:
-            if says_of_defined(premise, claim.notation.definitions):
-                formula = Formula(to_latex(premise), premise)
-                judged = self._under.verdict(replace(alone, printed=formula))
-                if judged.outcome is Outcome.REFUTED:
-                    hypotheses = [*filter(None, [proved.hypothesis]), formula.latex]
-                    return conditional(proved, hypotheses, _CONTRADICTS, judged)
+        bare = {"given": (), "assume": (), "orders": None, "hypothesis": None}
+        alone = replace(claim, **bare, says=None, says_of=None, unsettled=None)
+        for place, premise in enumerate(premises):
+            formula = Formula(to_latex(premise), premise)
+            as_claim = replace(alone, printed=formula, states=stated(premise, claim.notation))
+            is_given = place >= len(premises) - len(claim.given)
+            contradicts = says_of_defined(premise, definitions)
+            if not contradicts and (not is_given or constrains(premise, definitions)):
+                continue
+            judged = self._under.verdict(as_claim)
+            if judged.outcome is Outcome.REFUTED and not contradicts:
+                judged = self.verdict(as_claim, judged)
+            if judged.outcome is Outcome.REFUTED:
+                hypotheses = [*filter(None, [proved.hypothesis]), formula.latex]
+                why = _CONTRADICTS if contradicts else f"{formula.latex} is given, and false by itself"
+                return conditional(proved, hypotheses, why, judged)
         return proved
 
     def _of_refuted(self, claim: Claim, refuted: Verdict) -> Verdict:
@@ -78,7 +94,7 @@ class Meant:
         return self._with_the_text(claim, refuted) if claim.corrected is None else refuted
 
     def _why_open(self, claim: Claim, verdict: Verdict) -> str | None:
-        if claim.states is not None:
+        if claim.states is not None and not self._under.is_impossible(claim):
             return SAYS.format(claim.states)
         if assigns(claim.printed):
             return "an assignment is no equation: left of := is a value after the one on its right"
@@ -94,13 +110,15 @@ class Meant:
         return (
             _of_two_indices(claim)
             or claim.unsettled
-            or _of_pi(claim)
+            or (None if is_of_numbers(verdict) else _of_pi(claim))
             or self._if_special(claim, ())
             or self._of_reach(claim)
         )
 
     def _of_reach(self, claim: Claim) -> str | None:
         """d/dt A P is the rate of the product, unless that is false and that with the rate of A is proved."""
+        if not differentiates_product(claim.printed):
+            return None
         symbols = claim.notation.symbols
         near = replace(claim.notation, symbols=replace(symbols, loose=symbols.loose | {"near"}))
         with suppress(ReadError, IllFormedAt, ValueError):
@@ -150,7 +168,7 @@ class Meant:
         rests = [said for said in unused if not self._under.is_known(said, claim.notation)]
         if rests:
             return self._with_what_is_said(claim, rests, refuted)
-        if claim.says and not _is_said_beside(claim):
+        if claim.says and not (_is_said_beside(claim) or self._under.is_impossible(claim)):
             return _open(claim.says, refuted)
         return self._under_asides(claim, refuted)
 

@@ -31,13 +31,17 @@ def with_proposals(
     kept = {claim.id: keys.of_proposals(claim) for claim in claims} if memory else {}
     proposed = {name: found for name, key in kept.items() if (found := memory.proposals(key)) is not None}
 
-    def keep(found: Repair) -> None:
-        proposed[found.claim.id] = found.proposed()
-        if memory and not found.interrupted:
-            memory.keep_proposals(kept[found.claim.id], proposed[found.claim.id])
-        progress(found)
+    new = {claim.id: claim for claim in claims if claim.id not in proposed}
 
-    repair_claims([claim for claim in claims if claim.id not in proposed], limits, keep)
+    def keep(found: Repair) -> None:
+        name = found.claim.id
+        proposed[name] = found.proposed()
+        if memory and not found.interrupted:
+            memory.keep_proposals(kept[name], proposed[name])
+        progress(replace(found, claim=new[name]))
+
+    asked = [replace(keys.parts.for_proposals(claim), id=name) for name, claim in new.items()]
+    repair_claims(asked, limits, keep)
     return [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]
 
 

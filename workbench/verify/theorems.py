@@ -21,7 +21,7 @@ class TheoremJudge:
 
     def __init__(self, theorems: Mapping[str, Proven], judge_of: Callable[[Notation], Judge]) -> None:
         self._theorems, self._judge_of = theorems, judge_of
-        self._lemmas: dict[int, Lemmas] = {}  # by notation
+        self._lemmas: dict[int, Lemmas] = {}  # by definitions
 
     def verdict(self, claim: Claim) -> Verdict:
         """By the goal's proof; without one, by the judge of formulas alone. What joins the goal to an argued
@@ -44,7 +44,7 @@ class TheoremJudge:
             proven,
             assume=claim.supposed if claim.goal is not None else (),
             bare=bare,
-            lemmas=self._lemmas.setdefault(id(notation), {}),
+            lemmas=self._lemmas.setdefault(id(notation.definitions), {}),
         )
 
     def for_every_n(self, claim: Claim, form: Formula, seen: Verdict) -> Verdict:

@@ -57,11 +57,20 @@ class Under:
         given = tuple(Formula(law.name, law.statement) for law in laws)
         return self.verdict(replace(claim, given=(*claim.given, *given)), (), definitions, by_both)
 
+    def is_impossible(self, claim: Claim) -> bool:
+        """Returns whether no values of its symbols make the claim true, whatever its text says of them."""
+        said = claim.printed.statement
+        try:
+            undisturbed(lambda: self._judge_of(claim.notation).judge(said, (*claim.supposed, said)))
+        except Unsatisfiable:
+            return claim.orders is None
+        return False
+
     def is_known(self, said: Said, notation: Notation) -> bool:
         """Whether it holds of all motions, so that it leaves every symbol as free as it was."""
         if said.statement is None:
             return False
-        key = id(notation), said.place, said.name
+        key = id(notation.definitions), said.place, said.name
         if key not in self._known:
             verdict = Verdict(Outcome.UNCHECKED)
             with suppress(Unsatisfiable):

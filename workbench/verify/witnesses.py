@@ -11,6 +11,7 @@ from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.typed.terms import Relation, Statement
 from workbench.papers.model import Claim, Formula, Notation, OnMotions, PaperError
 from workbench.papers.ties import names_behind
+from workbench.verify.judged_parts import JudgedParts
 from workbench.verify.on_motions import METHOD
 
 if TYPE_CHECKING:
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
 
 #: A statement, what it supposes, and its integers.
 Saying: TypeAlias = "tuple[Statement, tuple[Statement, ...], Ranges | None]"
+
+#: What bound symbols are on motions, and the motions.
+References: TypeAlias = "tuple[tuple[Bindings, ...], tuple[Motion, ...]]"
 
 VETO = "proved, but Drake's motions contradict it: a binding or the workbench is wrong"
 
@@ -41,7 +45,8 @@ class Witnesses:
 
     def __init__(self, memory: Memory | None = None, keys: Keys | None = None) -> None:
         self._memory, self._keys = memory, keys
-        self._of: dict[int, tuple[tuple[Bindings, ...], tuple[Motion, ...]]] = {}
+        self._parts = keys.parts if keys else JudgedParts()
+        self._of: dict[tuple[int, int], References] = {}
 
     def seen(self, verdict: Verdict, claim: Claim, form: Formula, under: Formula | None) -> Verdict:
         """The verdict on a form of the claim, with what the motions say of it among its evidence.
@@ -77,7 +82,7 @@ class Witnesses:
             saying = (form.statement, (), ours.orders)
             found = self._witness(claim, [saying], ours.printed is not None, ours.on)
             if found.evidence is None:
-                raise PaperError(claim.file, None, None, f"motion.claims: {claim.id}: {found.reason}")
+                raise PaperError(None, None, None, str(found.reason), path=("motion", "claims"))
             shown = replace(found.evidence, figures={"formula": form.latex, **found.evidence.figures})
             verdict = replace(verdict, evidence=(*verdict.evidence, shown))
             if found.vetoed != (form is ours.printed):
@@ -107,13 +112,18 @@ class Witnesses:
         if claim.notation.motion:
             self._known(claim)
 
-    def _known(self, claim: Claim) -> tuple[tuple[Bindings, ...], tuple[Motion, ...]]:
+    def _known(self, claim: Claim) -> References:
         notation = claim.notation
-        if id(notation) not in self._of:
-            self._of[id(notation)] = self._checked(notation, claim)
-        return self._of[id(notation)]
+        key = id(notation.motion), id(notation.definitions)
+        if key not in self._of:
+            bound = self._parts.bound(notation)  # which all claims of a paper share
+            shared = id(bound.motion), id(bound.definitions)
+            if shared not in self._of:
+                self._of[shared] = self._checked(bound, claim)
+            self._of[key] = self._of[shared]
+        return self._of[key]
 
-    def _checked(self, notation: Notation, claim: Claim) -> tuple[tuple[Bindings, ...], tuple[Motion, ...]]:
+    def _checked(self, notation: Notation, claim: Claim) -> References:
         from workbench.drake.plants import PlantError
         from workbench.judge.evidence.binding_check import BindingError, require_consistent
         from workbench.judge.evidence.motion_source import bindings_of

@@ -109,19 +109,19 @@ def _cell(emitter: Collector, term: Term) -> Matrix:
 
 
 def _assembled(emitter: Collector, term: Block) -> Matrix:
-    lines = []
+    rows = []
     for line in term.entries:
         cells = [matrix(emitter, cell) for cell in line]
         widths = [cell.type.columns for cell in line]
-        text = cells[-1]
+        row = cells[-1]
         for cell, width in zip(reversed(cells[:-1]), reversed(widths[:-1]), strict=True):
-            entries = tuple(a + b for a, b in zip(cell.entries, text.entries, strict=True))
-            text = Matrix(f"beside {width} {cell.at(ATOM)} {text.at(ATOM)}", APPLICATION, entries)
-        lines.append(text)
-    total = lines[-1]
-    for line in reversed(lines[:-1]):
-        text = f"above {len(line.entries)} {line.at(ATOM)} {total.at(ATOM)}"
-        total = Matrix(text, APPLICATION, line.entries + total.entries)
+            entries = tuple(a + b for a, b in zip(cell.entries, row.entries, strict=True))
+            row = Matrix(f"beside {width} {cell.at(ATOM)} {row.at(ATOM)}", APPLICATION, entries)
+        rows.append(row)
+    total = rows[-1]
+    for row in reversed(rows[:-1]):
+        text = f"above {len(row.entries)} {row.at(ATOM)} {total.at(ATOM)}"
+        total = Matrix(text, APPLICATION, row.entries + total.entries)
     return total
 
 

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from workbench.certificates.emission import nodes
-from workbench.certificates.emission.nodes import ATOM, Node, flag, single
+from workbench.certificates.emission.nodes import ATOM, Node, NotCertified, flag, single
 from workbench.language.definitions import Definitions
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Symbol, Term
+from workbench.language.typed.terms import BigSum, Symbol, Term
 from workbench.language.typed.types import Declaration
 
 #: What Coq, the library and the proofs call otherwise.
@@ -44,6 +44,21 @@ class Origin:
     after: int
     value: Node | None = None
 
+    @property
+    def meaning(self) -> Node:
+        """The value of a symbol that is not free."""
+        assert self.value is not None, f"{self.node.text} is {self.how}"
+        return self.value
+
+
+@dataclass(frozen=True)
+class Summed:
+    """A sum that a statement, or what is known of it, speaks of, or what several have in common; whether the
+    proof needs its derivative."""
+
+    total: BigSum
+    differentiated: bool
+
 
 class Collector:
     """Collects what the terms of one statement need."""
@@ -74,11 +89,11 @@ class Collector:
         self.integers: dict[str, str] = {}  # integer variables of the statement
         self.orders: dict = {}  # derivatives of symbolic order
         self.bounds: dict[str, tuple[Linear, Linear]] = {}  # between which the variables of sums are
-        self.met: list = []  # the sums that were met (`sums.py`)
-        self.cores: list = []  # what they are known to have in common, if that is known
+        self.met: list[Summed] = []  # the sums that were met (`sums.py`)
+        self.cores: Sequence[Summed] = ()  # what they are known to have in common, if that is known
         self.middles: dict[Term, Node] = {}  # the symbols of these
         self.rates: dict[str, str] = {}  # what those of derivatives are by the others, as deep copies
-        self.differentiated: set[Term] = set()  # the sums that stand under a dot
+        self.differentiated: set[BigSum] = set()  # the sums that stand under a dot
         self.composed = False  # whether there are sums, or derivatives of order n of what is no symbol
         self.expands = True  # whether x⁽ⁿ⁾ is said in terms of those of the parts of x
         self.lemmas: list[str] = []  # what the proof shows before
@@ -180,6 +195,13 @@ class Collector:
 
     def put(self, symbol: Symbol, node: Node) -> None:
         self._symbols[symbol] = node
+
+    def symbol_named(self, name: str) -> Symbol:
+        """The symbol that a name of the text stands for."""
+        term = self.read_back[name]
+        if not isinstance(term, Symbol):
+            raise NotCertified(f"{name}, which stands for no symbol")
+        return term
 
     def inside(self, variable: str, body: Term, name: str = "i") -> Collector:
         """An emitter for the body of a step, whose definitions must all be there. name: of the variable."""

@@ -92,12 +92,12 @@ class Emitter(Collector):
             case Derivative():
                 if not term.order.is_number:
                     return sums.of_symbolic_order(self, term)
-                value = self.term(term.body)
+                body = self.term(term.body)
                 if any(h.head == "norm" for h in self.helpers if isinstance(h, Apply)):
                     full = expand(term.body, self.definitions)
                     if any(isinstance(p, Apply) and p.head == "norm" for p in full.walk()):
                         raise NotCertified("the derivative of a norm")
-                return nodes.derivative(value, int(term.order))
+                return nodes.derivative(body, int(term.order))
             case Power():
                 if not term.exponent.is_number:
                     raise NotCertified("a power of symbolic exponent")
@@ -140,7 +140,8 @@ class Emitter(Collector):
         if head in _UNARY:
             return nodes.call(*_UNARY[head], *made)
         if head in _BINARY:
-            return nodes.infix(*_BINARY[head], *made)
+            left, right = made
+            return nodes.infix(*_BINARY[head], left, right)
         match head:
             case "neg":
                 return nodes.neg(made[0])
@@ -156,23 +157,23 @@ class Emitter(Collector):
 
     def symbol(self, symbol: Symbol) -> Node:
         if self.coordinate is not None:
-            return self._in_a_field(symbol)
+            return self._in_a_field(symbol, self.coordinate)
         if symbol not in self._symbols:
             self._symbols[symbol] = self._new(symbol)
         return self._symbols[symbol]
 
-    def _in_a_field(self, symbol: Symbol) -> Node:
+    def _in_a_field(self, symbol: Symbol, coordinate: Node) -> Node:
         """Where ∂/∂ρ is taken, what depends on ρ is written out."""
         if symbol.declaration.coordinate:
-            return self.coordinate
+            return coordinate
         body = self.definitions.lookup(symbol)
         if body is not None and _has_coordinate(body, self.definitions):
             return self.term(body)
-        inside, self.coordinate = self.coordinate, None
+        self.coordinate = None
         try:
             return self.symbol(symbol)
         finally:
-            self.coordinate = inside
+            self.coordinate = coordinate
 
     def _new(self, symbol: Symbol) -> Node:
         kind = KINDS.get(symbol.type.kind)

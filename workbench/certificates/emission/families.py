@@ -98,6 +98,8 @@ def member(emitter: Collector, symbol: Symbol, kind: str, body: Term | None) -> 
         text = f"{emitter.families[symbol.declaration]} {number}"
         node = emitter.slot(symbol.type.dual, kind, text, APPLICATION)
         if not emitter.bounds:
+            if body is None:
+                raise NotCertified("a member of a family that nothing defines")
             value = nodes.embedded(emitter.term(body), symbol.type.dual)
             emitter.stands_for(node, value, emitter.shown(node, value, "indices."))
         return node

@@ -166,8 +166,8 @@ def _over_epsilon(argument: Term) -> Term | None:
         case Apply(head="mul", arguments=(DualUnit(), inner)):
             return inner
         case Apply(head="neg", arguments=(body,)):
-            inner = _over_epsilon(body)
-            return None if inner is None else Apply(inner.type, inner.weight, "neg", (inner,))
+            over = _over_epsilon(body)
+            return None if over is None else Apply(over.type, over.weight, "neg", (over,))
     return None
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import reduce
 
 from workbench.certificates.emission import nodes
 from workbench.certificates.emission.collector import Collector
@@ -75,11 +76,12 @@ def _iterated(acts: Callable[[str], str], count: int, value: str) -> str:
 
 
 def _sum(parts: list[Operator]) -> Operator:
-    total = parts[0]
-    for part in parts[1:]:
-        text = f"{total.at(SUM)} ⊕ {part.at(SUM - 1)}"
-        total = Operator(text, SUM, lambda x, a=total, b=part: f"(Plus {a.acts(x)} {b.acts(x)})")
-    return total
+    return reduce(_plus, parts)
+
+
+def _plus(left: Operator, right: Operator) -> Operator:
+    text = f"{left.at(SUM)} ⊕ {right.at(SUM - 1)}"
+    return Operator(text, SUM, lambda x: f"(Plus {left.acts(x)} {right.acts(x)})")
 
 
 def _defined(emitter: Collector, symbol: Symbol, dual: bool, kind: str) -> Operator:

@@ -7,10 +7,9 @@ or a product is that of its parts. `coq/Orders.v` has the lemmas.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from workbench.certificates.emission import families, nodes
-from workbench.certificates.emission.collector import Collector
+from workbench.certificates.emission.collector import Collector, Summed
 from workbench.certificates.emission.nodes import APPLICATION, ATOM, KINDS, Node, NotCertified, flag, single
 from workbench.judge.theorems.sequents import relations_of
 from workbench.language.typed.construct import apply, big_sum, counting, derivative, zero
@@ -20,15 +19,6 @@ from workbench.language.typed.terms import Apply, BigSum, Derivative, IllFormed,
 
 _ANY = "·"  # stands for the variable of a sum
 _SHIFTS = (0, 1, -1, 2, -2)
-
-
-@dataclass(frozen=True)
-class Summed:
-    """A sum that a statement, or what is known of it, speaks of, or what several have in common; whether the
-    proof needs its derivative."""
-
-    total: BigSum
-    differentiated: bool
 
 
 def differentiated(statement: Statement) -> set[BigSum]:
@@ -62,10 +52,10 @@ def _in_common(total: BigSum, core: BigSum) -> BigSum | None:
     shift = _shift(total, core)
     if shift is None:
         return None
-    lower, upper = total.lower + shift - core.lower, total.upper + shift - core.upper
+    lower, upper = _lower(total) + shift - _lower(core), total.upper + shift - core.upper
     if not (lower.is_number and upper.is_number):
         return None
-    first, last = core.lower + max(lower.constant, 0), core.upper + min(upper.constant, 0)
+    first, last = _lower(core) + max(lower.constant, 0), core.upper + min(upper.constant, 0)
     return big_sum(core.variables, first, last, core.body)
 
 
@@ -82,8 +72,22 @@ def _addend(total: BigSum, index: Linear) -> Term | None:
         return None
 
 
+def _end(total: BigSum, index: Linear) -> Term:
+    """The addend at an end of the range. Raises NotCertified where it is ill-formed."""
+    addend = _addend(total, index)
+    if addend is None:
+        raise NotCertified("a sum with an addend that is ill-formed")
+    return addend
+
+
+def _lower(total: BigSum) -> Linear:
+    """The lower bound; a sum over several indices, which has none, is not certified."""
+    assert total.lower is not None, f"a sum over {', '.join(total.variables)}"
+    return total.lower
+
+
 def count(total: BigSum) -> Linear:
-    return total.upper - total.lower + 1
+    return total.upper - _lower(total) + 1
 
 
 def of_sum(emitter: Collector, total: BigSum) -> Node:
@@ -110,12 +114,12 @@ def _written(emitter: Collector, total: BigSum) -> Node:
     inner = emitter.inside(variable, total.body, variable)
     emitter.forget(name := inner.integers[variable])
     inner.integers = {**emitter.integers, variable: name}
-    inner.bounds = {**emitter.bounds, variable: (total.lower, total.upper)}
+    inner.bounds = {**emitter.bounds, variable: (_lower(total), total.upper)}
     body = inner.term(total.body)
     emitter.positive |= inner.positive
     if inner.statement or inner.binders:
         raise NotCertified("a sum over what has definitions of its own")
-    first, many = (families.numeral(emitter, place) for place in (total.lower, count(total)))
+    first, many = (families.numeral(emitter, place) for place in (_lower(total), count(total)))
     text = f"sum_from {first} {many} (fun {name} => {body.text})"
     return Node(body.dual, body.kind, text, APPLICATION, "?")
 
@@ -127,7 +131,7 @@ def _slot(emitter: Collector, total: BigSum) -> Node:
 
 def _with_ends(emitter: Collector, total: BigSum, core: Summed, shift: int) -> Node:
     middle = _middle(emitter, core)
-    before = int(core.total.lower - total.lower - shift)
+    before = int(_lower(core.total) - _lower(total) - shift)
     after = int(total.upper + shift - core.total.upper)
     node = _slot(emitter, total)
     if node.text == middle.text:
@@ -135,10 +139,10 @@ def _with_ends(emitter: Collector, total: BigSum, core: Summed, shift: int) -> N
     value = middle
     last = core.total.upper - shift
     for place in range(1, after + 1):
-        end = emitter.term(_addend(total, last + place))
+        end = emitter.term(_end(total, last + place))
         value = nodes.plus(value, end)
     for place in reversed(range(before)):
-        end = emitter.term(_addend(total, total.lower + place))
+        end = emitter.term(_end(total, _lower(total) + place))
         value = nodes.plus(end, value)
     script = ["apply first_of; [indices|]."] * before + ["apply last_of; [indices|]."] * after
     fact = emitter.shown(node, value, " ".join([*script, "apply like; indices."]))
@@ -162,10 +166,12 @@ def _middle(emitter: Collector, core: Summed) -> Node:
 
 
 def _rate(total: BigSum) -> BigSum:
-    body, order = total.body, Linear(1)
-    if isinstance(body, Derivative):
-        body, order = body.body, body.order + 1
-    return big_sum(total.variables, total.lower, total.upper, derivative(body, order))
+    match total.body:
+        case Derivative(body=body, order=order):
+            rate = derivative(body, order + 1)
+        case body:
+            rate = derivative(body, Linear(1))
+    return big_sum(total.variables, total.lower, total.upper, rate)
 
 
 def _follows(emitter: Collector, node: Node, rate: BigSum, value: Node) -> None:

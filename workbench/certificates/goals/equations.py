@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ from workbench.certificates.theorem import Theorem, theorem_for_all
 from workbench.certificates.values.trial import can_be_certified
 from workbench.judge.theorems.goals import Atom, Variable
 from workbench.judge.theorems.members import read_members
-from workbench.judge.theorems.proofs import Kernel, Proof
+from workbench.judge.theorems.proofs import Each, Kernel, Proof
 from workbench.judge.theorems.substitution import Substitution
 from workbench.language.definitions import expand
 from workbench.language.typed.construct import symbol
@@ -156,7 +156,8 @@ class Equations(Script):
             given.append(known)
         for name, text in own.premises:
             if text.startswith("turn "):
-                given.append(self._turning(own.read_back[text.split()[-1]].arguments[0], stand, now))
+                (angle,) = own.read_back[text.split()[-1]].children
+                given.append(self._turning(angle, stand, now))
             elif text.startswith("reciprocal "):
                 given.append("(over_is now _ _)")
             elif name.startswith("length"):
@@ -189,10 +190,10 @@ class Equations(Script):
         return f"(turned_now K (at_instant now) _ _ _ {known})" if now else known
 
     def _valued(
-        self, at: Place, variables: Sequence[Variable], members: dict[str, str]
+        self, at: Place, variables: Sequence[Variable], members: Mapping[str, str]
     ) -> tuple[Place, list[Alias]]:
         """Letters that have the values of these members."""
-        terms = read_members(at.scope, variables, members)
+        terms = read_members(at.scope, tuple(variables), members)
         made = []
         for variable, term in terms.items():
             made.append(self._alias(at, variable, term))
@@ -210,9 +211,11 @@ class Equations(Script):
             name = self.fresh("member")
             with self.shown(name, said(self.speaker, Atom(one)), False):
                 if by is None or isinstance(by, Kernel):
-                    self._prove(at, one, self._equations(at, by and by.using))
+                    self._prove(at, one, self._equations(at, None if by is None else by.using))
+                elif isinstance(by, Each) and len(said_) > 1:
+                    self.show(at.of(Atom(one)), by.proofs[place])
                 else:
-                    self.show(at.of(Atom(one)), by.proofs[place] if len(said_) > 1 else by)
+                    self.show(at.of(Atom(one)), by)
             shown.append(name)
         name = self._letter(variable)
         known, holds = [f"{name}_constant"], f"{name}_is"

@@ -30,7 +30,9 @@ class Following(Equations):
     """Writes the proofs of what follows from premises."""
 
     def _follows(self, at: Place, one: Relation, proof: Follows) -> None:
-        lefts, rights, shown, lasts = {}, {}, [], True
+        lefts: dict[Variable, Term] = {}
+        rights: dict[Variable, Term] = {}
+        shown, lasts = [], True
         for letter, use in proof.uses.items():
             at, said_, known, lasting = self._instance(at, use)
             lasts = lasts and lasting
@@ -38,7 +40,7 @@ class Following(Equations):
             variable = Variable(Declaration(read_key(letter)[0], kind))
             lefts[variable], rights[variable] = said_.left, said_.right
             shown.append((variable, said_, known))
-        scope = at.scope.with_variables(lefts)
+        scope = at.scope.with_variables(list(lefts))
         image = read_term(proof.expression, scope.table, at.scope.integers)
         first, last = (Substitution(x, scope.definitions).as_written(image) for x in (lefts, rights))
         dual = one.left.type.dual or one.right.type.dual or first.type.dual or last.type.dual
@@ -71,21 +73,19 @@ class Following(Equations):
             for v, said_, _ in shown:
                 node = self._node(getattr(said_, side), v.declaration.type.dual)
                 self.speaker.call(symbol(variables[v].declaration), node)
-            ends.append(
-                Substitution({v: symbol(w.declaration) for v, w in variables.items()}, scope).as_written(
-                    image
-                )
-            )
+            stands = {v: symbol(w.declaration) for v, w in variables.items()}
+            ends.append(Substitution(stands, scope).as_written(image))
+        first, last = ends
         given = [
             (relation("=", symbol(v.declaration), symbol(there[v].declaration)), known)
             for v, _, known in shown
         ]
         if moving:
-            self._always(at, relation("=", *ends), given, stand)
+            self._always(at, relation("=", first, last), given, stand)
             return
         pairs = [(v, side) for v, said_, _ in shown for side in (said_.left, said_.right)]
         if all(v.declaration.type.dual == side.type.dual and not isinstance(side, Zero) for v, side in pairs):
-            self._by_lemma(at, relation("=", *ends), given, plain=True)
+            self._by_lemma(at, relation("=", first, last), given, plain=True)
             return
         # a real quantity stands for a dual one, or a 0, of which the judge leaves nothing
         values = [{v: getattr(r, side) for v, r, _ in shown} for side in ("left", "right")]
@@ -95,7 +95,7 @@ class Following(Equations):
         )
         one = relation("=", *(Substitution(of, scope).as_written(image) for of in values))
         dual = any(end.type.dual for end in ends)
-        for new, known in zip(self.by_way_of(one, *ends, dual), (before, given, after), strict=True):
+        for new, known in zip(self.by_way_of(one, first, last, dual), (before, given, after), strict=True):
             self._by_lemma(at, new, known, plain=True)
 
     def _instance(self, at: Place, use: Use) -> tuple[Place, Relation, str, bool]:
@@ -120,14 +120,16 @@ class Following(Equations):
                         said_.append(name)
                     lasts = lasts and len(at.aliases) == aliases
                     for variable, name in zip(variables, list(said_), strict=True):
-                        for one in conditions(variable.declaration, name):
-                            if (is_one := self.known_to_be(one)) is None:
+                        for condition in conditions(variable.declaration, name):
+                            if (is_one := self.known_to_be(condition)) is None:
                                 raise NotCertified("an instance that is not known to be in its set")
                             said_.append(is_one)
                     proof = f"({' '.join([proof, *said_])})"
                     goal = Substitution(new, at.scope.definitions).goal(body)
                 case AllFrom(integer, least, body):
                     value = linear(parse(given.pop(integer)).lines[0][0], list(at.scope.integers))
+                    if value is None:
+                        raise NotCertified(f"an instance at {integer} that is no known integer")
                     here = " ltac:(from_here)" if least else ""
                     goal, proof = at_integer(body, integer, value), f"({proof} {self.number(value)}{here})"
                 case Implies(premise, conclusion, always):

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from workbench.certificates.emission.nodes import ATOM, NotCertified
 from workbench.certificates.goals.following import Following
-from workbench.certificates.goals.places import Known, Place, conj, flattened, one_of
+from workbench.certificates.goals.places import Known, Place, conj, flattened, one_of, relation_of
 from workbench.certificates.goals.propositions import ALWAYS, every, said, sides, speak_of_what_is_free
 from workbench.certificates.goals.script import after
 from workbench.certificates.theorem import theorem_for_all
@@ -121,7 +121,7 @@ class Joiner(Following):
                 denied = at.known[place]
                 inner = at.given(Atom(relation("=", left, right)), name := self.fresh("if_so"))
                 self.tell(f"intros {name}. apply {denied.proof}.")
-                one = one_of(denied.goal.statement)
+                one = relation_of(denied.goal)
                 self.show(inner.of(Atom(relation("=", one.left, one.right))), then)
             case Atom(statement), Each(proofs):
                 said_ = list(equations(statement))
@@ -190,7 +190,7 @@ class Joiner(Following):
             self.show(at, proof)
 
     def _kernel(self, at: Place, using: tuple[int, ...] | None) -> None:
-        one, given = one_of(at.goal.statement), self._equations(at, using)
+        one, given = relation_of(at.goal), self._equations(at, using)
         if given and self._holds_anyway(at, one):
             given = []
         self._prove(at, one, given)
@@ -212,9 +212,10 @@ class Joiner(Following):
         left, right = sides(self.speaker, one)
         name = self.fresh("case")
         self.tell(f"destruct (or_not now {left.at(ATOM)} {right.at(ATOM)}) as [{name} | {name}].")
-        for sign, own in (("=", equal_), ("≠", unequal)):
+        either = relation("=", one.left, one.right), relation("≠", one.left, one.right)
+        for case, own in zip(either, (equal_, unequal), strict=True):
             with self.part():
-                self.show(at.given(Atom(relation(sign, one.left, one.right)), name), own)
+                self.show(at.given(Atom(case), name), own)
 
     def _pointwise(self, at: Place, one: Relation, letter: str, then: Proof) -> None:
         variable = Variable(

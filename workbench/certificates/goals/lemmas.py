@@ -80,7 +80,7 @@ def only_now(term: Term) -> bool:
             or (
                 part.head in ("cos", "sin")
                 and part.arguments[0].type.kind == "scalar"
-                and getattr(part.arguments[0], "declaration", None) is not None
+                and isinstance(part.arguments[0], Symbol)
                 and part.arguments[0].declaration.constant
             )
         )
@@ -112,7 +112,7 @@ def without_derivatives(
         if isinstance(term, Symbol):
             body = definitions.lookup(term)
             new = None if body is None else bare(body)
-            return term if new == body else new
+            return term if new is None or new == body else new
         return rebuild(term, [bare(c) for c in term.children]) if term.children else term
 
     return [relation(r.operator, bare(r.left), bare(r.right)) for r in said_], stand

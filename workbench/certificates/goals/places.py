@@ -11,7 +11,7 @@ from workbench.judge.theorems.goals import Atom, Both, Goal, Scope, Variable
 from workbench.judge.theorems.sequents import kind_of
 from workbench.language.definitions import expand
 from workbench.language.typed.construct import apply, identity, number, relation, symbol
-from workbench.language.typed.terms import Relation, Term
+from workbench.language.typed.terms import Relation, Statement, Term
 from workbench.language.typed.types import TENSOR
 
 
@@ -61,8 +61,8 @@ def flattened(goal: Goal, proof: str) -> list[tuple[Relation, str]]:
     """The equations and inequations of a conjunction, each with its proof."""
     match goal:
         case Atom(statement):
-            parts: list = list(relations(statement))
-            return [(one, _projected(proof, i, len(parts))) for i, one in enumerate(parts)]
+            said = list(relations(statement))
+            return [(one, _projected(proof, i, len(said))) for i, one in enumerate(said)]
         case Both(parts):
             return [
                 pair
@@ -88,9 +88,16 @@ def same(variable: Variable) -> str:
     return f"(@same_at now {flag(own.dual)} {KINDS[own.kind]} _)"
 
 
-def one_of(statement) -> Relation:
+def one_of(statement: Statement) -> Relation:
     (one,) = relations(statement)
     return one
+
+
+def relation_of(goal: Goal) -> Relation:
+    """The relation that the goal is. Raises NotCertified for another goal."""
+    if not isinstance(goal, Atom):
+        raise NotCertified(f"{kind_of(goal)} where one relation is expected")
+    return one_of(goal.statement)
 
 
 def has(alias: Alias, term: Term, at: Place) -> bool:

@@ -175,8 +175,8 @@ def _said(speaker: Speaker, goal: Goal) -> tuple[str, int]:
         case Atom(statement):
             return _all_of([(_relation(speaker, r), _TIGHT) for r in relations(statement)])
         case AtLeast(left, right):
-            sides = speaker.term(left), speaker.term(right)
-            return f"at_least now {' '.join(s.at(ATOM) for s in sides)}", _TIGHT
+            greater, smaller = speaker.term(left), speaker.term(right)
+            return f"at_least now {greater.at(ATOM)} {smaller.at(ATOM)}", _TIGHT
         case Both(parts):
             return _all_of([_said(speaker, part) for part in parts])
         case Implies(premise, conclusion, lasting):
@@ -189,16 +189,16 @@ def _said(speaker: Speaker, goal: Goal) -> tuple[str, int]:
             return " <-> ".join(sides), _LOOSE
         case All(variables, body):
             with _bound(speaker, variables) as (binders, supposed):
-                given = "".join(f"{one} -> " for one in supposed)
-                return f"forall {binders}, {given}{_said(speaker, body)[0]}", _LOOSE
+                premises = "".join(f"{one} -> " for one in supposed)
+                return f"forall {binders}, {premises}{_said(speaker, body)[0]}", _LOOSE
         case Exists(variables, body, unique):
             with _bound(speaker, variables) as (binders, supposed):
                 names = [speaker.symbol(symbol(v.declaration)).text for v in variables]
-                parts = [(one, _TIGHT) for one in supposed]
-                parts.append(_said(speaker, body))
+                all_said = [(one, _TIGHT) for one in supposed]
+                all_said.append(_said(speaker, body))
                 if unique:
-                    parts.append((only(speaker, variables, names, body), _LOOSE))
-                return f"exists {binders}, {_all_of(parts)[0]}", _LOOSE
+                    all_said.append((only(speaker, variables, names, body), _LOOSE))
+                return f"exists {binders}, {_all_of(all_said)[0]}", _LOOSE
         case AllFrom(integer, least, body):
             with _closed(speaker):
                 name = speaker.integer(integer, least)
@@ -218,18 +218,19 @@ def speak_of_what_is_free(speaker: Speaker, goal: Goal, scope: Scope, by_familie
     """Symbols of the paper, and what is defined of them, before the goal. by_families: single members, too,
     as members of their families."""
     bound = set(_bound_names(goal))
-    for part in families_in(goal):
+    for member in families_in(goal):
         if by_families:
-            places = (Linear.variable(f"i{place}") for place, _ in enumerate(part.index))
-            part = symbol(part.declaration, tuple(places))
-        if not names_of(part, scope) & bound:
-            prepare(speaker, part)
+            places = (Linear.variable(f"i{place}") for place, _ in enumerate(member.index))
+            member = symbol(member.declaration, tuple(places))
+        if not names_of(member, scope) & bound:
+            prepare(speaker, member)
     terms = _terms(goal)
     while terms:
         for part in terms.pop(0).walk():
             if names_of(part, scope) & bound:
-                body = scope.definitions.lookup(part) if isinstance(part, Symbol) else None
-                terms += [] if body is None or part.declaration.name in bound else [body]
+                if isinstance(part, Symbol) and part.declaration.name not in bound:
+                    body = scope.definitions.lookup(part)
+                    terms += [] if body is None else [body]
             elif free_integers(part):
                 continue
             elif isinstance(part, Symbol) and part.type.kind != "operator":

@@ -32,8 +32,8 @@ def spread(term: Term, definitions: Definitions) -> Term:
         case Apply(head="mul", arguments=(operator, value)) if operator.type.kind == "operator":
             return _acted(operator, spread(value, definitions), definitions)
         case Symbol():
-            body = definitions.lookup(term)
-            return term if body is None else spread(body, definitions)
+            meaning = definitions.lookup(term)
+            return term if meaning is None else spread(meaning, definitions)
     return rebuild(term, [spread(c, definitions) for c in term.children]) if term.children else term
 
 

@@ -94,6 +94,8 @@ class Whole:
 
 def whole(claim: Claim, scope: Scope, proof: Proof) -> Certificate:
     """Raises NotCertified with the first obstacle."""
+    if claim.goal is None:
+        raise NotCertified("a claim without a goal")
     if claim.supposed:
         raise NotCertified("a goal under suppositions of its claim")
     name = "claim_" + re.sub(r"\W+", "_", claim.id).strip("_")
@@ -105,12 +107,13 @@ def of_one_instant(form: Form) -> Certificate:
     """A form that supposes what some free symbols are at one instant, and holds there. They may have any
     values, which is the theorem that the premises can be met."""
     claim, notation = form.claim, form.claim.notation
-    scope, theorems, chosen = Scope(notation.symbols, notation.definitions, {}), [], {}
+    scope, theorems = Scope(notation.symbols, notation.definitions, {}), []
+    chosen: dict[Relation, Whole] = {}
     for values in claim.instances:
         name = form.identifier + "".join(f"_{n}{value}" for n, value in values.items())
         supposed = [one for s in claim.supposed for one in relations(instantiate(s, values))]
         chosen |= {one: _chosen(one, scope) for one in supposed}
-        goal = Implies(Atom(supposed[0]), Atom(instantiate(form.formula.statement, values)))
+        goal = Implies(Atom(supposed[0]), Atom(instantiate(form.statement, values)))
         theorems.append(replace(joined(name, goal, scope, Kernel()), prefix=f"in_{name}"))
     if len(chosen) > 1:
         raise NotCertified("several premises at one instant")
@@ -120,8 +123,10 @@ def of_one_instant(form: Form) -> Certificate:
 
 def _chosen(one: Relation, scope: Scope) -> Whole:
     """That a free symbol can have this value at any instant."""
-    own = one.left.declaration if isinstance(one.left, Symbol) else None
-    if own is None or own.rotation or own.unit or scope.definitions.lookup(one.left) or one.operator != "=":
+    if not isinstance(one.left, Symbol) or one.operator != "=":
+        raise NotCertified("premises at one instant that do not say what a free symbol is")
+    own = one.left.declaration
+    if own.rotation or own.unit or scope.definitions.lookup(one.left):
         raise NotCertified("premises at one instant that do not say what a free symbol is")
     goal, speaker = Exists((Variable(own),), Atom(one), False), Speaker(scope.definitions)
     proposition, value = said(speaker, goal), speaker.term(one.right).at(ATOM)

@@ -21,7 +21,7 @@ from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.construct import rebuild, symbol
 from workbench.language.typed.instances import count, instantiate
-from workbench.language.typed.integers import Linear
+from workbench.language.typed.integers import Linear, as_linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import (
     Apply,
@@ -81,7 +81,8 @@ class OfText:
         families: Mapping[Declaration, str] | None = None,
         integers: Mapping[str, str] | None = None,
     ) -> None:
-        self.names, self.of_term, self.bound = names, of_term, {}
+        self.names, self.of_term = names, of_term
+        self.bound: Mapping[str, Any] = {}
         self.families = {name: declaration for declaration, name in (families or {}).items()}
         self.integers = {name: Linear.variable(v) for v, name in (integers or {}).items()}
 
@@ -175,15 +176,20 @@ class OfText:
             return self.integers[e.head]
         if e.head.removesuffix("%nat").isdigit():
             return int(e.head.removesuffix("%nat"))
-        match [a.head if i == 0 else self.index(a) for i, a in enumerate(e.arguments)]:
-            case ["S", one]:
+        name = e.arguments[0].head if e.arguments else ""
+        match name, [self.index(a) for a in e.arguments[1:]]:
+            case "S", [one]:
                 return one + 1
-            case ["pred", one]:
+            case "pred", [one]:
                 return one - 1
-            case ["nat_plus", one, two]:
+            case "nat_plus", [int(one), int(two)]:
                 return one + two
-            case ["nat_minus", one, two]:
+            case "nat_plus", [one, two]:
+                return as_linear(one) + two
+            case "nat_minus", [int(one), int(two)]:
                 return one - two
+            case "nat_minus", [one, two]:
+                return as_linear(one) - two
         raise Unread(f"the number {e}")
 
     def _number(self, e: Expression) -> tuple[Any, ...]:
@@ -235,7 +241,9 @@ class OfTerm:
 
     def written_out(self, t: Term) -> Term | None:
         """What a symbol is that depends on such letters."""
-        body = self.definitions.lookup(t) if self.letters and isinstance(t, Symbol) else None
+        if not self.letters or not isinstance(t, Symbol):
+            return None
+        body = self.definitions.lookup(t)
         return body if body is not None and is_written_out(t, self.definitions, self.letters) else None
 
     def __call__(self, t: Term) -> Any:

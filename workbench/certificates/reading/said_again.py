@@ -49,12 +49,19 @@ def line_faults(
     """Of a definition, or of a premise."""
     if line.endswith("->"):
         return premise_faults(line.removesuffix(" ->"), of_text, supposed)
-    name, text = re.fullmatch(r"let (\S+)(?: : [^:=]+)? := (.*) in", line, re.DOTALL).groups()
+    found = re.fullmatch(r"let (\S+)(?: : [^:=]+)? := (.*) in", line, re.DOTALL)
+    if found is None:
+        return [f"{line} is neither a definition nor a premise"]
+    name, text = found.groups()
     if name in emitter.families.values():
         return _family_faults(emitter, name, text, of_text)
-    symbol = of_text.names.get(name)
-    body = None if symbol is None else emitter.definitions.lookup(symbol)
-    return [] if symbol is None else differs(name, text, of_text, of_text.of_term(body))
+    defined = of_text.names.get(name)
+    if defined is None:
+        return []
+    body = emitter.definitions.lookup(defined) if isinstance(defined, Symbol) else None
+    if body is None:
+        return [f"{name} is defined, and nothing defines its term"]
+    return differs(name, text, of_text, of_text.of_term(body))
 
 
 def _family_faults(emitter: Emitter, name: str, text: str, of_text: OfText) -> list[str]:
@@ -68,9 +75,9 @@ def _family_faults(emitter: Emitter, name: str, text: str, of_text: OfText) -> l
     wanted = of_term(instantiate(step.body, dict.fromkeys(step.index[0].variables, first_index)))
     inner = OfText(of_text.names, of_term, emitter.families, emitter.integers)
     if found is None:
-        variable, body = read_back.expression(text).arguments
-        inner.integers = {**inner.integers, str(variable): index}
-        return differs(name, str(body), inner, wanted)
+        argument, image = read_back.expression(text).arguments
+        inner.integers = {**inner.integers, str(argument): index}
+        return differs(name, str(image), inner, wanted)
     first, base, variable, member, type_, body = found.groups()
     inner.integers = {**inner.integers, variable: index}
     inner.bound = {member: ("symbol", make_symbol(declaration, (index,)))}

@@ -10,13 +10,12 @@ import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any
 
 from workbench.certificates.emission import nodes
 from workbench.certificates.emission.collector import Collector, Origin
 from workbench.certificates.emission.nodes import ATOM, Node, NotCertified, flag, rational
 from workbench.certificates.values import trigonometric
-from workbench.certificates.values.trigonometric import flat, value
+from workbench.certificates.values.trigonometric import Values, flat, value
 
 #: The symbols that stand before those of a statement.
 BASE = ((False, "Scalar", "cosine"), (False, "Scalar", "sine"), (False, "Scalar", "time"))
@@ -109,9 +108,9 @@ class Quotient:
 class Instance:
     """What each variable of a statement is on the motion: its text and its deep copy; and all values."""
 
-    variables: Mapping[Origin, tuple[str, str]]
-    values: Mapping[tuple[str, str, str], Any]
-    quotients: Mapping[Origin, Quotient] = field(default_factory=dict)
+    variables: dict[Origin, tuple[str, str]]
+    values: Values
+    quotients: dict[Origin, Quotient] = field(default_factory=dict)
 
     def agree(self, left: str, right: str) -> bool:
         return flat(value(left, self.values)) == flat(value(right, self.values))
@@ -150,7 +149,7 @@ def on_polynomials(emitter: Collector, given: Mapping[str, list[list[Fraction]]]
     values, variables = _base(), {}
     for origin in latest(emitter):
         if origin.how == "is":
-            meaning = origin.value.deep
+            meaning = origin.meaning.deep
         else:
             meaning = _assembled(origin.node, [_polynomial(c) for c in given[origin.node.text]])
             variables[origin] = (f"made {meaning}", meaning)
@@ -182,13 +181,13 @@ def _assembled(node: Node, entries: list[str]) -> str:
     return f"(Plus (Plus {rows[0]} {rows[1]}) {rows[2]})"
 
 
-def _base() -> dict[tuple[str, str, str], Any]:
+def _base() -> Values:
     waves = (trigonometric.COSINE, trigonometric.SINE, trigonometric.TIME)
     return {("false", "Scalar", str(i)): wave for i, wave in enumerate(waves)}
 
 
 def _attempt(emitter: Collector, chance: random.Random, attempt: int) -> Instance | None:
-    angles = {origin.value.deep for origin in emitter.origins if origin.how == "cos"}
+    angles = {origin.meaning.deep for origin in emitter.origins if origin.how == "cos"}
     made = Instance({}, _base(), {})
     for origin in latest(emitter):
         said = (f"made {_T}", _T) if origin.node.deep in angles else _meaning(origin, made, chance, attempt)
@@ -220,14 +219,16 @@ def _over(origin: Origin, below: Node, made: Instance) -> Node | None:
 def _meaning(origin: Origin, made: Instance, chance: random.Random, attempt: int) -> tuple[str, str] | None:
     match origin.how:
         case "is":
-            return origin.value.text, origin.value.deep
+            return origin.meaning.text, origin.meaning.deep
         case "over":
-            over = _over(origin, origin.value, made)
-            return over and (over.text, over.deep)
+            over = _over(origin, origin.meaning, made)
+            return None if over is None else (over.text, over.deep)
         case "inverse":
-            of = origin.value
+            of = origin.meaning
             over = _over(origin, nodes.call("det", "Det", "Scalar", of), made)
-            return over and (f"{over.text} • adj {of.at(ATOM)}", f"(Scale {over.deep} (Adj {of.deep}))")
+            if over is None:
+                return None
+            return f"{over.text} • adj {of.at(ATOM)}", f"(Scale {over.deep} (Adj {of.deep}))"
         case "cos":
             return "cosine", _C
         case "sin":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from random import Random
 from typing import Protocol
@@ -28,8 +28,11 @@ from workbench.certificates.values.trigonometric import (
 class Theorem(Protocol):
     """emitter: what its statement speaks of.   goals: pairs of sides, as deep copies."""
 
-    emitter: Collector
-    goals: list[list[tuple[str, str]]]
+    @property
+    def emitter(self) -> Collector: ...
+
+    @property
+    def goals(self) -> list[list[tuple[str, str]]]: ...
 
 
 def can_be_certified(made: Theorem) -> bool:
@@ -43,7 +46,7 @@ def holds_whatever_they_are(made: Theorem) -> bool:
     if emitter.steps or emitter.circles or emitter.helpers:  # what a premise alone says of a symbol
         return False
     pairs = [pair for goals in made.goals for pair in goals]
-    known = {place(origin.node): origin.value.deep for origin in emitter.origins if origin.how == "is"}
+    known = {place(origin.node): origin.meaning.deep for origin in emitter.origins if origin.how == "is"}
     said = {place(origin.node): origin.how for origin in emitter.origins if origin.how != "is"}
     sides = [side for pair in pairs for side in pair] + list(known.values())
     degree = 1 + len(known) + max(order(parsed(side), {}) for side in sides)
@@ -62,10 +65,11 @@ def _member(dual: bool, kind: str, said: str, degree: int, chance: Random) -> ob
     if "rotation" not in said and "unit" not in said:
         return _any(dual, kind, degree, chance)
     rows = [[wave(Fraction(x, 25)) for x in row] for row in ((15, -16, 12), (20, 12, -9), (0, 15, 20))]
+    member: Sequence[Sequence[Wave | Pair]] = rows
     if dual:
-        moved = product(skew(_any(False, "Vector", 0, chance)), rows)
-        rows = [[Pair(x, y) for x, y in zip(*both, strict=True)] for both in zip(rows, moved, strict=True)]
-    return rows if "rotation" in said else [row[0] for row in rows]
+        moved = product(skew(_vector(False, 0, chance)), rows)
+        member = [[Pair(x, y) for x, y in zip(*both, strict=True)] for both in zip(rows, moved, strict=True)]
+    return member if "rotation" in said else [row[0] for row in member]
 
 
 def _places(deep: str) -> list[tuple[str, str, str]]:
@@ -84,15 +88,20 @@ def _agree(left: str, right: str, values: Values) -> bool:
 
 
 def _any(dual: bool, kind: str, degree: int, chance: Random) -> object:
-    def scalar() -> Wave:
-        return Wave({(0, 0, power): chance.randint(1, 10**9) for power in range(degree + 1)})
-
-    def entry() -> Wave | Pair:
-        return Pair(scalar(), scalar()) if dual else scalar()
-
     match kind:
         case "Scalar":
-            return entry()
+            return _scalar(dual, degree, chance)
         case "Vector":
-            return [entry() for _ in range(3)]
-    return [[entry() for _ in range(3)] for _ in range(3)]
+            return _vector(dual, degree, chance)
+    return [_vector(dual, degree, chance) for _ in range(3)]
+
+
+def _vector(dual: bool, degree: int, chance: Random) -> list[Wave | Pair]:
+    return [_scalar(dual, degree, chance) for _ in range(3)]
+
+
+def _scalar(dual: bool, degree: int, chance: Random) -> Wave | Pair:
+    def part() -> Wave:
+        return Wave({(0, 0, power): Fraction(chance.randint(1, 10**9)) for power in range(degree + 1)})
+
+    return Pair(part(), part()) if dual else part()

@@ -43,7 +43,7 @@ class Wave:
         total = Wave({})
         for (i, j, k), a in self.terms.items():
             if i:
-                total += Wave({(i - 1, 0, k): -a * i}) * Wave({(0, 1, 0): Fraction(1)}) * Wave({(0, j, 0): 1})
+                total += Wave({(i - 1, 0, k): -a * i}) * SINE * Wave({(0, j, 0): Fraction(1)})
             if j:
                 total += Wave({(i + 1, 0, k): a})
             if k:
@@ -87,7 +87,7 @@ def wave(value: Fraction | int) -> Wave:
 COSINE, SINE, TIME = (Wave({place: Fraction(1)}) for place in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
 
 #: What each symbol is, by its flag, kind and number; of vectors and tensors as lists.
-Values = Mapping[tuple[str, str, str], Any]
+Values = dict[tuple[str, str, str], Any]
 
 
 def value(deep: str, values: Values) -> Any:

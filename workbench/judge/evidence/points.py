@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import compress
 from random import Random
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from workbench.language.definitions import number_behind
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, derivative
 from workbench.language.typed.terms import Derivative, Relation, Symbol, Term
+from workbench.language.typed.types import SCALAR, Type
 
 #: Entries to draw from, and how many points to try with them.
 STAGES = (((-1, 0, 1), 240), ((-2, -1, 0, 1, 2), 160), ((-3, -2, -1, 1, 2, 3), 120))
@@ -152,7 +153,7 @@ def counterexample(
 ) -> Counterexample:
     """The point as values of the symbols and their derivatives, with what the two sides are there. An angle
     in `turned` is told by its cosine and sine, another one by its value; that is 0 if both occur."""
-    values: dict[str, tuple[str, ...]] = {}
+    values: dict[str, _Value] = {}
     behind: list[str] = []
     spoken_of = list(_symbols(relation.left, relation.right))
     for primitive, order in inventory.orders.items():
@@ -166,27 +167,48 @@ def counterexample(
             if not k and symbol in turned:
                 if symbol.type.dual:  # its real part is told by cosine and sine alone
                     dual_part = apply("du", symbol)
-                    values[to_latex(dual_part)] = _strings(trial.components(dual_part))
+                    values[to_latex(dual_part)] = _value(trial, dual_part)
                 continue
-            name = to_latex(derivative(symbol, k) if k else symbol)
-            values[name] = _strings(trial.components(derivative(symbol, k) if k else symbol))
-            behind += [] if symbol in spoken_of else [name]
+            term = derivative(symbol, k) if k else symbol
+            values[to_latex(term)] = _value(trial, term)
+            behind += [] if symbol in spoken_of else [to_latex(term)]
     for angle in turned:
-        cosine, sine = trial.engine.circle(angle)
         name = to_latex(angle)
-        values[rf"\cos {name}"], values[rf"\sin {name}"] = (str(cosine),), (str(sine),)
-    sides = (_strings(trial.components(side)) for side in (relation.left, relation.right))
-    return Counterexample(values, *sides, _defined(trial, relation, inventory), tuple(behind))
+        for function, number in zip((r"\cos", r"\sin"), trial.engine.circle(angle), strict=True):
+            values[f"{function} {name}"] = _Value((str(number),), SCALAR)
+    defined = _defined(trial, relation, inventory)
+    return Counterexample(
+        {name: value.entries for name, value in values.items()},
+        *(_value(trial, side).entries for side in (relation.left, relation.right)),
+        {name: value.entries for name, value in defined.items()},
+        tuple(behind),
+        {name: str(value.type) for name, value in (*values.items(), *defined.items())},
+        str(_wider(relation.left.type, relation.right.type)),
+    )
 
 
-def _defined(trial: Trial, relation: Relation, inventory: Inventory) -> dict[str, tuple[str, ...]]:
+class _Value(NamedTuple):
+    entries: tuple[str, ...]
+    type: Type
+
+
+def _value(trial: Trial, term: Term) -> _Value:
+    return _Value(_strings(trial.components(term)), term.type)
+
+
+def _wider(one: Type, other: Type) -> Type:
+    """The type of both sides, dual where one of them is."""
+    return one.with_dual(one.dual or other.dual)
+
+
+def _defined(trial: Trial, relation: Relation, inventory: Inventory) -> dict[str, _Value]:
     """What the defined symbols of the formula are there."""
-    found: dict[str, tuple[str, ...]] = {}
+    found: dict[str, _Value] = {}
     for term in _named(relation.left, relation.right):
         symbol = term.body if isinstance(term, Derivative) else term
         if symbol not in inventory.orders and term.type.kind in ("scalar", "vector", "tensor"):
             with suppress(NotExact, KeyError):  # where the point does not say what the symbol is made of
-                found[to_latex(term)] = _strings(trial.components(term))
+                found[to_latex(term)] = _value(trial, term)
     return found
 
 
@@ -206,10 +228,10 @@ def _symbols(*terms: Term) -> Iterator[Symbol]:
         yield from _symbols(*term.children)
 
 
-def _of_function(trial: Trial, symbol: Symbol, order: int) -> dict[str, tuple[str, ...]]:
+def _of_function(trial: Trial, symbol: Symbol, order: int) -> dict[str, _Value]:
     """A function's value, and those of its partial derivatives that are not 0; of the time its value."""
     name = to_latex(symbol)
-    values = {name: _strings(trial.components(symbol))}
+    values = {name: _value(trial, symbol)}
     size = symbol.type.rows * symbol.type.columns
     arguments = [
         (to_latex(a), f"{to_latex(a)}_{{{i + 1}}}")[a.type.rows > 1]
@@ -224,7 +246,7 @@ def _of_function(trial: Trial, symbol: Symbol, order: int) -> dict[str, tuple[st
             if any(slopes):
                 above = "\\partial" if degree == 1 else f"\\partial^{{{degree}}}"
                 below = " ".join(f"\\partial {arguments[place]}" for place in places)
-                values[f"\\frac{{{above} {name}}}{{{below}}}"] = _strings(slopes)
+                values[f"\\frac{{{above} {name}}}{{{below}}}"] = _Value(_strings(slopes), symbol.type)
     return values
 
 

@@ -47,6 +47,7 @@ from workbench.judge.first.operators import (
 from workbench.judge.first.quaternions import conjugate, hamilton
 from workbench.judge.first.turns import Turns
 from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
+from workbench.judge.subject.inverses import inverted, negated
 from workbench.judge.subject.parameters import Parameter, parameters
 from workbench.judge.subject.signs import is_seen_nonnegative
 from workbench.judge.subject.slopes import seeds
@@ -243,6 +244,8 @@ class ExactEngine:
         return scaled(self._algebra.reciprocal(denominator[0][0]), numerator)
 
     def _inverse(self, term: Apply) -> Matrix:
+        if (known := inverted(term.arguments[0], self._definitions, negated)) is not None:
+            return self.value(known)
         value = self.value(term.arguments[0])
         if term.type.kind == "quaternion":
             square = product(transpose(value), value)

@@ -72,7 +72,8 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
         return _unchecked(f"holds up to the branch: where {branch}")
     value = _ELSEWHERE * arc.factor
     name = to_latex(angle)
-    witness = Counterexample({name: (str(value),)}, (str(value),), (f"an angle with {branch}",))
+    kinds = {"kinds": {name: str(angle.type)}, "kind": str(angle.type)}
+    witness = Counterexample({name: (str(value),)}, (str(value),), (f"an angle with {branch}",), **kinds)
     return replace(
         verdict,
         outcome=Outcome.CONDITIONAL,

@@ -10,6 +10,7 @@ from fractions import Fraction
 from workbench.judge.kernel.beyond import OrderRanges
 from workbench.judge.kernel.branches import holds_arc, judge_branch
 from workbench.judge.kernel.case import Case, Setting
+from workbench.judge.kernel.closed import judge_closed
 from workbench.judge.kernel.equation import IN_FORCE, Equation
 from workbench.judge.kernel.extrema import judge_extremum
 from workbench.judge.kernel.families import WORST_FIRST, judge_family
@@ -66,6 +67,9 @@ class Judge(Setting):
         """
         judge = replace(self, laws=False) if orders else self
         judged = judge_family(judge, statement, tuple(assume), hypothesis, orders)
+        is_idle = judged.reason == SAME_TERM and isinstance(statement, Relation)
+        if is_idle and statement.left != statement.right:
+            judged = judge_closed(statement, tuple(assume), self.definitions) or judged
         return replace(judged, read_back=to_latex(statement))
 
     def judge_instance(
@@ -125,9 +129,16 @@ class Judge(Setting):
 
     def _judge(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
         try:
-            return self._judge_form(statement, assume)
+            verdict = self._judge_form(statement, assume)
         except ZeroDivisionError:
             return Verdict(Outcome.UNCHECKED, reason="a denominator is identically zero")
+        except NotExact:
+            if (closed := judge_closed(statement, assume, self.definitions)) is None:
+                raise
+            return closed
+        if verdict.outcome is Outcome.PROVED or verdict.reason == SAME_TERM:
+            return verdict
+        return judge_closed(statement, assume, self.definitions) or verdict
 
     def _judge_form(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
         match statement:

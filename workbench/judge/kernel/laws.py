@@ -23,6 +23,7 @@ from workbench.judge.subject.inventory import Inventory, Lookup, NotExact
 from workbench.judge.subject.parameters import Parameter, parts
 from workbench.language.definitions import number_behind
 from workbench.language.typed.construct import derivative
+from workbench.language.typed.operators import PARTIALS
 from workbench.language.typed.terms import (
     Apply,
     Block,
@@ -60,23 +61,29 @@ def law_for(relation: Relation, inventory: Inventory, definitions: Lookup) -> Te
         for symbol, order, alone in _occurrences(term, definitions, 0, True):
             kept = found if definitions.lookup(symbol) is None else named
             kept[symbol].append(_Occurrence(side, order, alone))
+    claimed = _claimed(found, sides, definitions)
     rates = {symbol: inventory.orders.get(symbol, 0) for symbol in found}
     if any(_rates_a_definition(symbol, named[symbol], rates, definitions) for symbol in named):
         return None
     for whole, entries in [*((s, (s,)) for s in found), *_composed(named, inventory, definitions)]:
         orders = {inventory.orders.get(symbol, 0) for symbol in entries}
         highest = [o for symbol in entries for o in found[symbol] if o.order in orders]
-        free = [s for s in entries if _may_be_given(s.declaration)]
+        free = [s for s in entries if _may_be_given(s.declaration) and s not in claimed]
         if len(orders) == 1 and all(orders) and len(entries) == len(highest) == len(free):
             (order,), place = orders, highest[0]
             if sum(map(len, found.values())) == len(entries):
                 return None  # ẋ = 0 says that x is constant
-            foreign = any(all(o.side != place.side for o in others) for others in found.values())
+            beyond = {s for s, others in found.items() if all(o.side != place.side for o in others)}
             alone = all(each.alone for each in highest)
             said = max(named.get(whole, highest), key=lambda each: each.order)
             if whole in named and _is_moved_by(entries, whole, definitions):
                 alone = said.alone
-            if (alone or foreign) and _has_solutions(relation, inventory, definitions, entries, order):
+            if whole.declaration.hidden:  # a law for what is written, by symbols of the author
+                whole, said = _written(whole, place.side, named, definitions)
+                beyond, alone = {s for s in beyond if not s.declaration.hidden}, False
+            if whole is None or not (alone or beyond):
+                continue
+            if _has_solutions(relation, inventory, definitions, entries, order):
                 whole = number_behind(whole)
                 return derivative(whole, said.order) if said.order else whole
     return None
@@ -97,8 +104,34 @@ def _rates_a_definition(
     )
 
 
+def _written(
+    hidden: Symbol, side: int, named: Mapping[Symbol, list[_Occurrence]], definitions: Lookup
+) -> tuple[Symbol | None, _Occurrence | None]:
+    """The symbol of the author that stands on the side and is made of a hidden one, and where it is
+    differentiated most often."""
+    for symbol, occurrences in named.items():
+        own = [each for each in occurrences if each.side == side]
+        if own and not symbol.declaration.hidden and hidden in _free_inside(symbol, definitions):
+            return symbol, max(own, key=lambda each: each.order)
+    return None, None
+
+
 def _may_be_given(declared: Declaration) -> bool:
-    return not (declared.constant or declared.of or declared.clock or declared.free)
+    return not (declared.constant or declared.of or declared.clock)
+
+
+def _claimed(symbols: Iterable[Symbol], sides: Iterable[Term], definitions: Lookup) -> frozenset[Symbol]:
+    """The symbols that are declared free and related to others that are, so that the equation is a claim. One
+    by which it differentiates is a coordinate, of which it may be a law."""
+    free = frozenset(each for each in symbols if each.declaration.free and not each.declaration.constant)
+    slopes = (
+        part.arguments[1]
+        for side in sides
+        for part in reached(side, definitions)
+        if isinstance(part, Apply) and part.head in PARTIALS
+    )
+    by = {each.body if isinstance(each, Derivative) else each for each in slopes}
+    return free - by if len(free) > 1 else frozenset()
 
 
 def _composed(
@@ -137,7 +170,8 @@ def _free_inside(term: Term, definitions: Lookup) -> dict[Symbol, None]:
 def _occurrences(
     term: Term, definitions: Lookup, order: int, alone: bool
 ) -> Iterator[tuple[Symbol, int, bool]]:
-    """The symbols in the term, and those in the definitions of these."""
+    """The symbols in the term, and those in the definitions of these. A momentum ∂L/∂q̇ holds q̇ once, however
+    L is written."""
     if isinstance(term, Symbol):
         yield term, order, alone
         if (body := definitions.lookup(term)) is not None:
@@ -147,6 +181,10 @@ def _occurrences(
                 yield from _occurrences(argument, definitions, order, False)
     elif isinstance(term, Derivative):
         yield from _occurrences(term.body, definitions, order + int(term.order), alone)
+    elif (rate := _rate_of_momentum(term)) is not None:
+        inside = _occurrences(term.children[0], definitions, order, False)
+        yield from (each for each in inside if each[0] != rate.body)
+        yield rate.body, order + int(rate.order), alone
     else:
         for place, child in enumerate(term.children):
             others = (*term.children[:place], *term.children[place + 1 :])
@@ -156,6 +194,12 @@ def _occurrences(
                 and all(is_constant(other, definitions) for other in others)
             )
             yield from _occurrences(child, definitions, order, alone and (not order or is_linear))
+
+
+def _rate_of_momentum(term: Term) -> Derivative | None:
+    """The q̇ of ∂L/∂q̇."""
+    by = term.children[1] if isinstance(term, Apply) and term.head in PARTIALS else None
+    return by if isinstance(by, Derivative) and isinstance(by.body, Symbol) else None
 
 
 def is_constant(term: Term, definitions: Lookup) -> bool:

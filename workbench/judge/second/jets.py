@@ -41,6 +41,7 @@ from workbench.judge.second.source import Source
 from workbench.judge.second.tangents import changes, commuted, composed
 from workbench.judge.second.turns import Turns
 from workbench.judge.subject.inventory import Lookup, NotExact
+from workbench.judge.subject.inverses import inverted, turned_back
 from workbench.judge.subject.slopes import Seed, indices, seeds
 from workbench.language.typed.construct import apply
 from workbench.language.typed.terms import (
@@ -238,6 +239,9 @@ class JetEngine:
             case "det":
                 return self._algebra.det(self.value(arguments[0], depth))
             case "inverse":
+                known = inverted(arguments[0], self._definitions, turned_back(self._definitions))
+                if known is not None:
+                    return self.value(known, depth)
                 value = self.value(arguments[0], depth)
                 if term.type.kind == "quaternion":
                     return self._algebra.quaternion_inverse(value)

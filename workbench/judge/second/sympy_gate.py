@@ -37,7 +37,12 @@ __all__ = [
 ]
 
 #: What computes with the numbers that SymPy has settled on.
-HOMES = {"Matrix": "sympy", "eye": "sympy", "symbols": "sympy", "DomainMatrix": "sympy.polys.matrices"}
+HOMES = {
+    **dict.fromkeys(("Matrix", "eye", "symbols", "zeros", "Float", "N", "Rational", "pi", "sqrt"), "sympy"),
+    **dict.fromkeys(("sin", "cos", "exp", "acos", "asin", "atan", "atan2"), "sympy"),
+    **dict.fromkeys(("factorial", "binomial"), "sympy"),
+    "DomainMatrix": "sympy.polys.matrices",
+}
 
 
 class PythonIntegers(PythonIntegerRing):

@@ -46,6 +46,15 @@ COORDINATES: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 }
 """What is added to a joint's name to name its coordinates and its velocities."""
 
+ANGLES = {
+    "cylindrical": ("_angle",),
+    "universal": ("_qx", "_qy"),
+    "planar": ("_qz",),
+    "ball_rpy": ("_qx", "_qz"),
+    "floating_rpy": ("_qx", "_qz"),
+}
+"""The coordinates, beside those of revolute joints, that are angles known modulo 2π."""
+
 X, Y, Z = np.eye(3)
 SHIFTS = tuple(Joint.prismatic(axis) for axis in (X, Y, Z))
 
@@ -59,11 +68,17 @@ class Mimic(NamedTuple):
 
 
 class Limits(NamedTuple):
-    """What a URDF says of a joint of one coordinate: rad or m, and per second. NaN where it says nothing."""
+    """The limits of a joint of one coordinate, in rad or m, per s, s², s³; NaN where there is none.
+
+    velocity, acceleration, jerk bound the size; deceleration bounds |q̈| where q̈ and q̇ have opposite signs.
+    """
 
     lower: float = np.nan
     upper: float = np.nan
     velocity: float = np.nan
+    acceleration: float = np.nan
+    deceleration: float = np.nan
+    jerk: float = np.nan
 
 
 @dataclass(frozen=True, eq=False)

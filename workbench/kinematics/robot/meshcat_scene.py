@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.robot.answers import order_name
+from workbench.kinematics.robot.derivative_names import order_name
 
 if TYPE_CHECKING:
     from workbench.kinematics.robot.states import States

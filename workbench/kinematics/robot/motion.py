@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot import answers, meshcat_scene, plots
-from workbench.kinematics.robot.answers import Limits, Peak
 from workbench.kinematics.robot.dynamics import GRAVITY, torques
+from workbench.kinematics.robot.joint_limits import LimitTables
+from workbench.kinematics.robot.path_peaks import peaks
+from workbench.kinematics.robot.peaks import Peak
 from workbench.kinematics.robot.states import States
 
 if TYPE_CHECKING:
@@ -36,17 +38,20 @@ class Motion(States):
         self,
         body: str | None = None,
         point: ArrayLike = (0, 0, 0),
-        limits: Limits | None = None,
+        limits: LimitTables | None = None,
         relative_to: str | None = None,
     ) -> list[Peak]:
-        """The largest size on the path of every joint derivative, and of those of a point of a body (as
-        another one, `relative_to`, sees it), with its time.
+        """The largest size of every joint derivative on the path, and of those of a point of a body, in rad
+        or m, per s, s², …, with its time in s.
 
-        limits: by joint, or "*" for all, or "point": {"velocity": ..., "acceleration": ..., "jerk": ...,
-        "snap": ..., "lower": ..., "upper": ...}; beside them the robot's own. Between the samples it is
-        searched for.
+        point (3,): p_BoP_B in m; relative_to: the body in which it is measured. limits: by joint, joints that
+        follow others among them, or "*" for all, or "point": {"velocity": ..., "acceleration": ...,
+        "deceleration": ..., "jerk": ..., "snap": ..., "lower": ..., "upper": ...}; they replace the robot's
+        own. The times are those from the motion's first to its last, those between its states with them. A
+        peak has no bound where a lower derivative jumps. Along samples it has a stated error, or is not
+        determined. Raises ValueError for a motion along no path and for bad limits.
         """
-        return answers.peaks(self, body, point, limits, relative_to)
+        return peaks(self, body, point, limits, relative_to)
 
     def table(
         self, body: str | None = None, point: ArrayLike = (0, 0, 0), relative_to: str | None = None
@@ -78,7 +83,7 @@ class Motion(States):
         self,
         body: str | None = None,
         point: ArrayLike = (0, 0, 0),
-        limits: Limits | None = None,
+        limits: LimitTables | None = None,
         relative_to: str | None = None,
     ) -> Figure:
         """A matplotlib figure: each order of the joints' derivatives and of the point's, limits dashed."""

@@ -1,13 +1,14 @@
 """Trajectories in: what a robot can be moved along.
 
 `workbench.drake.joint_paths` has the paths by formula: `JointPath` (coefficients), `SinePath`. Here are those
-by samples (`SplinePath`, from arrays or a CSV file) and by Drake's Trajectory objects (`DrakePath`). Times
+by samples (`RecordedPath`, from arrays or a CSV file) and by Drake's Trajectory objects (`DrakePath`). Times
 in s, coordinates in rad and m; derivatives have the order first, (order + 1, ..., joints).
 """
 
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path as FilePath
@@ -17,28 +18,29 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.drake.joint_paths import JointPath, LinearPath, Path, SinePath
+from workbench.kinematics.robot.derivative_names import order_name
+from workbench.kinematics.robot.recordings import HIGHEST_RECORDED_ORDER, LEAST_SAMPLES, record
 from workbench.kinematics.robot.structure import reals
+from workbench.kinematics.robot.trajectory_breaks import trajectory_breaks
 
 __all__ = [
     "DrakePath",
     "JointPath",
     "LinearPath",
     "Path",
+    "RecordedPath",
     "SinePath",
-    "SplinePath",
     "as_path",
     "read_samples",
 ]
 
-SPLINE_DEGREE = 7  # four continuous derivatives beyond the acceleration's two: snap is smooth
-MOST_COEFFICIENTS = 160
 SCALE_SAMPLES = 257  # at which a path is looked at for the size of its derivatives
 
 
 class SampledPath(Path):
     """A path whose terms are not known: the size of a derivative's terms is its largest value on the path."""
 
-    def magnitudes(self, t, order: int) -> np.ndarray:
+    def magnitudes(self, t: ArrayLike, order: int) -> np.ndarray:
         sizes = self._sizes(order).reshape(order + 1, *[1] * np.ndim(t), self.joints)
         return np.broadcast_to(sizes, (order + 1, *np.shape(t), self.joints))
 
@@ -52,12 +54,13 @@ class SampledPath(Path):
     def _size_of_order(self) -> dict[int, np.ndarray]:
         return {}
 
-    def _inside(self, t) -> np.ndarray:
+    def _inside(self, t: ArrayLike) -> np.ndarray:
         t = np.asarray(t, dtype=float)
-        slack = 1e-9 * max(1.0, abs(self.start), abs(self.end))
+        slack = 1e-9 * (self.end - self.start) + 4e-16 * max(abs(self.start), abs(self.end))
         if not np.all((t >= self.start - slack) & (t <= self.end + slack)):
             raise ValueError(
-                f"times: expected times from {self.start:g} to {self.end:g} s, got {t.min()} to {t.max()}"
+                f"times: expected times from {self.start:.10g} to {self.end:.10g} s, "
+                f"got {t.min()} to {t.max()}"
             )
         return np.clip(t, self.start, self.end)
 
@@ -65,7 +68,8 @@ class SampledPath(Path):
 class DrakePath(SampledPath):
     """A path of a `pydrake.trajectories.Trajectory` whose value is the vector of the robot's positions."""
 
-    def __init__(self, trajectory: Any):
+    def __init__(self, trajectory: Any) -> None:
+        """trajectory: of a vector of positions, with derivatives. Raises ValueError."""
         try:
             columns = trajectory.cols()
         except RuntimeError as error:
@@ -77,7 +81,7 @@ class DrakePath(SampledPath):
         self.trajectory, self.joints = trajectory, trajectory.rows()
         self.start, self.end = trajectory.start_time(), trajectory.end_time()
 
-    def derivatives(self, t, order: int) -> np.ndarray:
+    def derivatives(self, t: ArrayLike, order: int) -> np.ndarray:
         t = self._inside(t)
         trajectory = self.trajectory
         values = [trajectory.vector_values(t.ravel()).T.reshape(*t.shape, self.joints)]
@@ -86,125 +90,111 @@ class DrakePath(SampledPath):
             values.append(np.reshape(rows, (*t.shape, self.joints)))
         return np.stack(values)
 
-    @property
+    @cached_property
     def breaks(self) -> np.ndarray:
-        """Where derivatives may jump."""
-        inner = getattr(self.trajectory, "get_segment_times", lambda: [])()
-        return np.asarray([t for t in inner if self.start < t < self.end], dtype=float)
+        """The times in s at which derivatives may jump, increasing."""
+        return trajectory_breaks(self.trajectory, self.derivatives)
 
 
-class SplinePath(SampledPath):
-    """A smoothing spline of degree 7 through samples, with the error of each of its derivatives.
+class RecordedPath(SampledPath):
+    """A path of samples: derivatives to the snap by local least-squares polynomials, with stated errors.
 
-    Among all functions it weighs the squared misfit against ∫ (q'''')² dt; how much the one counts beside the
-    other is chosen for each coordinate by generalized cross-validation. `residual` (joints,) is the standard
-    deviation of the samples from it, `error` that of each derivative.
+    recordings: one `Recording` a coordinate; noise (joints,): the standard deviation of each coordinate's
+    samples; notes: what was changed in the samples before, one sentence each; breaks: times in s at which a
+    derivative jumps.
     """
 
-    def __init__(self, t: ArrayLike, q: ArrayLike, smoothing: float | None = None):
-        """t (samples,) increasing, in s; q (samples, joints). smoothing: 0 interpolates as far as the knots
-        allow; chosen by cross-validation unless given. Raises ValueError for bad samples."""
-        from scipy.interpolate import BSpline
+    def __init__(
+        self,
+        t: ArrayLike,
+        q: ArrayLike,
+        names: Sequence[str] | None = None,
+        angles: Sequence[int] = (),
+        quaternions: Sequence[int] = (),
+    ) -> None:
+        """t (samples,) increasing, in s; q (samples, joints) in rad or m.
 
+        names: of the coordinates, for the notes. angles: columns of angles that are known modulo 2π, which
+        are unwrapped. quaternions: the first of four columns each, whose sign is made continuous. Raises
+        ValueError for bad samples.
+        """
         t, q = _samples(t, q)
-        if smoothing is not None and not 0 <= smoothing < np.inf:
-            raise ValueError(f"smoothing: expected a finite number >= 0, got {smoothing}")
-        self.start, self.end, self.joints = t[0], t[-1], q.shape[1]
-        coefficients = min(len(t), len(t) // 3 + SPLINE_DEGREE + 1, MOST_COEFFICIENTS)
-        self._unit = (self.end - self.start) / (coefficients - SPLINE_DEGREE)
-        inner = np.quantile(t, np.linspace(0, 1, coefficients - SPLINE_DEGREE + 1))[1:-1]
-        ends = np.repeat([[self.start], [self.end]], SPLINE_DEGREE + 1, axis=1)
-        self._knots = np.concatenate([ends[0], inner, ends[1]])
-        self._basis = BSpline(self._knots, np.eye(coefficients), SPLINE_DEGREE)
-        fits = [_Fit(self._basis(t), self._roughness(), column, smoothing) for column in q.T]
-        self._spline = BSpline(
-            self._knots, np.stack([fit.coefficients for fit in fits], axis=1), SPLINE_DEGREE
-        )
-        self._covariances = [fit.covariance for fit in fits]
-        self.residual = np.array([fit.residual for fit in fits])
-        self.breaks = np.array([])
+        names = [f"coordinate {i}" for i in range(q.shape[1])] if names is None else list(names)
+        notes = [_unwrap(t, q, i, names[i]) for i in angles] + [
+            _align_signs(t, q, i, names[i].removesuffix("_qw")) for i in quaternions
+        ]
+        self.notes = tuple(filter(None, notes))
+        self.start, self.end, self.joints = float(t[0]), float(t[-1]), q.shape[1]
+        self.times, self.names = t, tuple(names)
+        self.recordings = tuple(record(t, np.ascontiguousarray(column)) for column in q.T)
+        self.noise = np.array([recording.noise for recording in self.recordings])
+        self.breaks = np.array(sorted({one.time for r in self.recordings for one in r.breaks}))
 
-    def _roughness(self) -> np.ndarray:
-        """The matrix of ∫ (q'''')² dt, in the unit of the knots' distance, by Gauss's rule (exact)."""
-        nodes, weights = np.polynomial.legendre.leggauss(SPLINE_DEGREE - 3)
-        edges = np.unique(self._knots)
-        half = np.diff(edges)[:, None] / 2
-        at = (edges[:-1, None] + half * (1 + nodes)).ravel()
-        rows = self._basis.derivative(4)(at) * self._unit**4
-        return rows.T @ (rows * (half * weights / self._unit).ravel()[:, None])
+    def derivatives(self, t: ArrayLike, order: int) -> np.ndarray:
+        """q, …, q⁽ᵒʳᵈᵉʳ⁾ at the times t (...) in s, (order + 1, ..., joints). Raises ValueError for a time
+        outside, and for an order beyond 4."""
+        return self._estimates(t, order)[0]
 
-    def derivatives(self, t, order: int) -> np.ndarray:
+    def error(self, t: ArrayLike, order: int) -> np.ndarray:
+        """The stated error of each derivative, (order + 1, ..., joints), infinite where nothing is known."""
+        return self._estimates(t, order)[1]
+
+    def estimate(self, order: int) -> tuple[np.ndarray, np.ndarray]:
+        """(value, error), each (samples, joints), of the derivative of that order at the samples `times`."""
+        pairs = [recording.estimate(order) for recording in self.recordings]
+        values, errors = (np.stack([pair[i] for pair in pairs], axis=-1) for i in (0, 1))
+        return values, errors
+
+    def _estimates(self, t: ArrayLike, order: int) -> tuple[np.ndarray, np.ndarray]:
         t = self._inside(t)
-        return np.stack([self._of(self._spline, k)(t) for k in range(order + 1)])
-
-    @staticmethod
-    def _of(spline, k: int):
-        """Its k-th derivative; one beyond the degree is zero."""
-        return (
-            spline.derivative(k)
-            if k <= SPLINE_DEGREE
-            else lambda t: np.zeros((*t.shape, *spline.c.shape[1:]))
-        )
-
-    def error(self, t, order: int) -> np.ndarray:
-        """The standard error of each derivative, (order + 1, ..., joints): of the noise that the samples
-        have, and of what smoothing takes away (the posterior deviation of the smoothing spline)."""
-        t = self._inside(t)
-        found = []
-        for k in range(order + 1):
-            rows = self._of(self._basis, k)(t)
-            variances = [np.einsum("...i,ij,...j->...", rows, C, rows) for C in self._covariances]
-            found.append(np.sqrt(np.maximum(np.stack(variances, axis=-1), 0)))
-        return np.stack(found)
+        pairs = [recording.between(t, order) for recording in self.recordings]
+        shape = (order + 1, *t.shape, 0)
+        if not pairs:
+            return np.zeros(shape), np.zeros(shape)
+        values, errors = (np.stack([pair[i] for pair in pairs], axis=-1) for i in (0, 1))
+        return values, errors
 
     def taylor(self, t: float, degree: int | None = None) -> JointPath:
-        """The polynomial piece at ``t``, its clock restarted there."""
-        return super().taylor(t, SPLINE_DEGREE if degree is None else min(degree, SPLINE_DEGREE))
+        """The polynomial of the derivatives to the snap at ``t``, its clock restarted there."""
+        highest = HIGHEST_RECORDED_ORDER
+        return super().taylor(t, highest if degree is None else min(degree, highest))
 
 
-class _Fit:
-    """One coordinate's penalized least squares, (BᵀB + λ P) c = Bᵀ q."""
+def _unwrap(t: np.ndarray, q: np.ndarray, column: int, name: str) -> str | None:
+    """Adds multiples of 2π so that no two samples differ by more than π, in place; says how often."""
+    turns = np.round(np.diff(q[:, column]) / (2 * np.pi))
+    if not turns.any():
+        return None
+    q[1:, column] -= 2 * np.pi * np.cumsum(turns)
+    at = np.flatnonzero(turns) + 1
+    return f"joint {name!r}: unwrapped, it jumps by 2 pi at {_counted(t[at])}"
 
-    def __init__(self, B: np.ndarray, P: np.ndarray, q: np.ndarray, smoothing: float | None):
-        from scipy.linalg import eigh
 
-        N = B.T @ B
-        P = P * (np.trace(N) / np.trace(P))
-        data, V = eigh(N, N + P)  # Vᵀ (N + P) V = I, Vᵀ N V = diag(data)
-        data = np.clip(data, 1e-15, 1)
-        projected = V.T @ (B.T @ q)
+def _align_signs(t: np.ndarray, q: np.ndarray, column: int, name: str) -> str | None:
+    """Makes the sign of a quaternion continuous, in place; says how often it was not: q and −q are one
+    rotation."""
+    four = q[:, column : column + 4]
+    changes = (four[1:] * four[:-1]).sum(axis=1) < 0
+    if not changes.any():
+        return None
+    four[1:] *= np.cumprod(np.where(changes, -1.0, 1.0))[:, None]
+    return f"joint {name!r}: the quaternion changes its sign at {_counted(t[np.flatnonzero(changes) + 1])}"
 
-        def misfit(weight: float) -> tuple[float, float]:
-            gain = 1 / (data + weight * (1 - data))
-            residual = q - B @ (V @ (gain * projected))
-            return float(residual @ residual), float((gain * data).sum())
 
-        def score(weight: float) -> float:
-            square, freedom = misfit(weight)
-            left = len(q) - freedom
-            return square * len(q) / left**2 if left > 0.5 else np.inf
-
-        weights = np.logspace(-20, 12, 129)
-        weight = min(weights, key=score) if smoothing is None else float(smoothing)
-        if smoothing is None and not np.isfinite(score(weight)):
-            weight = weights[0]
-        square, freedom = misfit(weight)
-        gain = 1 / (data + weight * (1 - data))
-        variance = square / max(len(q) - freedom, 1.0)
-        self.coefficients = V @ (gain * projected)
-        self.covariance = variance * (V * gain) @ V.T
-        self.residual = float(np.sqrt(variance))
+def _counted(times: np.ndarray) -> str:
+    count = "1 sample" if len(times) == 1 else f"{len(times)} samples"
+    return f"{count}, first at {times[0]:.6g} s"
 
 
 def _samples(t: ArrayLike, q: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    t, q = reals(t, "t"), reals(q, "q")
+    """Copies of the samples, checked."""
+    t, q = np.array(reals(t, "t")), np.array(reals(q, "q"))
     if t.ndim != 1 or q.ndim != 2 or len(q) != len(t):
         raise ValueError(
             f"t and q: expected shapes (samples,) and (samples, joints), got {t.shape} and {q.shape}"
         )
-    least = SPLINE_DEGREE + 3
-    if len(t) < least:
-        raise ValueError(f"t: expected at least {least} samples, got {len(t)}")
+    if len(t) < LEAST_SAMPLES:
+        raise ValueError(f"t: expected at least {LEAST_SAMPLES} samples, got {len(t)}")
     if not (np.diff(t) > 0).all():
         first = int(np.flatnonzero(np.diff(t) <= 0)[0])
         raise ValueError(f"t: expected increasing times, got {t[first]:g} s before {t[first + 1]:g} s")
@@ -212,9 +202,11 @@ def _samples(t: ArrayLike, q: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
 
 
 def read_samples(file: str | FilePath, positions: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
-    """(t, q) of a CSV file: a header `t` and names of coordinates, then a row a time; others stay at 0.
+    """(t, q) of a CSV file, t (samples,) in s, q (samples, positions) in rad or m.
 
-    Without a header the columns are t and then all the positions. Raises ValueError with the line.
+    The file has a header `t` and names of coordinates, then a row a time; coordinates without a column stay
+    at 0. Without a header the columns are t and then all the positions. Columns of derivatives and of a
+    body's point, which `Motion.to_csv` adds, are not read. Raises ValueError with the line.
     """
     try:
         with open(file, newline="", encoding="utf-8-sig") as text:
@@ -235,7 +227,7 @@ def read_samples(file: str | FilePath, positions: Sequence[str]) -> tuple[np.nda
     if names[0] not in ("t", "time"):
         raise ValueError(f"{file}: expected the first column to be t, got {names[0]!r}")
     for name in names[1:]:
-        if name not in positions:
+        if name not in positions and not _is_derived(name):
             raise ValueError(f"{file}: unknown joint {name!r}: expected one of {', '.join(positions)}")
         if names.count(name) > 1:
             raise ValueError(f"{file}: joint {name!r} is there twice: expected one column of each")
@@ -245,8 +237,20 @@ def read_samples(file: str | FilePath, positions: Sequence[str]) -> tuple[np.nda
     table = np.array([[float(x) for x in row] for _, row in rows]).reshape(len(rows), len(names))
     q = np.zeros((len(rows), len(positions)))
     for column, name in zip(table.T[1:], names[1:], strict=True):
-        q[:, list(positions).index(name)] = column
+        if name in positions:
+            q[:, list(positions).index(name)] = column
     return table[:, 0], q
+
+
+def _is_derived(name: str) -> bool:
+    """Whether a column is one that `Motion.table` computes: "jerk NAME", "BODY position x", "BODY jerk
+    size"."""
+    orders = [*map(order_name, range(5))]
+    words = name.split(" ")
+    if words[0] in orders[1:] or re.match(r"derivative \d+ ", name):
+        return True
+    of_point = re.search(r" (position|velocity|acceleration|jerk|snap|derivative \d+) (x|y|z|size)$", name)
+    return of_point is not None
 
 
 def _is_number(text: str) -> bool:
@@ -256,19 +260,29 @@ def _is_number(text: str) -> bool:
         return False
 
 
-def as_path(trajectory: Any, joints: int) -> Path:
-    """A `Path`, a Drake Trajectory, or samples (t, q), as a path of so many coordinates. Raises
-    ValueError."""
+def as_path(
+    trajectory: Any, names: Sequence[str], angles: Sequence[int] = (), quaternions: Sequence[int] = ()
+) -> Path:
+    """A `Path`, a Drake Trajectory, or samples (t, q), as a path of the coordinates of those names.
+
+    angles, quaternions: see `RecordedPath`. Raises ValueError.
+    """
     if isinstance(trajectory, Path):
         path = trajectory
     elif hasattr(trajectory, "EvalDerivative"):
         path = DrakePath(trajectory)
     elif isinstance(trajectory, tuple) and len(trajectory) == 2:
-        path = SplinePath(*trajectory)
+        t, q = trajectory
+        _require_columns(np.shape(q)[-1] if np.ndim(q) == 2 else len(names), names)
+        path = RecordedPath(t, q, names, angles, quaternions)
     else:
         raise ValueError(
             f"trajectory: expected a Path, a Drake Trajectory or (t, q), got {type(trajectory).__name__}"
         )
-    if path.joints != joints:
-        raise ValueError(f"trajectory: expected {joints} coordinates, got {path.joints}")
+    _require_columns(path.joints, names)
     return path
+
+
+def _require_columns(count: int, names: Sequence[str]) -> None:
+    if count != len(names):
+        raise ValueError(f"trajectory: expected {len(names)} coordinates, got {count}")

@@ -146,5 +146,10 @@ def _screw_axis(joint: PlantJoint) -> np.ndarray:
 def _limits(joint: PlantJoint) -> Limits:
     if joint.num_positions() != 1:
         return Limits()
-    bounds = joint.position_lower_limits(), joint.position_upper_limits(), joint.velocity_upper_limits()
+    bounds = (
+        joint.position_lower_limits(),
+        joint.position_upper_limits(),
+        joint.velocity_upper_limits(),
+        joint.acceleration_upper_limits(),
+    )
     return Limits(*(float(b[0]) if np.isfinite(b[0]) else np.nan for b in bounds))

@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.robot.answers import Limits, known_limits, order_name, peaks, point_of
+from workbench.kinematics.robot.derivative_names import order_name
+from workbench.kinematics.robot.joint_limits import LimitTables, known_limits
+from workbench.kinematics.robot.path_peaks import peaks
+from workbench.kinematics.robot.peaks import point_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -17,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def plot(
-    motion: States, body: str | None, point: ArrayLike, limits: Limits | None, relative_to: str | None
+    motion: States, body: str | None, point: ArrayLike, limits: LimitTables | None, relative_to: str | None
 ) -> Figure:
     """See `Motion.plot`."""
     try:
@@ -44,7 +47,8 @@ def plot(
             sizes = np.linalg.norm(point_of(motion, body, point, relative_to).derivative(n), axis=-1)
             axes[n - 1, 1].plot(times, sizes, lw=1.2, color="black")
             peak = next(p for p in found if p.of == "point" and p.order == n)
-            axes[n - 1, 1].plot([peak.time], [peak.value], "o", ms=4, color="black")
+            if np.isfinite(peak.value):
+                axes[n - 1, 1].plot([peak.time], [peak.value], "o", ms=4, color="black")
             _limit_lines(axes[n - 1, 1], (peak.limit,) if peak.limit else (), "tab:red")
             axes[n - 1, 1].set_ylabel(f"|{order_name(n)}| m/{per}")
     if len(robot.velocities) <= 12:

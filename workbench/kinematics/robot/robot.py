@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from workbench.drake.urdf import base_joint_name
 from workbench.kinematics.robot.dynamics import Inertia
 from workbench.kinematics.robot.evaluator import Evaluator, evaluator_of
 from workbench.kinematics.robot.inverse import DampedInverse, Task, damped_inverse, inverse_kinematics
@@ -24,8 +25,8 @@ from workbench.kinematics.robot.paths import Path as JointPath
 from workbench.kinematics.robot.paths import as_path
 from workbench.kinematics.robot.scalars import casadi_function, jax_function, object_motion
 from workbench.kinematics.robot.states import states_on_path
-from workbench.kinematics.robot.structure import Structure, reals, whole
-from workbench.kinematics.robot.urdf import UrdfError, read_urdf
+from workbench.kinematics.robot.structure import MOST_ROWS, Structure, reals, whole
+from workbench.kinematics.robot.urdf import WORLD, UrdfError, read_urdf
 from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER
 
 if TYPE_CHECKING:
@@ -47,7 +48,8 @@ class Robot(Structure):
     def from_urdf(cls, path: str | Path, base: str = "fixed", rotations: str = "quaternion") -> Robot:
         """The robot of a URDF file; its meshes are not needed.
 
-        base: how its root moves in the world: "fixed" or "floating", by a joint `base`. rotations: how this
+        base: how its root moves in the world: "fixed" or "floating", by a joint `base` (`floating_base` where
+        the file has a joint of that name). rotations: how this
         and the file's own floating joints are turned: "quaternion" or "rpy" (roll, pitch, yaw).
         Raises UrdfError, a ValueError, in one line.
         """
@@ -56,9 +58,9 @@ class Robot(Structure):
             raise ValueError(f"base: expected {expected}, got {base!r} and {rotations!r}")
         floating = {"floating": "floating" if rotations == "quaternion" else "floating_rpy"}
         urdf = read_urdf(path)
-        world = "world"
-        root = [TreeJoint("base", floating.get(base, base), world, urdf.root)]
-        if urdf.root == world:  # the file's own name for what does not move
+        name = base_joint_name(joint.name for joint in urdf.joints)
+        root = [TreeJoint(name, floating.get(base, base), WORLD, urdf.root)]
+        if urdf.root == WORLD:  # the file's own name for what does not move
             if base != "fixed":
                 raise ValueError(f"{path}: its root is the world itself, so its base cannot be {base}")
             root = []
@@ -112,10 +114,11 @@ class Robot(Structure):
 
         q_derivatives (N + 1, ..., positions): the coordinates and their time derivatives, the order first; or
         q_derivatives (..., positions) and v_derivatives (N, ..., velocities): the coordinates, and the
-        velocities with their derivatives. Raises ValueError for another shape, or a NaN or infinity.
+        velocities with their derivatives; they are copied. Raises ValueError for another shape, a table of
+        more than 21 rows of one state, or a NaN or infinity.
         """
         if v_derivatives is None:
-            return Motion(self, self.derivatives(q_derivatives))
+            return Motion(self, self.derivatives(q_derivatives, MOST_ROWS))
         return Motion(self, *self.state(q_derivatives, v_derivatives))
 
     def evaluator(self, frame: str, order: int, jacobians: int = 0) -> Evaluator:
@@ -187,7 +190,9 @@ class Robot(Structure):
         """The motion along a trajectory at `times` (...) in s (`samples` of them over all of it unless
         given).
 
-        trajectory: a `Path` of `workbench.kinematics.robot.paths`, or a Drake Trajectory of the positions.
+        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory of the positions, or
+        samples (t, q): t (samples,) increasing, in s, q (samples, positions) in rad or m, whose derivatives
+        are estimated to the order 4 at most. Raises ValueError for a time outside of the trajectory.
         """
         path = self.path(trajectory)
         order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
@@ -195,13 +200,17 @@ class Robot(Structure):
             if not np.isfinite([path.start, path.end]).all():
                 raise ValueError("times: expected finite times in s, for a path without end")
             times = np.linspace(path.start, path.end, whole(samples, "samples", 1))
-        at = reals(times, "times")
+        at = np.array(reals(times, "times"))
         return states_on_path(Motion, self, path, at, order)
 
     def path(self, trajectory: Any) -> JointPath:
-        """The trajectory as a path of this robot's coordinates; ValueError if it has another number of
-        them."""
-        return as_path(trajectory, len(self.positions))
+        """The trajectory as a path of this robot's coordinates, as `along` takes it.
+
+        Of samples, angles without limits are unwrapped and the signs of quaternions made continuous; the
+        path's `notes` say where. Raises ValueError for another number of coordinates and for bad samples.
+        """
+        angles = [i for i, name in enumerate(self.positions) if name in self.unlimited_angles]
+        return as_path(trajectory, self.positions, angles, self._quaternions)
 
     def blocks(
         self, q_derivatives: np.ndarray, v_derivatives: np.ndarray | None = None, size: int = BLOCK

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from workbench.algebra.dual_tensors import transpose
 from workbench.drake.joint_paths import Path
+from workbench.kinematics.robot.common_base import without_common_base
 from workbench.kinematics.robot.frames import FrameMotion, chain_scales
 from workbench.kinematics.robot.leibniz import (
     about_moving_point,
@@ -266,10 +267,14 @@ class RobotFrame(FrameMotion):
 
     def relative_to(self, other: FrameMotion) -> FrameMotion:
         """The motion of this frame B as an observer in the frame A of `other` sees it, expressed in A; with
-        its `jacobian` where `other` is a frame of the same motion."""
-        if isinstance(other, RobotFrame) and other.motion is self.motion:
-            return RelativeFrame(self, other)
-        return super().relative_to(other)
+        its `jacobian` where `other` is a frame of the same motion. How a common base of both moves does not
+        enter then."""
+        if not (isinstance(other, RobotFrame) and other.motion is self.motion):
+            return super().relative_to(other)
+        motion = self.motion
+        q, rates = without_common_base(motion.robot, self.name, other.name, motion.q, motion.rates)
+        alone = States(motion.robot, *motion.robot.state(q, rates))
+        return RelativeFrame(alone.frame(self.name), alone.frame(other.name))
 
     def velocity(self, order: int = 0, *, point: ArrayLike = ORIGIN, expressed: str = "mixed") -> np.ndarray:
         """The k-th derivative, k = order, of (ω; v), (..., 6), as `jacobian` has it: point and expressed."""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter, deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,11 +20,12 @@ from workbench.kinematics.robot.balls import (
     angular_velocity_of_rpy,
     unit_quaternion,
 )
-from workbench.kinematics.robot.joints import Limits, Move, TreeJoint
+from workbench.kinematics.robot.joints import ANGLES, Limits, Move, TreeJoint
 from workbench.kinematics.tree_engine import TreeEngine
 from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Step
 
 DOUBLE = np.dtype(np.float64)
+MOST_ROWS = 21  # of one state's derivatives: more are a table of states by mistake
 
 
 @dataclass(frozen=True)
@@ -159,10 +161,22 @@ class Structure:
         self.engine = TreeEngine(steps, bodies, self._channels, len(self.velocities))
 
     @cached_property
-    def limits(self) -> dict[str, Limits]:
-        """Lower, upper and velocity of each coordinate that has a joint of its own, NaN where the file is
-        silent."""
-        return {joint.name: joint.limits for joint in self.joints if joint.name in self.positions}
+    def limits(self) -> Mapping[str, Limits]:
+        """The limits of each joint of one coordinate, those that follow another joint among them; NaN where
+        there is none."""
+        return MappingProxyType(
+            {joint.name: joint.limits for joint in self.joints if joint.coordinates == (joint.name,)}
+        )
+
+    @cached_property
+    def unlimited_angles(self) -> frozenset[str]:
+        """The coordinates that are angles without limits, known modulo 2π; a pitch is none of them."""
+        names = set()
+        for joint in self.joints:
+            if joint.kind == "revolute" and not np.isfinite([joint.limits.lower, joint.limits.upper]).any():
+                names.add(joint.name)
+            names |= {joint.name + suffix for suffix in ANGLES.get(joint.kind, ())}
+        return frozenset(names.intersection(self.positions))
 
     @property
     def default_positions(self) -> np.ndarray:
@@ -204,8 +218,10 @@ class Structure:
                 f"of its coordinates; {self.name!r} has such joints"
             )
 
-    def derivatives(self, q_derivatives: ArrayLike) -> np.ndarray:
-        """A copy of q_derivatives (N + 1, ..., positions), checked."""
+    def derivatives(
+        self, q_derivatives: ArrayLike, most_rows: int = HIGHEST_DERIVATIVE_ORDER + 1
+    ) -> np.ndarray:
+        """A copy of q_derivatives (N + 1, ..., positions), checked; of one state `most_rows` at most."""
         if type(q_derivatives) is ndarray and q_derivatives.dtype is DOUBLE:
             numbers = q_derivatives.ravel()
             if q_derivatives.shape in self._states and numbers.dot(numbers) < inf:  # a state as before
@@ -217,8 +233,14 @@ class Structure:
                 f"q_derivatives: expected shape (N + 1, ..., {count}) with N >= 1, the order first and the "
                 f"{count} coordinates last, got {q.shape}"
             )
+        if q.ndim == 2 and len(q) > most_rows:
+            raise ValueError(
+                f"q_derivatives: expected at most {most_rows} rows, one an order of one state, "
+                f"got {len(q)}: for a table of states see `along((t, q))`; for one state to a higher "
+                "order give the shape (N + 1, 1, positions)"
+            )
         self.check(q[0], len(q) - 1)
-        if q.ndim == 2 and not self._quaternions:
+        if q.ndim == 2 and len(q) <= MOST_ROWS and not self._quaternions:
             self._states.add(q.shape)
         return q
 

@@ -6,14 +6,15 @@ nothing with Drake's parser, so that the one can be held against the other.
 
 from __future__ import annotations
 
-import re
 import xml.etree.ElementTree as ET
+from collections import Counter
 from dataclasses import dataclass
 from math import pi
 from pathlib import Path
 
 import numpy as np
 
+from workbench.drake.plain_xml import parse_plain
 from workbench.kinematics.robot.balls import rotation_of_rpy
 from workbench.kinematics.robot.joints import Limits, Mimic, TreeJoint
 
@@ -28,7 +29,8 @@ KINDS = {
     "screw": "helical",
     "universal": "universal",
 }
-DRAKE = "{http://drake.mit.edu}"
+DRAKE = "drake:"
+WORLD = "world"
 XACRO = "the file is a xacro that is not expanded: run `xacro FILE > robot.urdf` and take robot.urdf"
 
 
@@ -55,37 +57,72 @@ class Urdf:
 def read_urdf(path: str | Path) -> Urdf:
     """The robot in a URDF file. Raises UrdfError, which says what was expected and where."""
     path = Path(path)
-    if not path.is_file():
-        raise UrdfError(f"no URDF file at {path}")
     try:
-        return parse_urdf(path.read_bytes())
+        if not path.is_file():
+            raise UrdfError(f"no URDF file at {path}")
+        text = path.read_bytes()
+    except (OSError, ValueError) as error:
+        if isinstance(error, UrdfError):
+            raise
+        reason = getattr(error, "strerror", None) or error
+        raise UrdfError(f"{path}: cannot be read: {reason}") from None
+    try:
+        return parse_urdf(text)
     except UrdfError as error:
         raise UrdfError(f"{path}: {error}") from None
 
 
 def parse_urdf(text: bytes | str) -> Urdf:
-    """The robot in the text of a URDF file; errors as `read_urdf`."""
-    text = text.encode() if isinstance(text, str) else text
-    if b"<xacro:" in re.sub(rb"<!--.*?-->", b"", text, flags=re.DOTALL):
-        raise UrdfError(XACRO)
-    if b"<drake:" in text and b"xmlns:drake" not in text:
-        text = text.replace(b"<robot", b'<robot xmlns:drake="http://drake.mit.edu"', 1)
+    """The robot in the text of a URDF file; errors as `read_urdf`.
+
+    Elements that are unknown, with whatever prefix, are not read. `world` is the world even where no link has
+    that name.
+    """
     try:
-        robot = ET.fromstring(text)
-    except ET.ParseError as error:
-        raise UrdfError(f"not XML: {error}") from None
+        robot = parse_plain(text.encode() if isinstance(text, str) else text)
+    except ValueError as error:
+        raise UrdfError(str(error)) from None
     if robot.tag != "robot":
         raise UrdfError(f"expected a URDF, whose outermost tag is <robot>, got <{robot.tag}>")
     links = tuple(_attribute(link, "name", "a link") for link in robot.findall("link"))
+    elements = [element for element in robot if element.tag in ("joint", f"{DRAKE}joint")]
+    if needs_xacro(robot):
+        raise UrdfError(XACRO)
     if not links:
         raise UrdfError("expected a <robot> with at least one <link>, got none")
-    for link in links:
-        if links.count(link) > 1:
-            raise UrdfError(f"link {link!r} is there {links.count(link)} times: expected one of each name")
-    elements = [element for element in robot if element.tag in ("joint", f"{DRAKE}joint")]
+    for link, count in Counter(links).items():
+        if count > 1:
+            raise UrdfError(f"link {link!r} is there {count} times: expected one of each name")
     joints = tuple(_joint(element) for element in elements)
+    if WORLD not in links and any(joint.parent == WORLD for joint in joints):
+        links = (WORLD, *links)
     _require_tree(links, joints)
     return Urdf(robot.get("name") or "robot", links, joints)
+
+
+def needs_xacro(robot: ET.Element) -> bool:
+    """Whether links or joints are still to come from xacro's commands, or from its expressions.
+
+    Commands that are left over in a file that was expanded concern neither.
+    """
+    commands = [element for element in robot.iter() if element.tag.startswith("xacro:")]
+    if any(part.tag in ("link", "joint") for command in commands for part in command.iter()):
+        return True
+    own = [element for element in robot if element.tag in ("link", "joint", f"{DRAKE}joint")]
+    texts = [value for element in own for value in element.attrib.values()]
+    texts += [
+        value
+        for element in own
+        for tag in ("origin", "axis", "parent", "child", "limit", "mimic")
+        for part in element.findall(tag)
+        for value in part.attrib.values()
+    ]
+    if any("${" in text or "$(" in text for text in texts):
+        return True
+    tags = {command.tag.removeprefix("xacro:") for command in commands}
+    calls = tags - {"include", "property", "arg", "macro", "if", "unless", "insert_block"}
+    joints = [element for element in own if element.tag != "link"]
+    return bool(tags) and (not joints or ("include" in tags and bool(calls)))
 
 
 def _joint(element: ET.Element) -> TreeJoint:
@@ -120,8 +157,17 @@ def _joint(element: ET.Element) -> TreeJoint:
 def _limits(element: ET.Element | None, kind: str, what: str) -> Limits:
     if element is None:
         return Limits()
-    bounds = {name: _numbers(element, name, (np.nan,), f"{what}: limit")[0] for name in Limits._fields}
-    return Limits(np.nan, np.nan, bounds["velocity"]) if kind == "continuous" else Limits(**bounds)
+    bounds = {name: _bound(element, name, f"{what}: limit") for name in Limits._fields}
+    if kind == "continuous":
+        bounds |= {"lower": np.nan, "upper": np.nan}
+    return Limits(**bounds)
+
+
+def _bound(element: ET.Element, name: str, what: str) -> float:
+    """A limit; NaN where there is none, or one that is infinite."""
+    if (element.get(name) or "").strip().lstrip("+-").lower() in ("inf", "infinity", "nan", ".inf"):
+        return np.nan
+    return _numbers(element, name, (np.nan,), what)[0]
 
 
 def _mimic(element: ET.Element | None, kind: str, what: str) -> Mimic | None:
@@ -188,13 +234,18 @@ def _attribute(element: ET.Element, name: str, what: str) -> str:
 
 def _require_tree(links: tuple[str, ...], joints: tuple[TreeJoint, ...]) -> None:
     inboard: dict[str, TreeJoint] = {}
-    names: set[str] = set()
+    known, names = set(links), set()
     for joint in joints:
         for end in (joint.parent, joint.child):
-            if end not in links:
+            if end not in known:
                 raise UrdfError(f"joint {joint.name!r}: no link {end!r} in the file")
         if joint.name in names:
             raise UrdfError(f"joint {joint.name!r} is there twice: expected one of each name")
+        if joint.child == WORLD:
+            raise UrdfError(
+                f"joint {joint.name!r} moves the link {WORLD!r}: that name is the world's own, which does "
+                "not move; expected another name"
+            )
         if joint.child in inboard:
             other = inboard[joint.child].name
             raise UrdfError(
@@ -209,10 +260,10 @@ def _require_tree(links: tuple[str, ...], joints: tuple[TreeJoint, ...]) -> None
         )
     reached = set(roots)
     for link in links:
-        path = []
+        path: dict[str, TreeJoint] = {}
         while link not in reached:
             if link in path:
-                raise UrdfError(f"joints {', '.join(inboard[x].name for x in path)} form a circle")
-            path.append(link)
+                raise UrdfError(f"joints {', '.join(joint.name for joint in path.values())} form a circle")
+            path[link] = inboard[link]
             link = inboard[link].parent
         reached.update(path)

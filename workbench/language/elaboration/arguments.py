@@ -16,6 +16,7 @@ from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import (
     Apply,
     Derivative,
+    Number,
     Power,
     Symbol,
     Term,
@@ -39,6 +40,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         if all(
             is_argument(scope, part) or scope.term(part) in function.declaration.of for part in bracket.parts
         ):
+            _require_all_once(scope, bracket, function)
             return True
         if _is_no_place(scope, bracket, function):
             return False  # u (∇·v)
@@ -77,7 +79,12 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
 
 
 def _is_symbol_or_quaternion(value: Term) -> bool:
-    """Whether it may be that of which something is a function, as R(p q) is."""
+    """Whether it may be that of which something is a function, as R(p q) and J(-x) are."""
+    match value:
+        case Apply(head="neg" | "inverse" | "transpose", arguments=(inner,)):
+            return _is_symbol_or_quaternion(inner)
+        case Apply(head="mul", arguments=(Number(), inner)):
+            return _is_symbol_or_quaternion(inner)
     return isinstance(value, Symbol) or value.type.kind == "quaternion"
 
 
@@ -100,9 +107,18 @@ def _may_be_argument(scope: Scope, part: Node, function: Term) -> bool:
     if is_difference or names.union(map(_without_prefix, names)) & alike:
         return not _is_constant(function)
     if _is_name(part):
-        return "scalar" in kinds
+        return "scalar" in kinds or (is_symbol and _are_matrices_of_one_size(function, value))
     is_tensor = function.type.is_square and function.type.kind != "scalar"
     return is_symbol and is_tensor and value.type.kind == "scalar"
+
+
+def _are_matrices_of_one_size(function: Term, value: Term) -> bool:
+    """Whether no type tells the product from the function: A(g) and A(g^{-1}) of two matrices."""
+    is_inverse = isinstance(value, Apply) and value.head == "inverse"
+    if not isinstance(value.arguments[0] if is_inverse else value, Symbol):
+        return False
+    same = function.type.with_dual(False) == value.type.with_dual(False)
+    return same and function.type.is_square and not _is_constant(function)
 
 
 def is_said_factor(scope: Scope, part: Node) -> bool:
@@ -184,6 +200,7 @@ def refuse_member(scope: Scope, bracket: Bracket, term: Term) -> None:
 
 def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
     """Raises Fault where a symbol is taken at another place in the formula, or by its definition."""
+    _require_once(bracket)
     _take_instant(scope, bracket, function)
     parts = [_without_time(scope, part) for part in bracket.parts if not scope.is_time(part)]
     known = {latex_of(part) for part in parts}
@@ -197,6 +214,24 @@ def _take_place(scope: Scope, bracket: Bracket, function: Term) -> None:
             raise Fault(
                 f"{name} is defined by {min(map(str, missing))}, and taken at another place", bracket.at
             )
+
+
+def _require_once(bracket: Bracket) -> None:
+    """Raises Fault for R(x, x): one of two arguments is a misprint, or R is taken on a diagonal."""
+    parts = [latex_of(part) for part in bracket.parts]
+    if repeated := next((part for place, part in enumerate(parts) if part in parts[:place]), None):
+        raise Fault(f"{repeated} stands twice among the arguments; expected each argument once", bracket.at)
+
+
+def _require_all_once(scope: Scope, bracket: Bracket, function: Symbol) -> None:
+    """Raises Fault where a function is written with other arguments than it is declared with."""
+    _require_once(bracket)
+    written = [scope.term(part) for part in bracket.parts if not scope.is_time(part)]
+    missing = [each for each in function.declaration.of if not (each in written or each.declaration.clock)]
+    if written and missing and all(each in function.declaration.of for each in written):
+        names = ", ".join(str(each.declaration.name) for each in missing)
+        own = function.declaration.name
+        raise Fault(f"{own} is declared as a function of {names}, too, which this bracket lacks", bracket.at)
 
 
 def _is_rate_of(part: Node, known: Collection[str]) -> bool:

@@ -102,7 +102,9 @@ def _root(row: Row, leaf: Leaf, place: int) -> Factor:
     item, power = row.items[place + 1], None
     if isinstance(item, Scripted) and item == Scripted(item.at, item.nucleus, sup=item.sup):  # (√x)²
         item, power = item.nucleus, item.sup
-    if not isinstance(item, Group) or row.items[place] is not leaf:
+    is_bare = isinstance(item, Leaf) and item.kind in ("NUMBER", "LETTER") and len(item.text.strip("\\")) == 1
+    is_root = isinstance(item, Group) or is_bare  # \\sqrt2
+    if not is_root or row.items[place] is not leaf:
         raise Fault("expected a square root, \\sqrt{x}", leaf.at)
     term = row.scope.term(item)
     if term.type.kind == "quaternion":

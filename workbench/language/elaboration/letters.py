@@ -5,7 +5,8 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import replace
 
-from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning, size_below
+from workbench.language.elaboration.meanings import EXPONENTIALS, Meaning, constant, meaning
+from workbench.language.elaboration.printed_sizes import size_below, sized_as_printed, sized_matrix
 from workbench.language.elaboration.quotients import value_of
 from workbench.language.elaboration.spelled import subscripted_norm, word_of
 from workbench.language.elaboration.superscripts import (
@@ -21,7 +22,6 @@ from workbench.language.grammar.syntax import (
     Bracket,
     Group,
     Leaf,
-    Matrix,
     Node,
     Product,
     Scripted,
@@ -38,8 +38,8 @@ from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit, Unranged
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Apply, IllFormed, Symbol, Term, Zero
-from workbench.language.typed.types import CLOCK, PI, TENSOR, VECTOR, Declaration
+from workbench.language.typed.terms import Apply, Identity, IllFormed, Symbol, Term, Zero
+from workbench.language.typed.types import CLOCK, PI, SCALAR, VECTOR, Declaration
 
 #: A term, and a superscript that is still to be applied to it: one that stands outside of its accents.
 Lettered = tuple[Term, Node | None]
@@ -82,8 +82,10 @@ class _Lettering:
                 found := constant(self.scope.table, Name.styled(styles, node.text), scripts)
             ):
                 return self.meant(found, node, scripts), found.sup
+            case Leaf(kind="NUMBER") if styles and (sized := self.sized_sign(node, styles, scripts)):
+                return sized, scripts.sup
             case Leaf(kind="NUMBER", text="0") if styles or scripts.sub is not None:
-                return self.zero(scripts), scripts.sup
+                return self.zero(scripts, node.at), scripts.sup
             case Styled() if self.scope.table.notations.accents(node.style):
                 return self.accented_by_the_paper(node, scripts, styles)
             case Styled():
@@ -134,7 +136,8 @@ class _Lettering:
         if self.scope.table.notations.below(scripts.sub):
             term, self.below = self.scope.term(node), scripts.sub
         else:
-            term = self.scope.term(node) if scripts.sub is None else self.sized(node, scripts.sub)
+            below = scripts.sub
+            term = self.scope.term(node) if below is None else sized_matrix(self.scope, node, below)
         for _ in range(scripts.primes):
             term = notated(self.scope, node.at, entries, term, "the prime")
         return term, scripts.sup
@@ -166,18 +169,6 @@ class _Lettering:
             raise Fault(f"{styles[-1]} of more than one symbol{hint}", node.at)
         return self.scope.build(node.at, construct.symbol, declared)
 
-    def sized(self, node: Node, sub: Node) -> Term:
-        """What stands in a bracket or is a matrix, with its size below it."""
-        size, is_single = size_below(sub)
-        if size is None or is_single or not isinstance(core(node), Bracket | Matrix):
-            raise Fault("a subscript on an expression; indices belong to symbols", node.at)
-        term = self.scope.term(node)
-        if isinstance(term, Zero):
-            return construct.zero(size)
-        if term.type.with_dual(False) != size:
-            raise Fault(f"it is a {term.type}, and the size below it another", sub.at)
-        return term
-
     def scripted(self, node: Scripted, outer: Scripts, styles: tuple[str, ...]) -> Lettered:
         if isinstance(node.nucleus, Bracket) and len(node.nucleus.parts) > 1 and is_transpose(node.sup):
             return _column(self.scope, node.nucleus), outer.sup
@@ -206,6 +197,8 @@ class _Lettering:
         found = meaning(scope.table, scope.variables, leaf, styles, scripts, self.bracket is not None)
         if found is None and (term := self.of_what_is_below(leaf, styles, scripts)) is not None:
             return term, scripts.sup
+        if found is None and (sized := self.sized_sign(leaf, styles, scripts)) is not None:
+            return sized, scripts.sup
         if found is None and leaf.kind == "MARK":
             raise Fault(f"{leaf.text} cannot stand here", leaf.at)
         if found is None:
@@ -239,8 +232,19 @@ class _Lettering:
             case Declaration() as declaration:
                 return self.scope.build(leaf.at, construct.symbol, declaration, found.index)
             case Notation() as entry:
-                return self.scope.term(entry.filled({}))
+                return sized_as_printed(self.scope.term(entry.filled({})), scripts.sub, leaf.at)
         return self.built_in(found.what, scripts, leaf.at)
+
+    def sized_sign(self, leaf: Leaf, styles: tuple[str, ...], scripts: Scripts) -> Term | None:
+        """E_{3×3}, where E is the paper's sign for a unit matrix or a zero of any size."""
+        if scripts != Scripts(sub=scripts.sub, sup=scripts.sup) or size_below(scripts.sub)[0] is None:
+            return None
+        letter = Name.styled(styles, leaf.text)
+        if (spelling := spell(letter, scripts, ())) is not None and self.scope.table.find(spelling):
+            return None
+        found = constant(self.scope.table, letter, Scripts())
+        term = None if found is None else self.meant(found, leaf, scripts)
+        return term if isinstance(term, Zero | Identity) and term.printed else None
 
     def function(self, leaf: Leaf, declaration, index) -> Term:
         self.takes_bracket = True
@@ -281,7 +285,7 @@ class _Lettering:
         """I, ε, D, t, π, e^x and C_n^k."""
         match name.base:
             case "\\mathbf{I}" | "\\underline{\\mathbf{I}}":
-                return construct.identity(size_below(scripts.sub)[0] or TENSOR)
+                return sized_as_printed(construct.identity(), scripts.sub, at)
             case "\\varepsilon":
                 return construct.dual_unit()
             case "t":
@@ -298,14 +302,12 @@ class _Lettering:
             raise Fault(f"{name} is a symbol too; {what}", at)
         return self.scope.combinations(scripts.sub, scripts.sup)
 
-    def zero(self, scripts: Scripts) -> Term:
-        """𝟎 is the zero vector; 𝟎_{3×3} is the zero tensor. Beside other terms 𝟎 and 𝟎₃ take their kind."""
-        if scripts.sub is None:
-            return construct.zero(VECTOR)
-        size, is_square = size_below(scripts.sub)
-        if size is None or (is_square and size != TENSOR):
+    def zero(self, scripts: Scripts, at: int) -> Term:
+        """𝟎 is the zero vector; 𝟎_{3×3} is the zero tensor. Beside other terms 𝟎 takes their kind, and 𝟎₃
+        that of a column or of a square matrix."""
+        if scripts.sub is not None and size_below(scripts.sub) in ((None, False), (SCALAR, True)):
             raise Fault("expected the shape of the zero, such as 6\\times 6 or 6\\times 1", scripts.sub.at)
-        return construct.zero(VECTOR if is_square else size)
+        return sized_as_printed(construct.zero(VECTOR), scripts.sub, at)
 
     def unknown(self, letter: Name, scripts: Scripts, at: int) -> Fault:
         """Why a name means nothing: an index without a range, or no such symbol."""

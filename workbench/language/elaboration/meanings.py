@@ -6,14 +6,15 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 
-from workbench.language.grammar.syntax import Infix, Leaf, Node, Product, Scripted, core
+from workbench.language.elaboration.printed_sizes import size_below
+from workbench.language.grammar.syntax import Leaf, Node, Scripted
 from workbench.language.naming.declarations import UNIT
 from workbench.language.naming.notations import Notation
 from workbench.language.naming.spelling import Scripts, spell, variable_name
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
-from workbench.language.typed.types import CLOCK, PI, Declaration, Type
+from workbench.language.typed.types import CLOCK, PI, Declaration
 
 _UNITS = frozenset((UNIT, Name("I", ("\\underline", "\\mathbf"))))
 _FONTS = ((), ("\\boldsymbol",), ("\\mathrm",), ("\\mathbb",), ("\\mathit",), ("\\mathsf",), ("\\mathcal",))
@@ -97,28 +98,11 @@ def _built_in(letter: Name, scripts: Scripts) -> Meaning | None:
         return None
     sub, sup = scripts.sub, scripts.sup
     size, is_single = size_below(sub)
-    is_unit = size is not None and size.is_square and size.rows > 1  # \mathbf{I}_1 is that of a body 1
-    if letter in _ANY_FONT and is_unit and not is_single:
+    if letter in _ANY_FONT and size is not None and not is_single:
         return Meaning(UNIT, sup)  # I_{3 \times 3}
+    is_unit = size is not None and size.rows > 1  # \mathbf{I}_1 is that of a body 1
     if (sub is None and letter in _PLAIN | _UNITS) or (is_unit and letter in _UNITS):
         return Meaning(letter, sup)
     if sup is not None and letter in (EXPONENTIALS if sub is None else _COMBINATIONS):
         return Meaning(letter, None)
     return None
-
-
-def size_below(sub: Node | None) -> tuple[Type | None, bool]:
-    """What 3×1 or a single 3 says below a zero or a unit tensor, and whether it is a single number."""
-    inner = core(sub)
-    match inner:
-        case Product(
-            items=(Leaf(kind="NUMBER") as rows, Infix(operator="×"), Leaf(kind="NUMBER") as columns)
-        ):
-            sizes = (rows.text, columns.text)
-        case Leaf(kind="NUMBER"):
-            sizes = (inner.text, inner.text)
-        case _:
-            return None, False
-    if not all(size.isdecimal() and 0 < int(size) < 100 for size in sizes):
-        return None, False
-    return Type(int(sizes[0]), int(sizes[1])), isinstance(inner, Leaf)

@@ -34,6 +34,7 @@ from workbench.language.grammar.syntax import (
     in_a_row,
     is_numeral,
 )
+from workbench.language.naming.patterns import Known
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Scripts, spell_label
 from workbench.language.typed import construct
@@ -236,8 +237,11 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     if not (isinstance(bracket, Bracket) and bracket.kind == "("):
         bracket = None
     plain = not scripts.left_sub and not scripts.left_sup
-    if plain and following is not None and (called := _called(scope, item, following)) is not None:
-        return Factor(called, item.at, place + 2, item)
+    if plain and following is not None:
+        if (term := _called_function(row, place, item)) is not None:
+            return Factor(term, item.at, place + 3, item)
+        if (called := _called(scope, item, following)) is not None:
+            return Factor(called, item.at, place + 2, item)
     if plain and (value := scope.integer_expression(item)) is not None:
         return Factor(value, item.at, place + 1, item)
     term, sup, takes_bracket = letter(scope, item, scripts, bracket)
@@ -254,6 +258,21 @@ def _name(row: Row, place: int, item: Node, scripts: Scripts) -> Factor:
     if sup is not None:
         term = raised(scope, term, sup)
     return Factor(term, item.at, end, item)
+
+
+def _called_function(row: Row, place: int, item: Node) -> Term | None:
+    """\\mathrm{d} A(g), as the paper spells it of A; None where the bracket is no argument of A."""
+    scope, (argument, *more) = row.scope, row.items[place + 1 : place + 3]
+    is_name = isinstance(core(argument), Leaf | Styled | Accented | Scripted)
+    bracket = core(more[0].nucleus if isinstance(more[0], Scripted) else more[0]) if more else None
+    if not (is_name and isinstance(bracket, Bracket) and bracket.kind == "("):
+        return None
+    if not scope.table.notations.shapes(Product(item.at, (item, core(argument)))):
+        return None
+    factor = row.factor(place + 1)
+    if factor.end != place + 3:
+        return None
+    return scope.spelt(Product(item.at, (item, Known(factor.at, factor.term))))
 
 
 def _called(scope: Scope, item: Node, argument: Node) -> Term | None:

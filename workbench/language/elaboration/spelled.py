@@ -33,6 +33,7 @@ def spelled_out(scope: Scope, items: Sequence[Node]) -> list[Node]:
     after = [*items[1:], None]
     bare = [part for item, next_ in zip(items, after, strict=True) for part in _without_braces(item, next_)]
     letters = [part for item in bare for part in letters_in_one_font(item)]
+    letters = [part for item in letters for part in _before_exponential(scope, item)]
     return _with_words(scope, _with_prefixes(scope, letters))
 
 
@@ -49,6 +50,15 @@ def _without_braces(item: Node, following: Node | None) -> Sequence[Node]:
                 return left, body
             case Leaf(kind="LETTER") | Styled() | Accented() | Scripted() as name:
                 return (name,)
+    return (item,)
+
+
+def _before_exponential(scope: Scope, item: Node) -> Sequence[Node]:
+    """R e^x of Re^x, where R is a symbol: no power stands on the real part."""
+    match item:
+        case Scripted(nucleus=Leaf(kind="FUNCTION", name="Re", bare=True, at=at), sub=None, sup=Node()):
+            if scope.knows("R") and "Re" not in scope.table.bare_functions:
+                return Leaf(at, "LETTER", "R"), replace(item, nucleus=Leaf(at + 1, "LETTER", "e"))
     return (item,)
 
 

@@ -29,7 +29,8 @@ from workbench.language.naming.spelling import refuse_operation, spell_label
 from workbench.language.typed.construct import zero
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.names import Name
-from workbench.language.typed.terms import Term, Zero
+from workbench.language.typed.shapes import filling
+from workbench.language.typed.terms import Term
 from workbench.language.typed.types import KINDS, type_of_kind
 
 #: alone in a bracket or under an accent, with a mark of its own, or beside others.
@@ -85,14 +86,14 @@ class Notation:
         return notation
 
     def fits(self, terms: Mapping[str, Term]) -> bool:
-        """Whether the terms are of the kinds of the formal arguments; 0 is of every kind."""
+        """Whether the terms are of the kinds of the formal arguments; 0 without a size is of every kind."""
         kinds = self.formals.items()
-        return all(isinstance(terms[x], Zero) or str(terms[x].type) == kind for x, kind in kinds)
+        return all(filling(terms[x]) == "zero" or str(terms[x].type) == kind for x, kind in kinds)
 
     def filled(self, terms: Mapping[str, Term]) -> Node:
         """What it means, with these terms for the formal arguments."""
         typed = {
-            letter: zero(type_of_kind(self.formals[letter]) or term.type) if isinstance(term, Zero) else term
+            letter: zero(type_of_kind(self.formals[letter]) or term.type) if filling(term) == "zero" else term
             for letter, term in terms.items()
         }
         return fill(self.means, {letter: Known(0, term) for letter, term in typed.items()})

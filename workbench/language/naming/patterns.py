@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields, replace
 from functools import cache
 from typing import Any
 
-from workbench.language.grammar.syntax import Chain, Infix, Leaf, Node, Product, Sum, core
+from workbench.language.grammar.syntax import Bracket, Chain, Infix, Leaf, Node, Product, Sum, core, in_a_row
 from workbench.language.typed.terms import Term
 
 
@@ -65,8 +65,13 @@ def agrees(pattern: Any, node: Any, formals: Mapping[str, str], found: dict[str,
 
 
 def _before_a_sign(pattern: Node, node: Node) -> Node:
-    """a b \\times as one factor and the sign behind it, if the pattern is x \\times."""
+    """a b \\times as one factor and the sign behind it, if the pattern is x \\times; and so a + b \\times."""
     match pattern, node:
+        case Product(items=(Leaf(), Infix())), Sum(
+            addends=(*first, (sign, at, Product(items=(*rest, Infix() as end))))
+        ):
+            inner = Sum(node.at, (*first, (sign, at, in_a_row(at, rest))))
+            return Product(node.at, (Bracket(node.at, "(", (inner,)), end))
         case Product(items=(Leaf(), Infix())), Product(items=(*factors, Infix() as sign)):
             if len(factors) > 1 and not any(isinstance(factor, Infix) for factor in factors):
                 return Product(node.at, (Product(node.at, tuple(factors)), sign))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cached_property
@@ -84,6 +84,8 @@ class SymbolTable:
     loose: frozenset[str] = frozenset()
     #: whether what it says of an unknown symbol names those that are close
     names_close: bool = True
+    #: whether the table of which this is a part has a quaternion
+    beside_quaternions: bool = False
 
     @staticmethod
     def build(
@@ -138,6 +140,27 @@ class SymbolTable:
         except SpecError as error:
             keys = {str(read_key(key)[0]): key for key in specs}
             raise SpecError(error.message, keys.get(error.key, error.key)) from None
+
+    def part(self, names: Set[Name]) -> SymbolTable:
+        """The table without the declarations of all other names. What holds of every symbol stays. It is not
+        for reading, since the letters of other names are free in it."""
+        bare = frozenset(name.without_arguments() for name in names)
+        return replace(
+            self,
+            symbols={name: own for name, own in self.symbols.items() if name in names or own.name in names},
+            functions={name: own for name, own in self.functions.items() if name in bare},
+            formals={name: own for name, own in self.formals.items() if name in names},
+            defined={name: own for name, own in self.defined.items() if name in names},
+            untyped={},
+            primitive=frozenset(),
+            constants={},
+            arguments=frozenset(),
+            depends={},
+            resolved={name: own for name, own in self.resolved.items() if name in names},
+            kept=self.kept & names,
+            directions=None if self.directions is None else self.directions & names,
+            beside_quaternions=self.has_quaternions,
+        )
 
     def with_notations(self, specs: Mapping[str, Any]) -> SymbolTable:
         """This table, and the notation of the paper. Raises SpecError."""
@@ -199,7 +222,7 @@ class SymbolTable:
     @cached_property
     def has_quaternions(self) -> bool:
         """Whether any symbol is a quaternion, so that s + x of a scalar and a vector may be one."""
-        return any(d.type.kind == "quaternion" for d in self.symbols.values())
+        return self.beside_quaternions or any(d.type.kind == "quaternion" for d in self.symbols.values())
 
     def __contains__(self, letter: str) -> bool:
         """Whether the letter, as it stands there, is a symbol."""

@@ -37,7 +37,6 @@ from workbench.language.typed.terms import (
     Zero,
     is_accented_symbol,
 )
-from workbench.language.typed.types import Type
 
 
 def to_latex(formula: Term | Statement) -> str:
@@ -111,7 +110,7 @@ def _plain(term: Term) -> Text:
         case Counting():
             return _counting(term)
         case Zero():
-            return Text(_zero(term.type), ATOM)
+            return Text(_zero(term), ATOM)
         case Identity():
             return _unit(term)
         case DualUnit():
@@ -137,15 +136,18 @@ def _plain(term: Term) -> Text:
 
 
 def _unit(term: Identity) -> Text:
-    """The unit tensor, with its size where the sign for it is a symbol of the paper."""
+    """The unit tensor, with its size where that is printed, or the sign for it is a symbol of the paper."""
     author = authors.author()
     is_taken = author is not None and author.owns_unit
-    size = f"{term.type.rows} \\times {term.type.columns}" if is_taken else None
+    size = f"{term.type.rows} \\times {term.type.columns}" if is_taken else (term.printed or None)
     return Text(latex.scripted("\\mathbf{I}", size), ATOM)
 
 
-def _zero(type_: Type) -> str:
+def _zero(term: Zero) -> str:
     """A bare 𝟎 is a vector; beside operators and quaternions it is written so, too."""
+    type_ = term.type
+    if term.printed:
+        return latex.scripted("\\mathbf{0}", term.printed)
     if type_.kind == "scalar":
         return "0"
     has_size = type_.kind in ("covector", "tensor", "matrix")
@@ -178,7 +180,7 @@ def _entries(term: Block) -> list[list[str]]:
 
 
 def _entry(term: Term, has_shape: bool) -> str:
-    if isinstance(term, Zero) and has_shape and term.type.kind != "scalar":
+    if isinstance(term, Zero) and not term.printed and has_shape and term.type.kind != "scalar":
         return "\\mathbf{0}"
     return _print(term).text
 
@@ -187,7 +189,11 @@ def _beside(terms: tuple[Term, ...]) -> list[Text]:
     """Terms that must be of one kind: a zero beside another term needs no shape."""
     firm = any(not isinstance(t, Zero | Identity) for t in terms)
     plain = Text("\\mathbf{0}", ATOM)
-    return [plain if firm and isinstance(t, Zero) and t.type.kind != "scalar" else _print(t) for t in terms]
+    return [plain if firm and _is_bare_zero(t) else _print(t) for t in terms]
+
+
+def _is_bare_zero(term: Term) -> bool:
+    return isinstance(term, Zero) and not term.printed and term.type.kind != "scalar"
 
 
 # symbols with their accents

@@ -11,6 +11,7 @@ from workbench.language.typed.operators import OPERATORS
 from workbench.language.typed.shapes import (
     filling,
     fitted,
+    is_sized,
     layout,
     multiple,
     scalar_and_vector,
@@ -53,12 +54,12 @@ def counting(name: Literal["factorial", "binomial", "multinomial"], *arguments: 
     return Counting(SCALAR, Linear(0), name, tuple(as_linear(a) for a in arguments))
 
 
-def zero(type_: Type = SCALAR) -> Zero:
-    return Zero(type_, None)
+def zero(type_: Type = SCALAR, printed: str = "") -> Zero:
+    return Zero(type_, None, printed=printed)
 
 
-def identity(type_: Type = TENSOR) -> Identity:
-    return Identity(type_, Linear(0))
+def identity(type_: Type = TENSOR, printed: str = "") -> Identity:
+    return Identity(type_, Linear(0), printed=printed)
 
 
 def dual_unit() -> DualUnit:
@@ -165,7 +166,7 @@ def apply(head: str, *arguments: Term) -> Term:
     if head == "quaternion":
         arguments = _with_shapes(arguments, (SCALAR, VECTOR))
     if head in _OF_VECTORS:
-        arguments = tuple(zero(VECTOR) if a == zero() else a for a in arguments)
+        arguments = tuple(zero(VECTOR) if a == zero() and not is_sized(a) else a for a in arguments)
     if head == "mul" and not any(filling(a) == "zero" or a.type.kind == "scalar" for a in arguments):
         is_product = any(a.type.kind == "quaternion" for a in arguments)
         arguments = _as_quaternions(arguments) if is_product else arguments

@@ -3,12 +3,12 @@ scalar or a vector beside a quaternion is one."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Number, Term, Zero
+from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Number, Term, Unread, Zero
 from workbench.language.typed.types import SCALAR, TENSOR, VECTOR, Type
 
 
@@ -39,9 +39,30 @@ def filling(term: Term) -> Literal["zero", "identity"] | None:
     """What a term without a shape of its own is a multiple of; None for a term that has a shape, such as
     the zero 𝟎_{3×3}."""
     found = multiple(term)
+    if found is None or is_sized(term):
+        return None
     if isinstance(term, Apply) and term.head == "transpose":
         term = term.arguments[0]
-    return None if found == "zero" and term.type.kind not in ("scalar", "vector") else found
+    is_shaped = found == "zero" and term.type.kind not in ("scalar", "vector")
+    return None if is_shaped and not any(map(_is_of_one_number, term.walk())) else found
+
+
+def is_sized(term: Term) -> bool:
+    """Whether the term is a multiple of a zero or of a unit matrix that is printed with its size. The n of
+    𝟎_n leaves open whether it is a column."""
+    return multiple(term) is not None and any(
+        isinstance(part, Zero | Identity) and part.printed and not _is_of_one_number(part)
+        for part in term.walk()
+    )
+
+
+def _is_of_one_number(term: Term) -> bool:
+    return isinstance(term, Zero) and term.printed.isdecimal()
+
+
+def sizes(types: Iterable[Type]) -> str:
+    """The sizes of several types, each once: 3×3 and 4×4."""
+    return " and ".join(dict.fromkeys(f"{each.rows}×{each.columns}" for each in types))
 
 
 def shaped(term: Term, type_: Type) -> Term:
@@ -52,8 +73,12 @@ def shaped(term: Term, type_: Type) -> Term:
     match term:
         case Identity() if type_.rows == 1:
             raise IllFormed("the unit tensor in a place of one row and one column")
+        case Zero(printed=printed) if _is_of_one_number(term):
+            return _of_one_number(term, int(printed), type_)
         case Zero() | Identity():
             return replace(term, type=type_.with_dual(False))
+        case Apply(head="transpose", arguments=(turned,)) if _is_of_one_number(turned):
+            arguments = (shaped(turned, Type(type_.columns, type_.rows)),)
         case Apply(head="transpose", arguments=(turned,)):
             return shaped(turned, type_)
         case Apply(head="mul", arguments=(left, right)) if left.type.kind == "scalar":
@@ -63,6 +88,16 @@ def shaped(term: Term, type_: Type) -> Term:
         case Apply():
             arguments = (shaped(term.arguments[0], type_), *term.arguments[1:])
     return replace(term, type=type_.with_dual(term.type.dual), arguments=arguments)
+
+
+def _of_one_number(term: Zero, size: int, type_: Type) -> Zero:
+    """𝟎_n as a column of n or as a square matrix of n rows. Raises IllFormed and Unread."""
+    if type_.rows != size or type_.columns not in (1, size) or type_.kind == "quaternion":
+        message = f"a zero printed with the size {size} in a place of the size {sizes([type_])}"
+        if (type_.rows, type_.columns) == (1, size):
+            raise Unread(f"{message}; a row of zeros is written 0_{{1 \\times {size}}}")
+        raise IllFormed(message)
+    return replace(term, type=type_.with_dual(False))
 
 
 def with_units(entries: Sequence[Sequence[Term]]) -> Sequence[Sequence[Term]]:
@@ -183,6 +218,8 @@ def fitted(entry: Term, rows: int, columns: int) -> Term:
     fills = filling(entry)
     if fills is None:
         return entry
+    if rows == 1 and isinstance(entry, Zero) and entry.printed == str(columns):
+        return replace(entry, type=Type(1, columns))  # [R p; 0_3 1]
     return shaped(entry, Type(rows, columns))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.shapes import filling, has_open_zeros, shaped, stretched
+from workbench.language.typed.shapes import filling, has_open_zeros, is_sized, shaped, sizes, stretched
 from workbench.language.typed.terms import Apply, Block, Identity, IllFormed, Symbol, Term, Unread, Zero
 from workbench.language.typed.types import OPERATOR, QUATERNION, SCALAR, TENSOR, VECTOR, Type, Weight
 
@@ -45,11 +45,14 @@ def agree(terms: Sequence[Term], what: str) -> tuple[Term, ...]:
         shape = OPERATOR
     elif len(types) > 1:
         message = f"{what} differ in type: " + " and ".join(dict.fromkeys(str(t.type) for t in firm))
+        if any(map(is_sized, firm)):
+            raise IllFormed(f"{message}; the sizes are {sizes(t.type for t in firm)}")
         if (usual := _abbreviated(firm)) is not None:
             raise Unread(f"{message}; is meant {usual}? a `reading` says it")
         raise IllFormed(message)
     else:
-        shape = (firm or units or terms)[0].type
+        of_one_number = [t for t in terms if isinstance(t, Zero) and t.printed]
+        shape = (firm or units or of_one_number or terms)[0].type
     may_be_unit = shape.kind == "operator" or (shape.is_square and shape.kind != "scalar")
     if units and not may_be_unit:
         raise IllFormed(f"{what} differ in type: the unit tensor and {shape}")
@@ -65,6 +68,8 @@ def _is_example(term: Term) -> bool:
 
 
 def _in_shape(term: Term, shape: Type) -> Term:
+    if isinstance(term, Zero) and term.printed.isdecimal():
+        return shaped(term, shape)
     if isinstance(term, Zero | Identity):
         return replace(term, type=shape.with_dual(False))
     counts_as_operator = shape.kind == "operator" and term.type.kind == "tensor"
@@ -138,6 +143,8 @@ def mul(arguments: tuple[Term, ...]) -> tuple[Type, Weight]:
         entry = entries_acted_on(left, arguments[1])
         product = None if entry is None else Type(left.rows * entry.rows, entry.columns)
     if product is None:
+        if any(map(is_sized, arguments)):
+            raise IllFormed(f"the product of a matrix {sizes([left])} and a matrix {sizes([right])}")
         if "matrix" in (left.kind, right.kind):
             message = f"matrix product of {left} and {right}"
             if any(map(has_open_zeros, arguments)):

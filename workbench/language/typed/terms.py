@@ -92,12 +92,16 @@ class Counting(Term):
 
 @_node
 class Zero(Term):
-    """0 of any type."""
+    """0 of any type. printed: the size printed below it, "3 \\times 1" or a single "3"; it binds the type."""
+
+    printed: str = field(default="", compare=False, repr=False)
 
 
 @_node
 class Identity(Term):
-    """The unit tensor I, the unit block matrix, or the unit operator, by its type."""
+    """The unit tensor I, the unit block matrix, or the unit operator, by its type. printed: as of a Zero."""
+
+    printed: str = field(default="", compare=False, repr=False)
 
 
 @_node

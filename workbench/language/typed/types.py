@@ -104,6 +104,7 @@ class Declaration:
     parameters: how many arguments a function symbol such as Φ_k(ω) takes.
     apart: the indices at which a family has no member, since another symbol is declared that is printed so.
     introduced: only definitions introduce it, so that a member which none of them reaches is nothing.
+    hidden: no formula has it, but what frames and points are is made of it: it moves in any way.
     """
 
     name: Name
@@ -128,6 +129,7 @@ class Declaration:
     apart: tuple[Any, ...] = ()
     parameters: int = 0
     introduced: bool = False
+    hidden: bool = False
 
 
 #: The number π, of which a quarter turn is known.

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from workbench.papers.respell.places import FACES, ahead, braced, group, is_one_symbol, past, printed
+from collections.abc import Sequence
+
+from workbench.papers.respell.places import FACES, GAPS, ahead, braced, group, is_one_symbol, past, printed
 from workbench.papers.texts import Token
 
 _SPACES_OF_A_WORD = frozenset({"\\ ", "\\\n", "~", "\\;", "\\enspace"})
@@ -16,7 +18,9 @@ _SIGNS = frozenset(
 #: What relates or separates the parts of a bracket in another way, or ends it as a large one.
 _NO_ROW = _SIGNS | frozenset([";", "|", "\\text", "\\mathrm", "\\in", "\\right", "\\left"])
 _ARROWS = frozenset(["\\to", "\\rightarrow", "\\longrightarrow", "\\mapsto", "\\longmapsto"])
+_MATRICES = frozenset(f"\\begin{{{kind}matrix}}" for kind in ("", "b", "p"))
 _TURNS = frozenset(["\\sin", "\\cos", "\\tan"])
+_ENDS_A_ROW = ("&", "\\\\", "=", ",")
 _ENDS_A_SUM = frozenset(["=", "&", "+", "-", ",", ".", "\\\\"])
 
 
@@ -88,31 +92,26 @@ def name_of_a_formula(tokens: list[Token], place: int) -> tuple[list[Token], int
 
 
 def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
-    """[a \\quad b], in which nothing else stands between the two, as a row of a matrix; of three or more, or
-    the first of them, each may have a sign."""
+    """[a \\quad -b], in which nothing else stands between the two, as a row of a matrix. A sign belongs to an
+    entry where it touches what follows."""
     is_large = tokens[place].text == "\\left"
     start, closing = (place + 1, "\\right") if is_large else (place, "]")
     if printed(tokens[start : start + 1]) != ["["] or (start == place and _is_large(tokens, place)):
         return None
     parts: list[list[Token]] = [[]]
-    depth, end, signed = 0, start + 1, 0
+    depth, end = 0, start + 1
     while end < len(tokens) and (depth or tokens[end].text != closing):
         text = tokens[end].text
         is_first = not printed(parts[-1][len(parts) > 1 :])
-        if not depth and text in _NO_ROW and not (is_first and text in ("+", "-")):
+        if not depth and text in _NO_ROW and not (is_first and _touches(tokens, end)):
             return None
-        signed += not depth and len(parts) > 1 and text in ("+", "-")
         if not depth and text in _WIDE:
             parts.append([tokens[end].standing_for("&")])
         else:
             parts[-1].append(tokens[end])
         depth += (text in _OPEN) - (text in _CLOSE)
         end += 1
-    if (
-        end == len(tokens)
-        or len(parts) < (3 if signed else 2)
-        or any(past(part, 1) >= len(part) for part in parts[1:])
-    ):
+    if end == len(tokens) or len(parts) < 2 or any(past(part, 1) >= len(part) for part in parts[1:]):
         return None
     end += is_large
     if printed(tokens[end : end + 1]) != ["]"]:
@@ -125,6 +124,68 @@ def row_of_a_matrix(tokens: list[Token], place: int) -> tuple[list[Token], int] 
         apart = (token.standing_for(",") if token.text == "&" else token for token in inside)
         return [*tokens[place : start + 1], *apart, *tokens[end - is_large : end + 1]], end + 1
     return [first.standing_for("\\begin{bmatrix}"), *inside, last.standing_for("\\end{bmatrix}")], end + 1
+
+
+def _touches(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a sign stands there without a space behind it."""
+    is_sign = tokens[place].text in ("+", "-")
+    return is_sign and [token.text in GAPS for token in tokens[place + 1 : place + 2]] == [False]
+
+
+def row_of_two(tokens: list[Token], place: int) -> tuple[list[Token], int] | None:
+    """[a \\; -b] as a row of a matrix, and so the one cell of \\begin{pmatrix} a \\; -b \\end{pmatrix}."""
+    first, is_cell = tokens[place], tokens[place].text in _MATRICES
+    is_large = [token.text for token in tokens[place : place + 2]] == ["\\left", "["]
+    if not (is_cell or is_large or (first.text == "[" and not _is_large(tokens, place))):
+        return None
+    closing = first.text.replace("\\begin", "\\end") if is_cell else "\\right" if is_large else "]"
+    start = place + 1 + is_large
+    end = next((at for at in range(start, len(tokens)) if tokens[at].text in (closing, *_ENDS_A_ROW)), None)
+    if end is None or tokens[end].text != closing:
+        return None
+    parts = _entries(tokens[start:end])
+    end += is_large
+    above = past(tokens, end + 1)
+    is_raised = [token.text for token in tokens[above : above + 1]] == ["^"]
+    if parts is None or (is_raised and not is_cell) or (len(parts) != 2 and not is_cell):
+        return None
+    if [token.text for token in tokens[end : end + 1]] != (["]"] if not is_cell else [closing]):
+        return None
+    apart = [[first.standing_for("&")] * (at > 0) + part for at, part in enumerate(parts)]
+    inside = [token for part in apart for token in part]
+    if is_cell:
+        return [first, *inside, tokens[end]], end + 1
+    brackets = first.standing_for("\\begin{bmatrix}"), tokens[end].standing_for("\\end{bmatrix}")
+    return [brackets[0], *inside, brackets[1]], end + 1
+
+
+def _entries(tokens: Sequence[Token]) -> list[list[Token]] | None:
+    """Symbols, numbers and sines that spaces part, each with or without a sign; None for others."""
+    parts: list[list[Token]] = [[]]
+    for at, token in enumerate(tokens):
+        is_gap = token.text in _WIDE | (_THICK - {"\\,", "\\:"})
+        if is_gap and printed(parts[-1]):
+            parts.append([])
+        elif not is_gap:
+            parts[-1].append(token)
+            if token.text in ("+", "-") and (printed(parts[-1]) != [token.text] or not _touches(tokens, at)):
+                return None
+    parts = [part for part in parts if printed(part)]
+    return parts if len(parts) > 1 and all(_is_entry(_bare(part)) for part in parts) else None
+
+
+def _bare(entry: list[Token]) -> list[Token]:
+    """The entry without spaces around it and without its sign."""
+    kept = entry[past(entry, 0) :]
+    kept = kept[1:] if kept and kept[0].text in ("+", "-") else kept
+    while kept and kept[-1].text in GAPS:
+        kept = kept[:-1]
+    return kept
+
+
+def _is_entry(bare: list[Token]) -> bool:
+    is_turn = bool(bare) and bare[0].text in _TURNS and is_one_symbol(bare[past(bare, 1) :])
+    return is_turn or is_one_symbol(bare) or "".join(printed(bare)).isdigit()
 
 
 def _is_large(tokens: list[Token], place: int) -> bool:
@@ -181,3 +242,7 @@ def _are_scalars(parts: list[list[Token]]) -> bool:
 def _unsigned(parts: list[list[Token]]) -> list[list[Token]]:
     trimmed = [part[past(part, 0) :] for part in parts]
     return [part[past(part, 1) :] if part[0].text in ("-", "+") else part for part in trimmed]
+
+
+#: The patterns of rows in brackets.
+ROWS = (transposed_row, row_of_a_matrix, row_of_two)

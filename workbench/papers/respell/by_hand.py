@@ -12,6 +12,7 @@ from workbench.papers.respell.between import (
     net_sum,
     power_at_the_end,
     row_of_a_matrix,
+    row_of_two,
     transposed_row,
     wide_space,
 )
@@ -306,7 +307,7 @@ def _script_on_the_left(tokens: list[Token], place: int) -> tuple[list[Token], i
     return [*braced(tokens[place], []), *left, tokens[place].standing_for(" "), *body, *right], end
 
 
-_BETWEEN = (transposed_row, wide_space, row_of_a_matrix, net_sum, power_at_the_end)
+_BETWEEN = (transposed_row, wide_space, row_of_a_matrix, row_of_two, net_sum, power_at_the_end)
 _PATTERNS = (
     name_of_a_formula,
     _script_on_the_left,

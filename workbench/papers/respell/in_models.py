@@ -2,18 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TypeVar
 
 from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.papers.respell.respelling import respelled
-from workbench.papers.texts import spelled
+from workbench.papers.respell.between import ROWS
+from workbench.papers.respell.by_hand import everywhere
+from workbench.papers.respell.respelling import argument, respelled
+from workbench.papers.texts import Token, spelled
 from workbench.papers.texts.tex.tokens import lex
 from workbench.papers.texts.view import Source
 
 Result = TypeVar("Result")
+
+
+def with_rows(latex: str) -> str:
+    """The formula with [a \\quad -b] and the like as the rows of matrices that they print."""
+    if "[" not in latex and "matrix" not in latex:
+        return latex
+    made = tokens = list(_with_environments(lex(Source(Path(), latex).view())))
+    for pattern in ROWS:
+        made = everywhere(made, pattern)
+    is_changed = [token.text for token in made] != [token.text for token in tokens]
+    return spelled(made)[0] if is_changed else latex
+
+
+def _with_environments(tokens: Sequence[Token]) -> Iterator[Token]:
+    """The tokens, with \\begin{name} as one, as displays have it."""
+    place = 0
+    while place < len(tokens):
+        token = tokens[place]
+        place += 1
+        if token.text in ("\\begin", "\\end"):
+            inside, place = argument(tokens, place)
+            token = token.standing_for(f"{token.text}{{{spelled(inside)[0]}}}")
+        yield token
 
 
 def or_respelled(latex: str, words: Collection[str], read: Callable[[str], Result]) -> Result:

@@ -112,7 +112,7 @@ def with_nuclei(tokens: Sequence[Token]) -> Iterator[Token]:
         is_spaced = text in _SPACES or text in _SPACES_WITH_ARGUMENT
         is_bare = is_spaced or (text in _SIGNS and not is_script) or text.startswith("\\begin{")
         is_script = text in ("^", "_")  # of which a sign without braces is the script, as in [x]_\times^2
-        if text in _SPACES_WITH_ARGUMENT:
+        if text in _SPACES_WITH_ARGUMENT or text == "\\begin{array}":
             length_until = _behind_group(tokens, place + 1)
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import partial
 
+from workbench.papers.cutting.chains import Step
 from workbench.papers.model import Notation, PaperError
-from workbench.papers.text_claims.steps import Step
 from workbench.papers.text_claims.text_model import Entry, TextModel, names_of
 from workbench.papers.texts import Display
 

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
+from workbench.language.naming.declarations import read_key
+from workbench.language.naming.spelling import INDEX_LETTERS
+from workbench.language.typed.names import Name
 from workbench.papers.faults import Faults
 from workbench.papers.mends import MEND_KEYS
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.notation import notation_of
 from workbench.papers.notation_files import NOTATION_KEYS
 from workbench.papers.texts import Directive, Display, Text
+from workbench.papers.texts.prose import headings
 from workbench.papers.toml.toml_file import TomlFile
 from workbench.papers.toml.toml_places import KeyPath
 
@@ -83,12 +87,12 @@ class Entry:
 
 @dataclass
 class TextModel:
-    """`chain`: the files that the notation stands on. `scopes`: what is declared anew from a display on
-    (its place in reading order). `guessed`: symbols whose kinds nobody has confirmed. `faults`: what of the
-    model cannot be used."""
+    """`chain`: the files that the notation stands on. `scopes`: what is declared anew from a display on (its
+    place in reading order, and the file and line where that begins). `guessed`: symbols whose kinds nobody
+    has confirmed. `faults`: what of the model cannot be used."""
 
     chain: list[TomlFile] = field(default_factory=list)
-    scopes: list[tuple[int, Table]] = field(default_factory=list)
+    scopes: list[tuple[int, Table, tuple[Path, int]]] = field(default_factory=list)
     guessed: tuple[str, ...] = ()
     entries: list[Entry] = field(default_factory=list)
     faults: Faults = field(default_factory=Faults)
@@ -98,11 +102,21 @@ class TextModel:
         made = []
         for count in range(len(self.scopes) + 1):
             start = self.scopes[count - 1][0] if count else 0
-            tables = [table for _, table in self.scopes[:count]]
-            made.append((start, self.faults.past(partial(notation_of, self.chain, tables))))
+            tables = [table for _, table, _ in self.scopes[:count]]
+            notation = self.faults.past(partial(notation_of, self.chain, tables))
+            made.append((start, notation and self._with_places(notation, count)))
         if any(notation is None for _, notation in made):
             self.faults.stop()
         return made
+
+    def _with_places(self, notation: Notation, count: int) -> Notation:
+        """The notation of so many scopes, with the places where they declare symbols anew."""
+        since: dict[Name, tuple[Path, int]] = {}
+        for _, table, place in self.scopes[:count]:
+            keys = [key for part in ("symbols", "definitions") for key in table.value((part,), dict, {})]
+            names = {read_key(key, letters)[0] for key in keys for letters in (INDEX_LETTERS, frozenset())}
+            since |= dict.fromkeys(names, place)
+        return replace(notation, since=since)
 
 
 def read_entries(toml: TomlFile, faults: Faults) -> list[Entry]:
@@ -134,7 +148,7 @@ def read_scopes(toml: TomlFile, text: Text, model: TextModel) -> None:
         model.faults.past(partial(toml.allow_keys, path, _SCOPE_KEYS))
         place = model.faults.past(partial(_start, toml, path, text))
         if place is not None:
-            model.scopes.append((place, Table(toml, path)))
+            model.scopes.append((place, Table(toml, path), _beginning(place, text.displays)))
     model.scopes.sort(key=lambda scope: scope[0])
 
 
@@ -150,6 +164,17 @@ def _start(toml: TomlFile, path: KeyPath, text: Text) -> int:
     if place is None or place >= len(text.displays):
         raise toml.error_at_value((*path, "from"), f"from: the text has no {start!r}")
     return place
+
+
+def _beginning(place: int, displays: Sequence[Display]) -> tuple[Path, int]:
+    """The file and line from which a scope that begins with this display is in force: behind the display
+    before it, or from the last heading between them."""
+    first = displays[place]
+    source = first.source
+    before = [each.end for each in displays[:place] if each.source.path == source.path]
+    starts = [start for start, _ in headings(source.prose) if start < first.start]
+    at = max([0, *before, *starts])
+    return source.path, source.place(at)[0] + (at in before)
 
 
 def _behind_line(name: str, displays: Sequence[Display]) -> int | None:

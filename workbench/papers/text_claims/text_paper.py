@@ -12,17 +12,17 @@ from pathlib import Path
 from workbench.language.elaboration.arguments import OR_A_PRODUCT
 from workbench.language.reader import unclaimed
 from workbench.language.typed.errors import IllFormedAt, ReadError
-from workbench.language.typed.terms import Symbol
+from workbench.language.typed.terms import Statement, Symbol
+from workbench.papers.cutting.chains import Step, steps_of
+from workbench.papers.cutting.display_vocabulary import RELATIONS
 from workbench.papers.formulas import WORDS, FormulaReader, read_statement, why_ill_formed
 from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
-from workbench.papers.model import Claim, Formula, Notation, Paper, PaperError, Span
+from workbench.papers.model import Aside, Claim, Formula, Notation, Paper, PaperError, Span
 from workbench.papers.numbered import written_out
 from workbench.papers.orders import Orders, orders_within
-from workbench.papers.said import stated, terms_of, with_laws, with_said
-from workbench.papers.text_claims.alignment import RELATIONS
+from workbench.papers.said import declared_anew, names_in, stated, terms_of, with_laws, with_said
 from workbench.papers.text_claims.asides import asides_of, own_asides
 from workbench.papers.text_claims.assigned import Placed, assigned, means, unknown_ids
-from workbench.papers.text_claims.steps import Step, steps_of
 from workbench.papers.text_claims.text_model import Entry, TextModel
 from workbench.papers.text_claims.unsettled import with_unsettled
 from workbench.papers.texts import Display, Text, Token, spelled
@@ -115,11 +115,21 @@ def _with_given(claim: Claim, placed: Sequence[Placed], entries: Sequence[Entry]
             for latex in (each.step.spelled()[0] for each in found):
                 try:
                     statement, _ = read_statement(latex, claim.notation, claim.orders, as_condition=True)
+                    _refuse_other_meaning(table, at, statement, found[0].notation, claim.notation)
                     given.append(Formula(latex, statement))
                 except (ReadError, IllFormedAt) as error:
                     raise table.error_at_value(("given",), f"given: {at}: {error.message}") from None
     says_none = any(table.value(("given",), list, None) == [] for table in tables)
     return replace(claim, given=tuple(given), alone=says_none and not given)
+
+
+def _refuse_other_meaning(
+    table: TomlFile, at: str, statement: Statement, there: Notation, here: Notation
+) -> None:
+    """Raises PaperError for a formula that speaks of a symbol that a scope behind it declares anew."""
+    if (name := declared_anew(names_in(statement), there, here)) is not None:
+        message = f"given: {at!r} speaks of another {name}: a [[scope]] behind it declares {name} anew"
+        raise table.error_at_value(("given",), f"{message}; expected a formula of this scope")
 
 
 def _as_it_stands(claim: Claim) -> Claim:
@@ -133,9 +143,13 @@ def _with_asides(claim: Claim, placed: Placed, inline: Sequence[Display]) -> Cla
     statement = claim.printed.statement
     if statement is None:
         return claim
+    limits = [Aside(words, claim.line, None, seen=False) for words in placed.step.limits]
     is_read = not placed.step.ranges or claim.printed.latex == placed.step.spelled()[0]
     own = () if is_read else own_asides(placed.step, placed.notation)
-    return replace(claim, beside=(*own, *asides_of(placed.display, statement, placed.notation, inline)))
+    return replace(
+        claim,
+        beside=(*limits, *claim.beside, *own, *asides_of(placed.display, statement, placed.notation, inline)),
+    )
 
 
 def placed_steps(displays: Sequence[Display], notations: Sequence[tuple[int, Notation]]) -> Iterator[Placed]:
@@ -190,6 +204,7 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
     has_reading = any(table.text(("reading",)) for table in tables)
     printed, within = _printed(placed, orders, has_reading)
     assume, printed = _assumed(placed, printed)
+    reasons, unread_reasons = _reasons(placed)
     span = span_of(step.own, display)
     claim = Claim(
         placed.id,
@@ -197,7 +212,7 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
         placed.notation,
         equation=step.number,
         section=f"{display.section} {display.heading}".strip() or None,
-        assume=assume,
+        assume=(*assume, *reasons),
         orders=within,
         file=display.source.path,
         line=span.line,
@@ -205,6 +220,10 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
         chain=placed.chain,
         guessed=_used(printed, step.tokens, guessed),
         states=printed.statement and stated(printed.statement, placed.notation),
+        beside=unread_reasons,
+        perhaps=tuple(_side_formula(tokens, placed) for tokens in step.perhaps),
+        otherwise=tuple(_side_formula(tokens, placed) for tokens in step.otherwise),
+        question=step.question,
     )
     for table in tables:
         claim = _with_keys(claim, table)
@@ -216,9 +235,11 @@ def _with_keys(claim: Claim, table) -> Claim:
     changes: dict[str, object] = {}
     for key in ("reading", "corrected", "hypothesis"):
         if (text := table.text((key,))) is not None:
-            is_branch = key == "hypothesis" and WORDS.fullmatch(text)
-            changes[key] = Formula(text) if is_branch else reader.intended(key)
-    assume = reader.intended_list("assume")
+            if key != "hypothesis":
+                changes[key] = reader.intended(key)
+            else:
+                changes[key] = Formula(text) if WORDS.fullmatch(text) else reader.hypothesis(claim.printed)
+    assume = reader.conditions(claim.printed)
     if assume:
         changes["assume"] = (*claim.assume, *assume)
     for key in ("skip", "unread", "note"):
@@ -258,6 +279,8 @@ def _orders(tables: Sequence) -> Orders | None:
 
 def _printed(placed: Placed, orders: Orders | None, excused: bool) -> tuple[Formula, Orders | None]:
     latex, owners = placed.step.spelled()
+    if placed.step.denied is not None:
+        return Formula(latex, unread=f"the words beside it deny it: {placed.step.denied}"), orders
     opaque = sorted(
         name for name in placed.display.opaque if re.search(rf"\\{re.escape(name)}(?![A-Za-z])", latex)
     )
@@ -312,6 +335,31 @@ def _assumed(placed: Placed, printed: Formula) -> tuple[tuple[Formula, ...], For
                 printed, statement=None, unread=why, at=_at(latex, owners, error.line, error.column)
             )
     return tuple(made), printed
+
+
+def _reasons(placed: Placed) -> tuple[list[Formula], tuple[Aside, ...]]:
+    """The reasons that the author gives for the step, and those that cannot be read, which limit it."""
+    made: list[Formula] = []
+    unread: list[Aside] = []
+    for tokens in placed.step.reasons:
+        formula = _side_formula(tokens, placed)
+        if formula.statement is not None:
+            made.append(formula)
+        else:
+            line = placed.display.source.place(tokens[0].start)[0]
+            unread.append(Aside(formula.latex, line, None, seen=False))
+    return made, tuple(unread)
+
+
+def _side_formula(tokens: Sequence[Token], placed: Placed) -> Formula:
+    """The formula of the tokens, which stand beside a step or in its place; with why it cannot be read."""
+    latex, _ = spelled(tokens)
+    try:
+        return Formula(latex, read_statement(latex, placed.notation, None)[0])
+    except IllFormedAt as error:
+        return Formula(latex, ill_formed=_message(error))
+    except (ReadError, ValueError) as error:
+        return Formula(latex, unread=_unreadable(str(error)))
 
 
 def _message(error: IllFormedAt) -> str:

@@ -8,20 +8,26 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 
 from workbench.language.definitions import expand
 from workbench.language.typed.construct import apply, derivative, number, relation, zero
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.operators import CIRCULAR
-from workbench.language.typed.terms import Apply, Derivative, IllFormed, Relation, Symbol, Term, sides_of
+from workbench.language.typed.terms import Apply, Derivative, IllFormed, Symbol, Term, sides_of
 from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Notation
+from workbench.papers.said import is_before_scope, is_by_definition
 from workbench.papers.texts import Display
+from workbench.papers.texts.prose import headings, is_in_section_of
+from workbench.papers.texts.view import Source
 
 _WHY = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
 _ARGUMENTS = re.compile(r"(?:\\left)?\((?:[^()]|\([^()]*\))*\)$")
 _DOTS = re.compile(r"\\d+ot(?![A-Za-z])")
+#: The indices of a component of a vector, a matrix or a quaternion.
+COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 _WHOLE = re.compile(r"[+-]?\d+")
 _RIGHT_ANGLE = re.compile(r"([+-]|\\pm)?(?:(\d+)(?:\^\\circ|[°˚]|\\degree)|(\\pi)|\\[dt]?frac\\pi2|\\pi/2)")
 _COSINES = (1, 0, -1, 0)
@@ -34,6 +40,8 @@ class Unread:
     left: str
     right: str
     line: int
+    file: Path | None = None
+    sentence: Source | None = None  # in which it stands
 
     @cached_property
     def latex(self) -> str:
@@ -66,14 +74,14 @@ class Unread:
 def said_unread(claims: Sequence[Claim], inline: Sequence[Display]) -> Mapping[str, list[Unread]]:
     """By what stands before an =: the formulas that are not read, or in a sentence."""
     unread = [each for each in claims if each.printed.statement is None and not each.chain]
-    said = [(each.printed.latex, each.line) for each in unread]
-    said += [(each.latex, each.line) for each in inline]
+    said = [(each.printed.latex, each.line, each.file, None) for each in unread]
+    said += [(each.latex, each.line, each.source.path, each.source) for each in inline]
     found: dict[str, list[Unread]] = {}
-    for latex, line in said:
+    for latex, line, file, source in said:
         left, equals, right = latex.partition("=")
         if equals:
             name = _ARGUMENTS.sub("", _flat(left.rstrip(" :")))
-            found.setdefault(name, []).append(Unread(left, right, line))
+            found.setdefault(name, []).append(Unread(left, right, line, file, source))
     return found
 
 
@@ -83,24 +91,50 @@ def left_open(
     """Why the claim is open by what is said of its free symbols; where it only gives them values, these."""
     asides: list[Aside] = []
     for declaration in free:
-        for unread in said.get(_flat(str(declaration.name)), ()):
+        for unread in _said_of(declaration, claim.notation, said):
+            if is_before_scope([declaration.name], unread.file, unread.line, claim.notation):
+                continue
             if _is_by_definition(unread, claim.notation):
                 continue
             terms = _expanded(claim)
             own = _own(declaration, terms)
             values = unread.asides(own, terms) if own and with_values else []
+            if values and _is_elsewhere(unread, claim):
+                continue
             if not values:
                 return _WHY.format(declaration.name, unread), []
             asides += values
     return None, asides
 
 
+def _is_elsewhere(value: Unread, claim: Claim) -> bool:
+    """Whether a sentence gives a symbol its value in a section in which the claim does not stand."""
+    if value.sentence is None or value.file != claim.file:
+        return False
+    place = value.sentence.place
+    lines = [(place(start)[0], level) for start, level in headings(value.sentence.prose)]
+    return not is_in_section_of(claim.line, value.line, lines)
+
+
+def _said_of(
+    declaration: Declaration, notation: Notation, said: Mapping[str, list[Unread]]
+) -> Iterator[Unread]:
+    """What is said of the symbol, or of a component of it that is no symbol of its own."""
+    name = _flat(str(declaration.name))
+    yield from said.get(name, ())
+    if declaration.type.kind == "scalar":
+        return
+    declared = {_flat(str(each)) for each in notation.symbols.symbols}
+    for other, unread in said.items():
+        _, _, index = other.partition(f"{name}_")
+        if other == f"{name}_{index}" and COMPONENT.fullmatch(index) and other not in declared and index:
+            yield from unread
+
+
 def _is_by_definition(unread: Unread, notation: Notation) -> bool:
     """Whether its sides are the same by what is defined, so that it says nothing."""
-    with suppress(ReadError, IllFormedAt, IllFormed, ValueError):
-        said, _ = read_statement(unread.latex, notation, None)
-        if isinstance(said, Relation):
-            return expand(said.left, notation.definitions) == expand(said.right, notation.definitions)
+    with suppress(ReadError, IllFormedAt, ValueError):
+        return is_by_definition(read_statement(unread.latex, notation, None)[0], notation.definitions)
     return False
 
 

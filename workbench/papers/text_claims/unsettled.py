@@ -23,15 +23,14 @@ from workbench.language.typed.terms import (
 )
 from workbench.language.typed.types import SCALAR, Declaration
 from workbench.papers.model import Claim
-from workbench.papers.said import SAYS, conditioned, terms_of
-from workbench.papers.text_claims.unread import left_open, said_unread
+from workbench.papers.said import SAYS, conditioned, constrains, terms_of
+from workbench.papers.text_claims.unread import COMPONENT, left_open, said_unread
 from workbench.papers.texts import Text
 
 _EXAMPLE = "gives the numbers of an example, which nothing defines; a definition makes it a claim"
 _GIVEN = "other formulas follow from it: it is given, and no claim"
 _ADJUGATE = re.compile(r"adjugate|classical adjoint|cofactor|\\\\adj", re.IGNORECASE)
 _NO_ADJUGATE = "^* is read as the adjugate, of which the text does not speak; [notation] can say what it is"
-_COMPONENT = re.compile(r"[0-3]|[1-3][1-3]|[xyzw]|[xyz][xyz]|[ijk]|")
 
 
 def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
@@ -51,7 +50,8 @@ def with_unsettled(claims: Sequence[Claim], text: Text) -> list[Claim]:
             why = _of_components(free, claim) or _of_a_star(statement, text)
             for function in conditioned(statement, claim.notation.definitions):
                 why = f"a condition on {function.name}, of which nothing else is said?"
-            why = _GIVEN if statement in given else why
+            is_postulate = statement in given and constrains(statement, claim.notation.definitions)
+            why = _GIVEN if is_postulate else why
             within = _within(claim, symbols)
             says_of = _solved_for(statement, free, within)
             says = None if says_of is None else SAYS.format(says_of)
@@ -90,7 +90,7 @@ def _of_components(free: Sequence[Declaration], claim: Claim) -> str | None:
     for declaration in free:
         whole = arrays.get(declaration.name.letter)
         indices = "".join(re.sub(r"[\s{},]", "", part) for part in declaration.name.sub)
-        is_part = whole is not None and declaration.type.kind == "scalar" and _COMPONENT.fullmatch(indices)
+        is_part = whole is not None and declaration.type.kind == "scalar" and COMPONENT.fullmatch(indices)
         if is_part and declaration.name.sub and (whole.name.letter, declaration.name) not in given:
             part, array = declaration.name, whole.name
             return f"{part} reads as a component of {array}; a definition of {array} says so"

@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from functools import lru_cache
 
 _FAR = 800
 _COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 _BLANK_LINES = re.compile(r"\n[ \t]*\n")
 _DISPLAY_END = re.compile(
     r"\\end\s*\{[^}]*\}|\\\]|\$\$|\\(?:sub)*section\*?\s*\{[^}]*\}|^#+ .*$|^.*\n[=\-~^]{4,}$", re.MULTILINE
+)
+_LEVELS = ("part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph")
+_HEADING = re.compile(
+    rf"\\(?P<tex>{'|'.join(_LEVELS)})\*?\s*(?:\[[^\]]*\]\s*)?\{{[^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)*\}}"
+    r"|^(?P<marks>#{1,6}) [^\n]*$|<h(?P<html>[1-6])\b.*?</h[1-6]>"
+    r"|^(?P<title>[^\s|][^\n]*)\n(?P<line>[=\-~^\"'+*#])(?P=line){2,}[ \t]*$",
+    re.MULTILINE | re.DOTALL | re.IGNORECASE,
 )
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z$\\*`(])")
 _STOP = re.compile(r"[.!?]\s*(?:\\end\s*\{[^}]*\}|\\\]|\$\$)?$")
@@ -27,15 +36,38 @@ def sentence_before(text: str, start: int) -> str:
 
 
 def sentence_around(text: str, start: int, end: int) -> tuple[int, int]:
-    """From where to where the sentence goes in which the display from `start` to `end` stands."""
+    """From where to where the sentence goes in which the display from `start` to `end` stands. A heading ends
+    it."""
     first = max(0, start - _FAR)
     before = text[first:start].rstrip()
-    ends = [m.end() for sign in (_BLANK_LINES, _SENTENCE) for m in sign.finditer(before)]
+    ends = [m.end() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) for m in sign.finditer(before)]
     end += len(text[end:]) - len(text[end:].lstrip())
     after = text[end : end + _FAR]
     closed = _STOP.search(text[start:end].rstrip()[-40:])
-    stops = [m.start() for sign in (_BLANK_LINES, _SENTENCE) if (m := sign.search(after))]
+    stops = [m.start() for sign in (_BLANK_LINES, _SENTENCE, _HEADING) if (m := sign.search(after))]
     return first + max(ends, default=0), end if closed else end + min(stops, default=len(after))
+
+
+@lru_cache(maxsize=8)
+def headings(text: str) -> tuple[tuple[int, int], ...]:
+    """Returns where each heading of the text begins, and its level, 1 for the highest."""
+    found, lines = [], []
+    for match in _HEADING.finditer(text):
+        if match["tex"]:
+            level = _LEVELS.index(match["tex"].lower()) + 1
+        elif match["line"]:
+            lines += [] if match["line"] in lines else [match["line"]]
+            level = lines.index(match["line"]) + 1
+        else:
+            level = int(match["html"] or len(match["marks"]))
+        found.append((match.start(), level))
+    return tuple(found)
+
+
+def is_in_section_of(place: int, said: int, headings: Sequence[tuple[int, int]]) -> bool:
+    """Returns whether the place lies in the section in which something is said, or in one inside of that."""
+    first, own = next(((start, level) for start, level in reversed(headings) if start <= said), (0, 0))
+    return first <= place and not any(said < start <= place and level <= own for start, level in headings)
 
 
 def supposed_before(text: str, first: int) -> str:

@@ -12,7 +12,8 @@ from workbench.papers.texts.delimiters import Found, within
 from workbench.papers.texts.includes import includes, unread
 from workbench.papers.texts.markdown import markdown
 from workbench.papers.texts.restructured import restructured
-from workbench.papers.texts.tex.displays import CLOSING, INLINE, add, read_display
+from workbench.papers.texts.tex.display_list import add
+from workbench.papers.texts.tex.displays import CLOSING, INLINE, read_display
 from workbench.papers.texts.tex.document import TexReader, Text
 from workbench.papers.texts.tex.macros import named
 from workbench.papers.texts.tex.state import Names

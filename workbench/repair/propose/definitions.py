@@ -27,7 +27,8 @@ from workbench.language.definitions import Definitions
 from workbench.language.printing.authors import in_the_hand_of
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import relation, symbol, zero
-from workbench.language.typed.terms import Apply, Definition, IllFormed, Relation, Symbol, Term
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Apply, Definition, IllFormed, Relation, Statement, Symbol, Term
 from workbench.papers.model import Claim
 from workbench.repair.propose.judging import judging
 from workbench.repair.propose.limits import Limits
@@ -35,8 +36,8 @@ from workbench.repair.propose.repair import repair
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.arithmetic import sum_of, times
 from workbench.repair.terms.coefficients import Vector, fewest_changes
-from workbench.repair.terms.edits import edits
-from workbench.repair.terms.places import places
+from workbench.repair.terms.edits import Refused, edits
+from workbench.repair.terms.places import places, subterm
 from workbench.repair.terms.search import cost
 
 _POINTS = 6
@@ -152,8 +153,9 @@ def _near_bodies(name: Symbol, definition: Definition) -> Iterator[Term]:
         return
     before = _rests_on(definition.body, name)
     for edit in sorted(edits(printed, within=(1,)), key=cost):
-        if isinstance(edit.statement, Relation) and _rests_on(edit.statement.right, name) <= before:
-            yield edit.statement.right
+        right = None if isinstance(edit, Refused) else subterm(edit.statement, (1,))
+        if right is not None and _rests_on(right, name) <= before:
+            yield right
 
 
 def _rests_on(body: Term, name: Symbol) -> set[tuple]:
@@ -163,12 +165,12 @@ def _rests_on(body: Term, name: Symbol) -> set[tuple]:
     return {(s.declaration.name, s.index if s.declaration.name == family else ()) for s in symbols}
 
 
-def _names_below(claim: Claim) -> set[str]:
+def _names_below(claim: Claim) -> set[Name]:
     """The names of the symbols on which the claim rests, through all definitions."""
-    of_name: dict[str, list[Definition]] = {}
+    of_name: dict[Name, list[Definition]] = {}
     for definition in claim.notation.definitions:
         of_name.setdefault(definition.declaration.name, []).append(definition)
-    names: set[str] = set()
+    names: set[Name] = set()
     statement = claim.printed.statement
     waiting = [] if statement is None else [t for _, term in places(statement) for t in term.walk()]
     while waiting:
@@ -181,10 +183,13 @@ def _names_below(claim: Claim) -> set[str]:
 
 
 def _holds_at_points(claim: Claim, change: Redefinition) -> bool:
+    statement = claim.printed.statement
+    if statement is None:
+        return False
     try:
         definitions = change.of(claim.notation.definitions)
         screen = Screen(definitions, claim.supposed, claim.instances[-2:])
-        residual = screen.residual(claim.printed.statement)
+        residual = screen.residual(statement)
     except (NotExact, IllFormed):
         return False
     return residual is not None and not any(residual)
@@ -206,10 +211,12 @@ def _holds(claim: Claim, definitions: Definitions) -> bool:
 def _other_coefficients(claims: Sequence[Claim]) -> Iterator[tuple[Redefinition, tuple]]:
     for claim in claims:
         for bodies in _solutions(claim):
-            changed = tuple(
-                _in_words(claim, s, claim.notation.definitions.lookup(s), body) for s, body in bodies.items()
-            )
-            yield Redefinition(bodies), changed
+            changed = []
+            for s, body in bodies.items():
+                before = claim.notation.definitions.lookup(s)
+                assert before is not None, f"{s} has no definition"
+                changed.append(_in_words(claim, s, before, body))
+            yield Redefinition(bodies), tuple(changed)
 
 
 def _solutions(claim: Claim) -> Iterator[dict[Symbol, Term]]:
@@ -219,31 +226,33 @@ def _solutions(claim: Claim) -> Iterator[dict[Symbol, Term]]:
         return
     definitions = claim.notation.definitions
     symbols = list(dict.fromkeys(t for _, t in places(statement) if isinstance(t, Symbol)))
-    sums = {s: body.arguments for s in symbols if not s.arguments and _is_sum(body := definitions.lookup(s))}
+    sums: dict[Symbol, tuple[Term, ...]] = {}
+    for s in symbols:
+        match None if s.arguments else definitions.lookup(s):
+            case Apply(head="add", arguments=addends):
+                sums[s] = addends
     if not sums:
         return
     nothing = {s: zero(s.type) for s in sums}
-    start = _residual(claim, Redefinition(nothing))
+    start = _residual(claim, statement, Redefinition(nothing))
+    if start is None:
+        return
     parts = [(s, addend) for s, addends in sums.items() for addend in addends]
     columns = []
     for s, addend in parts:
-        residual = _residual(claim, Redefinition({**nothing, s: addend}))
-        if residual is None or start is None:
+        residual = _residual(claim, statement, Redefinition({**nothing, s: addend}))
+        if residual is None:
             return
         columns.append(tuple((x - y) % PRIME for x, y in zip(residual, start, strict=True)))
     for factors in fewest_changes(columns, tuple(-x % PRIME for x in start)):
         yield _bodies(sums, dict(zip(parts, factors, strict=True)))
 
 
-def _is_sum(body: Term | None) -> bool:
-    return isinstance(body, Apply) and body.head == "add"
-
-
-def _residual(claim: Claim, change: Redefinition) -> Vector | None:
+def _residual(claim: Claim, statement: Statement, change: Redefinition) -> Vector | None:
     try:
         definitions = change.of(claim.notation.definitions)
         screen = Screen(definitions, claim.supposed, [{}] * _POINTS)
-        return screen.residual(claim.printed.statement)
+        return screen.residual(statement)
     except NotExact:
         return None
 

@@ -61,26 +61,29 @@ def _by_hand(claim: Claim) -> Formula | None:
 
 def compared(repair: Repair) -> Erratum:
     """The proposals beside the correction made by hand, which the search has not looked at."""
-    claim = repair.claim
-    same = [proposal for proposal in repair.proposals if _says_the_same(claim, proposal)]
+    claim, by_hand = repair.claim, _by_hand(repair.claim)
+    assert by_hand is not None, f"{claim.id} is not corrected by hand"
+    same = [proposal for proposal in repair.proposals if _says_the_same(claim, proposal, by_hand)]
     shown = (*same, *repair.proposals, None)[0]
     return Erratum(
         id=claim.id,
         equation=claim.equation,
         printed=claim.printed.latex,
-        by_hand=_by_hand(claim).latex,
+        by_hand=by_hand.latex,
         result="same" if same else "different" if repair.proposals else "none",
-        latex=shown and shown.latex,
-        edit=shown and shown.edit,
+        latex=shown.latex if shown else None,
+        edit=shown.edit if shown else None,
         candidates=repair.candidates,
         complete=repair.complete,
     )
 
 
-def _says_the_same(claim: Claim, proposal: Proposal) -> bool:
+def _says_the_same(claim: Claim, proposal: Proposal, by_hand: Formula) -> bool:
+    if by_hand.statement is None:
+        return False
     with suppress(ReadError, IllFormedAt):
         proposed, _ = read_statement(proposal.latex, claim.notation, claim.orders)
-        return Sameness.under(claim).same(proposed, _by_hand(claim).statement)
+        return Sameness.under(claim).same(proposed, by_hand.statement)
     return False
 
 

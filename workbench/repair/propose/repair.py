@@ -1,4 +1,5 @@
-"""What the right form of a claim is, from its printed form alone; nothing is proposed that is not proved."""
+"""What the right form of a claim is, from its printed form alone; nothing is proposed that is not proved, at
+least where the printed denominators do not vanish."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import symbol
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Statement, Symbol, Term
+from workbench.language.typed.terms import Apply, Statement, Symbol, Term
 from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
@@ -29,7 +30,7 @@ from workbench.repair.propose.proposed import Proposed
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous
-from workbench.repair.terms.edits import edits
+from workbench.repair.terms.edits import Edit, edits
 from workbench.repair.terms.members import membership, other_members
 from workbench.repair.terms.places import places
 from workbench.repair.terms.search import Candidate, Change, Neighbourhood, candidate_of, cost
@@ -74,7 +75,7 @@ class Repair:
     """What was found. `candidates`: how many were looked at; `complete`: the search came to its end;
     `interrupted`: by Ctrl-C."""
 
-    claim: Claim | None
+    claim: Claim
     proposals: list[Proposal] = field(default_factory=list)
     candidates: int = 0
     seconds: float = 0.0
@@ -194,13 +195,10 @@ class _Bench:
         screen = self.screen
         if screen is not None and self._offer(c for c in likeliest if screen.vanishes(c.statement)):
             return
-        if screen is None or not self._is_equation(likeliest):
+        if screen is None or all(screen.residual(c.statement) is None for c in likeliest):
             self._offer(iter(likeliest))
         else:
             self._repair_false(likeliest)
-
-    def _is_equation(self, read: Sequence[Candidate]) -> bool:
-        return any(self.screen.residual(candidate.statement) is not None for candidate in read)
 
     def _repair_false(self, read: Sequence[Candidate]) -> None:
         """One stage of the search after another, each for all readings."""
@@ -213,8 +211,10 @@ class _Bench:
         stages = []
         for candidate in read:
             near, far = symbols_like(candidate.statement, self.table, self.integers)
+            own = self._screen()  # which keeps values of its own
+            assert own is not None
             neighbourhood = Neighbourhood(
-                candidate.statement, self._screen(), second, near, far, len(read) > 1, self._tick
+                candidate.statement, own, second, near, far, len(read) > 1, self._tick
             )
             stages.append((candidate, neighbourhood.stages()))
         while stages:
@@ -250,8 +250,9 @@ class _Bench:
 
     def _judge_best(self, candidates: Sequence[Candidate]) -> None:
         """Makes proposals of those that are proved, the likeliest first, as long as they have no more changes
-        than the first one."""
+        than the first one; where none is, of those that hold where the printed denominators do not vanish."""
         proposals = self.found.proposals
+        conditional: list[Proposal] = []
         for candidate in sorted(candidates, key=self._rank):
             if proposals and len(candidate.changes) > len(proposals[0].changes):
                 break
@@ -263,6 +264,21 @@ class _Bench:
                 self.proved.append(candidate.statement)
                 if len(proposals) >= self.limits.proposals:
                     break
+            elif verdict is not None and self._holds_where_printed_does(verdict, candidate.statement):
+                conditional.append(Proposal(self._latex(candidate), candidate.changes, verdict))
+        if not proposals and conditional:
+            least = min(len(each.changes) for each in conditional)
+            likeliest = [each for each in conditional if len(each.changes) == least]
+            proposals += likeliest[: self.limits.proposals]
+
+    def _holds_where_printed_does(self, verdict: Verdict, statement: Statement) -> bool:
+        """Whether it holds unless a denominator vanishes, all of them being printed."""
+        printed = self.claim.printed.statement
+        return (
+            verdict.outcome is Outcome.CONDITIONAL
+            and printed is not None
+            and _denominators(statement) <= _denominators(printed)
+        )
 
     def _rank(self, candidate: Candidate) -> tuple:
         """Few changes first; of as many, likely misprints, and what does not make the formula longer."""
@@ -316,9 +332,14 @@ class _Bench:
 def _unscreened(printed: Candidate) -> Iterator[Candidate]:
     """One-place edits of what cannot be screened."""
     for edit in sorted(edits(printed.statement), key=cost):
-        if edit.statement is not None:
+        if isinstance(edit, Edit):
             candidate = candidate_of(edit)
             yield replace(candidate, changes=(*printed.changes, *candidate.changes))
+
+
+def _denominators(statement: Statement) -> set[Term]:
+    parts = (term for _, term in places(statement))
+    return {each.arguments[1] for each in parts if isinstance(each, Apply) and each.head == "div"}
 
 
 def _size(statement: Statement) -> int:

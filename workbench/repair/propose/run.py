@@ -5,13 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import replace
 
 from workbench.budget import Workers
 from workbench.judge.loading import load_engines
 from workbench.papers.model import Claim
 from workbench.repair.propose.limits import STANDARD, Limits
-from workbench.repair.propose.repair import Repair, repair
+from workbench.repair.propose.repair import Proposal, Repair, repair
 
 
 def repair_claims(
@@ -40,10 +39,12 @@ def _side_by_side(
     workers: int,
     found: dict[str, Repair],
 ) -> None:
-    def repaired(place: int) -> Repair:
-        return replace(repair(claims[place], limits), claim=None)
+    def repaired(place: int) -> tuple[list[Proposal], int, float, bool, bool]:
+        """All of the repair but the claim, which is here already."""
+        done = repair(claims[place], limits)
+        return done.proposals, done.candidates, done.seconds, done.complete, done.interrupted
 
     with Workers(repaired, None, workers, prepare=load_engines) as there, suppress(KeyboardInterrupt):
         for claim, done in zip(claims, there.map(range(len(claims))), strict=True):
-            found[claim.id] = replace(done, claim=claim)
+            found[claim.id] = Repair(claim, *done)
             progress(found[claim.id])

@@ -42,10 +42,12 @@ class AddendChoices:
     def that_add_up(self) -> Iterator[Marks]:
         """Choices whose values add up to 0: among a few alternatives of each addend, then among more; then
         among a few of all but one, and all of that."""
-        valued = [[a for a in alternatives if a.value is not None] for _, alternatives in self.slots]
+        valued = [
+            [(a, a.value) for a in alternatives if a.value is not None] for _, alternatives in self.slots
+        ]
         if not all(valued):
             return
-        rounds = [[width] * len(valued) for width in _ROUNDS]
+        rounds: list[list[int | None]] = [[width] * len(valued) for width in _ROUNDS]
         for deep in range(len(valued)):
             rounds.append([_FEW if place != deep else None for place in range(len(valued))])
         fitting: list[list[Alternative]] = []
@@ -54,11 +56,11 @@ class AddendChoices:
                 break
             cut = [alternatives[:width] for alternatives, width in zip(valued, widths, strict=True)]
             values = [
-                [sign * a.value % PRIME for a in alternatives]
+                [sign * value % PRIME for _, value in alternatives]
                 for (sign, _), alternatives in zip(self.slots, cut, strict=True)
             ]
             for places in zero_sums(values) or ():
-                fitting.append([a[place] for a, place in zip(cut, places, strict=True)])
+                fitting.append([a[place][0] for a, place in zip(cut, places, strict=True)])
         fitting.sort(key=lambda chosen: sum(a.cost for a in chosen))
         yield from ((*self.context, *(m for a in chosen for m in a.marks)) for chosen in fitting)
 

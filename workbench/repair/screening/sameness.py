@@ -91,8 +91,11 @@ class Sameness:
         screen = self._as_supposed
         if screen is None:
             return False
-        sides = [screen.components(side, one.left) for side in (one.left, one.right, other.left, other.right)]
-        if None in sides or not any(sides[0]):
+        values = [
+            screen.components(side, one.left) for side in (one.left, one.right, other.left, other.right)
+        ]
+        sides = [value for value in values if value is not None]
+        if len(sides) < len(values) or not any(sides[0]):
             return False
         if self._is_constant(one.left, sides[0]) and _symbols(one) != _symbols(other):
             return False
@@ -112,8 +115,8 @@ class Sameness:
                 before, after = (_difference(screen, r, one.left) for r in (one, other))
                 if before and after and any(before) and factor_between(before, after) is not None:
                     return True
-        before, after = _numbers(one), _numbers(other)
-        ratios = {after[key] / before[key] for key in before} if before.keys() == after.keys() else ()
+        numbers, others = _numbers(one), _numbers(other)
+        ratios = {others[key] / numbers[key] for key in numbers} if numbers.keys() == others.keys() else ()
         return len(ratios) == 1
 
 

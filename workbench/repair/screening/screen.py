@@ -61,6 +61,7 @@ class RandomPoint(dict):
 
     def __missing__(self, parameter: Parameter) -> nmod:
         symbol = parameter.symbol
+        assert isinstance(symbol, Symbol), f"the second engine has no parameters of {symbol}"
         place = f"{symbol.declaration.name} {symbol.index} {symbol.arguments or ''}"
         key = f"{self._seed} {place} {parameter.part}"
         if parameter.part in SPHERES:
@@ -120,8 +121,8 @@ class SharingEngine(JetEngine):
 
     def _given(self, symbol: Symbol, depth: int) -> Value:
         value = self.given[symbol]
-        still = [[0 * value.re[0]] * depth, None if value.du is None else [0 * value.du[0]] * depth]
-        return Value(value.re + still[0], None if value.du is None else value.du + still[1])
+        du = None if value.du is None else value.du + [0 * value.du[0]] * depth
+        return Value(value.re + [0 * value.re[0]] * depth, du)
 
 
 class ScreenPoint:

@@ -109,8 +109,8 @@ class Supply:
                     derived = differentiated_to(weight - term.weight, other)
                     if derived is not None:
                         yield from _pairs(term, derived)
-                for order in self._orders if weight is not None else ():
-                    if _sum_is(other, term, weight - order):
+                for rest in () if weight is None else [weight - order for order in self._orders]:
+                    if _sum_is(other, term, rest):
                         yield from self._derivatives([*_pairs(other, term), *_pairs(term, other)])
         for left in self._others:
             for right in self._others if left.type.kind == "tensor" and weight is not None else ():
@@ -119,7 +119,9 @@ class Supply:
 
 
 def _sum_is(left: Term, right: Term, weight: Weight) -> bool:
-    return None not in (left.weight, right.weight) and left.weight + right.weight == weight
+    if left.weight is None or right.weight is None:
+        return False
+    return left.weight + right.weight == weight
 
 
 def _basis(statement: Statement) -> Iterator[Term]:
@@ -127,20 +129,22 @@ def _basis(statement: Statement) -> Iterator[Term]:
     that may be a factor."""
     highest: dict[Symbol, int] = {}
     for atom in atoms_of(statement):
-        body, order = (atom.body, atom.order) if isinstance(atom, Derivative) else (atom, Linear(0))
-        highest.setdefault(body, 0)
+        symbol, order = (atom.body, atom.order) if isinstance(atom, Derivative) else (atom, Linear(0))
+        if not isinstance(symbol, Symbol):
+            continue
+        highest.setdefault(symbol, 0)
         if order.is_number:
-            highest[body] = max(highest[body], int(order))
+            highest[symbol] = max(highest[symbol], int(order))
         else:
             yield atom
     for _, term in places(statement):
         if isinstance(term, Derivative) and term.order.is_number:
             for part in term.body.walk():
-                if part in highest:
+                if isinstance(part, Symbol) and part in highest:
                     highest[part] = max(highest[part], int(term.order))
-    for body, order in highest.items():
+    for body, most in highest.items():
         is_still = body.declaration.constant or body.type.kind in ("operator", "matrix")
-        moving = 0 if is_still else order + 1
+        moving = 0 if is_still else most + 1
         for k in range(moving + 1):
             x = derivative(body, k) if k else body
             yield x
@@ -151,9 +155,9 @@ def _basis(statement: Statement) -> Iterator[Term]:
         if head in heads:
             yield from (apply(head, body) for body in highest if body.type.kind == "tensor")
     for head in ("sin", "cos"):
-        yield from (
-            apply(OPERATORS[head].partner, t.arguments[0]) for _, t in places(statement) if _is(t, head)
-        )
+        for _, term in places(statement):
+            if isinstance(term, Apply) and term.head == head:
+                yield apply(OPERATORS[head].partner, term.arguments[0])
     for _, term in places(statement):
         is_derivative = isinstance(term, Derivative) and not isinstance(term.body, Symbol)
         if is_derivative or (isinstance(term, Apply) and term.head in OF_TENSORS):
@@ -162,10 +166,6 @@ def _basis(statement: Statement) -> Iterator[Term]:
         yield identity()
     if any(term.type.dual for _, term in places(statement)):
         yield dual_unit()
-
-
-def _is(term: Term, head: str) -> bool:
-    return isinstance(term, Apply) and term.head == head
 
 
 def _pairs(left: Term, right: Term) -> Iterator[Term]:

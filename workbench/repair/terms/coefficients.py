@@ -134,8 +134,13 @@ def combination(columns: Sequence[Vector], target: Vector) -> list[Fraction] | N
     reduced, rank = nmod_mat(len(target), size + 1, rows, PRIME).rref()
     if rank != size or any(int(reduced[i, i]) != 1 for i in range(size)):
         return None
-    factors = [rational(int(reduced[i, size])) for i in range(size)]
-    return None if None in factors else factors
+    factors = []
+    for i in range(size):
+        factor = rational(int(reduced[i, size]))
+        if factor is None:
+            return None
+        factors.append(factor)
+    return factors
 
 
 def rational(residue: int, largest: int = LARGEST) -> Fraction | None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import overload
 
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import (
@@ -18,11 +19,12 @@ from workbench.language.typed.terms import (
     IllFormed,
     Implication,
     Number,
+    Relation,
     Statement,
     Term,
 )
 from workbench.repair.terms.arithmetic import sum_of
-from workbench.repair.terms.places import Place, places, replaced, subterm
+from workbench.repair.terms.places import Place, node_at, places, replaced
 from workbench.repair.terms.variants import Said, atoms_of, variants
 
 #: The kinds of edit, likeliest misprint first.
@@ -34,16 +36,14 @@ KINDS = (
 
 @dataclass(frozen=True)
 class Edit:
-    """One change. `statement` is the changed statement, None if construction refused it; then `ill_formed`
-    says why. `old`, `new`: the subterms at `place` (`new` is None where it could not even be built)."""
+    """One change. `statement`: the changed statement. `old`, `new`: the subterms at `place`."""
 
     kind: str
     place: Place
     said: Said
     old: Term
-    new: Term | None
-    statement: Statement | None
-    ill_formed: str | None = None
+    new: Term
+    statement: Statement
 
     @property
     def description(self) -> str:
@@ -52,9 +52,19 @@ class Edit:
         return template.format(*(f"${to_latex(p)}$" if isinstance(p, Term) else str(p) for p in parts))
 
 
+@dataclass(frozen=True)
+class Refused:
+    """A change of the subterm `old` at `place` that construction refuses; `ill_formed` says why."""
+
+    kind: str
+    place: Place
+    old: Term
+    ill_formed: str
+
+
 def edits(
     statement: Statement, replacements: Sequence[Term] = (), addends: Sequence[Term] = (), within: Place = ()
-) -> Iterator[Edit]:
+) -> Iterator[Edit | Refused]:
     """All one-place edits of a statement, place by place, none twice.
 
     replacements: terms that may stand for a symbol beside those of the statement itself; only those of its
@@ -74,14 +84,13 @@ def edits(
             continue
         missing = () if id(term) in of_sums else addends
         for kind, said, make in variants(term, is_addend, atoms, missing):
-            new = None
             try:
                 new = make()
                 if _is_negative(new) and _is_denominator(statement, place):
                     continue
                 changed = replaced(statement, place, new)
             except IllFormed as fault:
-                yield Edit(kind, place, said, term, new, None, str(fault))
+                yield Refused(kind, place, term, str(fault))
                 continue
             if changed not in seen:
                 seen.add(changed)
@@ -93,7 +102,7 @@ def _is_negative(term: Term) -> bool:
 
 
 def _is_denominator(statement: Statement, place: Place) -> bool:
-    parent = subterm(statement, place[:-1]) if len(place) > 1 else None
+    parent = node_at(statement, place[:-1]) if len(place) > 1 else None
     return isinstance(parent, Apply) and parent.head == "div" and place[-1] == 1
 
 
@@ -107,10 +116,14 @@ def _depth_of_sides(statement: Statement, place: Place) -> int:
     return depth + 1
 
 
+@overload
+def without(statement: Relation, place: Place) -> Relation | None: ...
+@overload
+def without(statement: Statement, place: Place) -> Statement | None: ...
 def without(statement: Statement, place: Place) -> Statement | None:
     """The statement without the addend at the place; None where that is a whole side."""
     for length in range(len(place) - 1, 0, -1):
-        parent = subterm(statement, place[:length])
+        parent = node_at(statement, place[:length])
         if isinstance(parent, Apply) and parent.head == "add":
             rest = parent.arguments[: place[length]] + parent.arguments[place[length] + 1 :]
             return replaced(statement, place[:length], sum_of(rest))

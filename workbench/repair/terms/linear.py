@@ -30,7 +30,7 @@ def _choices(term: Term, place: Place) -> Iterator[tuple[Place, ...]]:
     elif isinstance(term, Derivative):
         yield from _choices(term.body, (*place, 0))
     else:
-        for number, argument in enumerate(term.arguments):
+        for number, argument in enumerate(term.children):
             if has_sum(argument):
                 yield from _choices(argument, (*place, number))
 

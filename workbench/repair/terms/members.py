@@ -18,7 +18,8 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Notation
 from workbench.papers.orders import Orders
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.edits import edits
+from workbench.repair.terms.edits import Refused, edits
+from workbench.repair.terms.places import subterm
 from workbench.repair.terms.search import Candidate, candidate_of, cost
 
 _IN = re.compile(r"\\in(?![A-Za-z])")
@@ -48,9 +49,9 @@ def other_members(
     found = edits(relation("=", term, zero()), within=(0,))
     for edit in sorted(found, key=cost):
         tick()
-        if edit.statement is None or edit.kind == "symbol" or edit.new == number(1):
+        if isinstance(edit, Refused) or edit.kind == "symbol" or edit.new == number(1):
             continue
-        new = edit.statement.left
+        new = subterm(edit.statement, (0,))
         latex = f"{to_latex(new)} \\in {where.strip()}"
         with suppress(ReadError, IllFormedAt, ValueError):
             statement = read_statement(latex, notation, orders)[0]

@@ -17,7 +17,6 @@ from flint import nmod
 from workbench.judge.second.components import Value, array_shape
 from workbench.judge.second.rings import PRIME
 from workbench.language.typed.construct import apply, power, symbol, time_operator
-from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import Name
 from workbench.language.typed.operators import LINEAR
 from workbench.language.typed.terms import (
@@ -26,6 +25,7 @@ from workbench.language.typed.terms import (
     Derivative,
     Identity,
     IllFormed,
+    Power,
     Relation,
     Statement,
     Symbol,
@@ -39,7 +39,7 @@ from workbench.repair.terms.addends import Supply
 from workbench.repair.terms.arithmetic import number_and_rest, times, with_addend
 from workbench.repair.terms.coefficients import Vector, combination, factor_between, rational
 from workbench.repair.terms.edits import Edit
-from workbench.repair.terms.places import Place, places, replaced, sides, subterm
+from workbench.repair.terms.places import Place, node_at, places, replaced, sides, subterm
 
 #: Solutions given for one place.
 _MOST = 3
@@ -102,7 +102,7 @@ class MissingAddends:
         whole = {place for place, _ in sides(self.statement)}
         for place, term in places(self.statement):
             if place not in whole and not isinstance(term, Zero) and is_linear(self.statement, place):
-                parent = subterm(self.statement, place[:-1])
+                parent = node_at(self.statement, place[:-1])
                 if not isinstance(parent, Apply) or parent.head not in ("add", "neg"):
                     yield from self._at(place, term)
 
@@ -111,7 +111,8 @@ class MissingAddends:
         satisfy r + a·x + b·y = 0, so x and y have the same direction apart from multiples of r."""
         last = len(self.screen.points) - 1
         for place, term in sorted(sides(self.statement), key=lambda entry: -entry[0][-1]):
-            if isinstance(term, Zero) or not any(self._residuals[last] or ()):
+            residual = self._residuals[last]
+            if isinstance(term, Zero) or residual is None or not any(residual):
                 continue
             found: dict[Vector, list[tuple[_Form, Term, Vector]]] = {}
             for form in self._forms(term):
@@ -120,16 +121,21 @@ class MissingAddends:
                 for product in self.supply.of(kind, weight) if responses else ():
                     self.tick()
                     y = self._effect(responses[last:], product, last)
-                    direction = None if y is None else _direction_beside(y, self._residuals[last])
-                    if direction is not None:
-                        for other, known, x in found.get(direction, ()):
-                            yield from self._both(place, (other, known, x), (form, product, y))
-                        found.setdefault(direction, []).append((form, product, y))
+                    direction = None if y is None else _direction_beside(y, residual)
+                    if y is None or direction is None:
+                        continue
+                    for other, known, x in found.get(direction, ()):
+                        yield from self._both(place, residual, (other, known, x), (form, product, y))
+                    found.setdefault(direction, []).append((form, product, y))
 
     def _both(
-        self, place: Place, one: tuple[_Form, Term, Vector], two: tuple[_Form, Term, Vector]
+        self,
+        place: Place,
+        residual: Vector,
+        one: tuple[_Form, Term, Vector],
+        two: tuple[_Form, Term, Vector],
     ) -> Iterator[tuple[Edit, Edit]]:
-        goal = tuple(-x % PRIME for x in self._residuals[-1])
+        goal = tuple(-x % PRIME for x in residual)
         factors = combination((one[2], two[2]), goal)
         if factors is None or 0 in factors:
             return
@@ -137,7 +143,7 @@ class MissingAddends:
         second = self._edit(place, two[0][0], two[1], factors[1])
         if first is None or second is None:
             return
-        new = with_addend(first.new, second.new.arguments[-1])
+        new = with_addend(first.new, second.new.children[-1])
         changed = replaced(self.statement, place, new)
         yield first, Edit(second.kind, place, second.said, first.new, new, changed)
 
@@ -209,18 +215,19 @@ class MissingAddends:
 
     def _responses(
         self, place: Place, term: Term, make: Callable[[Term], Term], kind: str
-    ) -> list[_Response] | None:
+    ) -> list[_Response]:
+        """The responses at all points; none where one is not known."""
         type_ = (term.type if kind == term.type.kind else KINDS[kind]).with_dual(self._is_dual)
         probe = symbol(Declaration(Name("probe"), type_, None))
         try:
             changed = replaced(self.statement, place, with_addend(term, make(probe)))
         except IllFormed:
-            return None
+            return []
         responses = []
         for point, residual in zip(self.screen.points, self._residuals, strict=True):
             response = None if residual is None else _response(point, changed, probe, residual)
             if response is None:
-                return None
+                return []
             responses.append(response)
         return responses
 
@@ -254,7 +261,7 @@ class MissingAddends:
     def _addends_beside(self, place: Place) -> Iterator[Term]:
         """The addends at the place, and those of all sides if it is a side itself."""
         at = [place]
-        if isinstance(subterm(self.statement, place[:-1]), Relation):
+        if isinstance(node_at(self.statement, place[:-1]), Relation):
             at = [side for side, _ in sides(self.statement)]
         for side in at:
             term = subterm(self.statement, side)
@@ -292,7 +299,7 @@ def _unit(type_: Type, component: int, count: int) -> Value:
 def is_linear(statement: Statement, place: Place) -> bool:
     """Whether the statement is linear in what stands at the place, by the operations around it."""
     for length in range(1, len(place)):
-        parent = subterm(statement, place[:length])
+        parent = node_at(statement, place[:length])
         if not isinstance(parent, Term):
             continue
         match parent:
@@ -325,9 +332,8 @@ def _degree(term: Term) -> int:
             return 1
         case Apply() | Derivative():
             return max(map(_degree, term.children), default=0)
-    exponent = getattr(term, "exponent", None)
-    if isinstance(exponent, Linear) and exponent.is_number and isinstance(term.base, TimeOperator):
-        return int(exponent)
+        case Power(base=TimeOperator(), exponent=exponent) if exponent.is_number:
+            return int(exponent)
     return 0
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TypeVar
+from typing import overload
 
 from workbench.language.printing.authors import is_spelt_as_one
 from workbench.language.typed.construct import rebuild, relation, zero
@@ -22,8 +22,6 @@ from workbench.language.typed.terms import (
 
 #: The way from a statement to a subterm: which part or side, then which child, and so on.
 Place = tuple[int, ...]
-
-Changed = TypeVar("Changed", Term, Statement)
 
 
 def sides(statement: Statement) -> Iterator[tuple[Place, Term]]:
@@ -59,19 +57,33 @@ def _below(place: Place, term: Term) -> Iterator[tuple[Place, Term]]:
 
 def _is_by_place(term: Term) -> bool:
     """Whether it is ∂/∂x of a field, by the one place x that there is, as ∇ is."""
-    is_partial = isinstance(term, Apply) and term.head in PARTIALS and isinstance(term.arguments[1], Symbol)
-    return is_partial and term.arguments[1].declaration.coordinate
+    if not isinstance(term, Apply) or term.head not in PARTIALS:
+        return False
+    variable = term.arguments[1]
+    return isinstance(variable, Symbol) and variable.declaration.coordinate
+
+
+def node_at(statement: Statement, place: Place) -> Statement | Term:
+    """The statement, a part of it, or a term, by its place. Raises IndexError where nothing stands."""
+    node: Statement | Term = statement
+    for number in place:
+        match node:
+            case Conjunction(parts=parts):
+                node = parts[number]
+            case Relation() | Equivalence() | Implication():
+                node = (node.left, node.right)[number]
+            case Term():
+                node = node.children[number]
+            case _:
+                raise IndexError(f"a {type(node).__name__} has no places")
+    return node
 
 
 def subterm(statement: Statement, place: Place) -> Term:
-    node: Statement | Term = statement
-    for number in place:
-        if isinstance(node, Conjunction):
-            node = node.parts[number]
-        elif isinstance(node, Relation | Equivalence | Implication):
-            node = (node.left, node.right)[number]
-        else:
-            node = node.children[number]
+    """The term at a place. Raises IndexError where there is none."""
+    node = node_at(statement, place)
+    if not isinstance(node, Term):
+        raise IndexError(f"a {type(node).__name__} stands at {place}")
     return node
 
 
@@ -83,35 +95,48 @@ def find(statement: Statement, place: Place) -> Term | None:
         return None
 
 
-def replaced(node: Changed, place: Place, new: Term) -> Changed:
-    """The statement or term with `new` at the place; all that does not lie above the place stays the same
-    object. Raises IllFormed where `new` does not fit."""
-    if not place:
-        return new
-    number, *rest = place
-    rest = tuple(rest)
-    match node:
+@overload
+def replaced(statement: Relation, place: Place, new: Term) -> Relation: ...
+@overload
+def replaced(statement: Statement, place: Place, new: Term) -> Statement: ...
+def replaced(statement: Statement, place: Place, new: Term) -> Statement:
+    """The statement with `new` at the place; all that does not lie above the place stays the same object.
+    Raises IllFormed where `new` does not fit."""
+    number, rest = place[0], place[1:]
+    match statement:
         case Relation():
-            both = [node.left, node.right]
-            both[number] = replaced(both[number], rest, new)
+            both = [statement.left, statement.right]
+            both[number] = _replaced_in(both[number], rest, new)
             if isinstance(both[1 - number], Zero):
                 both[1 - number] = zero()  # of whatever stands there now
-            return relation(node.operator, *both)
+            return relation(statement.operator, *both)
         case Equivalence() | Implication():
-            both = [node.left, node.right]
-            both[number] = replaced(both[number], rest, new)
-            return type(node)(*both)
-        case Conjunction(parts=parts):
-            parts = list(parts)
-            shared = rest[0] == 1 and number + 1 < len(parts) and _goes_on(parts[number], parts[number + 1])
-            parts[number] = replaced(parts[number], rest, new)
-            if shared:
-                following = parts[number + 1]
-                parts[number + 1] = relation(following.operator, parts[number].right, following.right)
+            ways = [statement.left, statement.right]
+            ways[number] = replaced(ways[number], rest, new)
+            return type(statement)(*ways)
+        case Conjunction(parts=before):
+            parts = list(before)
+            parts[number] = made = replaced(before[number], rest, new)
+            if rest[0] == 1 and number + 1 < len(before):
+                following = _following(before[number], before[number + 1], made)
+                parts[number + 1] = before[number + 1] if following is None else following
             return Conjunction(tuple(parts))
-    children = list(node.children)
-    children[number] = replaced(children[number], rest, new)
-    return rebuild(node, children)
+    raise TypeError(f"a {type(statement).__name__} has no places")
+
+
+def _following(old: Statement, part: Statement, new: Statement) -> Relation | None:
+    """The part of a chain that goes on from an old one, going on from the new one; None for another part."""
+    if isinstance(new, Relation) and isinstance(part, Relation) and _goes_on(old, part):
+        return relation(part.operator, new.right, part.right)
+    return None
+
+
+def _replaced_in(term: Term, place: Place, new: Term) -> Term:
+    if not place:
+        return new
+    children = list(term.children)
+    children[place[0]] = _replaced_in(children[place[0]], place[1:], new)
+    return rebuild(term, children)
 
 
 def _goes_on(before: Statement, part: Statement) -> bool:

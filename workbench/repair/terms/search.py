@@ -19,9 +19,9 @@ from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.addends import Supply
 from workbench.repair.terms.arithmetic import times, with_addend
 from workbench.repair.terms.coefficients import Scaling, Vector, rational, scaled, scalings
-from workbench.repair.terms.edits import KINDS, Edit, edits, without
+from workbench.repair.terms.edits import KINDS, Edit, Refused, edits, without
 from workbench.repair.terms.missing import MissingAddends
-from workbench.repair.terms.places import Place, places, replaced, subterm
+from workbench.repair.terms.places import Place, node_at, places, replaced, subterm
 
 #: So many possible addends of a side are tried together with another edit.
 MOST_PAIRED = 300
@@ -76,11 +76,12 @@ class Neighbourhood:
     def stages(self) -> Iterator[Iterator[Candidate]]:
         """Likely ones first: one change, several coefficients, rarer single changes, two changes in different
         addends, two in one addend."""
-        if self.screen.keep(self.statement) is None:
+        kept = self.screen.keep(self.statement)
+        self._point = self.screen.points[-1]
+        residual = None if kept is None else self._point.residual(self.statement)
+        if residual is None:
             yield self._without_residual()
             return
-        self._point = self.screen.points[-1]
-        residual = self._point.residual(self.statement)
         self._scalings = list(self._find_scalings())
         supply = Supply(self.statement, self.replacements, self._components)
         self._missing = MissingAddends(self.statement, self.screen, supply, self.tick)
@@ -102,7 +103,7 @@ class Neighbourhood:
     def _without_residual(self) -> Iterator[Candidate]:
         """Statements that are no equations: one-place edits, unscreened."""
         for edit in sorted(edits(self.statement, self.replacements), key=cost):
-            if edit.statement is not None:
+            if isinstance(edit, Edit):
                 yield candidate_of(edit)
 
     # coefficients
@@ -122,14 +123,15 @@ class Neighbourhood:
         for under, relation, scaling in self._scalings:
             if (len(scaling.factors) > 1) != (changes > 1):
                 continue
-            changed = scaled(relation, scaling)
-            if changed is None:
+            made = scaled(relation, scaling)
+            if made is None:
                 continue
+            changed: Statement = made
             if under:
                 (side,) = {place[0] for place, _ in scaling.factors}
                 if side == 0 and under != (0,):
                     continue  # the right side of the part before
-                changed = replaced(self.statement, (*under, side), subterm(changed, (side,)))
+                changed = replaced(self.statement, (*under, side), subterm(made, (side,)))
             if self._passes(changed):
                 said = tuple(_rescaled(relation, p, f) for p, f in scaling.factors)
                 kinds = [KINDS.index(change.kind) for change in said]
@@ -141,7 +143,7 @@ class Neighbourhood:
         """replacements: only symbols are changed then, and into one of these."""
         found = edits(self.statement, replacements or self.replacements)
         for edit in sorted(found, key=cost):
-            if edit.statement is None or (replacements and edit.kind != "symbol"):
+            if isinstance(edit, Refused) or (replacements and edit.kind != "symbol"):
                 continue
             self.tick()
             changed = self._point.residual(edit.statement)
@@ -198,7 +200,7 @@ class Neighbourhood:
         firsts = [n.edit for n in self.neighbours if n.edit.kind not in ("addend added", "addend dropped")]
         for first in firsts:
             for second in edits(first.statement, self.replacements, within=self._addend_of(first.place)):
-                if second.statement is None:
+                if isinstance(second, Refused):
                     continue
                 if self._passes(second.statement):
                     changes = (Change(first.kind, first.description), Change(second.kind, second.description))
@@ -208,7 +210,7 @@ class Neighbourhood:
     def _addend_of(self, place: Place) -> Place:
         """The place of the outermost addend around a place."""
         for length in range(1, len(place)):
-            term = subterm(self.statement, place[:length])
+            term = node_at(self.statement, place[:length])
             if isinstance(term, Apply) and term.head == "add":
                 return place[: length + 1]
         return place[:1]
@@ -222,11 +224,12 @@ class Neighbourhood:
         place = next((p for p, term in places(statement) if term is edit.old), None)
         if place is None:
             return
+        changed: Statement | None
         try:
             if not last.scalable or (factor == 1 and edit.kind != "addend added"):
                 changed, change = replaced(statement, place, edit.new), Change(edit.kind, edit.description)
             elif edit.kind == "addend added":
-                addend = times(factor, edit.new.arguments[-1])
+                addend = times(factor, edit.new.children[-1])
                 edit = _with_addend(statement, place, addend)
                 changed, change = edit.statement, Change(edit.kind, edit.description)
             else:
@@ -240,7 +243,7 @@ class Neighbourhood:
             yield Candidate(changed, (*changes, change), None, unlikely)
 
 
-def cost(edit: Edit) -> tuple[int, int]:
+def cost(edit: Edit | Refused) -> tuple[int, int]:
     """Likely misprints first; of equally likely ones that on the right side."""
     return KINDS.index(edit.kind), -edit.place[0]
 

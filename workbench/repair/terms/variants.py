@@ -197,6 +197,7 @@ def differentiated(body: Term, order: Linear) -> Term:
 
 def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
     head, arguments = term.head, term.arguments
+    said: Said
     match head:
         case "skew":
             yield from _tilde_moved(arguments[0])
@@ -221,7 +222,7 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
         case "sin" | "cos" if coefficient(arguments[0]) == 1:
             for factor in _FACTORS[:2]:
                 said = ("the angle {} gets the factor {}", arguments[0], factor)
-                yield "coefficient", said, lambda factor=factor: apply(head, times(factor, arguments[0]))
+                yield "coefficient", said, partial(_of_multiple, head, factor, arguments[0])
         case "div":
             said = ("the denominator of {} is dropped", term)
             yield "coefficient", said, lambda: arguments[0]
@@ -235,6 +236,10 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
             if other != head and head in _PRODUCT_SIGNS:
                 said = ("{} becomes {} in {}", _PRODUCT_SIGNS[head], sign, term)
                 yield "product", said, partial(apply, other, *arguments)
+
+
+def _of_multiple(head: str, factor: Fraction, term: Term) -> Term:
+    return apply(head, times(factor, term))
 
 
 def _factors(term: Apply) -> Iterator[Variant]:
@@ -289,7 +294,11 @@ def _other_symbols(term: Term, atoms: Sequence[Term]) -> Iterator[Variant]:
         if other is not None and other != term:
             underlined = other.type.dual != term.type.dual and _letter(other) == _letter(term)
             kind = "mark" if underlined else "symbol"
-            yield kind, ("{} becomes {}", term, other), lambda other=other: other
+            yield kind, ("{} becomes {}", term, other), partial(_as_it_is, other)
+
+
+def _as_it_is(term: Term) -> Term:
+    return term
 
 
 def differentiated_to(weight: Weight, atom: Term) -> Term | None:

@@ -86,7 +86,7 @@ def _missing_factors(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
             continue
         for letter, weight in letters:
             new = Product(node.at, (*items[:place], letter, *items[place:]))
-            where = f"after ${latex_of(before)}$" if before is not None else f"before ${latex_of(after)}$"
+            where = f"after ${latex_of(before)}$" if before is not None else f"before ${latex_of(items[0])}$"
             said = f"the factor ${latex_of(letter)}$ is missing {where}"
             yield Mark(node, new, 2, "factor", said, weight)
 
@@ -114,8 +114,9 @@ def letters_of(node: Node) -> list[Node]:
         if core is None or id(core.letter) not in names:
             continue
         for bare in (core.letter, Accented(part.at, "~", core.letter)):
-            is_indexed = isinstance(part, Scripted) and part.sub is not None
-            letter = Scripted(part.at, bare, part.sub) if is_indexed else bare
+            letter = bare
+            if isinstance(part, Scripted) and part.sub is not None:
+                letter = Scripted(part.at, bare, part.sub)
             found.setdefault(latex_of(letter), letter)
     return list(found.values())
 

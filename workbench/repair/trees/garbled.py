@@ -21,7 +21,6 @@ from workbench.language.grammar.syntax import (
     Product,
     Scripted,
     Styled,
-    core,
     in_a_row,
 )
 from workbench.language.naming.symbols import SymbolTable
@@ -30,8 +29,8 @@ from workbench.language.typed.terms import IllFormed
 from workbench.repair.terms.search import Change
 from workbench.repair.trees.integers import bound_variables
 from workbench.repair.trees.letters import Occurrence, has_readable_sup, occurrences
-from workbench.repair.trees.marks import Mark, letter_of, marked
-from workbench.repair.trees.nodes import below
+from workbench.repair.trees.marks import Mark, letter_of, marked, marked_lines
+from workbench.repair.trees.nodes import bare, below
 
 #: A formula, and what was changed to get it.
 Found = tuple[Lines, tuple[Change, ...]]
@@ -52,7 +51,7 @@ def conditions(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> li
             if isinstance(part, Styled) and letter is not None and len(letter.text) == 1:
                 said = f"${latex_of(part)}$ in the condition should be ${letter.text}$"
                 marks.append(Mark(part, letter, 1, "mark", said))
-        ways: list[Found] = []
+        ways: list[tuple[tuple[Node, ...], tuple[Change, ...]]] = []
         plain = tuple(marked(marks, clause) for clause in stated)
         if marks and _state_ranges(plain, table, integers):
             ways.append((plain, changes_of(marks)))
@@ -94,13 +93,15 @@ def superscripts(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> 
     """A superscript that is none: a factor set too high."""
     marks = []
     for found in letters_of_clauses(lines):
-        if found.holder is not None and not has_readable_sup(found, table, integers | bound_variables(lines)):
-            holder = found.holder
+        holder = found.holder
+        if holder is None or holder.sup is None:
+            continue
+        if not has_readable_sup(found, table, integers | bound_variables(lines)):
             nucleus = Scripted(holder.at, holder.nucleus, holder.sub) if holder.sub else holder.nucleus
             row = Product(holder.at, (nucleus, *_row(holder.sup)))
             said = f"the superscript of ${latex_of(holder)}$ should be a factor"
             marks.append(Mark(holder, Group(holder.at, (row,)), 1, "exponent", said))
-    return [(marked(marks, lines), changes_of(marks))]
+    return [(marked_lines(marks, lines), changes_of(marks))]
 
 
 def repeated_sides(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
@@ -112,11 +113,11 @@ def repeated_sides(lines: Lines, table: SymbolTable, integers: frozenset[str]) -
             if first == last:
                 new = Chain(part.at, part.sides[:-1], part.relations[:-1], part.universal)
                 marks.append(Mark(part, new, 1, "side", f"the side ${last}$ stands there twice"))
-    return [(marked(marks, lines), changes_of(marks))]
+    return [(marked_lines(marks, lines), changes_of(marks))]
 
 
 def _row(node: Node) -> tuple[Node, ...]:
-    inner = core(node)
+    inner = bare(node)
     return inner.items if isinstance(inner, Product) else (inner,)
 
 
@@ -125,22 +126,24 @@ def rates(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Fo
     faults = []
     for part in below(lines):
         if isinstance(part, Fraction) and (orders := _orders(part)) is not None:
-            above, under = orders
-            if latex_of(core(above.sup)) != latex_of(core(under.sup)):
-                order = _exchanged_order(under, above.sup), _exchanged_order(above, under.sup)
+            (above, upper), (under, lower) = orders
+            if latex_of(bare(upper)) != latex_of(bare(lower)):
+                order = _exchanged_order(under, upper), _exchanged_order(above, lower)
                 faults.append([[mark] for mark in order])
     ways = [[mark for marks in chosen for mark in marks] for chosen in product(*faults)]
-    return [(marked(marks, lines), changes_of(marks)) for marks in ways]
+    return [(marked_lines(marks, lines), changes_of(marks)) for marks in ways]
 
 
-def _orders(fraction: Fraction) -> tuple[Scripted, Scripted] | None:
-    """What carries the orders above and below."""
+def _orders(fraction: Fraction) -> tuple[tuple[Scripted, Node], tuple[Scripted, Node]] | None:
+    """What carries the orders above and below, and these."""
     above, below_ = _row(fraction.numerator)[0], _row(fraction.denominator)
     if not (isinstance(above, Scripted) and isinstance(above.nucleus, Leaf) and above.nucleus.text == "d"):
         return None
-    if len(below_) != 2 or not isinstance(below_[1], Scripted) or above.sup is None or below_[1].sup is None:
+    if len(below_) != 2 or not isinstance(under := below_[1], Scripted):
         return None
-    return above, below_[1]
+    if above.sup is None or under.sup is None:
+        return None
+    return (above, above.sup), (under, under.sup)
 
 
 def _exchanged_order(holder: Scripted, order: Node) -> Mark:
@@ -162,7 +165,7 @@ def stray_signs(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> l
             if items:
                 new = in_a_row(part.at, items)
                 marks.append(Mark(part, new, 1, "product", f"a sign of ${latex_of(part)}$ is one too many"))
-    return [(marked(marks, lines), changes_of(marks))]
+    return [(marked_lines(marks, lines), changes_of(marks))]
 
 
 def letters_of_clauses(lines: Lines) -> Iterator[Occurrence]:

@@ -22,7 +22,7 @@ from workbench.language.grammar.syntax import (
 from workbench.language.naming.spelling import linear_or_none, variable_name
 from workbench.language.typed.integers import Linear
 from workbench.repair.trees.marks import Mark
-from workbench.repair.trees.nodes import below
+from workbench.repair.trees.nodes import bare, below
 
 _OTHER_BRACKET = {"(": "[", "[": "("}
 _CONSTANTS = range(-2, 3)
@@ -120,5 +120,5 @@ def _shown(value: Linear) -> str:
 
 
 def _exchange(holder: Node, old: Node, new: Node, cost: int) -> Mark:
-    said = f"${latex_of(core(old))}$ in ${latex_of(holder)}$ should be ${latex_of(core(new))}$"
+    said = f"${latex_of(bare(old))}$ in ${latex_of(holder)}$ should be ${latex_of(bare(new))}$"
     return Mark(old, new, cost, "index", said)

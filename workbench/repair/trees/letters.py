@@ -18,15 +18,14 @@ from workbench.language.grammar.syntax import (
     Product,
     Scripted,
     Styled,
-    core,
     unstyled,
 )
 from workbench.language.naming.spelling import Scripts, linear
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.errors import Fault
 from workbench.language.typed.names import Name
-from workbench.repair.trees.marks import FONTS, Mark, letter_of, other_case
-from workbench.repair.trees.nodes import children
+from workbench.repair.trees.marks import FONTS, Mark, leaf_of, letter_of, other_case
+from workbench.repair.trees.nodes import bare, children
 
 #: Letters that are mistaken for one another in print and by machines that read it.
 _ALIKE = (
@@ -59,7 +58,7 @@ class Occurrence:
 
     @property
     def text(self) -> str:
-        return letter_of(self.node).text
+        return leaf_of(self.node).text
 
     @property
     def letter(self) -> Name:
@@ -82,9 +81,8 @@ def occurrences(node: Node) -> Iterator[Occurrence]:
                 after = items[place + 1] if place + 1 < len(items) else None
                 bracket = after if isinstance(after, Bracket) and after.kind == "(" else None
                 for found in occurrences(item):
-                    first = left is not None and found.left is None
                     found = replace(found, bracket=bracket if found.bracket is None else found.bracket)
-                    yield _with_left(found, left) if first else found
+                    yield found if left is None or found.left is not None else _with_left(found, left)
                 left = None
         case Fraction(numerator=above, denominator=below):
             within = (found for part in (above, below) for found in occurrences(part))
@@ -101,7 +99,7 @@ def _with_left(found: Occurrence, left: Scripted) -> Occurrence:
 def _letters_in(
     node: Node, styles: tuple[str, ...], scripts: Scripts, holder: Scripted | None
 ) -> Iterator[Occurrence]:
-    node = core(node)
+    node = bare(node)
     if letter_of(node) is not None:
         yield Occurrence(node, styles, scripts, holder)
         return
@@ -113,7 +111,8 @@ def _letters_in(
         case Scripted(nucleus=nucleus, sub=sub, sup=sup):
             within = Scripts(None, None, sub or scripts.sub, sup or scripts.sup, node.primes)
             yield from _letters_in(nucleus, styles, within, node if holder is None else holder)
-            if letter_of(nucleus) is not None and letter_of(nucleus).text == "e" and sup is not None:
+            letter = letter_of(nucleus)
+            if letter is not None and letter.text == "e" and sup is not None:
                 yield from occurrences(sup)
         case Product() | Fraction():
             yield from occurrences(node)
@@ -126,7 +125,7 @@ def is_rate(fraction: Fraction) -> bool:
     """Whether it is d/dt or d^k x/dt^k."""
     items = []
     for part in (fraction.numerator, fraction.denominator):
-        part = core(part)
+        part = bare(part)
         items.append(part.items[0] if isinstance(part, Product) else part)
     heads = [item.nucleus if isinstance(item, Scripted) else item for item in items]
     return all(isinstance(head, Leaf) and head.text == "d" for head in heads)
@@ -138,7 +137,7 @@ def meaning_of(
     """What the letter means in the paper, or would with `node` in its place."""
     node = node or found.node
     styles = (*found.styles, *unstyled(node)[0])
-    return meaning(table, integers, letter_of(node), styles, found.scripts, found.bracket is not None)
+    return meaning(table, integers, leaf_of(node), styles, found.scripts, found.bracket is not None)
 
 
 def other_letters(
@@ -147,7 +146,7 @@ def other_letters(
     """What one letter may be, wherever it stands, so that the paper has it: the marks, and how much is
     changed: 1 for the font, the underline or the case, 2 for another letter."""
     first = found[0]
-    letter = letter_of(first.node)
+    letter = leaf_of(first.node)
     names = [letter.text, other_case(letter.text)]
     names += [other for group in _ALIKE if letter.text in group for other in group if other not in names]
     seen: set[tuple[Name | str, ...]] = set()
@@ -173,7 +172,7 @@ def has_readable_sup(found: Occurrence, table: SymbolTable, integers: Collection
     sup = found.scripts.sup
     if sup is None or found.base == "e":
         return True
-    inner = core(sup)
+    inner = bare(sup)
     if isinstance(inner, Bracket) or (isinstance(inner, Leaf) and inner.text in ("T", "*")):
         return True
     try:

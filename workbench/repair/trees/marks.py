@@ -15,6 +15,7 @@ from workbench.language.grammar.syntax import (
     Group,
     Infix,
     Leaf,
+    Lines,
     Node,
     Product,
     Scripted,
@@ -26,7 +27,7 @@ from workbench.language.grammar.syntax import (
 )
 from workbench.language.grammar.vocabulary import written
 from workbench.language.naming.symbols import SymbolTable
-from workbench.repair.trees.nodes import below, children, exchanged
+from workbench.repair.trees.nodes import bare, below, children, exchanged
 
 _INFIXES = {sign: written("INFIX", sign) for sign in "·×⊗"}
 _MOST_DOTS = 4
@@ -52,6 +53,13 @@ def marked(marks: Sequence[Mark], root: Node) -> Node:
     for mark in sorted(marks, key=lambda mark: sum(1 for _ in below(mark.old))) if len(marks) > 1 else marks:
         new[id(mark.old)] = exchanged(mark.new, new) if new else mark.new
     return exchanged(root, new) if new else root
+
+
+def marked_lines(marks: Sequence[Mark], lines: Lines) -> Lines:
+    """The lines with the marks, which are of parts of them, made."""
+    made = marked(marks, lines)
+    assert isinstance(made, Lines)
+    return made
 
 
 # letters
@@ -110,6 +118,13 @@ def letter_of(node: Node) -> Leaf | None:
     return node if isinstance(node, Leaf) and node.kind == "LETTER" else None
 
 
+def leaf_of(letter: Node) -> Leaf:
+    """What is inside the fonts of a node that is one letter."""
+    leaf = letter_of(letter)
+    assert leaf is not None, f"{latex_of(letter)} is no letter"
+    return leaf
+
+
 def _accented(core: _Core) -> Node:
     node = core.letter
     if core.tilde:
@@ -141,7 +156,7 @@ def _price(had: bool, has: bool, more: int) -> int:
 
 def _other_letters(node: Node, core: _Core, table: SymbolTable) -> Iterator[Mark]:
     """The same letter in another font or case, underlined or not, if the paper has such a symbol."""
-    letter = letter_of(core.letter)
+    letter = leaf_of(core.letter)
     printed = latex_of(core.letter)
     known = {name.base for name in table.symbols}
     for text in (letter.text, other_case(letter.text)):
@@ -178,10 +193,12 @@ def product_marks(node: Node) -> Iterator[Mark]:
 
 def _wide_tilde(over: Accented) -> Iterator[Mark]:
     """A tilde over more than a letter, away or over one of the factors."""
-    body = core(over.body)
+    body = bare(over.body)
     shown = f"$\\widetilde{{{latex_of(body)}}}$"
     yield Mark(over, body, 1, "tilde", f"the tilde of {shown} does not belong there", 0)
-    for place, item in enumerate(body.items if isinstance(body, Product) else ()):
+    if not isinstance(body, Product):
+        return
+    for place, item in enumerate(body.items):
         if not isinstance(item, Infix):
             under = Accented(item.at, "~", item)
             moved = Product(body.at, (*body.items[:place], under, *body.items[place + 1 :]))
@@ -242,14 +259,14 @@ def _tildes(product: Product) -> Iterator[Mark]:
             run = items[start:end]
             if isinstance(run[0], Infix) or isinstance(run[-1], Infix):
                 continue
-            for inner, what in ((run, "over"), ((_without_tilde(run[0]), *run[1:]), "moves over")):
-                if inner[0] is None:
-                    continue
+            ways = [(run, "is missing over")]
+            if (first := _without_tilde(run[0])) is not None:
+                ways.append(((first, *run[1:]), "belongs over the whole of"))
+            for inner, words in ways:
                 body = Group(run[0].at, (Product(run[0].at, inner),))
                 over = Accented(run[0].at, "~", body)
                 rest = (*items[:start], over, *items[end:])
                 new = in_a_row(product.at, rest)
-                words = "is missing over" if what == "over" else "belongs over the whole of"
                 said = f"the tilde {words} ${latex_of(Product(run[0].at, inner))}$"
                 yield Mark(product, new, 1, "tilde", said, 0)
 

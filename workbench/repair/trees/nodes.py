@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, replace
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
-from workbench.language.grammar.syntax import Node
+from workbench.language.grammar.syntax import Node, core
 
 
 def below(node: Node) -> Iterator[Node]:
@@ -21,14 +21,27 @@ def below(node: Node) -> Iterator[Node]:
 
 
 def children(node: Node) -> Iterator[Node]:
-    for name in _fields(type(node)):
+    for name in _fields(node):
         yield from _nodes_in(getattr(node, name))
 
 
-@cache
-def _fields(kind: type[Node]) -> tuple[str, ...]:
+_FIELDS: dict[type[Node], tuple[str, ...]] = {}
+
+
+def _fields(node: Node) -> tuple[str, ...]:
     """Where a node of this kind may hold others."""
-    return tuple(field.name for field in fields(kind) if field.type not in ("int", "str", "bool"))
+    kind = type(node)
+    if kind not in _FIELDS:
+        names = (field.name for field in fields(kind) if field.type not in ("int", "str", "bool"))
+        _FIELDS[kind] = tuple(names)
+    return _FIELDS[kind]
+
+
+def bare(node: Node) -> Node:
+    """The node without braces around it."""
+    inner = core(node)
+    assert inner is not None
+    return inner
 
 
 def _nodes_in(value: Any) -> Iterator[Node]:
@@ -44,7 +57,7 @@ def exchanged(node: Node, new: Mapping[int, Node]) -> Node:
     if id(node) in new:
         return new[id(node)]
     changed = {}
-    for name in _fields(type(node)):
+    for name in _fields(node):
         value = getattr(node, name)
         other = _exchanged_in(value, new)
         if other is not value:
@@ -73,7 +86,7 @@ def _hole(value: Any, inner: Node) -> Callable[[Node], Any] | None:
     if value is inner:
         return lambda new: new
     if isinstance(value, Node):
-        for name in _fields(type(value)):
+        for name in _fields(value):
             if (filled := _hole(getattr(value, name), inner)) is not None:
                 return partial(_with_field, value, name, filled)
     if isinstance(value, tuple):

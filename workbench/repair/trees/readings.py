@@ -19,6 +19,7 @@ from workbench.language.grammar.syntax import Chain, Fraction, Node, Styled, Sum
 from workbench.language.naming.spelling import linear
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.terms import Conjunction, IllFormed, Statement, Term
+from workbench.language.typed.types import Weight
 from workbench.papers.model import Claim
 from workbench.repair.screening.choices import AddendChoices, Alternative, Marks
 from workbench.repair.screening.screen import Screen
@@ -27,7 +28,7 @@ from workbench.repair.trees.addend_nodes import addends_of, alone
 from workbench.repair.trees.factors import factor_marks, index_marks, letters_of
 from workbench.repair.trees.integers import bound_variables, integer_marks
 from workbench.repair.trees.letters import is_rate
-from workbench.repair.trees.marks import Mark, all_marks, letter_marks, marked, product_marks
+from workbench.repair.trees.marks import Mark, all_marks, letter_marks, marked, marked_lines, product_marks
 from workbench.repair.trees.nodes import below, hole
 from workbench.repair.trees.remembering import RememberingElaborator
 from workbench.repair.trees.spellings import Spelling, spellings
@@ -100,7 +101,7 @@ class _Reader:
     def statement(self, marks: Sequence[Mark]) -> Statement | None:
         self.tick()
         try:
-            found = reading_of(marked(marks, self.lines), self.table, self.integers).statements
+            found = reading_of(marked_lines(marks, self.lines), self.table, self.integers).statements
         except (Fault, Misfit, IllFormed):
             return None
         return found[0] if len(found) == 1 else Conjunction(found)
@@ -118,7 +119,9 @@ class _Reader:
 
     def as_it_is(self) -> Iterator[Marks]:
         """No marks, if the equation then holds at the points."""
-        statement = self.statement(()) if self.screen is not None and self.changes else None
+        if self.screen is None or not self.changes:
+            return
+        statement = self.statement(())
         residual = None if statement is None else self.screen.residual(statement)
         if residual is not None and not any(residual):
             yield ()
@@ -150,24 +153,19 @@ class _Reader:
         that can."""
         chains = [c for line in self.lines.lines for c in line if isinstance(c, Chain) and c.relations]
         chains = [c for c in chains if all(sign == "=" for sign, _ in c.relations) and not _is_bound(c)]
-        if len(chains) != 1 or self.screen is None:
+        screen = self.screen
+        if len(chains) != 1 or screen is None:
             return []
         (chain,) = chains
         if len(chain.sides) == 2:
             return [chain]
         terms = [self.term(side) for side in chain.sides]
-        good = next((number for number, term in enumerate(terms) if term is not None), None)
+        good = next(((number, term) for number, term in enumerate(terms) if term is not None), None)
         if good is None:
             return []
-        bad = [n for n, term in enumerate(terms) if not self._agree(terms[good], term)]
-        return [Chain(chain.at, (chain.sides[good], chain.sides[n]), chain.relations[:1]) for n in bad]
-
-    def _agree(self, good: Term, other: Term | None) -> bool:
-        """Whether two sides have one type and weight, and one value at the points."""
-        if other is None or not _fits(other, good):
-            return False
-        values = self.screen.components(good, good), self.screen.components(other, good)
-        return None not in values and values[0] == values[1]
+        number, read = good
+        bad = [n for n, term in enumerate(terms) if not _agree(screen, read, term)]
+        return [Chain(chain.at, (chain.sides[number], chain.sides[n]), chain.relations[:1]) for n in bad]
 
     def _anywhere(self) -> Iterator[Marks]:
         """One or two marks anywhere, for what is no equation."""
@@ -178,6 +176,14 @@ class _Reader:
             if count == _MOST_PAIRS:
                 return
             yield pair
+
+
+def _agree(screen: Screen, good: Term, other: Term | None) -> bool:
+    """Whether two sides have one type and weight, and one value at the points."""
+    if other is None or not _fits(other, good):
+        return False
+    values = screen.components(good, good), screen.components(other, good)
+    return None not in values and values[0] == values[1]
 
 
 def _is_bound(chain: Chain) -> bool:
@@ -258,7 +264,8 @@ class _Equation:
 
     def _alternatives(self, side: Node, leaf: Node, context: Marks, wanted: Term | None) -> list[Alternative]:
         found: dict[object, list[Alternative]] = {}
-        most, read, offset = MOST_MARKS, 0, None
+        most, read = MOST_MARKS, 0
+        offset: int | None = None
         nodes = set(map(id, below(leaf)))
         within = tuple(mark for mark in context if id(mark.old) in nodes)
         around = [mark for mark in context if mark not in within]
@@ -272,9 +279,8 @@ class _Equation:
                 continue
             read += 1
             term = self.reader.term(fill(marked((*within, *marks), leaf)))
-            if term is not None and None not in (dots, wanted and wanted.weight, term.weight):
-                lacking = wanted.weight - term.weight
-                offset = dots + int(lacking) if lacking.is_number else None
+            if term is not None and wanted is not None and dots is not None:
+                offset = _offset(dots, wanted.weight, term.weight, offset)
             if term is None or (wanted is not None and not _fits(term, wanted)):
                 continue
             value = self._value(term, wanted)
@@ -314,9 +320,10 @@ class _Equation:
 
     def _value(self, term: Term, shape: Term | None) -> int | None:
         """A random combination of the components at the points."""
-        if shape is None:
+        screen = self.reader.screen
+        if shape is None or screen is None:
             return None
-        components = self.reader.screen.components(term, shape)
+        components = screen.components(term, shape)
         if components is None or len(components) > len(self.weights):
             return None
         return sum(w * x for w, x in zip(self.weights, components, strict=False)) % PRIME
@@ -324,8 +331,20 @@ class _Equation:
 
 def _dots(marks: Sequence[Mark]) -> int | None:
     """How many dots the marks add; None where one may change the weight otherwise."""
-    dots = [mark.dots for mark in marks]
-    return None if None in dots else sum(dots)
+    dots = 0
+    for mark in marks:
+        if mark.dots is None:
+            return None
+        dots += mark.dots
+    return dots
+
+
+def _offset(dots: int, wanted: Weight, weight: Weight, before: int | None) -> int | None:
+    """How many dots a term needs that has this weight with these dots; as before where it has no weight."""
+    if wanted is None or weight is None:
+        return before
+    lacking = wanted - weight
+    return dots + int(lacking) if lacking.is_number else None
 
 
 def _fits(term: Term, wanted: Term) -> bool:

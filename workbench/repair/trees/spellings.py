@@ -4,7 +4,7 @@ or a letter that the reader does not know, each put right in the ways an editor 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
@@ -101,7 +101,7 @@ def _texts(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
     seen: set[str] = set()
     if accents:
         for tilde, dots in _ACCENTS:
-            text = _CIRCLE.sub(lambda _, d=dots: d, _STRANGE_ACCENT.sub(lambda _, t=tilde: t, latex))
+            text = _CIRCLE.sub(_always(dots), _STRANGE_ACCENT.sub(_always(tilde), latex))
             if text not in seen and parses(text):
                 seen.add(text)
                 shown = [tilde] * bool(_STRANGE_ACCENT.search(latex)) + [dots] * bool(_CIRCLE.search(latex))
@@ -109,6 +109,11 @@ def _texts(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
                 yield text, (Change("mark", said),)
         return
     yield from _brackets(latex)
+
+
+def _always(text: str) -> Callable[[re.Match[str]], str]:
+    """What puts the text in the place of each match."""
+    return lambda _: text
 
 
 def _brackets(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:

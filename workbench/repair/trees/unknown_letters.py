@@ -5,18 +5,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import islice, pairwise, product
+from itertools import islice, pairwise, product, zip_longest
 
 from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.parser import parse
-from workbench.language.grammar.syntax import Bracket, Group, Leaf, Lines, Product, Scripted, Sum, in_a_row
+from workbench.language.grammar.syntax import (
+    Bracket,
+    Group,
+    Leaf,
+    Lines,
+    Node,
+    Product,
+    Scripted,
+    Sum,
+    in_a_row,
+)
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.names import Name
 from workbench.language.typed.types import VECTOR
 from workbench.repair.trees.garbled import Found, changes_of, letters_of_clauses
 from workbench.repair.trees.integers import bound_variables
 from workbench.repair.trees.letters import Occurrence, meaning_of, other_letters
-from workbench.repair.trees.marks import Mark, marked
+from workbench.repair.trees.marks import Mark, marked_lines
 from workbench.repair.trees.nodes import below
 
 #: The most ways to put the letters of one formula right.
@@ -46,7 +56,7 @@ def arrows(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[F
                 for other in below(lines)
                 if isinstance(other, Product) and latex_of(other) == latex_of(part)
             ]
-            found.append((marked(others, lines), changes_of(others)))
+            found.append((marked_lines(others, lines), changes_of(others)))
     return found or [(lines, ())]
 
 
@@ -74,13 +84,13 @@ def known_letters(lines: Lines, table: SymbolTable, integers: frozenset[str]) ->
     if not strange:
         return [(lines, ())]
     ways = []
-    for found in strange.values():
-        of_letter = sorted(_known_forms(found, lines, table, known), key=lambda way: way[1])
+    for alike in strange.values():
+        of_letter = sorted(_known_forms(alike, lines, table, known), key=lambda way: way[1])
         if not of_letter:
             return [(lines, ())]
         ways.append([marks for marks, _ in of_letter[:4]])
     chosen = [[mark for marks in way for mark in marks] for way in islice(product(*ways), MOST)]
-    return [(marked(marks, lines), changes_of(marks)) for marks in chosen]
+    return [(marked_lines(marks, lines), changes_of(marks)) for marks in chosen]
 
 
 def _known_forms(
@@ -101,6 +111,7 @@ def _known_forms(
 
 def _swapped(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]]:
     left = one.left
+    assert left is not None, f"{one.text} has no left scripts"
     new = Scripted(left.at, left.nucleus, left.sup, left.sub)
     said = f"${latex_of(left)}$ should be ${latex_of(new)}$"
     scripts = replace(one.scripts, left_sub=one.scripts.left_sup, left_sup=one.scripts.left_sub)
@@ -108,12 +119,13 @@ def _swapped(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]]:
 
 
 def _without_left(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]]:
-    marks = []
+    left, marks = one.left, []
+    assert left is not None, f"{one.text} has no left scripts"
     for part in below(lines):
-        if isinstance(part, Product) and any(item is one.left for item in part.items):
-            rest = tuple(item for item in part.items if item is not one.left)
+        if isinstance(part, Product) and any(item is left for item in part.items):
+            rest = tuple(item for item in part.items if item is not left)
             new = in_a_row(part.at, rest)
-            said = f"the index ${latex_of(one.left)}$ does not belong there"
+            said = f"the index ${latex_of(left)}$ does not belong there"
             marks.append(Mark(part, new, 1, "index", said))
     return replace(one, scripts=replace(one.scripts, left_sub=None, left_sup=None)), marks
 
@@ -121,44 +133,44 @@ def _without_left(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]
 def left_scripts(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[Found]:
     """Left scripts that have run into what stands before them: a subscript on a bracket, or perhaps the
     second digit of an index."""
-    marks = []
+    marks: list[Mark] = []
     for part in below(lines):
         if isinstance(part, Product):
             marks += _from_brackets(part)
-    found = [(marked(marks, lines), changes_of(marks))]
+    found = [(marked_lines(marks, lines), changes_of(marks))]
     letters = list(letters_of_clauses(lines))
     more = [mark for one, following in pairwise(letters) for mark in _from_index(one, following)]
     if more:
-        found.append((marked([*marks, *more], lines), changes_of([*marks, *more])))
+        found.append((marked_lines([*marks, *more], lines), changes_of([*marks, *more])))
     return found
 
 
 def _from_index(one: Occurrence, following: Occurrence) -> Iterator[Mark]:
-    sub = one.scripts.sub
-    digits = latex_of(sub).strip("{}") if sub is not None else ""
+    sub, holder = one.scripts.sub, one.holder
+    if sub is None or holder is None:
+        return
+    digits = latex_of(sub).strip("{}")
     if len(digits) == 2 and digits.isdigit() and following.holder is not None and following.left is None:
         at = following.holder.at
         left = Scripted(at, Group(at, ()), Leaf(at, "NUMBER", digits[1]))
-        said = f"${digits[1]}$ in ${latex_of(one.holder)}$ belongs to ${latex_of(following.holder)}$"
+        said = f"${digits[1]}$ in ${latex_of(holder)}$ belongs to ${latex_of(following.holder)}$"
         yield Mark(sub, Leaf(sub.at, "NUMBER", digits[0]), 1, "index", said)
         row = Group(at, (Product(at, (left, following.holder)),))
         yield Mark(following.holder, row, 1, "index", said)
 
 
 def _from_brackets(product: Product) -> Iterator[Mark]:
-    items = list(product.items)
-    changed = False
-    for place, item in enumerate(product.items[:-1]):
-        if isinstance(item, Scripted) and isinstance(item.nucleus, Bracket) and item.sub is not None:
-            changed = True
-            bracket = item.nucleus if item.sup is None else Scripted(item.at, item.nucleus, None, item.sup)
-            left = Scripted(item.at, Group(item.at, ()), item.sub)
-            items[place] = (bracket, left)
-            index = latex_of(item.sub)
-            following = latex_of(product.items[place + 1])
-            said = f"the index ${index}$ of the bracket belongs to ${following}$"
-    if changed:
-        row = [part for item in items for part in (item if isinstance(item, tuple) else (item,))]
+    row: list[Node] = []
+    said = ""
+    for item, following in zip_longest(product.items, product.items[1:]):
+        match item:
+            case Scripted(at=at, nucleus=Bracket() as bracket, sub=Node() as sub) if following is not None:
+                row.append(bracket if item.sup is None else Scripted(at, bracket, None, item.sup))
+                row.append(Scripted(at, Group(at, ()), sub))
+                said = f"the index ${latex_of(sub)}$ of the bracket belongs to ${latex_of(following)}$"
+            case _:
+                row.append(item)
+    if said:
         yield Mark(product, Product(product.at, tuple(row)), 1, "index", said)
 
 
@@ -169,21 +181,22 @@ def arguments(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> lis
         if found.bracket is None:
             continue
         meant = meaning_of(found, table, known)
-        formals = () if meant is None else table.formals.get(meant.name, ())
+        name = None if meant is None else meant.name
+        formals = table.formals.get(name, ()) if isinstance(name, Name) else ()
         given = found.bracket.parts
         if len(formals) != len(given) + 1:
             continue
         ways: list[Found] = []
         formal_names = {f.name for fs in table.formals.values() for f in fs}
         for place, formal in enumerate(formals):
-            for name, declaration in table.symbols.items():
-                if declaration.type != formal.type or name.indices or name in formal_names:
+            for other, declaration in table.symbols.items():
+                if declaration.type != formal.type or other.indices or other in formal_names:
                     continue
-                argument = parse(str(name)).lines[0][0]
+                argument = parse(str(other)).lines[0][0]
                 parts = (*given[:place], argument, *given[place:])
                 bracket = Bracket(found.bracket.at, found.bracket.kind, parts)
-                said = f"the argument ${name}$ is missing in ${latex_of(bracket)}$"
+                said = f"the argument ${other}$ is missing in ${latex_of(bracket)}$"
                 mark = Mark(found.bracket, bracket, 1, "symbol", said)
-                ways.append((marked([mark], lines), changes_of([mark])))
+                ways.append((marked_lines([mark], lines), changes_of([mark])))
         return ways or [(lines, ())]
     return [(lines, ())]

@@ -6,7 +6,6 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from string import whitespace
 
 from workbench.papers.texts.prose import sentence_before
 from workbench.papers.texts.tex.expander import Expander
@@ -101,30 +100,6 @@ class _Row:
     labels: list[tuple[str, bool]] = field(default_factory=list)  # and whether the letter is in the number
     tag: str | None = None
     marks: set[str] = field(default_factory=set)
-
-
-#: What may stand between them: also the mark of a quotation in Markdown.
-_NOTHING = f"{whitespace}>"
-
-
-def add(displays: list[Display], display: Display) -> None:
-    """One more display, or more rows of the last one, where it begins with = and nothing stands between."""
-    first = next((token.text for row in display.rows for token in row.tokens if token.text.strip()), "")
-    last = displays[-1] if displays and first == "=" and displays[-1].source is display.source else None
-    if (
-        last is None
-        or last.latex.rstrip().endswith(".")
-        or display.source.text[last.end : display.start].strip(_NOTHING)
-    ):
-        displays.append(display)
-        return
-    displays[-1] = replace(
-        last,
-        end=display.end,
-        rows=last.rows + display.rows,
-        opaque=last.opaque | display.opaque,
-        warnings=last.warnings + display.warnings,
-    )
 
 
 class DisplayReader(Expander):
@@ -284,15 +259,18 @@ class _Body:
             case "\\label":
                 row.labels.append((reader.word(), _ON_LETTER in row.marks))
             case "\\tag":
-                reader.star()
-                row.tag = reader.counters.text(joined(reader.argument()))
+                self._tag(token)
             case "\\eqno" | "\\leqno":
                 reader.skip_spaces()
                 row.tag = _eqno(reader, self.closing or "$$")
             case "\\intertext" | "\\shortintertext" | "\\noalign":
-                reader.argument()
                 if self.splits and self.depth <= 0 and any(not kept.text.isspace() for kept in row.tokens):
                     self.rows.append(_Row())
+                if token.word == "noalign":
+                    reader.argument()
+                else:
+                    self._keep(token)
+                    self._words()
             case "\\addtocounter" | "\\setcounter" | "\\stepcounter" | "\\refstepcounter":
                 reader.count(token)
             case "\\ref" | "\\eqref" | "\\cref" | "\\Cref" | "\\autoref":
@@ -311,6 +289,18 @@ class _Body:
             case _:
                 return False
         return True
+
+    def _tag(self, token: Token) -> None:
+        """The number of the row; words in it, such as a reason, stay in the row."""
+        self.reader.star()
+        row = self.rows[-1]
+        before = len(row.tokens)
+        self._keep(token)
+        self._words()
+        inside = row.tokens[before + 2 : -1]
+        row.tag = self.reader.counters.text(joined(inside))
+        if "$" not in (each.text for each in inside):
+            del row.tokens[before:]
 
     def _paragraph(self, token: Token) -> None:
         """It ends a row, as in Sphinx's displays: what stands below is no factor of what stands above."""

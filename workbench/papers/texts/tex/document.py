@@ -7,7 +7,8 @@ from pathlib import Path
 
 from workbench.papers.model import PaperError
 from workbench.papers.texts.prose import plain
-from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, add, read_display
+from workbench.papers.texts.tex.display_list import add
+from workbench.papers.texts.tex.displays import CLOSING, DISPLAYS, Display, read_display
 from workbench.papers.texts.tex.files import INCLUDING, Directive, FileReader
 from workbench.papers.texts.tex.groups import CELL, end_mark
 from workbench.papers.texts.tex.groups import environment as group_of

@@ -7,7 +7,6 @@ from itertools import pairwise
 
 from workbench.language.grammar.vocabulary import DOTS
 from workbench.language.naming.spelling import INDEX_LETTERS
-from workbench.papers.text_claims.alignment import trimmed
 from workbench.papers.texts import Token, joined
 
 _DOTS = frozenset({"...", "…", *(f"\\{name}" for name in DOTS)})
@@ -20,7 +19,7 @@ def with_listed(pieces: Sequence[list[Token]], line: Sequence[Token]) -> Iterato
     while place < len(pieces):
         if (inside := _in_brackets(pieces[place])) is not None:
             listed = list(with_listed(inside, line))
-            yield from listed if all(map(is_range, listed)) else [pieces[place]]
+            yield from listed if all(map(is_index_range, listed)) else [pieces[place]]
             place += 1
             continue
         found = _listed(pieces, place, line)
@@ -59,7 +58,7 @@ def _listed(
     return [_range(letter, sign, first, bound or str(last)) for letter in letters], place + 1
 
 
-def is_range(piece: Sequence[Token]) -> bool:
+def is_index_range(piece: Sequence[Token]) -> bool:
     """Whether it is i = \\overline{…}, or i \\geq 1."""
     texts = [token.text for token in piece if token.text != " "]
     return texts[0] in INDEX_LETTERS and (texts[1:3] == ["=", "\\overline"] or texts[1:2] == ["\\geq"])
@@ -89,7 +88,7 @@ def _in_brackets(piece: list[Token]) -> list[list[Token]] | None:
             inside.append([])
         else:
             inside[-1].append(token)
-    return [trimmed(each) for each in inside]
+    return [[token for token in each if token.text != " "] for each in inside]
 
 
 def _range(letter: Token, sign: Token, first: int, last: str) -> list[Token]:

@@ -1,0 +1,72 @@
+"""Small texts in several formats, with any letters: for laws that no format and no letter may change."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from workbench.judge.verdict import Verdict
+from workbench.papers import load_paper
+from workbench.papers.text_claims.text_paper import TextPaper
+from workbench.verify.claims import judge_paper
+
+FORMATS = ("tex", "md", "rst")
+#: Letters for two vectors, four scalars and a constant.
+ALPHABETS = (
+    {"a": "a", "b": "b", "f": "f", "g": "g", "h": "h", "x": "x", "m": "m"},
+    {"a": "u", "b": r"\mathbf{w}", "f": r"\alpha", "g": "k", "h": r"\beta", "x": r"\phi", "m": "c"},
+    {"a": r"\xi", "b": "r_1", "f": "s", "g": "y", "h": "z", "x": r"\psi", "m": r"\mu"},
+)
+KINDS = {"a": "vector", "b": "vector", "f": "scalar", "g": "scalar", "h": "scalar", "x": "scalar"}
+
+
+def renamed(latex: str, letters: dict[str, str]) -> str:
+    """The formula with other letters: <a> stands for one."""
+    return re.sub(r"<(\w)>(?=([A-Za-z])?)", lambda m: letters[m[1]] + " " * bool(m[2]), latex)
+
+
+def heading(title: str, form: str) -> str:
+    return {"tex": f"\\section{{{title}}}", "md": f"# {title}", "rst": f"{title}\n{'=' * len(title)}"}[form]
+
+
+def display(latex: str, form: str) -> str:
+    shapes = {
+        "tex": "\\begin{equation}\n%s\n\\end{equation}",
+        "md": "$$\n%s\n$$",
+        "rst": ".. math::\n\n   %s\n",
+    }
+    return shapes[form] % latex
+
+
+def inline(latex: str, form: str) -> str:
+    return f":math:`{latex}`" if form == "rst" else f"${latex}$"
+
+
+def line_of(latex: str, text: str) -> str:
+    """The place of a formula that stands on a line of its own, as a model names it."""
+    return f"line {[line.strip() for line in text.splitlines()].index(latex) + 1}"
+
+
+def text_of(parts: Sequence[str], form: str) -> str:
+    body = "\n\n".join(parts) + "\n"
+    return f"\\begin{{document}}\n{body}\\end{{document}}\n" if form == "tex" else body
+
+
+def model_of(letters: dict[str, str], form: str, more: str = "", flags: str = "") -> str:
+    symbols = [f"'{letters[mark]}' = {{ kind = '{kind}'{flags} }}" for mark, kind in KINDS.items()]
+    symbols.append(f"'{letters['m']}' = {{ kind = 'scalar', constant = true }}")
+    return f"source = 'p.{form}'\n[symbols]\n" + "\n".join(symbols) + f"\n{more}"
+
+
+def paper_of(folder: Path, text: str, model: str, form: str) -> TextPaper:
+    (folder / f"p.{form}").write_text(text)
+    (folder / "p.toml").write_text(model)
+    return load_paper(folder / "p.toml")
+
+
+def verdicts(folder: Path, text: str, model: str, form: str) -> list[Verdict]:
+    """The verdicts on the displays of the text, in their order."""
+    paper = paper_of(folder, text, model, form)
+    assert not paper.faults
+    return [result.verdict for result in judge_paper(paper, motions=False, jobs=1)]

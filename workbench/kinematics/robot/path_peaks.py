@@ -1,0 +1,89 @@
+"""The peaks of a motion along a path: what is asked for, and who answers on exact paths and on recordings."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from workbench.kinematics.robot.derivative_names import order_name
+from workbench.kinematics.robot.exact_peaks import exact_peaks
+from workbench.kinematics.robot.joint_limits import LimitTables, known_limits
+from workbench.kinematics.robot.paths import RecordedPath
+from workbench.kinematics.robot.peaks import Asked, Peak
+from workbench.kinematics.robot.recorded_motion import recorded_peaks
+from workbench.kinematics.robot.states import States
+from workbench.kinematics.robot.structure import Structure
+
+
+def peaks(
+    motion: States,
+    body: str | None,
+    point: ArrayLike,
+    limits: LimitTables | None,
+    relative_to: str | None,
+) -> list[Peak]:
+    """See `Motion.peaks`."""
+    if motion.path is None:
+        raise ValueError("expected a motion along a path (`Robot.along`), which has times between its states")
+    asked = _asked(motion.robot, body, motion.order, known_limits(motion.robot, limits))
+    if not asked:
+        return []
+    if isinstance(motion.path, RecordedPath):
+        return recorded_peaks(motion, body, point, relative_to, asked)
+    return exact_peaks(motion, body, point, relative_to, asked)
+
+
+def _asked(robot: Structure, body: str | None, order: int, known: dict[str, dict[str, float]]) -> list[Asked]:
+    """What is sought: each joint derivative, those of the point, and each coordinate with a limit; of joints
+    that follow others only what has a limit."""
+    units = {name: j.unit(name) for j in robot.joints for name in (*j.coordinates, *j.velocities)}
+    per = {n: "/s" if n == 1 else f"/s^{n}" for n in range(1, order + 1)}
+    sources = _sources(robot)
+    free = set(robot.velocities)
+    found = [
+        Asked(name, n, "upper", units[name] + per[n], known[name].get(order_name(n)), *sources[name])
+        for n in per
+        for name in sources
+        if name in free or order_name(n) in known[name]
+    ]
+    if body is not None:
+        found += [Asked("point", n, "upper", "m" + per[n], known["point"].get(order_name(n))) for n in per]
+    if order >= 2:
+        found += [
+            Asked(name, 2, "deceleration", units[name] + per[2], known[name]["deceleration"], *sources[name])
+            for name in sources
+            if "deceleration" in known[name]
+        ]
+    return found + [
+        Asked(name, 0, bound, units[name], known[name][bound], *sources[name])
+        for name in sources
+        for bound in ("lower", "upper")
+        if bound in known[name] and sources[name][0] is not None
+    ]
+
+
+def _sources(robot: Structure) -> dict[str, tuple[int | None, int, float, float]]:
+    """Of each velocity, those of joints that follow others last: (position, velocity, factor, offset).
+
+    position: None where the velocity is no derivative of a coordinate (those of balls).
+    """
+    found: dict[str, tuple[int | None, int, float, float]] = {}
+    position = velocity = 0
+    for joint in robot.joints:
+        if joint.mimic is not None:
+            continue
+        for move in joint.moves():
+            is_rate = not isinstance(move.joint, str)
+            for i in range(move.sizes[1]):
+                at = velocity + move.velocity + i
+                found[robot.velocities[at]] = (position + move.position if is_rate else None, at, 1.0, 0.0)
+        position += len(joint.coordinates)
+        velocity += len(joint.velocities)
+    found = {name: found[name] for name in robot.velocities}
+    for joint in robot.joints:
+        if joint.mimic is not None:
+            (row,), (offset,) = robot.follow([joint.name])
+            source = int(np.argmax(np.abs(row)))
+            name = robot.positions[source]
+            found[joint.name] = (source, robot.velocities.index(name), float(row[source]), float(offset))
+    return found

@@ -1,0 +1,135 @@
+"""The peaks of a motion along a path beside limits: where each derivative is largest, and whether that is
+known.
+
+Along a formula or a Drake trajectory a peak is exact, unless a lower derivative jumps: then it has no
+bound. Along a recording it has a stated error, or is not determined (`recorded_motion`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import floor, log10
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from workbench.kinematics.robot.derivative_names import order_name
+
+if TYPE_CHECKING:
+    from workbench.kinematics.robot.frames import PointMotion
+    from workbench.kinematics.robot.states import States
+
+WITHIN, BEYOND, NOT_DETERMINED = "within", "BEYOND", "not determined"
+
+
+@dataclass(frozen=True)
+class Peak:
+    """Where a quantity is largest on a path. `of`: a coordinate or "point"; order: which derivative.
+
+    value ± error: the largest |derivative|, at the time in s; infinite where a lower derivative jumps;
+    error: infinite where the value is not determined. The size is at_least and at_most so large. limit:
+    None where there is none. bound: "upper"; of order 0 "lower" or "upper", value being the coordinate at
+    its least or greatest; "deceleration": of |q̈| where q̈ and q̇ have opposite signs. reason: why there is
+    no value. span: the times in s that the value is of, where ends of a recording that are known less well
+    are left out; at_least and at_most, and with them the verdict, are of all times.
+    """
+
+    of: str
+    order: int
+    value: float
+    time: float
+    limit: float | None
+    unit: str
+    bound: str = "upper"
+    error: float = 0.0
+    at_least: float = np.nan
+    at_most: float = np.nan
+    reason: str = ""
+    span: tuple[float, float] | None = None
+
+    @property
+    def verdict(self) -> str | None:
+        """ "within" if the largest possible value is, "BEYOND" if the least possible value is, "not
+        determined" otherwise; None without a limit."""
+        if self.limit is None:
+            return None
+        sign = -1 if self.bound == "lower" else 1
+        limit = sign * self.limit
+        if self.at_most <= limit:
+            return WITHIN
+        return BEYOND if self.at_least > limit else NOT_DETERMINED
+
+    @property
+    def within(self) -> bool | None:
+        """True for "within", False for "BEYOND", None for "not determined" and without a limit."""
+        return {WITHIN: True, BEYOND: False}.get(self.verdict)
+
+    @property
+    def name(self) -> str:
+        """Such as "jerk", "deceleration"."""
+        return self.bound if self.bound == "deceleration" else order_name(self.order)
+
+    def __str__(self) -> str:
+        bound = self.bound if self.order == 0 else "upper"
+        against = "" if self.limit is None else f", {bound} limit {self.limit:g}: {self.verdict}"
+        return f"{self.name} of {self.of}: {self._size()}{against}"
+
+    def _size(self) -> str:
+        if self.value == np.inf:
+            return f"unbounded: {self.reason}"
+        if not np.isfinite(self.error):
+            return f"not determined{self._bounds()}: {self.reason}"
+        span = "" if self.span is None else f" (from {self.span[0]:.6g} to {self.span[1]:.6g} s)"
+        return f"{with_error(self.value, self.error)} {self.unit} at {self.time:.6g} s{span}"
+
+    def _bounds(self) -> str:
+        """What is known of a size that is not determined, such as ", at least 10 rad/s^3"."""
+        sign, words = (-1, ("at most", "at least")) if self.bound == "lower" else (1, ("at least", "at most"))
+        bounds = (self.at_least, self.at_most)
+        if self.order and self.at_least == 0:
+            words, bounds = words[1:], bounds[1:]
+        told = [(word, value) for word, value in zip(words, bounds, strict=True) if np.isfinite(value)]
+        return "".join(f", {word} {sign * value:.4g} {self.unit}" for word, value in told)
+
+
+def with_error(value: float, error: float) -> str:
+    """ "30.0 ± 2.5": the value to the second digit of its error."""
+    if error == 0 or value == 0:
+        return f"{value:.6g}" if error == 0 else f"{value:g} ± {error:.2g}"
+    digits = floor(log10(abs(value))) - floor(log10(error)) + 2
+    return f"{value:#.{min(max(digits, 1), 16)}g}".rstrip(".") + f" ± {error:.2g}"
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A quantity whose peak is asked for.
+
+    `of`, order, bound, unit, limit: as in `Peak`. position, velocity: the index of the coordinate and the
+    velocity that it is a multiple of, None for the point; the coordinate is factor · q + offset.
+    """
+
+    of: str
+    order: int
+    bound: str
+    unit: str
+    limit: float | None
+    position: int | None = None
+    velocity: int | None = None
+    factor: float = 1.0
+    offset: float = 0.0
+
+
+def point_of(motion: States, body: str, point: ArrayLike, relative_to: str | None) -> PointMotion:
+    """The motion of a body's point, as another body sees it if `relative_to` names one."""
+    frame = motion.frame(body)
+    return (frame if relative_to is None else frame.relative_to(motion.frame(relative_to))).point(point)
+
+
+def peak_at(
+    asked: Asked, value: float, time: float, **options: float | str | tuple[float, float] | None
+) -> Peak:
+    """The peak of what was asked; the value of a lower bound is that of −q. Options: see `Peak`."""
+    signed = -value if asked.bound == "lower" else value
+    found = Peak(asked.of, asked.order, signed + 0.0, time, asked.limit, asked.unit, asked.bound)
+    return replace(found, **({"at_least": value, "at_most": value} | options))

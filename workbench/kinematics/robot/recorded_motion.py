@@ -1,0 +1,206 @@
+"""Peaks of a robot's motion along a recording, with errors carried over from those of the coordinates.
+
+The error of what depends on many coordinates is, to first order, the sum of what each derivative's own
+error does:
+
+    error(F) = Σ₍ⱼ,ₖ₎ |F(…, qⱼ⁽ᵏ⁾ + eⱼ⁽ᵏ⁾, …) − F|.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from workbench.kinematics.robot.common_base import coordinates_that_move
+from workbench.kinematics.robot.peaks import Asked, Peak, peak_at, point_of
+from workbench.kinematics.robot.recorded_peaks import (
+    RecordedPeak,
+    below_noise,
+    peak_of,
+    recorded_bound,
+    recorded_peak,
+)
+from workbench.kinematics.robot.recordings import Break, Recording
+from workbench.kinematics.robot.states import States
+
+BLOCK = 4096  # samples at a time
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Estimates and errors (N + 1, samples, positions) at the times (samples,) in s; jumps: of each
+    position the breaks."""
+
+    times: np.ndarray
+    estimates: np.ndarray
+    errors: np.ndarray
+    breaks: tuple[tuple[Break, ...], ...]
+
+
+def recorded_peaks(
+    motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
+) -> list[Peak]:
+    """The peaks on the times from the motion's first to its last."""
+    start, end = float(motion.times.min()), float(motion.times.max())
+    parts = [recording.within(start, end) for recording in motion.path.recordings]
+    orders = range(motion.order + 1)
+    pairs = [[part.estimate(k) for part in parts] for k in orders]
+    estimates, errors = (
+        np.array([[pair[i] for pair in row] for row in pairs]).swapaxes(1, 2) for i in (0, 1)
+    )
+    samples = Samples(parts[0].times, estimates, errors, tuple(part.breaks for part in parts))
+    carried = _carried(motion, body, point, relative_to, asked, samples)
+    whole = samples.times[0], samples.times[-1]
+    return [
+        _as_peak(one, whole, _direct(parts[one.position], one) if one.position is not None else carried[i])
+        for i, one in enumerate(asked)
+    ]
+
+
+def _as_peak(one: Asked, whole: tuple[float, float], found: RecordedPeak) -> Peak:
+    """The peak of what was asked, of the coordinate's own."""
+    scale, shift = (abs(one.factor), 0.0)
+    if one.order == 0:
+        shift = -one.offset if one.bound == "lower" else one.offset
+    least, most, value = (scale * x + shift for x in (found.at_least, found.at_most, found.value))
+    bounds = {"error": scale * found.error, "at_least": least, "at_most": most}
+    return peak_at(
+        one,
+        value,
+        found.time,
+        **bounds,
+        reason=found.reason,
+        span=None if found.span == whole else found.span,
+    )
+
+
+def _direct(recording: Recording, one: Asked) -> RecordedPeak:
+    """The peak of a coordinate's derivative from its own recording, the factor of a joint that follows
+    aside."""
+    if one.order == 0:
+        sign = -1 if (one.bound == "lower") != (one.factor < 0) else 1
+        return recorded_bound(recording, sign)
+    if one.bound == "deceleration":
+        return _deceleration(recording)
+    return recorded_peak(recording, one.order)
+
+
+def _deceleration(recording: Recording) -> RecordedPeak:
+    """The largest |q̈| where q̈ and q̇ have opposite signs; where the signs are not known it may count or
+    not."""
+    (v, ev), (a, ea) = recording.estimate(1), recording.estimate(2)
+    size = np.abs(a)
+    is_sure = (np.abs(v) > ev) & (size > ea)
+    slows = v * a < 0
+    half = (size + ea) / 2
+    sizes = np.where(is_sure, np.where(slows, size, 0.0), half)
+    errors = np.where(is_sure, np.where(slows, ea, 0.0), half)
+    return peak_of(recording.times, sizes, errors, [one for one in recording.breaks if one.order < 2])
+
+
+def _carried(
+    motion: States,
+    body: str | None,
+    point: ArrayLike,
+    relative_to: str | None,
+    asked: list[Asked],
+    samples: Samples,
+) -> dict[int, RecordedPeak]:
+    """The peaks of the point and of balls' velocities, by their places in `asked`."""
+    robot = motion.robot
+    wanted = {i: one for i, one in enumerate(asked) if one.position is None}
+    if not wanted:
+        return {}
+
+    def values_at(q: np.ndarray) -> dict[int, np.ndarray]:
+        there = robot.motion(q)
+        of_point = None if body is None else point_of(there, body, point, relative_to).derivatives
+        return {
+            i: of_point[one.order] if one.velocity is None else there.rates[one.order - 1][:, [one.velocity]]
+            for i, one in wanted.items()
+        }
+
+    movers = [] if body is None else coordinates_that_move(robot, body, relative_to)
+    own = {i: movers if one.velocity is None else _of_ball(motion, one) for i, one in wanted.items()}
+    found: dict[int, RecordedPeak] = {}
+    places: dict[tuple[str, int], int] = {}
+    for i, (values, errors) in _with_errors(values_at, samples, wanted, own).items():
+        one = wanted[i]
+        found[i] = _peak(samples, values, errors, own[i], one.order)
+        if (one.of, one.order - 1) in places:
+            found[i] = below_noise(found[i], lambda at=places[one.of, one.order - 1]: found[at])
+        places[one.of, one.order] = i
+    return found
+
+
+def _of_ball(motion: States, one: Asked) -> list[int]:
+    """The coordinates of the ball joint whose velocity is asked for."""
+    joint = next(joint for joint in motion.robot.joints if one.of in joint.velocities)
+    return [motion.robot.positions.index(name) for name in joint.coordinates]
+
+
+def _with_errors(
+    values_at: Callable[[np.ndarray], dict[int, np.ndarray]],
+    samples: Samples,
+    wanted: dict[int, Asked],
+    own: dict[int, list[int]],
+) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+    """Of each quantity its values (samples, components), and the errors (samples,) of their sizes; own: the
+    coordinates that it depends on."""
+    blocks = []
+    for first in range(0, len(samples.times), BLOCK):
+        here = slice(first, first + BLOCK)
+        blocks.append(_block(values_at, samples.estimates[:, here], samples.errors[:, here], wanted, own))
+    return {
+        i: (
+            np.concatenate([block[i][0] for block in blocks]),
+            np.concatenate([block[i][1] for block in blocks]),
+        )
+        for i in wanted
+    }
+
+
+def _block(
+    values_at: Callable[[np.ndarray], dict[int, np.ndarray]],
+    q: np.ndarray,
+    errors: np.ndarray,
+    wanted: dict[int, Asked],
+    own: dict[int, list[int]],
+) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+    now = values_at(q)
+    totals = {i: np.zeros(q.shape[1]) for i in wanted}
+    for j in sorted({j for coordinates in own.values() for j in coordinates}):
+        for k in range(len(q)):
+            error = errors[k, :, j]
+            is_known = np.isfinite(error)
+            moved = q.copy()
+            moved[k, :, j] += np.where(is_known, error, 0.0)
+            changed = values_at(moved)
+            for i, one in wanted.items():
+                if k <= one.order and j in own[i]:
+                    totals[i] += np.linalg.norm(changed[i] - now[i], axis=-1)
+                    totals[i][~is_known] = np.inf
+    return {i: (now[i], totals[i]) for i in wanted}
+
+
+def _peak(
+    samples: Samples, values: np.ndarray, errors: np.ndarray, coordinates: list[int], order: int
+) -> RecordedPeak:
+    """The peak of a quantity's size; beside a break, and between samples, it may differ by as much as it
+    changes."""
+    size, errors = np.linalg.norm(values, axis=-1), errors.copy()
+    breaks = [one for j in coordinates for one in samples.breaks[j]]
+    for one in breaks:
+        if 0 < one.sample < len(size):
+            both = slice(one.sample - 1, one.sample + 1)
+            errors[both] += np.linalg.norm(values[one.sample] - values[one.sample - 1])
+    bend = np.zeros_like(size)
+    bend[1:-1] = np.abs(size[2:] - 2 * size[1:-1] + size[:-2]) / 8  # of a parabola through three samples
+    is_top = np.zeros(len(size), bool)
+    is_top[1:-1] = (size[1:-1] >= size[2:]) & (size[1:-1] >= size[:-2])
+    errors = errors + np.where(is_top, bend, 0.0)
+    jumps = [one for one in breaks if one.order < order]
+    return peak_of(samples.times, size, errors, jumps)

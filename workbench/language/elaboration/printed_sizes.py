@@ -1,0 +1,59 @@
+"""The size that is printed below a zero, a unit matrix or a bracket; it binds the type."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from workbench.language.grammar.syntax import Bracket, Infix, Leaf, Matrix, Node, Product, core
+from workbench.language.naming.scope import Scope
+from workbench.language.typed.construct import zero
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.shapes import filling, sizes
+from workbench.language.typed.terms import Block, Identity, IllFormed, Term, Zero
+from workbench.language.typed.types import Type
+
+
+def size_below(sub: Node | None) -> tuple[Type | None, bool]:
+    """What 3×1 or a single 3 says below a zero or a unit tensor, and whether it is a single number."""
+    inner = core(sub)
+    match inner:
+        case Product(
+            items=(Leaf(kind="NUMBER") as rows, Infix(operator="×"), Leaf(kind="NUMBER") as columns)
+        ):
+            sizes = (rows.text, columns.text)
+        case Leaf(kind="NUMBER"):
+            sizes = (inner.text, inner.text)
+        case _:
+            return None, False
+    if not all(size.isdecimal() and 0 < int(size) < 100 for size in sizes):
+        return None, False
+    return Type(int(sizes[0]), int(sizes[1])), isinstance(inner, Leaf)
+
+
+def sized_as_printed(term: Term, sub: Node | None, at: int) -> Term:
+    """A zero or a unit matrix of any size, as one of the size below it; any other term itself. Raises
+    Misfit."""
+    size, is_single = size_below(sub)
+    is_open = isinstance(term, Zero | Identity) and filling(term) is not None and not term.printed
+    if not is_open or size is None:
+        return term
+    if isinstance(term, Identity) and not size.is_square:
+        raise Misfit(IllFormed(f"a unit matrix of the size {sizes([size])}; it is square"), at)
+    is_column = isinstance(term, Zero) and is_single
+    printed = str(size.rows) if is_single else f"{size.rows} \\times {size.columns}"
+    return replace(term, type=Type(size.rows, 1) if is_column else size, printed=printed)
+
+
+def sized_matrix(scope: Scope, node: Node, sub: Node) -> Term:
+    """The term of a bracket or of a matrix with its size below it. Raises Fault and Misfit."""
+    size, is_single = size_below(sub)
+    if size is None or is_single or not isinstance(core(node), Bracket | Matrix):
+        raise Fault("a subscript on an expression; indices belong to symbols", node.at)
+    term = scope.term(node)
+    if isinstance(term, Block) and term.children == (zero(),):
+        (term,) = term.children
+    term = sized_as_printed(term, sub, sub.at)
+    if term.type.with_dual(False) != size:
+        both = f"{sizes([term.type])} and the size below it {sizes([size])}"
+        raise Misfit(IllFormed(f"the size of the matrix is {both}"), sub.at)
+    return term

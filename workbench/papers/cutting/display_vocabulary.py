@@ -1,0 +1,147 @@
+"""The tokens that give a display its structure, by the kind of node that each becomes."""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+
+from workbench.language.grammar.vocabulary import spellings
+
+
+class Kind(Enum):
+    """The kind of a node. PLAIN: a letter, a number, or a command with its arguments."""
+
+    PLAIN = auto()
+    RELATION = auto()
+    SIGN = auto()
+    INFIX = auto()
+    IMPLICATION = auto()
+    FORALL = auto()
+    WIDE = auto()
+    GAP = auto()
+    COMMA = auto()
+    STOP = auto()
+    OPEN = auto()
+    CLOSE = auto()
+    WORDS = auto()
+    GROUP = auto()
+    ENVIRONMENT = auto()
+    SCRIPT = auto()
+    BRACE_NOTE = auto()
+    CANCEL = auto()
+    NOTHING = auto()
+    MARK = auto()
+    BREAK = auto()
+
+
+class Marks(Enum):
+    """What the alignment marks of an environment of lines part: right and left columns in pairs, columns
+    one by one, or nothing."""
+
+    PAIRS = auto()
+    CELLS = auto()
+    NONE = auto()
+
+
+def _commands(names: str) -> frozenset[str]:
+    return frozenset(f"\\{name}" for name in names.split())
+
+
+EQUALITIES = frozenset({"=", ":=", "\\equiv", "\\stackrel", "\\overset"})
+ARROWS = _commands("rightarrow to longrightarrow")
+RELATIONS = (
+    EQUALITIES
+    | (spellings("RELATION") - {":", "\\colon"})
+    | {"<"}
+    | _commands(
+        "simeq sim propto le leq lt gt ll gg cong doteq subset subseteq leqslant geqslant prec succ preceq"
+        " succeq lesssim defeq coloneq coloneqq eqqcolon"
+    )
+)
+IMPLICATIONS = spellings("IMPLICATION") | _commands("Leftarrow impliedby Longleftarrow")
+#: Relations that say where symbols are, beside an equation.
+SIDE_RELATIONS = frozenset({"<", ">"}) | _commands(
+    "neq ne lt gt le leq ge geq in leqslant geqslant ll gg perp parallel subset subseteq"
+)
+RANGE_RELATIONS = SIDE_RELATIONS - _commands("neq ne perp parallel")
+
+GAPS = frozenset([" ", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\\n", "~", "\\>"]) | _commands(
+    "par enspace enskip thinspace space"
+)
+#: Narrow spaces that an author writes on purpose.
+VISIBLE_GAPS = frozenset({"\\ ", "\\\n", "~", "\\;"})
+WIDE = _commands("quad qquad hfill hfil therefore because")
+WIDE_WITH_ARGUMENT = _commands("hspace hskip mspace phantom hphantom")
+ELLIPSES = _commands("dots ldots cdots vdots ddots dotsb dotsc")
+
+INTERTEXTS = _commands("intertext shortintertext")
+WORD_COMMANDS = _commands("text mbox hbox textrm textit textbf textnormal textsf tag") | INTERTEXTS
+#: Words that some authors write in an upright face.
+UPRIGHT_WORDS = frozenset({"and", "or", "if", "where"})
+UPRIGHT_FACES = _commands("mathrm operatorname mathit")
+
+#: Commands that colour, frame or space their argument: the number of arguments before it.
+WRAPPERS = dict.fromkeys(_commands("boxed fbox Aboxed mathrel mathbin mathord smash bbox"), 0)
+WRAPPERS |= dict.fromkeys(_commands("textcolor colorbox"), 1)
+NOTHING_WITH_ARGUMENT = _commands("color vspace label vphantom require")
+NOTHING = _commands("displaystyle textstyle nonumber notag nobreak allowbreak limits nolimits")
+#: Commands with arguments that are parts of one symbol or term: the number of arguments.
+TERMS = dict.fromkeys(_commands("frac dfrac tfrac cfrac binom"), 2)
+TERMS |= dict.fromkeys(
+    _commands(
+        "sqrt operatorname mathrm mathbf boldsymbol mathsf mathit mathcal mathbb bm vec dot ddot hat bar"
+        " tilde widehat widetilde overline underline"
+    ),
+    1,
+)
+ANNOTATED = _commands("stackrel overset underset xrightarrow xlongequal")
+BRACES = _commands("underbrace overbrace")
+CANCELS = _commands("cancel bcancel xcancel cancelto")
+#: Two characters that are one sign.
+TYPED = {(":", "="): ":=", ("=", ":"): "=", ("=", ">"): "\\Rightarrow"}
+
+_OPENING = frozenset("([") | _commands("{ lbrace langle lfloor lbrack lparen")
+_CLOSING = frozenset(")]") | _commands("} rbrace rangle rfloor rbrack rparen")
+
+KINDS: dict[str, Kind] = {
+    text: kind
+    for kind, texts in (
+        (Kind.OPEN, _OPENING),
+        (Kind.CLOSE, _CLOSING),
+        (Kind.RELATION, RELATIONS - {"\\stackrel", "\\overset"}),
+        (Kind.IMPLICATION, IMPLICATIONS),
+        (Kind.SIGN, spellings("SIGN") | _commands("pm mp")),
+        (Kind.INFIX, (spellings("INFIX") - {"\\circ"}) | {"/"} | _commands("div")),
+        (Kind.WIDE, WIDE),
+        (Kind.GAP, GAPS),
+        (Kind.NOTHING, NOTHING),
+        (Kind.COMMA, {",", ";", "\\&"}),
+        (Kind.STOP, {"."}),
+        (Kind.MARK, {"&"}),
+        (Kind.BREAK, {"\\\\"}),
+        (Kind.FORALL, {"\\forall"}),
+    )
+    for text in texts
+}
+
+
+def _names(names: str) -> frozenset[str]:
+    return frozenset(names.split())
+
+
+#: Environments whose rows are lines.
+LINES = {
+    **dict.fromkeys(
+        _names("align alignat flalign xalignat aligned alignedat split dgroup dmath"), Marks.PAIRS
+    ),
+    **dict.fromkeys(
+        _names("eqnarray subeqnarray IEEEeqnarray array cases dcases rcases empheq"), Marks.CELLS
+    ),
+    **dict.fromkeys(_names("gather gathered multline multlined equation"), Marks.NONE),
+}
+#: Those of one formula, whose rows can be its factors.
+ONE_FORMULA = _names("split multline multline* multlined aligned alignedat")
+CASES = ("cases", "dcases", "rcases")
+#: Environments of lines that a file writes with an argument.
+WITH_ARGUMENT = _names("array alignedat alignat alignat* IEEEeqnarray xalignat")
+#: A matrix whose rows are equations.
+MATRICES_OF_LINES = frozenset({"matrix", "smallmatrix"})

@@ -1,0 +1,389 @@
+"""A row of a display, piece by piece: each goes on with a statement, begins one or stands beside one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from workbench.language.grammar.vocabulary import NUMBER
+from workbench.papers.cutting.cut import Beside, Cut, Doubt, Leftover, Role, RowEnd, Statement
+from workbench.papers.cutting.display_pieces import Apart, Piece, dangling
+from workbench.papers.cutting.display_tree import Node, relation_places, trimmed, without
+from workbench.papers.cutting.display_vocabulary import Kind, Marks
+from workbench.papers.cutting.row_rules import (
+    Action,
+    Layout,
+    behind,
+    below,
+    is_range,
+    is_symbol,
+    leading_side,
+    names_what,
+)
+from workbench.papers.cutting.side_words import (
+    WordRole,
+    lead_of,
+    limits,
+    limits_without_a_relation,
+    maths_of,
+    role_of,
+    says_what_is,
+    words_of,
+)
+from workbench.papers.texts import joined
+
+_ROLES = {WordRole.CONDITION: Role.CONDITION, WordRole.REASON: Role.REASON}
+
+
+@dataclass
+class State:
+    """What is kept from row to row.
+
+    columns: the statement that stands in each pair of columns.   waiting: conditions said before their
+    statement.   denial: the words that deny the next statement."""
+
+    cut: Cut = field(default_factory=Cut)
+    columns: dict[int, Statement] = field(default_factory=dict)
+    waiting: list[Beside] = field(default_factory=list)
+    waiting_limits: list[str] = field(default_factory=list)
+    denial: Node | None = None
+
+    def leave(self, why: Leftover, nodes: Sequence[Node]) -> None:
+        if kept := [node for node in nodes if node.tokens]:
+            self.cut.leftovers.append((why, kept))
+
+
+@dataclass(frozen=True)
+class Row:
+    pieces: Sequence[Piece]
+    layout: Layout
+    number: str | None
+    labels: tuple[str, ...]
+
+
+class RowReader:
+    """Reads the pieces of one row in order."""
+
+    def __init__(self, state: State, row: Row) -> None:
+        self._state, self._row = state, row
+        self._above = dict(state.columns)
+        self._counts = {id(each): len(each.nodes) for each in state.cut.statements}
+        self._begun: set[int] = set()  # columns in which this row has said something
+        self._made: list[Statement] = []
+        self._here: Statement | None = None  # what the next piece is behind
+        self._shared: Sequence[Statement] = ()  # the lines of a system that it is behind
+        self._last: Beside | None = None  # what the piece before was put beside
+        self._column = 0
+        self._pending: Role | None = None  # what the words before say that the next formula is
+        self._pending_words = ""
+        self._names_what = False
+        self._is_quantified = False  # by symbols that the words before name, as "for all x" does
+        self._said = False
+
+    def begins(self, piece: Piece) -> bool:
+        """Whether an environment of lines in this piece is a system, and no side of a formula."""
+        return self._here is None or bool(piece.apart & {Apart.WIDE, Apart.COMMA, Apart.WORDS})
+
+    def stands_behind(self, statements: Sequence[Statement]) -> None:
+        """What follows is behind these lines of a system."""
+        self._take_waiting(statements)
+        self._shared, self._here = statements, statements[-1] if statements else None
+        self._made += statements
+        self._said = True
+
+    def read(self, place: int) -> None:
+        """Reads the piece at `place`."""
+        piece, rest = self._row.pieces[place], self._row.pieces[place + 1 :]
+        if Apart.PAIR in piece.apart or (self._row.layout.marks is Marks.CELLS and Apart.MARK in piece.apart):
+            self._column += 1
+        if piece.is_words:
+            self._words(piece.kept[0], rest)
+        elif self._is_number(piece, place):
+            self._state.leave(Leftover.LAYOUT, piece.separator)
+            self._state.leave(Leftover.NUMBER, piece.kept)
+        elif self._passes_colon(piece, place):
+            self._formula(piece, rest)
+
+    def end(self) -> None:
+        """Notes where the row ends in the statements that it adds to.
+
+        Conditions in a row of their own are said of the statement above, unless the row ends with a colon."""
+        statements = self._state.cut.statements
+        last = [node for piece in self._row.pieces for node in (*piece.nodes, *piece.separator)][-1:]
+        is_heading = any(node.text.rstrip("} ").endswith(":") for node in last)
+        if self._here is None and statements and not is_heading:
+            self._take_waiting(statements[-1:])
+        for statement in self._state.cut.statements:
+            if self._counts.get(id(statement), 0) != len(statement.nodes):
+                end = RowEnd(len(statement.nodes), self._row.number, self._row.labels)
+                statement.rows.append(end)
+
+    # What stands in a piece
+
+    def _is_number(self, piece: Piece, place: int) -> bool:
+        is_number = NUMBER.fullmatch(joined([token for node in piece.kept for token in node.tokens]))
+        if is_number is None:
+            return False
+        pieces = self._row.pieces
+        is_first = not any(each.kept for each in pieces[:place]) and len(pieces) > place + 1
+        is_last = Apart.WIDE in piece.apart and self._here is not None
+        return is_last or (is_first and Apart.WIDE in pieces[place + 1].apart)
+
+    def _passes_colon(self, piece: Piece, place: int) -> bool:
+        """Leaves the colon of “Identity: a = b”, and the name in “L:\\ a = b”; whether anything stays."""
+        before = self._row.pieces[place - 1].apart if place else set()
+        if piece.kept[0].name == ":" and Apart.WORDS in before | piece.apart:
+            self._state.leave(Leftover.LAYOUT, piece.kept[:1])
+            piece.kept = trimmed(piece.kept[1:])
+        elif (end := _end_of_a_name(piece, self._row.pieces[place + 1 :])) and self._here is None:
+            self._state.cut.remarks += piece.kept[:end]
+            piece.kept = trimmed(piece.kept[end:])
+        if not piece.kept:
+            self._state.leave(Leftover.LAYOUT, piece.separator)
+        return bool(piece.kept)
+
+    def _formula(self, piece: Piece, rest: Sequence[Piece]) -> None:
+        if Apart.FORALL in piece.apart:
+            self._state.cut.remarks += piece.separator
+            is_limited = piece.relations and not is_range(piece.kept, rest)
+            self._put_beside(Role.CONDITION if is_limited else Role.RANGE, piece.kept)
+            return
+        if not self._place(piece, rest):
+            self._state.leave(Leftover.LAYOUT, piece.separator)
+        self._said = self._said or self._here is not None
+        if self._here is not None and self._here not in self._above.values():
+            self._begun.add(self._column)
+
+    def _place(self, piece: Piece, rest: Sequence[Piece]) -> bool:
+        """Puts the piece where it belongs; whether its separator went with it."""
+        if self._goes_on_beside(piece, rest):
+            self._last.nodes += [*piece.separator, *piece.kept]
+            return True
+        self._last = None
+        if Apart.COLON in piece.apart:
+            self._pending = None
+        goes_on = piece.lead in (Kind.RELATION, Kind.IMPLICATION, Kind.INFIX)  # in spite of the words
+        if goes_on or (self._is_quantified and Apart.WIDE in piece.apart):
+            self._pending = None
+        if self._pending is not None and not self._begins_definition(piece):
+            self._behind_words(piece, rest)
+            return False
+        is_first = self._here is None and self._column not in self._begun
+        above = self._above.get(self._column) if is_first else None
+        target = self._here if above is None else above
+        if target is None:
+            if (role := leading_side(piece, rest)) is not None:
+                self._put_beside(role, piece.kept)
+            else:
+                self._begin(piece)
+            return False
+        rule = below if above is not None else behind
+        action, question = rule(target, piece, self._row.layout, rest)
+        return self._act(action, question, target, piece, above is not None)
+
+    def _goes_on_beside(self, piece: Piece, rest: Sequence[Piece]) -> bool:
+        """Whether the piece goes on with what the one before was put beside: i = 1, 2, 3, or a, b \\in V."""
+        if self._last is None:
+            return False
+        if not piece.relations:
+            return Apart.COMMA in piece.apart and piece.lead not in (Kind.SIGN, Kind.INFIX)
+        is_statement = self._here is None and not any(each.relations for each in rest)
+        if relation_places(self._last.nodes) or Apart.WIDE in piece.apart or is_statement:
+            return False
+        is_side = is_symbol(piece.kept[: piece.relations[0]]) and is_range(piece.kept, rest)
+        return Apart.COMMA in piece.apart and is_side
+
+    def _begins_definition(self, piece: Piece) -> bool:
+        """Whether “where R := …” says what R is: a statement, and no condition."""
+        if self._pending is not Role.CONDITION or not self._names_what or not names_what(piece.kept):
+            return False
+        self._pending, self._here = None, None
+        self._begun.add(self._column)
+        return True
+
+    def _behind_words(self, piece: Piece, rest: Sequence[Piece]) -> None:
+        self._is_quantified = not piece.relations
+        if not piece.relations:  # for all a, b
+            self._state.leave(Leftover.NO_RELATION, piece.kept)
+            if limits_without_a_relation(self._pending_words):
+                symbols = joined([token for node in piece.kept for token in node.tokens])
+                self._limit(f"{self._pending_words} {symbols}")
+            return
+        is_side = self._pending is Role.CONDITION and is_range(piece.kept, rest)
+        self._put_beside(Role.RANGE if is_side else self._pending, piece.kept)
+
+    def _act(self, action: Action, question: str, target: Statement, piece: Piece, is_below: bool) -> bool:
+        match action:
+            case Action.JOIN:
+                if piece.lead is Kind.IMPLICATION and not is_below:
+                    target = self._with_premises(target)
+                self._state.columns[self._column] = self._here = target
+                if is_below:
+                    self._take_waiting([target])
+                return self._append(target, piece, question, is_below)
+            case Action.CONDITION | Action.RANGE:
+                role = Role.CONDITION if action is Action.CONDITION else Role.RANGE
+                self._put_beside(role, piece.kept, of_the_row=Apart.MARK in piece.apart)
+            case Action.PERHAPS | Action.OWN_OR_CONDITION:
+                made = self._begin(piece)
+                if not is_below:
+                    target.beside.append(Beside(Role.PERHAPS, list(piece.kept)))
+                    made.is_condition_of = target if action is Action.OWN_OR_CONDITION else None
+            case Action.NEW:
+                self._begin(piece)
+        return False
+
+    def _begin(self, piece: Piece) -> Statement:
+        state, layout = self._state, self._row.layout
+        statement = Statement(
+            list(piece.kept),
+            self._row.number,
+            self._row.labels,
+            denied=state.denial,
+            whole=any(node.kind is Kind.IMPLICATION for node in piece.kept[1:]),
+            begins_left=not layout.opens and layout.marks is not Marks.NONE,
+            indent=piece.indent,
+            ends_at_mark=piece.ends_at_mark,
+        )
+        state.denial = None
+        state.cut.statements.append(statement)
+        self._made.append(statement)
+        self._take_waiting([statement])
+        state.columns[self._column] = self._here = statement
+        return statement
+
+    def _take_waiting(self, statements: Sequence[Statement]) -> None:
+        state = self._state
+        for beside in state.waiting:
+            beside.first = self._first_step() if beside.role is Role.REASON else 0
+        for statement in statements:
+            statement.beside += state.waiting
+            statement.limits += state.waiting_limits
+        if statements:
+            state.waiting, state.waiting_limits = [], []
+
+    def _append(self, target: Statement, piece: Piece, question: str, is_below: bool) -> bool:
+        """Adds the piece to the statement; whether the comma or space before it went with it."""
+        ends = dangling(target.nodes)
+        repeats = ends is not None and ends is piece.lead and target.nodes[-1].name == piece.kept[0].name
+        if repeats or (ends is Kind.SIGN and piece.lead is Kind.SIGN and target.nodes[-1].name == "+"):
+            self._state.leave(Leftover.REPEATED_SIGN, [target.nodes.pop()])
+        if question:
+            target.doubts.append(Doubt(len(target.nodes), question))
+        signs = (Kind.RELATION, Kind.INFIX, Kind.IMPLICATION)
+        is_listed = not is_below and piece.lead not in signs
+        is_listed &= piece.lead is not Kind.SIGN or Apart.COMMA in piece.apart
+        target.nodes += piece.separator if is_listed else []
+        target.nodes += piece.kept
+        target.ends_at_mark = piece.ends_at_mark
+        target.whole = target.whole or any(node.kind is Kind.IMPLICATION for node in target.nodes[1:])
+        return is_listed
+
+    def _with_premises(self, target: Statement) -> Statement:
+        """The statement of a = b, c = d ⇒ e = f: what stands before ⇒ in its row is part of it."""
+        while len(self._made) > 1 and target is self._made[-1]:
+            self._made.pop()
+            self._state.cut.statements.remove(target)
+            first = self._made[-1]
+            first.beside = [b for b in first.beside if b.role is not Role.PERHAPS or b.nodes != target.nodes]
+            first.beside += target.beside
+            near = target.nodes[0].tokens[0]
+            first.nodes += [Node(Kind.COMMA, [near.standing_for(",")], name=","), *target.nodes]
+            target = first
+        return target
+
+    def _put_beside(self, role: Role, nodes: Sequence[Node], of_the_row: bool = False) -> None:
+        is_of_the_row = of_the_row or role is Role.REASON
+        beside = Beside(role, list(nodes), self._first_step() if is_of_the_row else 0)
+        self._last = beside
+        if self._here is None:
+            self._state.waiting.append(beside)
+        elif self._here in self._shared:
+            for statement in self._shared:
+                statement.beside.append(beside)
+        else:
+            self._here.beside.append(beside)
+
+    def _limit(self, words: str) -> None:
+        (self._state.waiting_limits if self._here is None else self._here.limits).append(words)
+
+    def _first_step(self) -> int:
+        """The first of the steps that this row adds to the statement."""
+        if self._here is None:
+            return 0
+        before = self._here.nodes[: self._counts.get(id(self._here), 0)]
+        return max(0, len(relation_places(before)))
+
+    # Words
+
+    def _words(self, node: Node, rest: Sequence[Piece]) -> None:
+        words, maths = words_of(node), maths_of(node)
+        role = role_of(words)
+        self._names_what = says_what_is(words) or (self._names_what and words == "and")
+        self._last = None
+        if self._is_in_a_formula(role, rest):
+            self._here.nodes.append(node)
+            self._pending = None
+            return
+        relates = role is not WordRole.DENIAL and any(map(relation_places, maths))
+        if relates and (lead := lead_of(words)) is not None:
+            self._formula_in_words(node, maths, _ROLES[lead])
+            return
+        if role is WordRole.CONNECTION and self._here is not None:
+            self._here.nodes.append(node)
+            self._here.nodes.append(Node(Kind.IMPLICATION, [], name="words"))
+            self._here.whole = True
+            self._pending = None
+            return
+        self._state.cut.remarks.append(node)
+        is_followed = any(piece.kept and not piece.is_words for piece in rest)
+        if role is WordRole.DENIAL and (self._here is None or is_followed):
+            self._state.denial = node
+        elif role is WordRole.DENIAL and self._here is not None:
+            self._here.denied = node
+        elif role in _ROLES and is_followed:
+            self._pending, self._pending_words, self._is_quantified = _ROLES[role], words, False
+            return
+        elif role is not WordRole.JOIN and limits(words):
+            self._limit(words)
+        if not (role is WordRole.JOIN and words == "and"):
+            self._pending = None
+
+    def _is_in_a_formula(self, role: WordRole, rest: Sequence[Piece]) -> bool:
+        """Whether words part a formula that nobody can read without them: x is parallel to y."""
+        behind_it = next((piece for piece in rest if piece.kept), None)
+        if self._here is None:
+            return False
+        if behind_it is None:  # f is smooth
+            return role is WordRole.REMARK and not relation_places(self._here.nodes)
+        if behind_it.is_words or Apart.MARK in behind_it.apart:
+            return False
+        goes_on = behind_it.lead in (Kind.RELATION, Kind.SIGN, Kind.INFIX, Kind.IMPLICATION)
+        is_open = not relation_places(self._here.nodes)
+        if role is WordRole.JOIN:
+            return is_open and not goes_on
+        return role is WordRole.REMARK and not goes_on and (is_open or not behind_it.relations)
+
+    def _formula_in_words(self, node: Node, maths: Sequence[list[Node]], role: Role) -> None:
+        for nodes in maths:
+            if relation_places(nodes):
+                is_side = role is Role.CONDITION and is_range(trimmed(nodes))
+                self._put_beside(Role.RANGE if is_side else role, nodes)
+        said = [each for nodes in maths if relation_places(nodes) for each in nodes]
+        self._state.cut.remarks.append(Node(Kind.WORDS, without([node], *said)))
+        self._pending = None
+
+
+def _end_of_a_name(piece: Piece, rest: Sequence[Piece]) -> int:
+    """The place behind the colon of “L:\\ a = b”; 0 where the piece does not begin so."""
+    colon = next((at for at, node in enumerate(piece.kept) if node.name == ":"), 0)
+    is_symbol = sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in piece.kept[:colon]) == 1
+    behind_it = [node for node in piece.kept[colon + 1 :] if node.text != " "]
+    is_spaced = (
+        bool(behind_it)
+        and behind_it[0].kind is Kind.GAP
+        and behind_it[0].text.strip(" ") in ("\\", "~", "\\;")
+    )
+    is_spaced = is_spaced or (not behind_it and bool(rest) and Apart.WIDE in rest[0].apart)
+    arrows = {node.name for node in piece.kept} & {"\\to", "\\rightarrow", "\\longrightarrow", "\\mapsto"}
+    return colon + 1 if colon and is_symbol and is_spaced and not arrows else 0

@@ -159,8 +159,10 @@ def _claims(
         for condition in supposed:
             if condition.ill_formed:
                 raise ValueError(f"assume: {condition.latex}: {condition.ill_formed}")
-            said = formula.statement
-            if said is not None and is_conclusion(condition.statement, said, known.definitions):
+            premise, claimed = condition.statement, formula.statement
+            if premise is None or claimed is None:
+                continue
+            if is_conclusion(premise, claimed, known.definitions):
                 raise ValueError(f"assume: {condition.latex}: {IS_THE_CONCLUSION}")
         name = "check" if len(lines) == 1 else f"check.{number}"
         claims.append(Claim(name, formula, known, assume=supposed, orders=values, unsettled=before))

@@ -15,8 +15,8 @@ from rich.text import Text
 from workbench.cli.options import Unusable, json_flag, print_json, reports_faults
 
 if TYPE_CHECKING:
-    from workbench.drake.joint_paths import Path as JointPath
     from workbench.kinematics.robot.motion import Motion
+    from workbench.kinematics.robot.paths import RecordedPath
     from workbench.kinematics.robot.peaks import Peak
     from workbench.kinematics.robot.report import MotionReport
 
@@ -91,7 +91,8 @@ def motion(
     from workbench.kinematics.robot.report import motion_report
 
     try:
-        polynomials, path = _joint_polynomials(joints), None
+        polynomials = _joint_polynomials(joints)
+        path: RecordedPath | None = None
         bounds = None if limits is None else read_limits(limits)
         if trajectory is not None:
             path = _recorded(trajectory, urdf, base)
@@ -116,7 +117,7 @@ def motion(
     except (ValueError, ImportError) as error:
         raise Unusable(str(error)) from None
     data = report.to_dict() | {
-        "recording": _recording_dict(report) if path is not None else None,
+        "recording": None if path is None else _recording_dict(report, path),
         "peaks": [_peak_dict(peak) for peak in peaks],
     }
     if as_json:
@@ -153,16 +154,18 @@ def _numbers(text: str, what: str, count: int | None = None) -> tuple[float, ...
     return numbers
 
 
-def _recorded(trajectory: Path, urdf: Path, base: str) -> JointPath:
+def _recorded(trajectory: Path, urdf: Path, base: str) -> RecordedPath:
     from workbench.kinematics.robot import Robot
-    from workbench.kinematics.robot.paths import read_samples
+    from workbench.kinematics.robot.paths import RecordedPath, read_samples
 
     robot = Robot.from_urdf(urdf, base, rotations="rpy")
     t, q = read_samples(trajectory, robot.positions)
     try:
-        return robot.path((t, q))
+        path = robot.path((t, q))
     except ValueError as error:
         raise ValueError(f"{trajectory}: {error}") from None
+    assert isinstance(path, RecordedPath)
+    return path
 
 
 def _whole(report: MotionReport, until: float | None, wanted: bool) -> Motion | None:
@@ -212,17 +215,17 @@ def _peak_dict(peak: Peak) -> dict[str, Any]:
     return plain | {"unbounded": peak.value == math.inf}
 
 
-def _recording_dict(report: MotionReport) -> dict[str, Any]:
+def _recording_dict(report: MotionReport, path: RecordedPath) -> dict[str, Any]:
     """noise: the deviation of each coordinate's samples; error: of the position and of each derivative at the
     time; notes: what was changed in the samples."""
-    error = report.path.error(report.at, report.motion.order)
+    error = path.error(report.at, report.motion.order)
     return {
-        "noise": dict(zip(report.joints, report.path.noise.tolist(), strict=True)),
+        "noise": dict(zip(report.joints, path.noise.tolist(), strict=True)),
         "error": {
             name: [x if math.isfinite(x) else None for x in error[:, i].tolist()]
             for i, name in enumerate(report.joints)
         },
-        "notes": list(report.path.notes),
+        "notes": list(path.notes),
     }
 
 

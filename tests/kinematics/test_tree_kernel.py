@@ -18,6 +18,8 @@ from random_robots import motion, tree
 from workbench.kinematics.chain import SerialChain
 from workbench.kinematics.robot import Robot, TreeJoint
 
+SCREWS = ["revolute", "prismatic", "cylindrical", "helical"]
+
 # -- values ------------------------------------------------------------------------------------------
 
 
@@ -50,6 +52,30 @@ def test_a_body_moves_alone_as_with_all_others(states):
         np.testing.assert_array_equal(ours.twists, theirs.twists)
         np.testing.assert_array_equal(ours.pose, theirs.pose)
     np.testing.assert_array_equal(alone.frame("b4").twists, alone.frame("tool").twists)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 4, 5, 8, 11])
+@pytest.mark.parametrize("states", [1, 7, 8, 9, 33, 200])
+def test_a_chain_moves_as_the_tree_it_is_part_of(states, order):
+    """The pass from the tip to the base and that from the base to the tip, of all memory layouts."""
+    robot = tree(order, np.random.default_rng(order).permutation(SCREWS * 2))
+    body = robot.bodies[-1]
+    chain, coordinates = robot.chain(body)
+    q = np.random.default_rng(states).normal(size=(order + 1, states, len(robot.positions)))
+    expected = robot.motion(q).frame(body).origin_twist
+    for layout in permutations(range(3)):
+        same = np.transpose(np.transpose(q[..., coordinates], layout).copy(), np.argsort(layout))
+        close(chain.twist_derivatives(same), expected, 12)
+    factors = np.array([factorial(k) for k in range(order + 1)], dtype=float)[:, None, None]
+    close(chain.twist_taylor(q[..., coordinates] / factors) * factors[:-1], expected, 12)
+    with_large = q[:, :1, coordinates] + 2.0**60 * (np.arange(order + 1) == 0)[:, None, None]
+    large = np.zeros((order + 1, 1, len(robot.positions)))
+    large[..., coordinates] = with_large
+    close(chain.twist_derivatives(with_large), robot.motion(large).frame(body).origin_twist, 12)
+    again = pickle.loads(pickle.dumps(chain))
+    np.testing.assert_array_equal(
+        again.twist_derivatives(q[..., coordinates]), chain.twist_derivatives(q[..., coordinates])
+    )
 
 
 def test_a_base_far_away_changes_no_twist():
@@ -292,7 +318,8 @@ from random_robots import tree
 from workbench.kinematics import lanes
 assert lanes.WIDTH == {width}
 rng = np.random.default_rng(1)
-for kinds in (["helical"], ["helical"] * 7, None):
+screws = ["revolute", "prismatic", "cylindrical", "helical"]
+for kinds in (["helical"], ["helical"] * 7, screws * 2, None):
     robot = tree(1, kinds)
     body = robot.bodies[-1]
     for order in (1, 2, 3, 5, 8, 11):
@@ -307,6 +334,12 @@ for kinds in (["helical"], ["helical"] * 7, None):
                     assert np.abs(frame.pose[states - 1] - X).max() < 1e-13
                     error = np.abs(frame.twists[:, states - 1] - V).max()
                     assert error <= 1e-12 * np.abs(V).max(), (kinds, order, states)
+                if kinds is not None:
+                    chain, coordinates = robot.chain(body)
+                    at_origin = chain.twist_derivatives(given[..., coordinates])
+                    frame = motion.frame(body)
+                    error = np.abs(at_origin - frame.origin_twist).max()
+                    assert error <= 1e-12 * np.abs(frame.twists).max(), (kinds, order, states)
 """
     chosen = {"NUMBA_CPU_NAME": "x86-64", "NUMBA_CPU_FEATURES": features, "NUMBA_CACHE_DIR": str(tmp_path)}
     subprocess.run([sys.executable, "-c", program], check=True, env=os.environ | chosen)

@@ -5,25 +5,34 @@ The chain is a product of joint motions, Eq. (117) of *Higher-Order Kinematics i
     X(q) = J₁(q₁) · J₂(q₂) ⋯ J_m(q_m),
 
 and what comes out is the dual twist ₀ω̲_m of the last body relative to the base, Eq. (119), with its time
-derivatives to order n, in O(m n²) operations (`tree_kernel`). The closed form (133) is a reference to compare
-with, not the way to compute.
+derivatives to order n, in O(m n²) operations (`chain_kernel`). The closed form (133) is a reference to
+compare with, not the way to compute.
 
 Conventions: radian, metre, second. A twist is (ω; v), six numbers in base coordinates, v being the velocity
 of the body point that is at the base origin at that instant (the chapter's dual part)."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterable
 from functools import partial
+from math import inf
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy import empty, ndarray
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.chain_joints import Joint
-from workbench.kinematics.tree_engine import TreeEngine, compute, load_kernel
+from workbench.kinematics.tree_engine import TreeEngine, compute
 from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Frame, Step
+
+if TYPE_CHECKING:
+    from workbench.kinematics.tree_plan import Plan
 
 __all__ = ["Joint", "SerialChain"]
 
 TIP = "tip"
+DOUBLE = np.dtype(np.float64)
 
 
 class SerialChain:
@@ -48,10 +57,8 @@ class SerialChain:
             X, self.dof = np.eye(4), self.dof + joint.dof
         if self.dof == 0:
             raise ValueError("expected a chain with at least one moving joint, got none")
-        tree = steps, {TIP: Frame(len(steps) - 1, X)}, self.dof, self.dof
-        self._of_derivatives = TreeEngine(*tree, about_origin=True)
-        self._of_taylor = TreeEngine(*tree, about_origin=True, taylor=True)
-        self._of_poses = TreeEngine(*tree)
+        self._of_poses = TreeEngine(steps, {TIP: Frame(len(steps) - 1, X)}, self.dof, self.dof)
+        self._plans: dict[tuple[tuple[int, int], bool], Plan] = {}  # by the shape of a state
 
     def twist_derivatives(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """The twist of the last body and its time derivatives, Eq. (119) differentiated.
@@ -64,20 +71,26 @@ class SerialChain:
         Raises ValueError for a wrong shape, a complex array, a NaN or an infinity, or n > 170 (whose
         factorials exceed the doubles: use `twist_taylor`).
         """
+        if out is None and type(q) is ndarray and q.dtype is DOUBLE and q.ndim == 2:
+            plan, numbers = self._plans.get((q.shape, False)), q.ravel()
+            if plan is not None and numbers.dot(numbers) < inf:  # a state as before: only its numbers are new
+                twists = empty((len(q) - 1, 6))
+                if plan.kernel(q[:, None], plan.address, twists[None, None], False):
+                    return twists
         q = self._checked(q)
         if len(q) - 2 > HIGHEST_DERIVATIVE_ORDER:
             raise ValueError(
                 f"expected derivatives to order at most {HIGHEST_DERIVATIVE_ORDER}, got {len(q) - 2}; "
                 "use twist_taylor for Taylor coefficients of higher order"
             )
-        return _twists(self._of_derivatives, q, out)
+        return self._twists(q, out, False)
 
     def twist_taylor(self, q: ArrayLike, out: np.ndarray | None = None) -> np.ndarray:
         """The same from and to Taylor coefficients: q[k, ..., i] is q_i^{(k)} / k!.
 
         q: (n + 2, ..., dof). Returns (n + 1, ..., 6): entry k is (1/k!) d^k/dt^k (ω; v).
         """
-        return _twists(self._of_taylor, self._checked(q), out)
+        return self._twists(self._checked(q), out, True)
 
     def workspace(self, order: int, states: tuple[int, ...] = ()) -> tuple[np.ndarray, np.ndarray]:
         """Zeros (q, out) for `bind`, (order + 2, *states, dof) and (order + 1, *states, 6): in memory the
@@ -98,8 +111,8 @@ class SerialChain:
         rows = [_states_in_a_row(array) for array in arrays]
         if q.size and not all(np.may_share_memory(*pair) for pair in zip(arrays, rows, strict=True)):
             raise ValueError("q and out: expected arrays whose axes of states are one in memory")
-        plan = self._of_derivatives.plan(TIP, len(q) - 1)
-        call = partial(load_kernel(), rows[0], plan.address, _as_of_one_frame(rows[1]), False)
+        plan = self._plan(len(q) - 1, False)
+        call = partial(plan.kernel, rows[0], plan.address, _as_of_one_frame(rows[1]), False)
         call.plan = plan  # what the address points to must live as long
         return call
 
@@ -117,6 +130,26 @@ class SerialChain:
         pose = np.empty((rows.shape[1], 1, 16))
         compute(rows, self._of_poses.plan(TIP, 0), pose[None])
         return pose.reshape(*q.shape[:-1], 4, 4)
+
+    def _plan(self, order: int, taylor: bool) -> Plan:
+        key = (order + 1, self.dof), taylor
+        if key not in self._plans:
+            from workbench.kinematics.chain_plan import plan_of_chain
+
+            self._plans[key] = plan_of_chain(self.joints, self.dof, order, taylor)
+        return self._plans[key]
+
+    def _twists(self, q: np.ndarray, out: np.ndarray | None, taylor: bool) -> np.ndarray:
+        out = _checked_result(q, out)
+        rows = _states_in_a_row(out)
+        result = rows if np.may_share_memory(rows, out) else np.empty(rows.shape)
+        compute(_states_in_a_row(q), self._plan(len(q) - 1, taylor), _as_of_one_frame(result))
+        if result is not rows:
+            out[...] = result.reshape(out.shape)
+        return out
+
+    def __getstate__(self) -> dict[str, Any]:
+        return vars(self) | {"_plans": {}}  # plans hold addresses of this process
 
     def _checked(self, q: ArrayLike) -> np.ndarray:
         q = np.asarray(q)
@@ -148,16 +181,6 @@ def _step(parent: int, before: np.ndarray, joint: Joint, first: int) -> Step:
         "helical": (first_drive, Drive(first, first, joint.pitch)),
     }[joint.kind]
     return Step(parent, before, joint, turn, slide)
-
-
-def _twists(engine: TreeEngine, q: np.ndarray, out: np.ndarray | None) -> np.ndarray:
-    out = _checked_result(q, out)
-    rows = _states_in_a_row(out)
-    result = rows if np.may_share_memory(rows, out) else np.empty(rows.shape)
-    compute(_states_in_a_row(q), engine.plan(TIP, len(q) - 1), _as_of_one_frame(result))
-    if result is not rows:
-        out[...] = result.reshape(out.shape)
-    return out
 
 
 def _checked_result(q: np.ndarray, out: np.ndarray | None) -> np.ndarray:

@@ -30,6 +30,7 @@ from workbench.kinematics.tree_arithmetic import (
     zero3,
 )
 
+POSE = 16  # numbers of a pose in the result
 COLUMN = 6  # doubles of a column of the Jacobian in the plan
 ALIGNED, AT_ONCE, PAST_CACHES = 0, 1, 2  # where the numbers of a body go
 
@@ -48,15 +49,13 @@ def put(target: int, way: int, value: Number) -> None:
 @compiled
 def body_out(row: int, slot: int, v: int, N: int, constants: Any, rows: tuple[int, ...], way: int) -> None:
     """The pose and the twists to `rows`: (address of the pose, bytes of its row, address of the twists,
-    bytes of an order and of a part). With row[18] the twist is that of the body point at the world's origin,
-    without the pose. v gets the series of the body's origin. In the workspace the pose's last row is there
-    already."""
+    bytes of an order and of a part). v gets the series of the body's origin. In the workspace the pose's
+    last row is there already."""
     columns = N + 1
     frame_p, w = slot + 9 * SIZE, slot + (9 + 3 * columns) * SIZE
     pose, of_row, twists, of_order, of_part = rows
-    about_origin = number(row, 18) != 0.0
     base, factors, reciprocals = constant3(constants.origin, 0), constants.out_factors, constants.reciprocals
-    if number(row, 19) != 0.0:
+    if number(row, 18) != 0.0:
         store3(v, 0, turned_constant(slot, row, 3))
         carry(w, v, N, reciprocals)
         for k in range(columns):
@@ -64,24 +63,19 @@ def body_out(row: int, slot: int, v: int, N: int, constants: Any, rows: tuple[in
     else:
         for k in range(columns):
             store3(v, 3 * k, load3(frame_p, 3 * k))
-    if not about_origin:
-        X, Y, Z = turned_axes(slot, row, 6, int(number(row, 1)))
-        p = plus(load3(v, 0), base)
+    X, Y, Z = turned_axes(slot, row, 6, int(number(row, 1)))
+    p = plus(load3(v, 0), base)
+    for i in range(3):
+        put(pose + 4 * i * of_row, way, X[i])
+        put(pose + (4 * i + 1) * of_row, way, Y[i])
+        put(pose + (4 * i + 2) * of_row, way, Z[i])
+        put(pose + (4 * i + 3) * of_row, way, p[i])
+    if way != ALIGNED:
         for i in range(3):
-            put(pose + 4 * i * of_row, way, X[i])
-            put(pose + (4 * i + 1) * of_row, way, Y[i])
-            put(pose + (4 * i + 2) * of_row, way, Z[i])
-            put(pose + (4 * i + 3) * of_row, way, p[i])
-        if way != ALIGNED:
-            for i in range(3):
-                put(pose + (12 + i) * of_row, way, spread(0.0))
-            put(pose + 15 * of_row, way, spread(1.0))
+            put(pose + (12 + i) * of_row, way, spread(0.0))
+        put(pose + 15 * of_row, way, spread(1.0))
     for k in range(N):
         a, t = load3(w, 3 * k), scaled(number(reciprocals, -k - 1), load3(v, 3 * k + 3))
-        if about_origin:
-            t = add_cross(t, base, a)
-            for j in range(k + 1):
-                t = add_cross(t, load3(v, 3 * j), load3(w, 3 * (k - j)))
         a, t = scaled(number(factors, k), a), scaled(number(factors, k), t)
         target = twists + k * of_order
         for i in range(3):

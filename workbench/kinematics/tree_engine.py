@@ -6,7 +6,7 @@ seconds, and kept on disk.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,24 +17,12 @@ from workbench.kinematics.tree_steps import Frame, Step, Wanted
 if TYPE_CHECKING:
     from workbench.kinematics.tree_plan import Plan
 
-_kernel: Callable[[np.ndarray, int, np.ndarray, bool], bool] | None = None
-
-
-def load_kernel() -> Callable[[np.ndarray, int, np.ndarray, bool], bool]:
-    """The compiled kernel: (q, address of a plan, out, exactly) → whether `out` is right."""
-    global _kernel
-    if _kernel is None:
-        from workbench.kinematics.tree_kernel import compiled_pass
-
-        _kernel = compiled_pass()
-    return _kernel
-
 
 class TreeEngine:
     """Poses, twist derivatives and Jacobian derivatives of frames on a tree of steps.
 
     frames: by name. channels: how many input channels the steps' drives read; velocities: how many columns
-    the Jacobians have. about_origin, taylor: see `Wanted`."""
+    the Jacobians have."""
 
     def __init__(
         self,
@@ -42,13 +30,9 @@ class TreeEngine:
         frames: Mapping[str, Frame],
         channels: int,
         velocities: int,
-        *,
-        about_origin: bool = False,
-        taylor: bool = False,
     ):
         self._steps, self._frames = tuple(steps), frames
         self._channels, self._velocities = channels, velocities
-        self._about_origin, self._taylor = about_origin, taylor
         self._plans: dict[tuple, Plan] = {}
 
     def plan(self, names: str | tuple[str, ...], order: int, jacobians: int = 0) -> Plan:
@@ -65,7 +49,7 @@ class TreeEngine:
         plan = self._plans.get((name, order, 0)) or self.plan(name, order)
         record = empty(plan.rows)
         out = record[None, None, None]
-        if _kernel is None or not _kernel(q[:, None], plan.address, out, False):
+        if not plan.kernel(q[:, None], plan.address, out, False):
             compute(q[:, None], plan, out)
         record.setflags(write=False)
         return record
@@ -74,8 +58,7 @@ class TreeEngine:
         from workbench.kinematics.tree_plan import plan_of
 
         frames = [self._frames[name] for name in ((names,) if isinstance(names, str) else names)]
-        wanted = Wanted(order, jacobians, self._about_origin, self._taylor)
-        return plan_of(self._steps, frames, self._channels, self._velocities, wanted)
+        return plan_of(self._steps, frames, self._channels, self._velocities, Wanted(order, jacobians))
 
     def __getstate__(self) -> dict[str, Any]:
         return vars(self) | {"_plans": {}}  # plans hold addresses of this process
@@ -86,9 +69,8 @@ def compute(q: np.ndarray, plan: Plan, out: np.ndarray) -> None:
 
     The numbers of a frame and a state are `plan.rows`: the pose's 16, the twists, the Jacobians. They are
     spread over the last two axes in this order."""
-    kernel = _kernel or load_kernel()
-    if not kernel(q, plan.address, out, False):
-        kernel(q, plan.address, out, True)  # some angle is so large that only the C library reduces it
+    if not plan.kernel(q, plan.address, out, False):
+        plan.kernel(q, plan.address, out, True)  # some angle is so large that only the C library reduces it
 
 
 def states_side_by_side(frames: int, states: int, rows: int) -> np.ndarray:

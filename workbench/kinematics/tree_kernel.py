@@ -16,14 +16,13 @@ is (z; z × (p_F − p')), of a shift (0; z). States go WIDTH at a time (`lanes`
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from workbench.kinematics import lanes, tree_arithmetic, tree_bodies, tree_joints, tree_memory
+from workbench.kinematics.compiled_kernels import Kernel, compiled_kernel
 from workbench.kinematics.lanes import (
     SIZE,
     WIDTH,
@@ -41,12 +40,20 @@ from workbench.kinematics.tree_arithmetic import (
     cosine_and_sine,
     inlined,
 )
-from workbench.kinematics.tree_bodies import ALIGNED, AT_ONCE, COLUMN, PAST_CACHES, body_out, jacobian_out
+from workbench.kinematics.tree_bodies import (
+    ALIGNED,
+    AT_ONCE,
+    COLUMN,
+    PAST_CACHES,
+    POSE,
+    body_out,
+    jacobian_out,
+)
 from workbench.kinematics.tree_joints import SCREW, SLIDE, TURN, first_step, next_step, scaled_rates
 from workbench.kinematics.tree_memory import Axis, read_block, read_side_by_side, runs, write_block
 
-HEAD, STEP, BODY = 14, 24, 20  # doubles of the header, a step and a body in the plan
-ORIGIN = 11  # where in the header the point is that positions are reckoned from
+HEAD, STEP, BODY = 13, 24, 19  # doubles of the header, a step and a body in the plan
+ORIGIN = 10  # where in the header the point is that positions are reckoned from
 LARGE = 2_000_000  # doubles of a result that is written past the caches, which it would only empty
 PARTS = (lanes, tree_arithmetic, tree_bodies, tree_joints, tree_memory)  # what is compiled into the pass
 
@@ -107,10 +114,10 @@ def room_of(plan: int, channels: int, columns: int) -> Room:
     E = S + slot * int(number(plan, 2))
     F = E + 2 * SIZE * int(number(plan, 0))
     U = F + 2 * SIZE * columns
-    v = U + SIZE * int(number(plan, 7))
+    v = U + SIZE * int(number(plan, 6))
     d = v + 3 * SIZE * columns
     W = d + 3 * SIZE * columns
-    return Room(plan + int(number(plan, 9)), W + SIZE * int(number(plan, 10)), slot, S, E, F, U, v, d, W)
+    return Room(plan + int(number(plan, 8)), W + SIZE * int(number(plan, 9)), slot, S, E, F, U, v, d, W)
 
 
 @inlined
@@ -182,7 +189,6 @@ def write_body(
     outputs: tuple[Axis, Axis],
     constants: Constants,
     room: Room,
-    of_pose: int,
     orders: int,
     velocities: int,
     N: int,
@@ -192,22 +198,22 @@ def write_body(
     target = out.ctypes.data + out.strides[0] * int(number(row, 2))
     here, of_state = min(WIDTH, out.shape[1]), out.strides[1]
     of_part = out.strides[3]
-    of_order = 6 * of_part if of_pose else out.strides[2]
+    of_order = 6 * of_part
     for block in range(blocks):
         Q = room.work + block * room.apart
         slot, v, W = Q + room.S + room.slot * int(number(row, 15)), Q + room.v, Q + room.W
         state = min(first + WIDTH * block, out.shape[1] - here)
         if way != ALIGNED:
             to = target + 8 * state
-            rows = to, of_part, to + of_pose * of_part, of_order, of_part
+            rows = to, of_part, to + POSE * of_part, of_order, of_part
             own_way = AT_ONCE if state % WIDTH else way
             body_out(row, slot, v, N, constants, rows, own_way)
             continue
-        rows = W, SIZE, W + SIZE * of_pose, 6 * SIZE, SIZE
+        rows = W, SIZE, W + SIZE * POSE, 6 * SIZE, SIZE
         body_out(row, slot, v, N, constants, rows, ALIGNED)
         if orders > 0:
             entries = constants.columns + 8 * COLUMN * int(number(row, 16))
-            J = W + SIZE * (of_pose + 6 * N)
+            J = W + SIZE * (POSE + 6 * N)
             where = Q + room.S, room.slot, Q + room.U, v, Q + room.d
             jacobian_out(entries, int(number(row, 17)), where, J, orders, velocities, constants.out_factors)
         write_block(W, here, outputs, target + of_state * state, of_state)
@@ -228,7 +234,7 @@ def tree_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
     The arrays may lie in memory in any way; states that are neighbours there need no transposition."""
     columns, states, channels = q.shape
     steps, bodies, together = int(number(plan, 0)), int(number(plan, 1)), int(number(plan, 3))
-    of_pose, orders, velocities = int(number(plan, 4)), int(number(plan, 5)), int(number(plan, 6))
+    orders, velocities, keep = int(number(plan, 4)), int(number(plan, 5)), number(plan, 7) != 0.0
     constants, room = constants_of(plan, channels, columns), room_of(plan, channels, columns)
     inputs = runs((columns, q.strides[0], 1), (channels, q.strides[2], columns))
     outputs = runs((out.shape[2], out.strides[2], out.shape[3]), (out.shape[3], out.strides[3], 1))
@@ -243,13 +249,12 @@ def tree_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
         body = 0
         for step in range(-1, steps):
             if step >= 0:
-                move_joint(step, blocks, constants, room, number(plan, 8) != 0.0, columns - 1)
+                move_joint(step, blocks, constants, room, keep, columns - 1)
             while body < bodies and int(number(constants.bodies + 8 * BODY * body, 0)) == step:
                 row = constants.bodies + 8 * BODY * body
                 write_body(
-                    row, first, blocks, out, way, outputs, constants, room, of_pose, orders, velocities,
-                    columns - 1,
-                )  # fmt: skip
+                    row, first, blocks, out, way, outputs, constants, room, orders, velocities, columns - 1
+                )
                 body += 1
         first += WIDTH * together
     largest, spare = 0.0, room.work + room.v
@@ -259,22 +264,7 @@ def tree_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
     return exactly or largest <= LARGEST_ANGLE**2
 
 
-def compiled_pass() -> Callable[[np.ndarray, int, np.ndarray, bool], bool]:
-    """`tree_pass`, kept on disk if there is a place for it. Numba would not notice that what it calls has
-    changed since, so what is older than these files is removed first.
-
-    It is called without Numba's look at the arguments' types, which takes 0.1 µs: nothing but arrays of
-    native doubles with three and four axes, an int and a bool may be given. The workspace is the end of the
-    plan: two calls cannot meet there, for Python's global lock is held throughout."""
-    try:
-        kernel = njit(cache=True, **OPTIONS)(tree_pass)
-        changed = max(Path(m.__file__).stat().st_mtime for m in PARTS)
-        for index in Path(kernel.stats.cache_path).glob("tree_kernel.tree_pass*.nbi"):
-            if index.stat().st_mtime < changed:
-                index.unlink(missing_ok=True)
-    except (RuntimeError, OSError):
-        kernel = njit(**OPTIONS)(tree_pass)
-    kernel.compile("boolean(float64[:,:,:], int64, float64[:,:,:,:], boolean)")
-    kernel.disable_compile()
-    (overload,) = kernel.overloads.values()
-    return overload.entry_point
+@cache
+def tree_kernel() -> Kernel:
+    """`tree_pass`, compiled."""
+    return compiled_kernel(tree_pass, PARTS, OPTIONS)

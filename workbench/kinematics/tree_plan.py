@@ -9,11 +9,12 @@ from math import factorial
 
 import numpy as np
 
+from workbench.kinematics.compiled_kernels import Kernel
 from workbench.kinematics.lanes import SIZE, WIDTH
 from workbench.kinematics.tree_arithmetic import ABOUT_X, GENERAL, IDENTITY
-from workbench.kinematics.tree_bodies import COLUMN
+from workbench.kinematics.tree_bodies import COLUMN, POSE
 from workbench.kinematics.tree_joints import BALL, SCREW, SLIDE, TURN
-from workbench.kinematics.tree_kernel import BODY, HEAD, ORIGIN, STEP
+from workbench.kinematics.tree_kernel import BODY, HEAD, ORIGIN, STEP, tree_kernel
 from workbench.kinematics.tree_steps import WORLD, Frame, Step, Wanted
 
 NEAR = 4096  # doubles of the nearest cache that blocks which take turns may fill
@@ -27,6 +28,7 @@ class Plan:
     memory: np.ndarray
     address: int
     rows: int
+    kernel: Kernel
 
 
 def plan_of(
@@ -80,8 +82,7 @@ class _Planner:
     def plan(self) -> Plan:
         N, J = self.wanted.order, self.wanted.jacobians
         columns, axes_size = N + 1, self._place_axes()
-        of_pose = 0 if self.wanted.about_origin else 16
-        rows = of_pose + 6 * N + 6 * self.velocities * J
+        rows = POSE + 6 * N + 6 * self.velocities * J
         table = [self._step_row(at) for at in self.order]
         bodies, entries = self._body_rows()
         slot_size = 9 + 3 * columns + 3 * N
@@ -90,8 +91,8 @@ class _Planner:
         block = WIDTH * (of_W + rows)
         together = max(1, min(4, NEAR // block))
         header = np.zeros(HEAD)
-        header[:9] = (
-            len(table), len(bodies), self.slots, together, of_pose, J, self.velocities, axes_size, J > 0,
+        header[:8] = (
+            len(table), len(bodies), self.slots, together, J, self.velocities, axes_size, J > 0,
         )  # fmt: skip
         header[ORIGIN : ORIGIN + 3] = self.origin
         constants = [
@@ -106,14 +107,13 @@ class _Planner:
         head = HEAD + sum(map(len, constants))
         memory = np.concatenate([header, *constants, np.zeros(block * together + WIDTH)])
         start = head + (-(memory.ctypes.data + 8 * head) % SIZE) // 8
-        memory[9:11] = 8 * start, rows
+        memory[8:10] = 8 * start, rows
         for block_start in range(start, start + block * together, block):
-            if of_pose:
-                memory[block_start + WIDTH * (of_W + 15) :][:WIDTH] = 1.0  # the pose's last row: 0 0 0 1
+            memory[block_start + WIDTH * (of_W + 15) :][:WIDTH] = 1.0  # the pose's last row: 0 0 0 1
             world = block_start + WIDTH * self.channels * columns
             for i in range(3):
                 memory[world + WIDTH * 4 * i :][:WIDTH] = 1.0
-        return Plan(memory, memory.ctypes.data, rows)
+        return Plan(memory, memory.ctypes.data, rows, tree_kernel())
 
     def _place_axes(self) -> int:
         """Where the series of each step's axis are (of a ball three): with Jacobians each its own room."""
@@ -127,13 +127,10 @@ class _Planner:
         """From the derivatives (or coefficients) of a channel to its value and the coefficients of its
         rate."""
         N = self.wanted.order
-        if self.wanted.taylor:
-            return [1.0, *map(float, range(1, N + 1))]
         return [1.0, *(1.0 / factorial(k) for k in range(N))]
 
     def _output_factors(self) -> list[float]:
-        N = self.wanted.order
-        return [1.0] * (N + 1) if self.wanted.taylor else [_factorial(k) for k in range(N + 1)]
+        return [_factorial(k) for k in range(self.wanted.order + 1)]
 
     def _step_row(self, at: int) -> np.ndarray:
         step, row = self.steps[at], np.zeros(STEP)
@@ -161,7 +158,7 @@ class _Planner:
             row[:3] = self.place.get(frame.after, -1), _turn(X[:3, :3]), out
             row[3:6], row[6:15] = X[:3, 3], X[:3, :3].T.ravel()
             row[15:18] = self.slot[frame.after], len(entries), len(columns)
-            row[18:20] = self.wanted.about_origin, X[:3, 3].any()
+            row[18] = X[:3, 3].any()
             bodies.append(row)
             entries += columns
         return bodies, entries

@@ -45,13 +45,8 @@ class Frame(NamedTuple):
 
 class Wanted(NamedTuple):
     """What a pass computes: N, the highest derivative of the inputs, and of each body in this order the
-    pose's 16 numbers (unless `about_origin`), N twists (6 each) and the Jacobian's derivatives (6,
-    velocities) of `jacobians` orders.
-
-    about_origin: the twist is that of the body point at the world's origin. taylor: Taylor coefficients in
-    and out, not derivatives."""
+    pose's 16 numbers, N twists (6 each) and the Jacobian's derivatives (6, velocities) of `jacobians`
+    orders."""
 
     order: int
     jacobians: int = 0
-    about_origin: bool = False
-    taylor: bool = False

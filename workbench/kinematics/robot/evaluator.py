@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from workbench.kinematics.tree_engine import load_kernel
-
 if TYPE_CHECKING:
     from workbench.kinematics.tree_plan import Plan
 
@@ -32,7 +30,7 @@ class Evaluator(partial):
 def evaluator_of(plan: Plan, order: int, coordinates: int, jacobians: int) -> Evaluator:
     """The evaluator of a plan for one frame."""
     q, record = np.zeros((order + 1, coordinates)), np.zeros(plan.rows)
-    call = Evaluator(load_kernel(), q[:, None], plan.address, record[None, None, None], False)
+    call = Evaluator(plan.kernel, q[:, None], plan.address, record[None, None, None], False)
     call.plan = plan  # what the address points to must live as long
     call.q, call.pose = q, record[:16].reshape(4, 4)
     call.twists = record[16 : 16 + 6 * order].reshape(order, 6)

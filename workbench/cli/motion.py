@@ -49,7 +49,7 @@ HIGHEST_ORDER = 20
     "--trajectory",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Samples of the joints, as CSV: columns t (s) and joints by name (rad or m); "
+    help="Samples of the joints, as CSV: columns t (s) and joints by name (rad or m, or as in NAME (deg)); "
     "their derivatives are estimated up to the snap, with errors.",
 )
 @click.option(
@@ -59,7 +59,7 @@ HIGHEST_ORDER = 20
     "--limits",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help='TOML: a table [JOINT], ["*"] or [point] with velocity, acceleration, jerk, snap, '
+    help='TOML: a table [JOINT], ["*"], [point] or [rotation] with velocity, acceleration, jerk, snap, '
     "deceleration, lower, upper.",
 )
 @click.option("--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw all orders (.png, .pdf).")
@@ -159,7 +159,7 @@ def _recorded(trajectory: Path, urdf: Path, base: str) -> RecordedPath:
     from workbench.kinematics.robot.paths import RecordedPath, read_samples
 
     robot = Robot.from_urdf(urdf, base, rotations="rpy")
-    t, q = read_samples(trajectory, robot.positions)
+    t, q = read_samples(trajectory, robot.positions, robot.units)
     try:
         path = robot.path((t, q))
     except ValueError as error:

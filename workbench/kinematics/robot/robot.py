@@ -22,7 +22,7 @@ from workbench.kinematics.robot.inverse import DampedInverse, Task, damped_inver
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.motion import Motion
 from workbench.kinematics.robot.paths import Path as JointPath
-from workbench.kinematics.robot.paths import as_path
+from workbench.kinematics.robot.paths import as_path, read_samples
 from workbench.kinematics.robot.scalars import casadi_function, jax_function, object_motion
 from workbench.kinematics.robot.states import states_on_path
 from workbench.kinematics.robot.structure import MOST_ROWS, Structure, reals, whole
@@ -190,9 +190,10 @@ class Robot(Structure):
         """The motion along a trajectory at `times` (...) in s (`samples` of them over all of it unless
         given).
 
-        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory of the positions, or
-        samples (t, q): t (samples,) increasing, in s, q (samples, positions) in rad or m, whose derivatives
-        are estimated to the order 4 at most. Raises ValueError for a time outside of the trajectory.
+        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory or a SciPy spline of
+        the positions, `spline_paths.waypoints`, or samples (t, q): t (samples,) increasing, in s, q (samples,
+        positions) in rad or m, whose derivatives are estimated to the order 4 at most; or the name of a CSV
+        file of samples, see `paths.read_samples`. Raises ValueError for a time outside of the trajectory.
         """
         path = self.path(trajectory)
         order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
@@ -209,6 +210,8 @@ class Robot(Structure):
         Of samples, angles without limits are unwrapped and the signs of quaternions made continuous; the
         path's `notes` say where. Raises ValueError for another number of coordinates and for bad samples.
         """
+        if isinstance(trajectory, str | Path):
+            trajectory = read_samples(trajectory, self.positions, self.units)
         angles = [i for i, name in enumerate(self.positions) if name in self.unlimited_angles]
         return as_path(trajectory, self.positions, angles, self._quaternions)
 

@@ -169,6 +169,13 @@ class Structure:
         )
 
     @cached_property
+    def units(self) -> Mapping[str, str]:
+        """The unit of each coordinate and of what each velocity is the rate of: rad, m, or 1."""
+        return MappingProxyType(
+            {name: j.unit(name) for j in self.joints for name in (*j.coordinates, *j.velocities)}
+        )
+
+    @cached_property
     def unlimited_angles(self) -> frozenset[str]:
         """The coordinates that are angles without limits, known modulo 2π; a pitch is none of them."""
         names = set()

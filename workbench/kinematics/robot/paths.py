@@ -20,6 +20,8 @@ from numpy.typing import ArrayLike
 from workbench.drake.joint_paths import JointPath, LinearPath, Path, SinePath
 from workbench.kinematics.robot.derivative_names import order_name
 from workbench.kinematics.robot.recordings import HIGHEST_RECORDED_ORDER, LEAST_SAMPLES, record
+from workbench.kinematics.robot.sampled_path import SampledPath
+from workbench.kinematics.robot.spline_paths import SplinePath
 from workbench.kinematics.robot.structure import reals
 from workbench.kinematics.robot.trajectory_breaks import trajectory_breaks
 
@@ -33,36 +35,6 @@ __all__ = [
     "as_path",
     "read_samples",
 ]
-
-SCALE_SAMPLES = 257  # at which a path is looked at for the size of its derivatives
-
-
-class SampledPath(Path):
-    """A path whose terms are not known: the size of a derivative's terms is its largest value on the path."""
-
-    def magnitudes(self, t: ArrayLike, order: int) -> np.ndarray:
-        sizes = self._sizes(order).reshape(order + 1, *[1] * np.ndim(t), self.joints)
-        return np.broadcast_to(sizes, (order + 1, *np.shape(t), self.joints))
-
-    def _sizes(self, order: int) -> np.ndarray:
-        if order not in self._size_of_order:
-            times = np.linspace(self.start, self.end, SCALE_SAMPLES)
-            self._size_of_order[order] = np.abs(self.derivatives(times, order)).max(axis=1)
-        return self._size_of_order[order]
-
-    @cached_property
-    def _size_of_order(self) -> dict[int, np.ndarray]:
-        return {}
-
-    def _inside(self, t: ArrayLike) -> np.ndarray:
-        t = np.asarray(t, dtype=float)
-        slack = 1e-9 * (self.end - self.start) + 4e-16 * max(abs(self.start), abs(self.end))
-        if not np.all((t >= self.start - slack) & (t <= self.end + slack)):
-            raise ValueError(
-                f"times: expected times from {self.start:.10g} to {self.end:.10g} s, "
-                f"got {t.min()} to {t.max()}"
-            )
-        return np.clip(t, self.start, self.end)
 
 
 class DrakePath(SampledPath):
@@ -309,8 +281,6 @@ def as_path(
     elif hasattr(trajectory, "EvalDerivative"):
         path = DrakePath(trajectory)
     elif callable(trajectory) and hasattr(trajectory, "derivative"):
-        from workbench.kinematics.robot.spline_paths import SplinePath
-
         path = SplinePath(trajectory)
     elif isinstance(trajectory, tuple) and len(trajectory) == 2:
         t, q = trajectory

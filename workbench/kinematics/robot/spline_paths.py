@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.robot.paths import SampledPath
+from workbench.kinematics.robot.sampled_path import SampledPath
 from workbench.kinematics.robot.structure import reals
 
 

@@ -245,8 +245,8 @@ class Claim:
     for free symbols: it may say what one is (`says_of`), or the text says more of them than was read;
     `moving` of what the text writes rates, `alone` that its model says that it follows from nothing else.
     Where a display has two readings: `perhaps` holds the equations beside the formula that may be its
-    conditions, `otherwise` the formulas that the display states if its rows are joined the other way, and
-    `question` names both readings.
+    conditions, `serves` the formulas whose condition it may be, `otherwise` the formulas that the display
+    states if its rows are joined the other way, and `question` names both readings.
     """
 
     id: str
@@ -288,6 +288,7 @@ class Claim:
     beside: tuple[Aside, ...] = ()
     moving: frozenset[Name] = frozenset()
     perhaps: tuple[Formula, ...] = ()
+    serves: tuple[Formula, ...] = ()
     otherwise: tuple[Formula, ...] = ()
     question: str | None = None
 

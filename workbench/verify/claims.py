@@ -22,7 +22,7 @@ from workbench.papers.selection import select_claims
 from workbench.verify.keys import Keys, Memory
 from workbench.verify.meant import Meant
 from workbench.verify.results import FORMS, ClaimResult
-from workbench.verify.two_readings import in_both_readings, with_what_stands_beside
+from workbench.verify.two_readings import in_both_readings, served_by, with_what_stands_beside
 from workbench.verify.under import Under, undisturbed
 from workbench.verify.witnesses import Witnesses
 
@@ -188,6 +188,9 @@ class ClaimJudge:
             if alone.outcome is Outcome.PROVED:
                 return alone
         bare = self._verdict(claim, claim.printed, claim.hypothesis)
+        if (served := served_by(claim, bare, self._under)) is not None:
+            reason = f"may be the condition of {served}, which stands before it and is false without it"
+            return Verdict(Outcome.UNCHECKED, reason=reason, read_back=bare.read_back)
         verdict = self._meant.verdict(*with_what_stands_beside(claim, bare, self._under))
         return _as_given(verdict, claim) if claim.given else verdict
 

@@ -52,6 +52,19 @@ def _as_printed(claim: Claim, formula: Formula) -> Claim:
     return replace(claim, printed=formula, states=states, otherwise=(), question=None)
 
 
+def served_by(claim: Claim, bare: Verdict, under: Under) -> Formula | None:
+    """Returns a refuted formula beside which a refuted claim stands, perhaps as its condition.
+
+    Where all formulas before the claim hold without it, it is no condition of them, and stays refuted."""
+    if bare.outcome is not Outcome.REFUTED or claim.alone or claim.corrected is not None:
+        return None
+    readable = [formula for formula in claim.serves if formula.statement is not None]
+    verdicts = (
+        (each, under.verdict(replace(claim, printed=each, perhaps=(), serves=()))) for each in readable
+    )
+    return next((each for each, verdict in verdicts if verdict.outcome is Outcome.REFUTED), None)
+
+
 def with_what_stands_beside(claim: Claim, bare: Verdict, under: Under) -> tuple[Claim, Verdict]:
     """Returns the claim and the verdict on it where the equations beside it may be its conditions.
 

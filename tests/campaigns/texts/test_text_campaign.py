@@ -17,7 +17,6 @@ from written_documents import Document, Shown, Step, documents
 
 A, B = leaf("a", "vector"), leaf("b", "vector")
 R = leaf("R", "matrix")
-OPEN = "the text layer cuts some layouts wrongly, and does not end macros with their group"
 
 
 @pytest.mark.parametrize("family", [*FAMILIES, "condition"])
@@ -108,13 +107,11 @@ def _assert_right(made: list[Document]) -> None:
     assert not faults, f"{len(faults)} wrong findings\n" + "\n\n".join(map(told, faults[:10]))
 
 
-@pytest.mark.xfail(reason=OPEN, strict=False)
 def test_no_formula_of_a_few_texts_is_judged_wrongly() -> None:
     _assert_right(documents(seed=1, formulas=40, each=20))
 
 
 @pytest.mark.slow
-@pytest.mark.xfail(reason=OPEN, strict=False)
 def test_no_formula_of_many_texts_is_judged_wrongly() -> None:
     seed = int.from_bytes(os.urandom(2), "big")
     print(f"seed {seed}")

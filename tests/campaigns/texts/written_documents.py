@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from random import Random
 
@@ -9,7 +10,7 @@ from display_layouts import LAYOUTS, Layout, Line, Sheet
 from file_formats import FORMATS, Format
 from formula_trees import Spelling, Writer, spelled
 from identity_pool import FAMILIES, FRAME_FAMILY
-from one_fault import Stated, Stating
+from one_fault import FALSE, UNDER, Stated, Stating
 from scoped_macros import FRAMED, LETTERS, Macros
 
 NEUTRAL = (
@@ -28,6 +29,9 @@ names = ["A", "B"]
 dot = "N"
 '{}^F\omega^G' = "angular velocity of G in F"
 """
+
+#: Words of a reason, which holds from the row on in which it stands.
+REASONS = re.compile(r"since|because|using|\\text\{as|intertext")
 
 #: How often each family is drawn.
 WEIGHTS = {each: 2 for each in FAMILIES if each not in FRAME_FAMILY} | {"condition": 5, "no condition": 1}
@@ -193,8 +197,11 @@ class Author:
         steps, asides = [], []
         for place, (each, sides, line) in enumerate(zip(stated, sides_of, lines, strict=True)):
             plain = [_plain(terms) for terms in sides]
+            beside = sheet.beside.get(id(line))
             for left, right, truth in zip(plain, plain[1:], each.truths, strict=False):
-                steps.append(Step(left, right, truth, each.family, place, sheet.beside.get(id(line))))
+                is_before = layout_name == "align chain" and right is not plain[-1]
+                known = FALSE if truth == UNDER and is_before and REASONS.search(beside or "") else truth
+                steps.append(Step(left, right, known, each.family, place, beside))
             if line.condition is not None:
                 asides.append(line.condition.plain)
         return Shown(name, layout_name, source, steps, asides)

@@ -25,9 +25,10 @@ class Step:
 
     own: what it adds to the step before, all for the first.   assumed: its conditions.   reasons: those that
     its author gives for it.   ranges: those that say where its symbols are, as i ≥ 1 and x ∈ [0, 1] do, with
-    which the tokens end.   perhaps: equations beside it, which may be its conditions.   otherwise: what
-    stands there if the display is read in another way, which `question` names.   limits: words beside it that
-    limit it.   denied: the words that deny it.   number, labels: those of the row that it ends in."""
+    which the tokens end.   perhaps: equations beside it, which may be its conditions.   serves: formulas
+    whose condition it may be.   otherwise: what stands there if the display is read in another way, which
+    `question` names.   limits: words beside it that limit it.   denied: the words that deny it.
+    number, labels: those of the row that it ends in."""
 
     tokens: tuple[Token, ...]
     own: tuple[Token, ...]
@@ -37,6 +38,7 @@ class Step:
     reasons: tuple[tuple[Token, ...], ...] = ()
     ranges: tuple[tuple[Token, ...], ...] = ()
     perhaps: tuple[tuple[Token, ...], ...] = ()
+    serves: tuple[tuple[Token, ...], ...] = ()
     otherwise: tuple[tuple[Token, ...], ...] = ()
     question: str | None = None
     limits: tuple[str, ...] = ()
@@ -88,6 +90,7 @@ class _Chain:
                 ranges=tuple(map(tuple, ranges)),
                 **self._sides(at, tokens),
                 **self._doubts(span),
+                serves=self._served(),
                 limits=self._limits(),
                 denied=words_of(self._statement.denied) if self._statement.denied else None,
             )
@@ -142,6 +145,12 @@ class _Chain:
         other = tuple(self._formula(before, behind))
         return {"otherwise": (other,), "question": f"{doubts[0].question}: {joined(other)}"}
 
+    def _served(self) -> tuple[tuple[Token, ...], ...]:
+        """The steps of the statements of which this one may be a condition."""
+        chains = [_Chain(each, self._words) for each in self._statement.serves]
+        spans = [(chain, span) for chain in chains for span in chain._spans()]
+        return tuple(tuple(chain._formula(span.start, span.end, span.own)) for chain, span in spans)
+
     def _limits(self) -> tuple[str, ...]:
         other = self._statement.is_condition_of
         if other is None:
@@ -177,15 +186,24 @@ def tokens_of(nodes: Sequence[Node]) -> list[Token]:
     """What the nodes print of the formula: without alignment marks, spaces behind a sign, and notes."""
     made: list[Token] = []
     before: Kind | None = None
-    for node in nodes:
+    for at, node in enumerate(nodes):
+        if _is_empty_group(node) and not any(each.kind is Kind.SCRIPT for each in nodes[at + 1 : at + 2]):
+            continue
         if node.kind in (Kind.CANCEL, Kind.BRACE_NOTE):
             made += tokens_of(node.inside)
+        elif node.kind is Kind.RELATION and node.inside and relation_places(node.note):
+            made += tokens_of(node.inside)  # the note is a condition
         elif node.kind is Kind.WIDE and before in (Kind.RELATION, Kind.SIGN, Kind.INFIX):
             continue
         elif node.kind is not Kind.MARK:
             made += node.tokens
         before = before if node.is_blank else node.kind
     return made
+
+
+def _is_empty_group(node: Node) -> bool:
+    """Whether the node is {}, which prints nothing."""
+    return "".join(token.text for token in node.tokens).replace(" ", "") == "{}"
 
 
 def _flat(tokens: Sequence[Token]) -> str:

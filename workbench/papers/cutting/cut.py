@@ -64,8 +64,9 @@ class Statement:
 
     limits: words beside it that limit it.   denied: the words that deny it.   whole: whether it states more
     than one formula, as an implication does.   begins_left: whether its first row has something before the
-    alignment mark.   is_condition_of: the statement whose condition it may be.   indent: the wide spaces
-    before its first row.   ends_at_mark: whether an alignment mark stands behind it."""
+    alignment mark.   is_condition_of: the statement that it may only be a condition of.   serves: the
+    statements that it may be a condition of.   indent: the wide spaces before its first row.
+    ends_at_mark: whether an alignment mark stands behind it."""
 
     nodes: list[Node]
     number: str | None = None
@@ -77,6 +78,7 @@ class Statement:
     whole: bool = False
     begins_left: bool = False
     is_condition_of: Statement | None = None
+    serves: tuple[Statement, ...] = ()
     indent: int = 0
     ends_at_mark: bool = False
     rows: list[RowEnd] = field(default_factory=list)

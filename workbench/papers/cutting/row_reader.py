@@ -168,6 +168,9 @@ class RowReader:
         if self._pending is not None and not self._begins_definition(piece):
             self._behind_words(piece, rest)
             return False
+        if self._pending is not None:
+            self._define_beside(piece)
+            return False
         is_first = self._here is None and self._column not in self._begun
         above = self._above.get(self._column) if is_first else None
         target = self._here if above is None else above
@@ -195,11 +198,22 @@ class RowReader:
 
     def _begins_definition(self, piece: Piece) -> bool:
         """Whether “where R := …” says what R is: a statement, and no condition."""
-        if self._pending is not Role.CONDITION or not self._names_what or not names_what(piece.kept):
-            return False
-        self._pending, self._here = None, None
+        return self._pending is Role.CONDITION and self._names_what and names_what(piece.kept)
+
+    def _define_beside(self, piece: Piece) -> None:
+        """Begins “where R = …”, which says what R is, or may be a condition of what stands before it."""
+        self._pending = None
         self._begun.add(self._column)
-        return True
+        self._begin_beside(piece)
+
+    def _begin_beside(self, piece: Piece) -> Statement:
+        """Begins a statement that may be a condition of those before it in its row."""
+        served = tuple(dict.fromkeys([*self._made, *([self._here] if self._here else [])]))
+        statement = self._begin(piece)
+        for target in served:
+            target.beside.append(Beside(Role.PERHAPS, list(piece.kept)))
+        statement.serves = served
+        return statement
 
     def _behind_words(self, piece: Piece, rest: Sequence[Piece]) -> None:
         self._is_quantified = not piece.relations
@@ -218,17 +232,17 @@ class RowReader:
                 if piece.lead is Kind.IMPLICATION and not is_below:
                     target = self._with_premises(target)
                 self._state.columns[self._column] = self._here = target
+                with_separator = self._append(target, piece, question, is_below)
                 if is_below:
                     self._take_waiting([target])
-                return self._append(target, piece, question, is_below)
+                return with_separator
             case Action.CONDITION | Action.RANGE:
                 role = Role.CONDITION if action is Action.CONDITION else Role.RANGE
                 self._put_beside(role, piece.kept, of_the_row=Apart.MARK in piece.apart)
             case Action.PERHAPS | Action.OWN_OR_CONDITION:
-                made = self._begin(piece)
-                if not is_below:
-                    target.beside.append(Beside(Role.PERHAPS, list(piece.kept)))
-                    made.is_condition_of = target if action is Action.OWN_OR_CONDITION else None
+                made = self._begin(piece) if is_below else self._begin_beside(piece)
+                if action is Action.OWN_OR_CONDITION and not is_below:
+                    made.is_condition_of = target
             case Action.NEW:
                 self._begin(piece)
         return False
@@ -308,11 +322,12 @@ class RowReader:
         (self._state.waiting_limits if self._here is None else self._here.limits).append(words)
 
     def _first_step(self) -> int:
-        """The first of the steps that this row adds to the statement."""
+        """The first of the steps that this row adds to the statement, or the one that it goes on with."""
         if self._here is None:
             return 0
         before = self._here.nodes[: self._counts.get(id(self._here), 0)]
-        return max(0, len(relation_places(before)))
+        steps = len(relation_places(self._here.nodes))
+        return max(0, min(len(relation_places(before)), steps - 1))
 
     # Words
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
+from itertools import pairwise
 
 from workbench.papers.cutting.cut import Role, Statement
 from workbench.papers.cutting.display_pieces import Apart, Piece, dangling
@@ -81,11 +82,19 @@ def _below_with_a_sign(
 ) -> tuple[Action, str]:
     if not relates:
         return (Action.NEW if layout.is_cases and not has_relation else Action.JOIN), ""
+    if layout.marks is Marks.CELLS and _relates_at_a_mark(piece):
+        return Action.NEW, ""
     if layout.base.startswith("multline") or (layout.opens and target.begins_left):
         return Action.JOIN, ""
     if layout.opens and piece.indent > target.indent:
         return Action.JOIN, INDENTED
     return Action.NEW, ""
+
+
+def _relates_at_a_mark(piece: Piece) -> bool:
+    """Whether a relation of the piece begins a cell."""
+    solid = [node for node in piece.kept if node.kind is not Kind.GAP]
+    return any(a.kind is Kind.MARK and b.kind is Kind.RELATION for a, b in pairwise(solid))
 
 
 def behind(target: Statement, piece: Piece, layout: Layout, rest: Sequence[Piece]) -> tuple[Action, str]:
@@ -186,7 +195,9 @@ def names_what(kept: Sequence[Node]) -> bool:
     left, right = trimmed(kept[: places[0]]), trimmed(kept[places[0] + 1 :])
     value = right[0].text.strip() if len(right) == 1 else ""
     is_value = value.isdecimal() or value in ("\\mathbf{0}", "\\pi")
-    return is_symbol(left) and left[0].kind in (Kind.PLAIN, Kind.GROUP) and not is_value
+    if not is_symbol(left) or left[0].kind not in (Kind.PLAIN, Kind.GROUP) or is_value:
+        return False
+    return left[0].text.strip() not in {node.text.strip() for node, _ in with_depth(right)}
 
 
 def is_symbol(nodes: Sequence[Node]) -> bool:

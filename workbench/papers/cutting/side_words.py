@@ -25,7 +25,8 @@ class WordRole(Enum):
 
 _CONDITIONS = (
     "where|with|given|given that|provided|provided that|whenever|when|if|for|for all|for every|for any"
-    "|as long as|while|subject to|such that|s t|subj to|assuming|at|under|on|along|in|near|during|until"
+    "|as long as|so long as|in case|in the case|once|supposing|on condition that|assuming that"
+    "|while|subject to|such that|s t|subj to|assuming|at|under|on|along|in|near|during|until"
 )
 _REASONS = "since|because|as|using|by|from|due to|see|recall|noting|thanks to|owing to"
 _JOINS = (

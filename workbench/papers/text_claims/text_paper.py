@@ -222,6 +222,7 @@ def _claim(placed: Placed, entries: Sequence[Entry], guessed: Sequence[str]) -> 
         states=printed.statement and stated(printed.statement, placed.notation),
         beside=unread_reasons,
         perhaps=tuple(_side_formula(tokens, placed) for tokens in step.perhaps),
+        serves=tuple(_side_formula(tokens, placed) for tokens in step.serves),
         otherwise=tuple(_side_formula(tokens, placed) for tokens in step.otherwise),
         question=step.question,
     )

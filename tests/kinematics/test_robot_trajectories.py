@@ -295,15 +295,17 @@ def test_a_jump_violates_every_limit_of_the_next_derivative():
     assert (found.start, found.end, found.value) == (0.5, 0.5, np.inf)
 
 
-def test_violations_of_a_recording_are_sure():
+@pytest.mark.parametrize("noise", [1e-6, 3e-3])
+def test_violations_of_a_recording_are_sure(noise):
     """The samples beyond the limit by more than the errors; with the true times within."""
     robot = Robot("r", [TreeJoint("tilt_x", "revolute", "world", "b")])
     t = np.linspace(0, 4, 801)
-    q = 0.5 * np.sin(t + 1)[:, None] + 1e-6 * np.random.default_rng(0).normal(size=(801, 1))
+    q = 0.5 * np.sin(t + 1)[:, None] + noise * np.random.default_rng(0).normal(size=(801, 1))
     motion = robot.along((t, q), order=2)
     (found,) = motion.violations("b", (1, 0, 0), {"tilt_x": {"velocity": 0.4}, "rotation": {"velocity": 0.6}})
     rise = np.pi - np.arccos(0.8) - 1
-    assert rise <= found.start <= rise + 0.01 and rise + 2 * np.arccos(0.8) - 0.01 <= found.end <= 4
+    fall, width = rise + 2 * np.arccos(0.8), 0.01 if noise < 1e-3 else 0.2
+    assert rise <= found.start <= rise + width and fall - width <= found.end <= fall
     (rotation,) = motion.violations("b", (1, 0, 0), {"rotation": {"velocity": 0.4}})
     assert (rotation.start, rotation.end) == (found.start, found.end)
 

@@ -59,6 +59,9 @@ def test_a_trajectory_beside_limits_with_a_plot(arm, samples, tmp_path):
     limits.write_text('["*"]\njerk = 7\n[point]\nacceleration = 100\n')
     result = run(*options)
     assert result.exit_code == 1 and "jerk of turn: 7.5" in result.stdout and "BEYOND" in result.stdout
+    assert "violations of limits" in result.stdout
+    violations = json.loads(run(*options, "--json").stdout)["violations"]
+    assert {one["of"] for one in violations} == {"turn"} and violations[0]["start"] < 0.1
 
 
 def test_units_stand_in_text_and_json(arm):

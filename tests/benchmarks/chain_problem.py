@@ -106,9 +106,9 @@ class Peer:
 class Workbench(Peer):
     def __init__(self, problem):
         from workbench.kinematics.chain import Joint, SerialChain
-        from workbench.kinematics.chain_engine import load_kernel
+        from workbench.kinematics.chain_kernel import chain_kernel
 
-        load_kernel()
+        chain_kernel()
         joints = [joint for C in problem.links for joint in (Joint.fixed(C), Joint.revolute([0, 0, 1]))]
         chain = SerialChain(joints)
         self.single_out = np.empty((problem.order + 1, 6))

@@ -9,8 +9,6 @@ from random_robots import random_pose
 
 from workbench.kinematics.chain import Joint, SerialChain
 
-pytestmark = pytest.mark.usefixtures("implementation")  # every law holds in both
-
 
 def adjoint(X):
     """Ad(X) on (ω; v)."""

@@ -10,15 +10,8 @@ from numpy.polynomial import Chebyshev
 from random_chains import MOVING, random_joint
 from taylor_kinematics import exact, joint, pose, product, twist
 
-from workbench.kinematics import chain_engine
 from workbench.kinematics.chain import Joint, SerialChain
 from workbench.kinematics.robot import Robot
-
-
-@pytest.fixture(autouse=True, scope="module")
-def kernel():
-    chain_engine.load_kernel()
-
 
 # -- fifty digits -----------------------------------------------------------------------------------
 
@@ -76,7 +69,7 @@ def test_factorials_do_not_overflow():
 
 @pytest.mark.parametrize("turns", [1, -3, 10**3, 10**6, 10**9, 10**15, 10**17])
 def test_large_angles_are_reduced_exactly(turns):
-    """Beyond 2⁵⁰ rad the kernel hands over to NumPy; below, both reduce like the C library."""
+    """Beyond 2⁵⁰ rad the C library computes sines; below, the kernel reduces angles as exactly."""
     chain = SerialChain([Joint.revolute([0, 0, 1]), Joint.prismatic([1, 0, 0])])
     angle = 2 * np.pi * turns + 0.3
     V = chain.twist_derivatives(np.array([[[angle, 0.0]] * 9, [[0.0, 1.0]] * 9]))

@@ -175,16 +175,17 @@ def test_a_joint_at_rest_is_within_its_limits():
     assert "below its noise" in str(found[2])
 
 
-def test_a_point_s_peaks_along_a_recording_are_covered():
-    """The point of two links against the same motion by formula."""
+@pytest.mark.parametrize("of", ["point", "rotation"])
+def test_a_body_s_peaks_along_a_recording_are_covered(of):
+    """The point and the rotation of two links against the same motion by formula."""
     robot = Robot("r", [TreeJoint("a", "revolute", "world", "a"), TreeJoint("b", "prismatic", "a", "b")])
     path = JointPath([[0.1, 0.2], [1.0, -0.5], [-0.4, 0.3], [0.2, 0.1], [-0.05, 0.02]])
     t = np.linspace(0, 3, 601)
     samples = path.derivatives(t, 0)[0] + 1e-5 * np.random.default_rng(0).normal(size=(601, 2))
-    true = {p.order: p for p in robot.along(path, t, 4).peaks("b", (0, 0.3, 0)) if p.of == "point"}
-    found = {
-        p.order: p for p in robot.along((t, samples), order=4).peaks("b", (0, 0.3, 0)) if p.of == "point"
-    }
+    true, found = (
+        {p.order: p for p in robot.along(given, t, 4).peaks("b", (0, 0.3, 0)) if p.of == of}
+        for given in (path, (t, samples))
+    )
     told = [n for n in true if np.isfinite(found[n].error) and found[n].span is None]
     assert told[:2] == [1, 2]
     for n in told:

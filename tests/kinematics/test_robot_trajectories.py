@@ -6,11 +6,13 @@ import subprocess
 import numpy as np
 import pytest
 from pydrake.trajectories import BsplineTrajectory, CompositeTrajectory, PiecewisePolynomial
+from scipy import interpolate
 
 from workbench.kinematics.robot import Robot, TreeJoint
 from workbench.kinematics.robot.answers import write_csv
 from workbench.kinematics.robot.joint_limits import read_limits
 from workbench.kinematics.robot.paths import DrakePath, JointPath, RecordedPath, SinePath, read_samples
+from workbench.kinematics.robot.spline_paths import waypoints
 
 QUINTIC = np.array([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
 
@@ -96,6 +98,78 @@ def test_bad_csv(tmp_path, text, message):
         read_samples(tmp_path / "bad.csv", ("j0", "j1"))
 
 
+def test_a_csv_file_is_read_in_the_units_of_its_header(tmp_path):
+    """Milliseconds, degrees and millimetres, as the same file in s, rad and m; and what `to_csv` writes."""
+    lift = TreeJoint("j1", "prismatic", "b0", "b1")
+    robot = Robot("r", [TreeJoint("j0", "revolute", "world", "b0"), lift])
+    t = np.arange(40) / 20
+    q = np.stack([np.sin(t), 0.1 * t * t], axis=-1)
+    rows = [f"{1000 * s},{np.degrees(a)},{1000 * d}" for s, (a, d) in zip(t, q, strict=True)]
+    (tmp_path / "q.csv").write_text("\n".join(["t (ms),j0 [deg],j1 (mm)", *rows]))
+    path = robot.path(tmp_path / "q.csv")
+    np.testing.assert_allclose(path.derivatives(t, 0)[0], q, rtol=0, atol=1e-14)
+    robot.along((t, q)).to_csv(tmp_path / "own.csv", "b1")
+    np.testing.assert_array_equal(robot.path(str(tmp_path / "own.csv")).times, robot.along((t, q)).times)
+    for header in ("t (ms),j0 (m),j1", "t (s),j0 (turns),j1", "t (rad),j0,j1"):
+        (tmp_path / "bad.csv").write_text("\n".join([header, *rows]))
+        with pytest.raises(ValueError, match="expected one of the units"):
+            robot.path(tmp_path / "bad.csv")
+
+
+# -- splines ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("given", [2, 3])
+def test_waypoints_with_their_rates_give_back_a_polynomial(given):
+    """Of degree 3 with velocities, 5 with accelerations, to every derivative."""
+    path = JointPath(np.random.default_rng(given).normal(size=(2 * given, 3)))
+    t = np.array([-0.5, 0.2, 1.0, 1.3])
+    found = waypoints(t, *path.derivatives(t, given - 1))
+    times = np.linspace(-0.5, 1.3, 50)
+    np.testing.assert_allclose(found.derivatives(times, 6), path.derivatives(times, 6), rtol=0, atol=1e-8)
+    for peak, true in zip(*(arm().along(p, times, 3).peaks("b2") for p in (found, path)), strict=True):
+        assert peak.value == pytest.approx(true.value, rel=1e-6), (str(peak), str(true))
+
+
+def test_waypoints_alone_are_passed_from_rest_to_rest():
+    t, q = np.array([0.0, 0.5, 2.0]), np.random.default_rng(0).normal(size=(3, 3))
+    path = waypoints(t, q)
+    np.testing.assert_allclose(path.derivatives(t, 0)[0], q, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(path.derivatives(t[[0, 2]], 1)[1], 0, rtol=0, atol=1e-14)
+    found = {(p.of, p.order): p for p in arm().along(path, t, 4).peaks()}
+    assert np.isfinite(found["j0", 3].value) and found["j0", 4].value == np.inf  # the jerk jumps at 0.5 s
+    assert found["j0", 4].time == 0.5
+
+
+def test_any_spline_of_scipy_is_a_path():
+    t, q = np.linspace(0, 2, 9), np.random.default_rng(0).normal(size=(9, 3))
+    for degree in (3, 5, 7):
+        spline = interpolate.make_interp_spline(t, q, degree)
+        motion = arm().along(spline, np.linspace(0, 2, 31), degree + 1)
+        np.testing.assert_allclose(motion.q, spline(motion.times), rtol=0, atol=1e-13)
+        for k in range(1, degree + 1):
+            np.testing.assert_array_equal(motion.rates[k - 1], spline.derivative(k)(motion.times))
+        assert not motion.rates[degree].any() and list(motion.path.breaks) == list(np.unique(spline.t)[1:-1])
+    polynomial = interpolate.PPoly.from_spline(interpolate.splrep(t, q[:, 0]))
+    for bad, message in (
+        (polynomial, "a vector of positions"),
+        (interpolate.UnivariateSpline(t, q[:, 0]), "a spline with knots"),
+        (interpolate.CubicSpline(t, q[:, :2]), "expected 3 coordinates, got 2"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            arm().along(bad)
+    with pytest.raises(ValueError, match="expected times from 0 to 2 s"):
+        arm().along(interpolate.CubicSpline(t, q), 2.1)
+    for bad, message in (
+        ({"a": q}, "a: expected v with it"),
+        ({"v": q[:3]}, "v: expected the shape"),
+        ({"t": -t}, "increasing times"),
+        ({"q": q[:3]}, "expected shapes"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            waypoints(**{"t": t, "q": q} | bad)
+
+
 def test_bad_samples_and_trajectories():
     t, q = np.arange(12.0), np.zeros((12, 3))
     for bad, message in (
@@ -111,6 +185,8 @@ def test_bad_samples_and_trajectories():
     with pytest.raises(ValueError, match="expected 3 coordinates, got 2"):
         robot.along(SinePath(2), 0.0)
     with pytest.raises(ValueError, match="expected a Path, a Drake Trajectory"):
+        robot.along(0.5, 0.0)
+    with pytest.raises(ValueError, match="fast: cannot be read"):
         robot.along("fast", 0.0)
     for bad in ({"order": 0}, {"order": 1.5}, {"order": 10**6}, {"samples": 0}, {"samples": "many"}):
         with pytest.raises(ValueError, match=f"{next(iter(bad))}: expected an integer"):
@@ -155,6 +231,85 @@ def test_the_peak_of_a_point_is_found_between_samples():
     assert peak.value == pytest.approx(sizes.max(), rel=1e-6)
 
 
+def test_the_peaks_of_a_body_s_rotation_are_those_of_its_rates():
+    """Of one joint those of the joint; of three those of ω, ω̇, ω̈ on a fine grid; relative, too."""
+    robot = arm()
+    motion = robot.along(quintic(), np.linspace(0, 1, 5), 3)
+    alone = {(p.of, p.order): p for p in motion.peaks("b0", limits={"rotation": {"jerk": 59.0}})}
+    for n in (1, 2, 3):
+        assert alone["rotation", n].value == pytest.approx(alone["j0", n].value, rel=1e-9)
+    assert "jerk of rotation: 60 rad/s^3" in str(alone["rotation", 3])
+    assert alone["rotation", 3].verdict == "BEYOND"
+    fine = robot.along(quintic(), np.linspace(0, 1, 20001), 3)
+    for seen_from in (None, "b0"):
+        frame = fine.frame("b2")
+        frame = frame if seen_from is None else frame.relative_to(fine.frame(seen_from))
+        found = {p.order: p for p in motion.peaks("b2", relative_to=seen_from) if p.of == "rotation"}
+        for n in (1, 2, 3):
+            sizes = np.linalg.norm(frame.twist(n - 1).angular, axis=-1)
+            assert found[n].value == pytest.approx(sizes.max(), rel=1e-6)
+
+
+def test_violations_are_the_times_beyond_a_limit():
+    """Of sin(t + 1)/2 from 0 to 4: above 0.4 until asin 0.8, and below −0.3 from π + asin 0.6 on."""
+    robot = Robot("r", [TreeJoint("tilt_x", "revolute", "world", "b")])
+    motion = robot.along(SinePath(1), np.linspace(0, 4, 5), 2)
+    high, low = motion.violations(limits={"tilt_x": {"lower": -0.3, "upper": 0.4}})
+    assert (high.bound, high.start) == ("upper", 0.0)
+    assert high.end == pytest.approx(np.pi - np.arcsin(0.8) - 1, abs=1e-12)
+    assert (high.value, high.time) == (pytest.approx(0.5), pytest.approx(np.pi / 2 - 1, abs=1e-6))
+    assert (low.start, low.end) == (pytest.approx(np.pi + np.arcsin(0.6) - 1, abs=1e-12), 4.0)
+    assert low.value == pytest.approx(-0.5) and "beyond -0.3 rad from 2.78" in str(low)
+    assert motion.violations(limits={"tilt_x": {"velocity": 0.6}}) == []
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_limit_is_violated_where_its_peak_is_beyond(seed):
+    """On exact paths: by the peak's value, at its time; nowhere else on a fine grid."""
+    rng = np.random.default_rng(seed)
+    motion = arm().along(SinePath(3), np.linspace(0, 6, 9), 3)
+    limits = {"*": {"velocity": 0.4, "jerk": 0.7}, "point": {"jerk": 1.5}, "rotation": {"jerk": 2.0}}
+    limits = {
+        name: {kind: size * rng.uniform(0.5, 1.5) for kind, size in own.items()}
+        for name, own in limits.items()
+    }
+    peaks = {(p.of, p.order): p for p in motion.peaks("b2", (0, 0, 0.4), limits)}
+    found = motion.violations("b2", (0, 0, 0.4), limits)
+    assert {(v.of, v.order) for v in found} == {key for key, p in peaks.items() if p.verdict == "BEYOND"}
+    assert found and [v.start for v in found] == sorted(v.start for v in found)
+    times = np.linspace(0, 6, 5001)
+    fine = arm().along(SinePath(3), times, 3)
+    sizes = np.linalg.norm(fine.frame("b2").point((0, 0, 0.4)).jerk, axis=-1)
+    for of, size in (("point", sizes), ("j1", np.abs(fine.rates[2][:, 1]))):
+        own = [v for v in found if (v.of, v.order) == (of, 3)]
+        inside = np.any([(times >= v.start) & (times <= v.end) for v in own], axis=0) & True
+        np.testing.assert_array_equal(inside | np.zeros(5001, bool), size > peaks[of, 3].limit)
+        if own:
+            assert max(v.value for v in own) == pytest.approx(peaks[of, 3].value, rel=1e-9)
+
+
+def test_a_jump_violates_every_limit_of_the_next_derivative():
+    path = waypoints([0.0, 0.5, 2.0], np.random.default_rng(0).normal(size=(3, 3)))
+    motion = arm().along(path, np.linspace(0, 2, 5), 4)
+    (found,) = [v for v in motion.violations(limits={"j1": {"snap": 1e9}})]
+    assert (found.start, found.end, found.value) == (0.5, 0.5, np.inf)
+
+
+@pytest.mark.parametrize("noise", [1e-6, 3e-3])
+def test_violations_of_a_recording_are_sure(noise):
+    """The samples beyond the limit by more than the errors; with the true times within."""
+    robot = Robot("r", [TreeJoint("tilt_x", "revolute", "world", "b")])
+    t = np.linspace(0, 4, 801)
+    q = 0.5 * np.sin(t + 1)[:, None] + noise * np.random.default_rng(0).normal(size=(801, 1))
+    motion = robot.along((t, q), order=2)
+    (found,) = motion.violations("b", (1, 0, 0), {"tilt_x": {"velocity": 0.4}, "rotation": {"velocity": 0.6}})
+    rise = np.pi - np.arccos(0.8) - 1
+    fall, width = rise + 2 * np.arccos(0.8), 0.01 if noise < 1e-3 else 0.2
+    assert rise <= found.start <= rise + width and fall - width <= found.end <= fall
+    (rotation,) = motion.violations("b", (1, 0, 0), {"rotation": {"velocity": 0.4}})
+    assert (rotation.start, rotation.end) == (found.start, found.end)
+
+
 def test_a_coordinate_is_held_against_its_limits_between_samples_too():
     """sin(t + 1)/2 is −1/2 at 3π/2 − 1, which is none of the times."""
     robot = Robot("r", [TreeJoint("tilt_x", "revolute", "world", "b")])
@@ -172,7 +327,7 @@ def test_a_coordinate_is_held_against_its_limits_between_samples_too():
 def test_a_point_s_peaks_are_those_that_another_body_sees():
     motion = arm().along(quintic(), np.linspace(0, 1, 401), 2)
     seen = motion.frame("b2").relative_to(motion.frame("b0")).point((0, 0, 0.4))
-    found = motion.peaks("b2", (0, 0, 0.4), relative_to="b0")[-2:]
+    found = [p for p in motion.peaks("b2", (0, 0, 0.4), relative_to="b0") if p.of == "point"]
     sizes = np.linalg.norm(seen.derivatives[1:], axis=-1).max(axis=1)
     np.testing.assert_allclose([peak.value for peak in found], sizes, rtol=1e-4)
     table = motion.table("b2", (0, 0, 0.4), relative_to="b0")
@@ -188,7 +343,7 @@ def test_a_jump_at_a_break_is_seen_from_both_sides():
 @pytest.mark.parametrize(
     ("limits", "message"),
     [
-        ({"elbow": {"jerk": 1.0}}, "unknown joint 'elbow': expected one of \\*, point, j0"),
+        ({"elbow": {"jerk": 1.0}}, "unknown joint 'elbow': expected one of \\*, point, rotation, j0"),
         ({"j0": {"jolt": 1.0}}, "limits of 'j0': expected one of velocity, .* got 'jolt'"),
         ({"j0": 3}, "limits of 'j0': expected a table"),
         ("fast", "limits: expected tables by joint"),
@@ -222,7 +377,13 @@ def test_a_table_as_csv_and_as_a_data_frame(tmp_path):
     with open(tmp_path / "out.csv") as file:
         names = file.readline().strip().split(",")
         rows = np.loadtxt(file, delimiter=",")
-    assert names == list(columns)
+    assert [name.rsplit(" (")[0] for name in names] == list(columns)
+    assert [names[0], names[1], names[4], names[-1]] == [
+        "t (s)",
+        "j0 (rad)",
+        "velocity j0 (rad/s)",
+        "b2 jerk size (m/s^3)",
+    ]
     np.testing.assert_array_equal(rows, np.stack(list(columns.values()), axis=1))
     with pytest.raises(ValueError, match="cannot be written"):
         write_csv(columns, tmp_path / "none" / "out.csv")

@@ -6,6 +6,7 @@ import math
 import os
 import sys
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +18,7 @@ from workbench.cli.options import Unusable, json_flag, print_json, reports_fault
 if TYPE_CHECKING:
     from workbench.kinematics.robot.motion import Motion
     from workbench.kinematics.robot.paths import RecordedPath
-    from workbench.kinematics.robot.peaks import Peak
+    from workbench.kinematics.robot.peaks import Peak, Violation
     from workbench.kinematics.robot.report import MotionReport
 
 #: Beyond it Drake's numbers, in doubles, have no correct digit left to compare with.
@@ -49,7 +50,7 @@ HIGHEST_ORDER = 20
     "--trajectory",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Samples of the joints, as CSV: columns t (s) and joints by name (rad or m); "
+    help="Samples of the joints, as CSV: columns t (s) and joints by name (rad or m, or as in NAME (deg)); "
     "their derivatives are estimated up to the snap, with errors.",
 )
 @click.option(
@@ -59,7 +60,7 @@ HIGHEST_ORDER = 20
     "--limits",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help='TOML: a table [JOINT], ["*"] or [point] with velocity, acceleration, jerk, snap, '
+    help='TOML: a table [JOINT], ["*"], [point] or [rotation] with velocity, acceleration, jerk, snap, '
     "deceleration, lower, upper.",
 )
 @click.option("--plot", type=click.Path(path_type=Path), metavar="FILE", help="Draw all orders (.png, .pdf).")
@@ -112,6 +113,9 @@ def motion(
             )
         whole = _whole(report, until, wanted=limits is not None or plot is not None or path is not None)
         peaks = [] if whole is None else whole.peaks(body, report.point, bounds, relative_to)
+        violations: list[Violation] = []
+        if whole is not None and any(peak.within is False for peak in peaks):
+            violations = whole.violations(body, report.point, bounds, relative_to)
         if plot is not None and whole is not None:
             _draw(whole, body, report, bounds, plot)
     except (ValueError, ImportError) as error:
@@ -119,12 +123,13 @@ def motion(
     data = report.to_dict() | {
         "recording": None if path is None else _recording_dict(report, path),
         "peaks": [_peak_dict(peak) for peak in peaks],
+        "violations": [_finite(asdict(violation)) for violation in violations],
     }
     if as_json:
         print_json(data)
     else:
         terminal = console(sys.stdout)
-        for line in (*motion_lines(data), *_recording_lines(data), *_peak_lines(peaks)):
+        for line in (*motion_lines(data), *_recording_lines(data), *_peak_lines(peaks, violations)):
             terminal.print(line)
     beyond = limits is not None and any(peak.within is False for peak in peaks)
     sys.exit(0 if report.agrees and not beyond else 1)
@@ -159,7 +164,7 @@ def _recorded(trajectory: Path, urdf: Path, base: str) -> RecordedPath:
     from workbench.kinematics.robot.paths import RecordedPath, read_samples
 
     robot = Robot.from_urdf(urdf, base, rotations="rpy")
-    t, q = read_samples(trajectory, robot.positions)
+    t, q = read_samples(trajectory, robot.positions, robot.units)
     try:
         path = robot.path((t, q))
     except ValueError as error:
@@ -211,8 +216,12 @@ def _peak_dict(peak: Peak) -> dict[str, Any]:
         "within",
     )
     found = {key: getattr(peak, key) for key in (*keys, "verdict", "reason", "span")}
-    plain = {key: None if isinstance(x, float) and not math.isfinite(x) else x for key, x in found.items()}
-    return plain | {"unbounded": peak.value == math.inf}
+    return _finite(found) | {"unbounded": peak.value == math.inf}
+
+
+def _finite(numbers: Mapping[str, Any]) -> dict[str, Any]:
+    """The same with None for numbers that are not finite."""
+    return {k: None if isinstance(x, float) and not math.isfinite(x) else x for k, x in numbers.items()}
 
 
 def _recording_dict(report: MotionReport, path: RecordedPath) -> dict[str, Any]:
@@ -279,9 +288,13 @@ def _recording_lines(data: Mapping[str, Any]) -> Iterator[Text]:
         yield Text(f"{'':>22}  {note}", style="yellow")
 
 
-def _peak_lines(peaks: Sequence[Peak]) -> Iterator[Text]:
+def _peak_lines(peaks: Sequence[Peak], violations: Sequence[Violation]) -> Iterator[Text]:
     if peaks:
         yield Text("peaks", style="bold")
     for peak in peaks:
         style = {None: "", "within": "green", "BEYOND": "bold red", "not determined": "yellow"}[peak.verdict]
         yield Text(f"{'':>22}  {peak}", style=style)
+    if violations:
+        yield Text("violations of limits", style="bold")
+    for violation in violations:
+        yield Text(f"{'':>22}  {violation}", style="bold red")

@@ -7,7 +7,7 @@ angular acceleration above the (classical) acceleration of Bo. Everything is exp
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
@@ -114,6 +114,33 @@ def load_urdf(path: str | Path, base: str = "fixed") -> MultibodyPlant:
     try:
         Parser(plant).AddModelsFromString(kinematic_urdf(path, base), "urdf")
         _weld_bases(plant)
+        plant.Finalize()
+    except (RuntimeError, ValueError) as error:
+        raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error
+    if plant.num_bodies() == 1:
+        raise PlantError(f"{path} holds no body")
+    return plant
+
+
+def load_models(
+    path: str | Path, base: str = "fixed", packages: Mapping[str, str | Path] | None = None
+) -> MultibodyPlant:
+    """The plant of all models of an SDF, MJCF, URDF or model-directives file, by Drake's parser.
+
+    base: "fixed" welds the root of each model that nothing holds to the world; "floating" lets it move.
+    packages: where the packages are that the file names in package:// paths. Raises PlantError, in one line,
+    when the file is missing or Drake cannot read it."""
+    path = Path(path)
+    if not path.is_file():
+        raise PlantError(f"no file at {path}")
+    plant = MultibodyPlant(0.0)
+    parser = Parser(plant)
+    try:
+        for name, folder in (packages or {}).items():
+            parser.package_map().Add(name, str(folder))
+        parser.AddModels(str(path))
+        if base == "fixed":
+            _weld_bases(plant)
         plant.Finalize()
     except (RuntimeError, ValueError) as error:
         raise PlantError(f"Drake cannot read {path}: {_first_line(error)}") from error

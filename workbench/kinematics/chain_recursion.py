@@ -1,81 +1,58 @@
-"""The arithmetic of the Taylor recursion of a serial chain, on as many states at once as `lanes` says."""
+"""The arithmetic of the Taylor recursion of a serial chain from tip to base, on as many states at once as
+`lanes` says.
 
-from numba import njit
+A twist series is stored as V[6 k + (0, 1, 2, 3, 4, 5)], the k-th coefficients of ωx, ωy, vx, vy, ωz, vz; the
+series of e^{iα} as E[2 k + (0, 1)], those of cos α and sin α.
+"""
 
-from workbench.kinematics.lanes import (
-    REGISTERS,
-    fused_multiply_add,
-    load,
-    number,
-    spread,
-    store,
-    store_side_by_side,
-    turned_by_quarters,
-)
+from __future__ import annotations
 
-OPTIONS = {"fastmath": {"contract"}, "error_model": "numpy"}  # contract: a·b + c at once
-compiled = njit(**OPTIONS)
-inlined = njit(forceinline=True, **OPTIONS)  # a call would put all registers into memory
-FOURS = REGISTERS >= 32  # four coefficients at a time have 16 sums; with fewer registers it is two
+from typing import NamedTuple
 
-# -- trigonometry ---------------------------------------------------------------------------------
+from workbench.kinematics.lanes import load, number, spread, store, store_side_by_side
+from workbench.kinematics.tree_arithmetic import MANY_REGISTERS, Number, compiled, inlined
 
-LARGEST_ANGLE = 2.0**50  # radians; beyond it the nearest multiple of π/2 is not exact
-HALF_PI = (1.5707963267948966, 6.123233995736766e-17)  # π/2 as a sum of two doubles
+FOURS = MANY_REGISTERS  # four coefficients at a time have 16 sums; with fewer registers it is two
 
+Pair = tuple[Number, Number]
+Across = tuple[Number, Number, Number, Number]
+"""The parts across a joint's axis: ωx, ωy, vx, vy."""
 
-ROUNDING = 1.5 * 2.0**52  # adding it rounds to a whole number, which the last bits then hold
+Link = tuple[Number, Number, Number, Number, Number]
+"""From a joint's entering frame to the frame on the axis before: cosine and sine of the twist angle, the
+shift (a, b), and the offset along that axis."""
 
 
-@compiled
-def cosine_and_sine(x):
-    """Within 2^-52 of the values, by reduction to |r| ≤ π/4 and the polynomials of Sun's fdlibm there."""
-    shifted = 0.6366197723675814 * x + spread(ROUNDING)
-    n = shifted - spread(ROUNDING)
-    r = fused_multiply_add(n, spread(-HALF_PI[0]), x)
-    r = fused_multiply_add(n, spread(-HALF_PI[1]), r)
-    square = r * r
-    c = spread(-1.13596475577881948265e-11)
-    c = c * square + spread(2.08757232129817482790e-09)
-    c = c * square - spread(2.75573143513906633035e-07)
-    c = c * square + spread(2.48015872894767294178e-05)
-    c = c * square - spread(1.38888888888741095749e-03)
-    c = c * square + spread(4.16666666666666019037e-02)
-    c = c * square - spread(0.5)
-    c = c * square + spread(1.0)
-    s = spread(1.58969099521155010221e-10)
-    s = s * square - spread(2.50507602534068634195e-08)
-    s = s * square + spread(2.75573137070700676789e-06)
-    s = s * square - spread(1.98412698298579493134e-04)
-    s = s * square + spread(8.33333333332248946124e-03)
-    s = s * square - spread(1.66666666666666324348e-01)
-    s = s * (square * r) + r
-    return turned_by_quarters(shifted, c, s)
+class Base(NamedTuple):
+    """How results are stored: cosine and sine of the base's constant angle, the address of the results'
+    factors, the bytes of an order, of a part, and to the next turn's."""
+
+    cosine: float
+    sine: float
+    factors: int
+    of_order: int
+    of_part: int
+    ahead: int
 
 
-# -- the recursion --------------------------------------------------------------------------------
-# A twist series is stored as V[6 k + (0, 1, 2, 3, 4, 5)] = k-th coefficient of ωx, ωy, vx, vy, ωz,
-# vz; the series of e^{iα} as E[2 k + (0, 1)] = k-th coefficient of cos α, sin α.
-
-
-@compiled
-def load2(E, first):
+@inlined
+def load2(E: int, first: int) -> Pair:
     return load(E, first), load(E, first + 1)
 
 
-@compiled
-def load4(V, first):
+@inlined
+def load4(V: int, first: int) -> Across:
     return load(V, first), load(V, first + 1), load(V, first + 2), load(V, first + 3)
 
 
-@compiled
-def add_turned(total, rate, e):
+@inlined
+def add_turned(total: Pair, rate: Number, e: Pair) -> Pair:
     """total + i · rate · e, for total and e as (cos, sin)."""
     return total[0] - rate * e[1], total[1] + rate * e[0]
 
 
-@compiled
-def store_exponential(E, k, reciprocals, total):
+@inlined
+def store_exponential(E: int, k: int, reciprocals: int, total: Pair) -> Pair:
     """Store and return the k-th coefficient of E, given k times that."""
     c, s = number(reciprocals, k) * total[0], number(reciprocals, k) * total[1]
     store(E, 2 * k, c)
@@ -84,9 +61,9 @@ def store_exponential(E, k, reciprocals, total):
 
 
 @inlined
-def extend_exponential(E, rate, terms, reciprocals):
-    """All coefficients of E = e^{iα} from the 0-th, by E' = i α' E; as many as FOURS allows at a
-    time, since they share their factors."""
+def extend_exponential(E: int, rate: int, terms: int, reciprocals: int) -> None:
+    """All coefficients of E = e^{iα} from the 0-th, by E' = i α' E; as many as FOURS allows at a time, since
+    they share their factors."""
     nothing = (spread(0.0), spread(0.0))
     first = 1
     if (terms - 1) & 1:
@@ -119,11 +96,11 @@ def extend_exponential(E, rate, terms, reciprocals):
 
 
 @compiled
-def step(W, k, x, y, vx, vy, z, vz, link, base):
-    """Store a coefficient that is given in a joint's entering frame, in the frame next to the axis
-    before: turned by the twist angle, shifted by (a, b) and by the offset along that axis. At the base
-    it is the result: turned about that axis by a constant angle, scaled, and stored as (ω; v), coefficient
-    k from W + k · of_order on, its parts of_part bytes apart, the next turn's `ahead` bytes further."""
+def step(W: int, k: int, across: Across, z: Number, vz: Number, link: Link, base: Base | None) -> None:
+    """Store a coefficient that is given in a joint's entering frame, in the frame next to the axis before:
+    turned by the twist angle, shifted by (a, b) and by the offset along that axis. At the base it is the
+    result: turned about that axis by a constant angle, scaled, and stored as (ω; v)."""
+    x, y, vx, vy = across
     cosine, sine, a, b, offset = link
     y1 = cosine * y - sine * z
     z1 = cosine * z + sine * y
@@ -131,10 +108,9 @@ def step(W, k, x, y, vx, vy, z, vz, link, base):
     vy1 = cosine * vy - sine * vz - a * z1 + offset * x
     vz1 = cosine * vz + sine * vy + a * y1 - b * x
     if base is not None:
-        cosine, sine, factors, of_order, of_part, ahead = base
-        factor = number(factors, k)
-        c, s = factor * cosine, factor * sine
-        target = W + k * of_order
+        factor = number(base.factors, k)
+        c, s = factor * base.cosine, factor * base.sine
+        target, of_part, ahead = W + k * base.of_order, base.of_part, base.ahead
         store_side_by_side(target, ahead, c * x - s * y1)
         store_side_by_side(target + of_part, ahead, s * x + c * y1)
         store_side_by_side(target + 2 * of_part, ahead, factor * z1)
@@ -151,8 +127,8 @@ def step(W, k, x, y, vx, vy, z, vz, link, base):
 
 
 @compiled
-def add_product(total, e, v):
-    """total + e^{iα} v, for e = (cos, sin) and the across-axis parts (ωx, ωy, vx, vy)."""
+def add_product(total: Across, e: Pair, v: Across) -> Across:
+    """total + e^{iα} v, for e = (cos, sin)."""
     c, s = e
     x, y, vx, vy = v
     return (
@@ -164,15 +140,16 @@ def add_product(total, e, v):
 
 
 @compiled
-def add_along_and_step(W, k, across, V, rate, link, base):
-    x, y, vx, vy = across
-    step(W, k, x, y, vx, vy, load(V, 6 * k + 4) + load(rate, k), load(V, 6 * k + 5), link, base)
+def add_along_and_step(
+    W: int, k: int, across: Across, V: int, rate: int, link: Link, base: Base | None
+) -> None:
+    step(W, k, across, load(V, 6 * k + 4) + load(rate, k), load(V, 6 * k + 5), link, base)
 
 
 @inlined
-def rotate_and_step(V, W, E, rate, terms, link, base):
-    """W = step(z α̇ + e^{iα} V), as many coefficients as FOURS allows at a time, since they share
-    their factors."""
+def rotate_and_step(V: int, W: int, E: int, rate: int, terms: int, link: Link, base: Base | None) -> None:
+    """W = step(z α̇ + e^{iα} V), as many coefficients as FOURS allows at a time, since they share their
+    factors."""
     zero = spread(0.0)
     nothing = (zero, zero, zero, zero)
     if terms & 1:
@@ -209,11 +186,12 @@ def rotate_and_step(V, W, E, rate, terms, link, base):
 
 
 @compiled
-def slide(V, D, q, rate, pitch, reciprocals, terms):
-    """v ← v + z ḋ + d z × ω in place, for the slide d = pitch · q."""
+def slide(V: int, D: int, q: int, pitch: float, reciprocals: int, terms: int) -> None:
+    """v ← v + z ḋ + d z × ω in place, for the slide d = pitch · q; at q its value and then the coefficients
+    of its rate."""
     store(D, 0, pitch * load(q, 0))
     for k in range(1, terms):
-        store(D, k, (pitch * number(reciprocals, k)) * load(rate, k - 1))
+        store(D, k, (pitch * number(reciprocals, k)) * load(q, k))
     for k in range(terms):
         vx, vy = load(V, 6 * k + 2), load(V, 6 * k + 3)
         for j in range(k + 1):
@@ -222,14 +200,20 @@ def slide(V, D, q, rate, pitch, reciprocals, terms):
             vy = vy + d * load(V, 6 * j)
         store(V, 6 * k + 2, vx)
         store(V, 6 * k + 3, vy)
-        store(V, 6 * k + 5, load(V, 6 * k + 5) + pitch * load(rate, k))
+        store(V, 6 * k + 5, load(V, 6 * k + 5) + pitch * load(q, k + 1))
 
 
 @compiled
-def turn_and_step(V, W, cosine, sine, terms, link, base):
+def turn_and_step(
+    V: int, W: int, cosine: float, sine: float, terms: int, link: Link, base: Base | None
+) -> None:
     """W = step(V turned about z by a constant angle)."""
     for k in range(terms):
         x, y, vx, vy = load4(V, 6 * k)
-        x, y = cosine * x - sine * y, sine * x + cosine * y
-        vx, vy = cosine * vx - sine * vy, sine * vx + cosine * vy
-        step(W, k, x, y, vx, vy, load(V, 6 * k + 4), load(V, 6 * k + 5), link, base)
+        across = (
+            cosine * x - sine * y,
+            sine * x + cosine * y,
+            cosine * vx - sine * vy,
+            sine * vx + cosine * vy,
+        )
+        step(W, k, across, load(V, 6 * k + 4), load(V, 6 * k + 5), link, base)

@@ -265,3 +265,35 @@ def set_number(typing_context, memory, index, value):
         return context.get_dummy_value()
 
     return types.void(types.int64, types.int64, types.float64), generate
+
+
+@intrinsic
+def store_past_caches(typing_context, target, value):
+    """The same to an aligned address, past the caches: no line of memory is read before it is written."""
+
+    def generate(context, builder, sig, args):
+        pointer = builder.inttoptr(args[0], VECTOR.as_pointer())
+        done = builder.store(args[1], pointer, align=SIZE)
+        done.set_metadata("nontemporal", builder.module.add_metadata([INT32(1)]))
+        return context.get_dummy_value()
+
+    return types.void(types.int64, lanes), generate
+
+
+@intrinsic
+def scalar_cosines_and_sines(typing_context, x):
+    """cos x and sin x by the C library, one lane after the other: of any size of x."""
+    pair = types.UniTuple(lanes, 2)
+
+    def generate(context, builder, sig, args):
+        results = [ir.Constant(VECTOR, ir.Undefined)] * 2
+        function_type = ir.FunctionType(DOUBLE, [DOUBLE])
+        functions = [cgutils.get_or_insert_function(builder.module, function_type, f) for f in ("cos", "sin")]
+        for lane in range(WIDTH):
+            value = builder.extract_element(args[0], INT32(lane))
+            for i, function in enumerate(functions):
+                result = builder.call(function, [value])
+                results[i] = builder.insert_element(results[i], result, INT32(lane))
+        return context.make_tuple(builder, pair, results)
+
+    return pair(lanes), generate

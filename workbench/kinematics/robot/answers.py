@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.robot.derivative_names import order_name
+from workbench.kinematics.robot.derivative_names import order_name, per_second
 from workbench.kinematics.robot.peaks import point_of
 
 if TYPE_CHECKING:
@@ -19,21 +19,36 @@ if TYPE_CHECKING:
 
 
 def table(
-    motion: States, body: str | None, point: ArrayLike, relative_to: str | None
+    motion: States, body: str | None, point: ArrayLike, relative_to: str | None, with_units: bool = False
 ) -> dict[str, np.ndarray]:
-    """See `Motion.table`: the columns by name, each (states,)."""
+    """See `Motion.table`: the columns by name, each (states,); with_units: as in "t (s)"."""
     if len(motion.shape) != 1:
         raise ValueError(f"expected a motion at a row of states, got the shape {motion.shape}")
-    columns = {} if motion.times is None else {"t": motion.times}
-    columns |= {name: motion.q[:, i] for i, name in enumerate(motion.robot.positions)}
+    robot, columns, units = motion.robot, {}, []
+
+    def add(name: str, unit: str, values: np.ndarray) -> None:
+        columns[name] = values
+        units.append(unit)
+
+    if motion.times is not None:
+        add("t", "s", motion.times)
+    for i, name in enumerate(robot.positions):
+        add(name, robot.units[name], motion.q[:, i])
     for k, rates in enumerate(motion.rates, start=1):
-        columns |= {f"{order_name(k)} {name}": rates[:, i] for i, name in enumerate(motion.robot.velocities)}
+        for i, name in enumerate(robot.velocities):
+            add(f"{order_name(k)} {name}", robot.units[name] + per_second(k), rates[:, i])
     if body is not None:
         for n, values in enumerate(point_of(motion, body, point, relative_to).derivatives):
-            columns |= {f"{body} {order_name(n)} {axis}": values[:, i] for i, axis in enumerate("xyz")}
+            for i, axis in enumerate("xyz"):
+                add(f"{body} {order_name(n)} {axis}", "m" + per_second(n), values[:, i])
             if n:
-                columns[f"{body} {order_name(n)} size"] = np.linalg.norm(values, axis=-1)
-    return columns
+                add(f"{body} {order_name(n)} size", "m" + per_second(n), np.linalg.norm(values, axis=-1))
+    if not with_units:
+        return columns
+    return {
+        name if unit == "1" else f"{name} ({unit})": values
+        for (name, values), unit in zip(columns.items(), units, strict=True)
+    }
 
 
 def write_csv(columns: Mapping[str, np.ndarray], file: str | Path) -> None:

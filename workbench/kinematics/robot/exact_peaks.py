@@ -12,7 +12,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.robot.peaks import Asked, Peak, peak_at, point_of
+from workbench.kinematics.robot.peaks import (
+    Asked,
+    Peak,
+    Violation,
+    body_curves,
+    peak_at,
+    stretches,
+    violation,
+)
 from workbench.kinematics.robot.recorded_peaks import jump_reason
 from workbench.kinematics.robot.recordings import Break
 
@@ -29,22 +37,95 @@ JUMP = 1e-8  # of a derivative's largest size: a change at a break that counts
 
 
 class Curves(NamedTuple):
-    """What peaks are sought of, at times: rates (N, ..., velocities), point (N + 1, ..., 3) or None, q."""
+    """What peaks are sought of, at times: q, rates (N, ..., velocities), and `body_curves`."""
 
     q: np.ndarray
     rates: np.ndarray
-    point: np.ndarray | None
+    of_body: dict[str, np.ndarray]
 
 
 def exact_peaks(
     motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
 ) -> list[Peak]:
     """The peaks on the times from the motion's first to its last."""
+    search = _search(motion, body, point, relative_to, asked)
+    found = []
+    for one, value, time, at in zip(
+        asked, search.best.tolist(), search.best_time.tolist(), search.jumps, strict=True
+    ):
+        if at:
+            options = {"at_least": np.inf, "at_most": np.inf, "reason": jump_reason(at)}
+            found.append(peak_at(one, np.inf, at[0].time, **options))
+        else:
+            found.append(peak_at(one, value, time))
+    return found
 
+
+def exact_violations(
+    motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
+) -> list[Violation]:
+    """The stretches beyond the limits, of the times from the motion's first to its last, and the jumps."""
+    search = _search(motion, body, point, relative_to, asked)
+    times = np.unique(np.concatenate([search.times, search.best_time]))
+    sizes = _sizes(search.curves_at(times), asked)
+    found = []
+    for one, size, jumps in zip(asked, sizes, search.jumps, strict=True):
+        found += [violation(one, jump.time, jump.time, np.inf, jump.time) for jump in jumps]
+
+        def size_at(inside: np.ndarray, one: Asked = one) -> np.ndarray:
+            return _size(search.curves_at(inside), one)
+
+        for first, last in stretches(size > one.threshold):
+            top = first + int(np.argmax(size[first : last + 1]))
+            before, after = max(first - 1, 0), min(last + 1, len(times) - 1)
+            start = _crossing(size_at, times[before], times[first], one.threshold)
+            end = _crossing(size_at, times[after], times[last], one.threshold)
+            bracket = times[max(top - 1, 0)], times[min(top + 1, len(times) - 1)]
+            found.append(violation(one, start, end, *_top(size_at, *bracket)))
+    return found
+
+
+def _crossing(
+    size_at: Callable[[np.ndarray], np.ndarray], outside: float, inside: float, limit: float
+) -> float:
+    """The time nearest to `inside`, between both, from which on the size is beyond the limit."""
+    while abs(inside - outside) > 4 * np.spacing(max(abs(inside), abs(outside))):
+        times = np.linspace(inside, outside, REFINED)
+        at = int(np.argmin(np.append(size_at(times)[1:] > limit, False)))  # the last one before it is not
+        next_inside, next_outside = times[at], times[min(at + 1, REFINED - 1)]
+        if (next_inside, next_outside) == (inside, outside):
+            break
+        inside, outside = next_inside, next_outside
+    return float(inside)
+
+
+def _top(size_at: Callable[[np.ndarray], np.ndarray], low: float, high: float) -> tuple[float, float]:
+    """The largest size in a bracket and its time."""
+    for _ in range(6):
+        times = np.linspace(low, high, REFINED)
+        sizes = size_at(times)
+        top = int(np.argmax(sizes))
+        low, high = times[max(top - 1, 0)], times[min(top + 1, REFINED - 1)]
+    return float(sizes[top]), float(times[top])
+
+
+class Search(NamedTuple):
+    """What a motion is looked at for: the times of the grid, the curves at any times, the peak of each
+    quantity and its time, and the breaks at which it has no bound."""
+
+    times: np.ndarray
+    curves_at: Callable[[np.ndarray], Curves]
+    best: np.ndarray
+    best_time: np.ndarray
+    jumps: list[list[Break]]
+
+
+def _search(
+    motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
+) -> Search:
     def curves_at(times: np.ndarray) -> Curves:
         there = motion.at(times)
-        of_point = None if body is None else point_of(there, body, point, relative_to).derivatives
-        return Curves(there.q, there.rates, of_point)
+        return Curves(there.q, there.rates, body_curves(there, body, point, relative_to))
 
     start, end = float(motion.times.min()), float(motion.times.max())
     breaks = np.asarray(getattr(motion.path, "breaks", ()), dtype=float)
@@ -52,17 +133,9 @@ def exact_peaks(
     near = 1e-9 * (end - start) + 4 * np.spacing(max(abs(start), abs(end)))
     times = _grid(start, end, breaks, near, motion.times.ravel())
     curves = curves_at(times)
-    values = _sizes(curves, asked)
-    best, best_time = _refined(values, times, lambda inside: _sizes(curves_at(inside), asked))
+    best, best_time = _refined(_sizes(curves, asked), times, lambda inside: _sizes(curves_at(inside), asked))
     jumps = _jumps(curves, curves_at, breaks, near, asked) if len(breaks) else [[] for _ in asked]
-    found = []
-    for one, value, time, at in zip(asked, best.tolist(), best_time.tolist(), jumps, strict=True):
-        if at:
-            options = {"at_least": np.inf, "at_most": np.inf, "reason": jump_reason(at)}
-            found.append(peak_at(one, np.inf, at[0].time, **options))
-        else:
-            found.append(peak_at(one, value, time))
-    return found
+    return Search(times, curves_at, best, best_time, jumps)
 
 
 def _grid(start: float, end: float, breaks: np.ndarray, near: float, asked: np.ndarray) -> np.ndarray:
@@ -81,8 +154,8 @@ def _sizes(curves: Curves, asked: list[Asked]) -> np.ndarray:
 
 
 def _size(curves: Curves, one: Asked) -> np.ndarray:
-    if one.of == "point" and one.velocity is None:
-        return np.linalg.norm(curves.point[one.order], axis=-1)
+    if one.velocity is None:
+        return np.linalg.norm(curves.of_body[one.of][one.order], axis=-1)
     if one.order == 0:
         q = one.factor * curves.q[..., one.position] + one.offset
         return -q if one.bound == "lower" else q
@@ -161,8 +234,8 @@ def _jumps(
 
 def _with_slope(curves: Curves, one: Asked, k: int) -> tuple[np.ndarray, np.ndarray]:
     """The k-th derivative of what was asked and its derivative, each (..., components)."""
-    if one.of == "point" and one.velocity is None:
-        return curves.point[k], curves.point[k + 1]
+    if one.velocity is None:
+        return curves.of_body[one.of][k], curves.of_body[one.of][k + 1]
     own = one.velocity
     if k == 0:  # a ball's velocity is no rate of a coordinate: its quaternion is one that is continuous
         rate = curves.rates[0][..., own, None]

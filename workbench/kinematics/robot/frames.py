@@ -13,10 +13,12 @@ from workbench.algebra.dual import Dual
 from workbench.algebra.dual_tensors import apply, cross, dot
 from workbench.kinematics.centres import Locus, acceleration_centre, field_scales
 from workbench.kinematics.fields import acceleration_tensors, invariant_vectors
-from workbench.kinematics.frames import drake_twist
+from workbench.kinematics.robot.balls import quaternion_of_rotation, rpy_of_rotation
 from workbench.kinematics.robot.leibniz import (
+    about_world_origin,
+    carried_vector,
     inverse_pose,
-    position_derivatives,
+    origin_derivatives,
     relative_twist,
 )
 from workbench.kinematics.robot.structure import is_whole
@@ -57,17 +59,15 @@ class FrameMotion:
     """The motion of a frame F to the order N, `order`, in the frame it is measured in (the world W unless
     relative).
 
-    name; pose (..., 4, 4): X_WF.
-    origin_twist (N, ..., 6): the chapter's twist (ω; v) and its derivatives, v of the body point at W's
-    origin.
+    name; pose (..., 4, 4): X_WF. twists (N, ..., 6): Drake's V_WF = (ω; velocity of Fo), and its derivatives.
+    Arrays are read-only.
     """
 
-    def __init__(
-        self, name: str, order: int, pose: np.ndarray | None = None, origin_twist: np.ndarray | None = None
-    ):
+    def __init__(self, name: str, order: int, pose: np.ndarray, twists: np.ndarray):
         self.name, self.order = name, order
-        if pose is not None:
-            self.pose, self.origin_twist = pose, origin_twist
+        self.pose, self.twists = pose, twists
+        for array in (pose, twists):
+            array.flags.writeable = False
 
     def twist(self, k: int = 0) -> Twist:
         """The k-th time derivative of the frame's twist, k < N."""
@@ -75,11 +75,24 @@ class FrameMotion:
             self._require(k, self.order - 1)
         return Twist(self, k)
 
+    def _twist(self, k: int) -> np.ndarray:
+        return self.twists[k]
+
     @cached_property
-    def twists(self) -> np.ndarray:
-        """(N, ..., 6): Drake's V_WF = (ω; velocity of Fo), and its derivatives."""
-        omega, v = self.origin_twist[..., :3], self.origin_twist[..., 3:]
-        return np.concatenate(drake_twist(omega, v, self.pose[..., :3, 3]), axis=-1)
+    def origin_twist(self) -> np.ndarray:
+        """(N, ..., 6): the chapter's twist (ω; v) and its derivatives, v of the body point at W's origin."""
+        return _read_only(about_world_origin(self.twists, self.pose[..., :3, 3]))
+
+    @property
+    def quaternion(self) -> np.ndarray:
+        """The unit quaternion (..., 4), w x y z with w >= 0, of the pose's rotation."""
+        return quaternion_of_rotation(self.pose[..., :3, :3])
+
+    @property
+    def rpy(self) -> np.ndarray:
+        """(roll, pitch, yaw), (..., 3) in rad, R = Rz(yaw) Ry(pitch) Rx(roll) of the pose's rotation; pitch
+        from −π/2 to π/2, and roll 0 where pitch is at one of these."""
+        return rpy_of_rotation(self.pose[..., :3, :3])
 
     def point(self, p: ArrayLike = (0, 0, 0)) -> PointMotion:
         """The motion of a point P fixed in F; p (3,) is p_FoP_F in m."""
@@ -95,12 +108,12 @@ class FrameMotion:
     @cached_property
     def Phi(self) -> np.ndarray:
         """Φ₀, …, Φ_N, (N + 1, ..., 3, 3), Eq. (15)."""
-        return acceleration_tensors(self.origin_twist[..., :3])
+        return _read_only(acceleration_tensors(self.twists[..., :3]))
 
     @cached_property
     def a(self) -> np.ndarray:
         """a₀, …, a_N, (N + 1, ..., 3), Eq. (16)."""
-        return invariant_vectors(self.origin_twist[..., :3], self.origin_twist[..., 3:])
+        return _read_only(invariant_vectors(self.origin_twist[..., :3], self.origin_twist[..., 3:]))
 
     def field(self, n: int) -> Field:
         """Φₙ and aₙ, the field of the n-th order accelerations, 1 <= n <= N."""
@@ -121,14 +134,15 @@ class FrameMotion:
 
     def screw_axis(self) -> ScrewAxis:
         """The instantaneous screw axis: the axis of the twist, Eq. (102) with n = 0."""
-        omega, v = self.origin_twist[0][..., :3], self.origin_twist[0][..., 3:]
+        omega, v, p = self.twists[0][..., :3], self.twists[0][..., 3:], self.pose[..., :3, 3]
         rate, speed = np.linalg.norm(omega, axis=-1), np.linalg.norm(v, axis=-1)
         turns = rate > ROUNDING * np.maximum(speed, rate)
         square = np.where(turns, rate * rate, 1.0)
         direction = np.where(turns[..., None], omega, v)
         length = np.linalg.norm(direction, axis=-1)
         direction = direction / np.where(length == 0, 1.0, length)[..., None]
-        point = np.where(turns[..., None], cross(omega, v) / square[..., None], 0.0)
+        foot = p + cross(omega, v) / square[..., None]
+        point = np.where(turns[..., None], foot - dot(foot, direction)[..., None] * direction, 0.0)
         pitch = np.where(turns, dot(omega, v) / square, np.inf)
         return ScrewAxis(point, direction, pitch, np.where(turns, rate, speed))
 
@@ -140,7 +154,7 @@ class FrameMotion:
             states = [frame.pose.shape[:-2] for frame in (self, other)]
             raise ValueError(f"other: expected as many states, {states[0]}, got {states[1]}")
         order = min(self.order, other.order)
-        twist = relative_twist(other.origin_twist[:order], other.pose, self.origin_twist[:order])
+        twist = relative_twist(other.twists[:order], other.pose, self.twists[:order], self.pose)
         pose = inverse_pose(other.pose) @ self.pose
         return FrameMotion(f"{self.name} relative to {other.name}", order, pose, twist)
 
@@ -172,12 +186,12 @@ class Twist:
     @property
     def array(self) -> np.ndarray:
         """(..., 6): dᵏ/dtᵏ of Drake's V_WF = (w_WF; v_WFo)."""
-        return self.frame.twists[self.order]
+        return self.frame._twist(self.order)
 
     @property
     def angular(self) -> np.ndarray:
         """ω⁽ᵏ⁾, (..., 3)."""
-        return self.frame.origin_twist[self.order][..., :3]
+        return self.array[..., :3]
 
     @property
     def linear(self) -> np.ndarray:
@@ -223,13 +237,22 @@ class PointMotion:
 
     @cached_property
     def position(self) -> np.ndarray:
-        pose = self.frame.pose
-        return apply(pose[..., :3, :3], self.p_FoP_F) + pose[..., :3, 3]
+        return _read_only(self._arm + self.frame.pose[..., :3, 3])
+
+    @cached_property
+    def _arm(self) -> np.ndarray:
+        """p_FoP in W's axes, (..., 3)."""
+        return apply(self.frame.pose[..., :3, :3], self.p_FoP_F)
 
     @cached_property
     def derivatives(self) -> np.ndarray:
         """(N + 1, ..., 3): the position and its derivatives, the order first."""
-        return position_derivatives(self.frame.origin_twist, self.position)
+        twists = self.frame.twists
+        of_origin = origin_derivatives(twists, self.frame.pose[..., :3, 3])
+        found = of_origin + carried_vector(twists[..., :3], self._arm)
+        if not np.isfinite(found).all():
+            raise ValueError("point: expected finite derivatives, got some beyond the largest double")
+        return _read_only(found)
 
     def derivative(self, n: int) -> np.ndarray:
         """dⁿp/dtⁿ, (..., 3) in m/sⁿ; the n-th order acceleration of Eq. (13) for n >= 1."""
@@ -254,6 +277,11 @@ class PointMotion:
 
     def __repr__(self) -> str:
         return f"PointMotion({self.frame.name!r}, {self.p_FoP_F.tolist()} m)"
+
+
+def _read_only(array: np.ndarray) -> np.ndarray:
+    array.flags.writeable = False
+    return array
 
 
 def chain_scales(sizes: np.ndarray, terms: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -17,28 +20,118 @@ class SingularJacobian(ValueError):
         self.singular_values = singular_values
 
 
+class Task(NamedTuple):
+    """Which twist is prescribed: of a body, `expressed` and at the point as `RobotFrame.jacobian` has it, or
+    relative to another body and in its axes; rows: which of the six numbers (ω; v)."""
+
+    body: str
+    expressed: str
+    point: ArrayLike
+    rows: tuple[int, ...]
+    relative_to: str | None
+
+    def check(self) -> None:
+        rows = self.rows
+        if len(set(rows)) != len(rows) or not rows or not all(is_whole(i) and 0 <= i < 6 for i in rows):
+            raise ValueError(f"rows: expected different numbers from 0 to 5 (ω then v), got {rows}")
+        if self.relative_to is not None and (self.expressed != "mixed" or np.any(self.point)):
+            raise ValueError(
+                "relative_to: expected no `expressed` and no `point` beside it: the twist is that of the "
+                "body's origin in the other body's axes"
+            )
+
+    def jacobian(self, states: States) -> np.ndarray:
+        """(..., rows, velocities)"""
+        frame = states.frame(self.body)
+        if self.relative_to is not None:
+            J = frame.relative_to(states.frame(self.relative_to)).jacobian()
+        else:
+            J = frame.jacobian(0, expressed=self.expressed, point=self.point)
+        return J[..., list(self.rows), :]
+
+    def velocity(self, states: States, k: int) -> np.ndarray:
+        """The k-th derivative of the twist, (..., rows)."""
+        frame = states.frame(self.body)
+        if self.relative_to is not None:
+            V = frame.relative_to(states.frame(self.relative_to)).twists[k]
+        else:
+            V = frame.velocity(k, expressed=self.expressed, point=self.point)
+        return V[..., list(self.rows)]
+
+
+class DampedInverse(NamedTuple):
+    """rates (N, ..., velocities); residual (N, ..., rows): the prescribed twist less the one reached."""
+
+    rates: np.ndarray
+    residual: np.ndarray
+
+
+Solve = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+
 def inverse_kinematics(
     robot: Structure,
-    body: str,
+    task: Task,
     q: ArrayLike,
     twist_derivatives: ArrayLike,
     *,
     weight: ArrayLike | None,
     null_space: ArrayLike | None,
-    expressed: str,
-    point: ArrayLike,
-    rows: tuple[int, ...],
     rtol: float,
 ) -> np.ndarray:
-    """See `Robot.inverse`. Order by order V⁽ᵏ⁾ = J v⁽ᵏ⁾ + Σᵢ≥₁ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾ is solved for v⁽ᵏ⁾:
-    the sum is what the motion with v⁽ᵏ⁾ = 0 has for V⁽ᵏ⁾."""
-    q, wanted = reals(q, "q"), reals(twist_derivatives, "twist_derivatives")
+    """See `Robot.inverse`."""
     if not 0 <= rtol < 1:
         raise ValueError(f"rtol: expected 0 <= rtol < 1, got {rtol}")
-    if len(set(rows)) != len(rows) or not rows or not all(is_whole(i) and 0 <= i < 6 for i in rows):
-        raise ValueError(f"rows: expected different numbers from 0 to 5 (ω then v), got {rows}")
-    if wanted.shape[1:] != (*q.shape[:-1], len(rows)) or len(wanted) < 1:
-        expected = ", ".join(map(str, ("N", *q.shape[:-1], len(rows))))
+
+    def solver(J: np.ndarray, scale: np.ndarray) -> Solve:
+        return _Solver(J, scale, rtol)
+
+    return _order_by_order(robot, task, q, twist_derivatives, weight, null_space, solver).rates
+
+
+def damped_inverse(
+    robot: Structure,
+    task: Task,
+    q: ArrayLike,
+    twist_derivatives: ArrayLike,
+    *,
+    damping: float,
+    weight: ArrayLike | None,
+    null_space: ArrayLike | None,
+) -> DampedInverse:
+    """See `Robot.inverse_damped`."""
+    if not (np.isscalar(damping) and np.isreal(damping) and 0 < damping < np.inf):
+        raise ValueError(f"damping: expected a number > 0, got {damping!r}")
+
+    def solver(J: np.ndarray, scale: np.ndarray) -> Solve:
+        U, s, Vt = np.linalg.svd(J * scale, full_matrices=False)
+        inverse = Vt.swapaxes(-1, -2) * (s / (s * s + damping**2))[..., None, :] @ U.swapaxes(-1, -2)
+
+        def solve(b: np.ndarray, preferred: np.ndarray) -> np.ndarray:
+            missing = b - (J @ preferred[..., None])[..., 0]
+            return preferred + scale * (inverse @ missing[..., None])[..., 0]
+
+        return solve
+
+    return _order_by_order(robot, task, q, twist_derivatives, weight, null_space, solver)
+
+
+def _order_by_order(
+    robot: Structure,
+    task: Task,
+    q: ArrayLike,
+    twist_derivatives: ArrayLike,
+    weight: ArrayLike | None,
+    null_space: ArrayLike | None,
+    solver: Callable[[np.ndarray, np.ndarray], Solve],
+) -> DampedInverse:
+    """Order by order V⁽ᵏ⁾ = J v⁽ᵏ⁾ + Σᵢ≥₁ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾ is solved for v⁽ᵏ⁾: the sum is what the motion
+    with v⁽ᵏ⁾ = 0 has for V⁽ᵏ⁾."""
+    q, wanted = reals(q, "q"), reals(twist_derivatives, "twist_derivatives")
+    task.check()
+    rows = len(task.rows)
+    if wanted.shape[1:] != (*q.shape[:-1], rows) or len(wanted) < 1:
+        expected = ", ".join(map(str, ("N", *q.shape[:-1], rows)))
         raise ValueError(
             f"twist_derivatives: expected shape ({expected}), the order first, got {wanted.shape}"
         )
@@ -50,16 +143,14 @@ def inverse_kinematics(
     preferred = np.zeros(shape) if null_space is None else reals(null_space, "null_space")
     if preferred.shape != shape:
         raise ValueError(f"null_space: expected shape {shape}, got {preferred.shape}")
-    frame = {"expressed": expressed, "point": point}
-    rates = np.zeros(shape)
-    at_rest = States(robot, *robot.state(q, rates[:1])).frame(body)
-    solve = _Solver(at_rest.jacobian(0, **frame)[..., list(rows), :], 1 / np.sqrt(scale), rtol)
+    rates, residual = np.zeros(shape), np.zeros(wanted.shape)
+    J = task.jacobian(States(robot, *robot.state(q, rates[:1])))
+    solve = solver(J, 1 / np.sqrt(scale))
     for k in range(len(wanted)):
-        bias = (
-            States(robot, *robot.state(q, rates[: k + 1])).frame(body).velocity(k, **frame)[..., list(rows)]
-        )
+        bias = task.velocity(States(robot, *robot.state(q, rates[: k + 1])), k)
         rates[k] = solve(wanted[k] - bias, preferred[k])
-    return rates
+        residual[k] = wanted[k] - bias - (J @ rates[k][..., None])[..., 0]
+    return DampedInverse(rates, residual)
 
 
 class _Solver:

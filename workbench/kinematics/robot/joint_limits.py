@@ -13,14 +13,16 @@ from workbench.kinematics.robot.structure import Structure
 
 LimitTables = Mapping[str, Mapping[str, float]]
 KINDS = (*ORDERS[1:], "deceleration")
+OF_BODY = ("point", "rotation")
 
 
 def known_limits(robot: Structure, limits: LimitTables | None) -> dict[str, dict[str, float]]:
-    """All limits by the name of a joint, and of "point", which has none of its own: kind → value.
+    """All limits by the name of a joint, and of "point" and "rotation", which have none of their own: kind →
+    value.
 
-    limits: by joint, joints that follow others among them, "*" for all of the robot's velocities, "point":
-    velocity, acceleration, deceleration, jerk, snap, lower, upper, in rad or m, per s, s², …; they replace
-    the robot's own. Raises ValueError.
+    limits: by joint, joints that follow others among them, "*" for all of the robot's velocities, "point",
+    "rotation": velocity, acceleration, deceleration, jerk, snap, lower, upper, in rad or m, per s, s², …;
+    they replace the robot's own. Raises ValueError.
     """
     known: dict[str, dict[str, float]] = {name: {} for name in robot.velocities}
     for name, own in robot.limits.items():
@@ -28,13 +30,12 @@ def known_limits(robot: Structure, limits: LimitTables | None) -> dict[str, dict
     if not isinstance(limits, Mapping | None):
         raise ValueError(f"limits: expected tables by joint, got {limits!r}")
     for name, entries in (limits or {}).items():
-        _require(name, entries, ("*", "point", *known))
+        _require(name, entries, ("*", *OF_BODY, *known))
     for name in robot.velocities:
         known[name].update((limits or {}).get("*", {}))
     for name in known:
         known[name].update((limits or {}).get(name, {}))
-    known["point"] = dict((limits or {}).get("point", {}))
-    return known
+    return known | {name: dict((limits or {}).get(name, {})) for name in OF_BODY}
 
 
 def _require(name: str, entries: object, names: tuple[str, ...]) -> None:
@@ -43,7 +44,7 @@ def _require(name: str, entries: object, names: tuple[str, ...]) -> None:
     if not isinstance(entries, Mapping):
         raise ValueError(f"limits of {name!r}: expected a table such as velocity = 1, got {entries!r}")
     for kind, value in entries.items():
-        allowed = ORDERS[1:] if name == "point" else (*KINDS, "lower", "upper")
+        allowed = ORDERS[1:] if name in OF_BODY else (*KINDS, "lower", "upper")
         if kind not in allowed:
             raise ValueError(f"limits of {name!r}: expected one of {', '.join(allowed)}, got {kind!r}")
         number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
@@ -52,8 +53,9 @@ def _require(name: str, entries: object, names: tuple[str, ...]) -> None:
 
 
 def read_limits(file: str | Path) -> dict[str, dict[str, float]]:
-    """Limits from a TOML file: a table [NAME] for a joint, ["*"] for all of them, [point] for the point, with
-    velocity, acceleration, jerk, snap (per s, s², ...), deceleration, lower, upper. Raises ValueError."""
+    """Limits from a TOML file: a table [NAME] for a joint, ["*"] for all of them, [point] and [rotation]
+    for the body, with velocity, acceleration, jerk, snap (per s, s², ...), deceleration, lower, upper. Raises
+    ValueError."""
     try:
         data = tomllib.loads(Path(file).read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:

@@ -26,7 +26,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.kinematics.chain_geometry import Joint, rigid_matrix
+from workbench.kinematics.chain_joints import Joint, rigid_matrix
 
 QUATERNION, RPY = ("_qw", "_qx", "_qy", "_qz"), ("_qx", "_qy", "_qz")
 PLACE, TURN, SPEED = ("_x", "_y", "_z"), ("_wx", "_wy", "_wz"), ("_vx", "_vy", "_vz")

@@ -1,7 +1,8 @@
 """Products of things that are known with their time derivatives, by Leibniz' rule, and changes of frame.
 
 An array (n + 1, ...) holds a quantity and its derivatives, the order first. A twist is (ω; v), (n + 1, ...,
-6), v being the velocity of the body point at the origin of the frame it is measured in (the chapter's v).
+6), v being the velocity of the origin of the moving frame (Drake's), unless it is said to be that of the body
+point at the origin of the frame it is measured in (the chapter's v).
 """
 
 from __future__ import annotations
@@ -13,7 +14,6 @@ import numpy as np
 
 from workbench.algebra.dual_tensors import apply, cross, transpose
 from workbench.kinematics.fields import acceleration_tensors
-from workbench.kinematics.frames import drake_twist
 
 
 def product_derivatives(
@@ -44,33 +44,36 @@ def rotation_derivatives(omega: np.ndarray, R: np.ndarray) -> np.ndarray:
     return acceleration_tensors(omega) @ R
 
 
-def position_derivatives(twist: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """p, ṗ, …, p⁽ᴺ⁾ (N + 1, ..., 3) of the body point at p (..., 3), from the twist (N, ..., 6); Eq.
-    (106)."""
-    _, velocity = drake_twist(twist[..., :3], twist[..., 3:], p)
-    return np.concatenate([np.broadcast_to(p, velocity.shape[1:])[None], velocity])
+def carried_vector(omega: np.ndarray, r: np.ndarray) -> np.ndarray:
+    """r, ṙ, …, r⁽ᴺ⁾ (N + 1, ..., 3) of a vector r (..., 3) fixed in what turns with ω (N, ..., 3): ṙ = ω ×
+    r."""
+    found = [np.broadcast_to(r, (*omega.shape[1:-1], 3))]
+    for n in range(len(omega)):
+        found.append(sum(comb(n, k) * cross(omega[n - k], found[k]) for k in range(n + 1)))
+    return np.stack(found)
 
 
-def relative_twist(twist_WA: np.ndarray, X_WA: np.ndarray, twist_WB: np.ndarray) -> np.ndarray:
-    """The twist of B as an observer in A sees it, in A's axes and about A's origin, with its derivatives
-    there.
-
-    twist_WA, twist_WB (N, ..., 6): in W. X_WA (..., 4, 4). The twist composes by addition (Eq. (118)):
-    V_AB = Ad(X_AW) (V_WB − V_WA); the derivatives are those of its components in the moving A.
-    """
-    p, R = position_derivatives(twist_WA, X_WA[..., :3, 3]), _axes(twist_WA, X_WA)
-    return turned(transpose(R), about_moving_point(twist_WB - twist_WA, p))
+def origin_derivatives(twist: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """p, ṗ, …, p⁽ᴺ⁾ (N + 1, ..., 3) of a frame's origin at p (..., 3), from its twist (N, ..., 6)."""
+    return np.concatenate([np.broadcast_to(p, (*twist.shape[1:-1], 3))[None], twist[..., 3:]])
 
 
-def composed_twist(twist_WA: np.ndarray, X_WA: np.ndarray, twist_AB: np.ndarray) -> np.ndarray:
-    """V_WB = V_WA + Ad(X_WA) V_AB with its derivatives: base and relative motion, the inverse of
-    `relative_twist`."""
-    p, R = position_derivatives(twist_WA, X_WA[..., :3, 3]), _axes(twist_WA, X_WA)
-    return twist_WA + about_moving_point(turned(R, twist_AB), -p)
+def about_world_origin(twist: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """The chapter's twist, of the body point at the world's origin, of the twist of a frame at p (..., 3)."""
+    return about_moving_point(twist, -origin_derivatives(twist, p))
 
 
-def _axes(twist: np.ndarray, X: np.ndarray) -> np.ndarray:
-    return rotation_derivatives(twist[..., :3], X[..., :3, :3])
+def relative_twist(
+    twist_WA: np.ndarray, X_WA: np.ndarray, twist_WB: np.ndarray, X_WB: np.ndarray
+) -> np.ndarray:
+    """The twist of B as an observer in A sees it, in A's axes, with its derivatives there.
+
+    twist_WA, twist_WB (N, ..., 6): in W. X_WA, X_WB (..., 4, 4). The twist composes by addition (Eq. (118)):
+    at Bo it is V_WB − V_WA; the derivatives are those of its components in the moving A."""
+    p_AB = X_WB[..., :3, 3] - X_WA[..., :3, 3]
+    between = np.concatenate([p_AB[None], twist_WB[..., 3:] - twist_WA[..., 3:]])
+    R = rotation_derivatives(twist_WA[..., :3], X_WA[..., :3, :3])
+    return turned(transpose(R), twist_WB - about_moving_point(twist_WA, between))
 
 
 def inverse_pose(X: np.ndarray) -> np.ndarray:

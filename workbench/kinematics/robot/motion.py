@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot import answers, meshcat_scene, plots
+from workbench.kinematics.robot.dynamics import GRAVITY, torques
 from workbench.kinematics.robot.joint_limits import LimitTables
-from workbench.kinematics.robot.path_peaks import peaks
-from workbench.kinematics.robot.peaks import Peak
+from workbench.kinematics.robot.path_peaks import peaks, violations
+from workbench.kinematics.robot.peaks import Peak, Violation
 from workbench.kinematics.robot.states import States
 
 if TYPE_CHECKING:
@@ -23,6 +24,16 @@ class Motion(States):
     """What `Robot.motion` and `Robot.along` return: `frame(name)` and `frames`, and what is asked of a
     whole path."""
 
+    def torques(self, order: int = 0, gravity: ArrayLike = GRAVITY) -> np.ndarray:
+        """The generalized forces τ that the motion needs and their derivatives to the `order`, (order + 1,
+        ..., velocities): N or N m, per sᵏ, one for each velocity.
+
+        Inverse dynamics by Newton, Euler and d'Alembert with the robot's `inertias`; gravity (3,) in m/s², in
+        W's axes. Friction and rotors are left out. Needs a motion of order + 2. Raises ValueError for a robot
+        without inertias, or an order beyond the motion's.
+        """
+        return torques(self, self.robot.inertias, order, gravity)
+
     def peaks(
         self,
         body: str | None = None,
@@ -30,17 +41,28 @@ class Motion(States):
         limits: LimitTables | None = None,
         relative_to: str | None = None,
     ) -> list[Peak]:
-        """The largest size of every joint derivative on the path, and of those of a point of a body, in rad
-        or m, per s, s², …, with its time in s.
+        """The largest size of every joint derivative on the path, and of those of a point of a body and of
+        the body's rotation (angular velocity, …), in rad or m, per s, s², …, with its time in s.
 
         point (3,): p_BoP_B in m; relative_to: the body in which it is measured. limits: by joint, joints that
-        follow others among them, or "*" for all, or "point": {"velocity": ..., "acceleration": ...,
-        "deceleration": ..., "jerk": ..., "snap": ..., "lower": ..., "upper": ...}; they replace the robot's
-        own. The times are those from the motion's first to its last, those between its states with them. A
-        peak has no bound where a lower derivative jumps. Along samples it has a stated error, or is not
-        determined. Raises ValueError for a motion along no path and for bad limits.
+        follow others among them, or "*" for all, or "point" or "rotation": {"velocity": ...,
+        "acceleration": ..., "deceleration": ..., "jerk": ..., "snap": ..., "lower": ..., "upper": ...}; they
+        replace the robot's own. The times are those from the motion's first to its last, those between its
+        states with them. A peak has no bound where a lower derivative jumps. Along samples it has a stated
+        error, or is not determined. Raises ValueError for a motion along no path and for bad limits.
         """
         return peaks(self, body, point, limits, relative_to)
+
+    def violations(
+        self,
+        body: str | None = None,
+        point: ArrayLike = (0, 0, 0),
+        limits: LimitTables | None = None,
+        relative_to: str | None = None,
+    ) -> list[Violation]:
+        """The stretches of time in which a limit is exceeded, in their order, with the arguments and errors
+        of `peaks`: along samples those that are sure, the samples beyond by more than their errors."""
+        return violations(self, body, point, limits, relative_to)
 
     def table(
         self, body: str | None = None, point: ArrayLike = (0, 0, 0), relative_to: str | None = None
@@ -65,8 +87,9 @@ class Motion(States):
         point: ArrayLike = (0, 0, 0),
         relative_to: str | None = None,
     ) -> None:
-        """`table` as a CSV file. Raises ValueError where it cannot be written."""
-        answers.write_csv(self.table(body, point, relative_to), file)
+        """`table` as a CSV file, with the unit in each column's name, such as "velocity j1 (rad/s)"; `along`
+        reads it. Raises ValueError where it cannot be written."""
+        answers.write_csv(answers.table(self, body, point, relative_to, with_units=True), file)
 
     def plot(
         self,

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workbench.kinematics.robot.derivative_names import order_name
-from workbench.kinematics.robot.exact_peaks import exact_peaks
+from workbench.kinematics.robot.derivative_names import order_name, per_second
+from workbench.kinematics.robot.exact_peaks import exact_peaks, exact_violations
 from workbench.kinematics.robot.joint_limits import LimitTables, known_limits
 from workbench.kinematics.robot.paths import RecordedPath
-from workbench.kinematics.robot.peaks import Asked, Peak
-from workbench.kinematics.robot.recorded_motion import recorded_peaks
+from workbench.kinematics.robot.peaks import Asked, Peak, Violation
+from workbench.kinematics.robot.recorded_motion import recorded_peaks, recorded_violations
 from workbench.kinematics.robot.states import States
 from workbench.kinematics.robot.structure import Structure
 
@@ -23,9 +23,7 @@ def peaks(
     relative_to: str | None,
 ) -> list[Peak]:
     """See `Motion.peaks`."""
-    if motion.path is None:
-        raise ValueError("expected a motion along a path (`Robot.along`), which has times between its states")
-    asked = _asked(motion.robot, body, motion.order, known_limits(motion.robot, limits))
+    asked = _asked(motion, body, limits)
     if not asked:
         return []
     if isinstance(motion.path, RecordedPath):
@@ -33,11 +31,29 @@ def peaks(
     return exact_peaks(motion, body, point, relative_to, asked)
 
 
-def _asked(robot: Structure, body: str | None, order: int, known: dict[str, dict[str, float]]) -> list[Asked]:
-    """What is sought: each joint derivative, those of the point, and each coordinate with a limit; of joints
-    that follow others only what has a limit."""
-    units = {name: j.unit(name) for j in robot.joints for name in (*j.coordinates, *j.velocities)}
-    per = {n: "/s" if n == 1 else f"/s^{n}" for n in range(1, order + 1)}
+def violations(
+    motion: States,
+    body: str | None,
+    point: ArrayLike,
+    limits: LimitTables | None,
+    relative_to: str | None,
+) -> list[Violation]:
+    """See `Motion.violations`."""
+    asked = [one for one in _asked(motion, body, limits) if one.limit is not None]
+    if not asked:
+        return []
+    find = recorded_violations if isinstance(motion.path, RecordedPath) else exact_violations
+    return sorted(find(motion, body, point, relative_to, asked), key=lambda one: one.start)
+
+
+def _asked(motion: States, body: str | None, limits: LimitTables | None) -> list[Asked]:
+    """What is sought: each joint derivative, those of the point and of the body's rotation, and each
+    coordinate with a limit; of joints that follow others only what has a limit."""
+    if motion.path is None:
+        raise ValueError("expected a motion along a path (`Robot.along`), which has times between its states")
+    robot, order, known = motion.robot, motion.order, known_limits(motion.robot, limits)
+    units = robot.units
+    per = {n: per_second(n) for n in range(1, order + 1)}
     sources = _sources(robot)
     free = set(robot.velocities)
     found = [
@@ -47,7 +63,8 @@ def _asked(robot: Structure, body: str | None, order: int, known: dict[str, dict
         if name in free or order_name(n) in known[name]
     ]
     if body is not None:
-        found += [Asked("point", n, "upper", "m" + per[n], known["point"].get(order_name(n))) for n in per]
+        for of, unit in (("point", "m"), ("rotation", "rad")):
+            found += [Asked(of, n, "upper", unit + per[n], known[of].get(order_name(n))) for n in per]
     if order >= 2:
         found += [
             Asked(name, 2, "deceleration", units[name] + per[2], known[name]["deceleration"], *sources[name])

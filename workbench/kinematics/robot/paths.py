@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path as FilePath
 from typing import Any
@@ -20,6 +20,8 @@ from numpy.typing import ArrayLike
 from workbench.drake.joint_paths import JointPath, LinearPath, Path, SinePath
 from workbench.kinematics.robot.derivative_names import order_name
 from workbench.kinematics.robot.recordings import HIGHEST_RECORDED_ORDER, LEAST_SAMPLES, record
+from workbench.kinematics.robot.sampled_path import SampledPath
+from workbench.kinematics.robot.spline_paths import SplinePath
 from workbench.kinematics.robot.structure import reals
 from workbench.kinematics.robot.trajectory_breaks import trajectory_breaks
 
@@ -33,36 +35,6 @@ __all__ = [
     "as_path",
     "read_samples",
 ]
-
-SCALE_SAMPLES = 257  # at which a path is looked at for the size of its derivatives
-
-
-class SampledPath(Path):
-    """A path whose terms are not known: the size of a derivative's terms is its largest value on the path."""
-
-    def magnitudes(self, t: ArrayLike, order: int) -> np.ndarray:
-        sizes = self._sizes(order).reshape(order + 1, *[1] * np.ndim(t), self.joints)
-        return np.broadcast_to(sizes, (order + 1, *np.shape(t), self.joints))
-
-    def _sizes(self, order: int) -> np.ndarray:
-        if order not in self._size_of_order:
-            times = np.linspace(self.start, self.end, SCALE_SAMPLES)
-            self._size_of_order[order] = np.abs(self.derivatives(times, order)).max(axis=1)
-        return self._size_of_order[order]
-
-    @cached_property
-    def _size_of_order(self) -> dict[int, np.ndarray]:
-        return {}
-
-    def _inside(self, t: ArrayLike) -> np.ndarray:
-        t = np.asarray(t, dtype=float)
-        slack = 1e-9 * (self.end - self.start) + 4e-16 * max(abs(self.start), abs(self.end))
-        if not np.all((t >= self.start - slack) & (t <= self.end + slack)):
-            raise ValueError(
-                f"times: expected times from {self.start:.10g} to {self.end:.10g} s, "
-                f"got {t.min()} to {t.max()}"
-            )
-        return np.clip(t, self.start, self.end)
 
 
 class DrakePath(SampledPath):
@@ -201,12 +173,28 @@ def _samples(t: ArrayLike, q: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     return t, q
 
 
-def read_samples(file: str | FilePath, positions: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
+UNITS = {
+    "s": ("s", 1.0),
+    "ms": ("s", 1e-3),
+    "rad": ("rad", 1.0),
+    "deg": ("rad", np.pi / 180),
+    "°": ("rad", np.pi / 180),
+    "m": ("m", 1.0),
+    "cm": ("m", 1e-2),
+    "mm": ("m", 1e-3),
+}
+"""The units that a column's name may end with, and their sizes in s, rad or m."""
+
+
+def read_samples(
+    file: str | FilePath, positions: Sequence[str], units: Mapping[str, str] | None = None
+) -> tuple[np.ndarray, np.ndarray]:
     """(t, q) of a CSV file, t (samples,) in s, q (samples, positions) in rad or m.
 
     The file has a header `t` and names of coordinates, then a row a time; coordinates without a column stay
-    at 0. Without a header the columns are t and then all the positions. Columns of derivatives and of a
-    body's point, which `Motion.to_csv` adds, are not read. Raises ValueError with the line.
+    at 0. A name may end with its unit in brackets, as "j1 (deg)"; units: of the coordinates, rad or m, which
+    it must fit. Without a header the columns are t and then all the positions. Columns of derivatives and of
+    a body's point, which `Motion.to_csv` adds, are not read. Raises ValueError with the line.
     """
     try:
         with open(file, newline="", encoding="utf-8-sig") as text:
@@ -219,10 +207,12 @@ def read_samples(file: str | FilePath, positions: Sequence[str]) -> tuple[np.nda
         raise ValueError(f"{file}: cannot be read: {error}") from None
     if not rows:
         raise ValueError(f"{file}: expected a CSV file with rows, got none")
-    names = [name.strip() for name in rows[0][1]]
-    if _is_number(names[0]):
-        names = ["t", *positions]
+    if _is_number(rows[0][1][0]):
+        names, sizes = ["t", *positions], [1.0] * (1 + len(positions))
     else:
+        expected = {"t": "s", "time": "s", **(units or {})}
+        pairs = [_name_and_size(name.strip(), positions, expected, file) for name in rows[0][1]]
+        names, sizes = [name for name, _ in pairs], [size for _, size in pairs]
         rows = rows[1:]
     if names[0] not in ("t", "time"):
         raise ValueError(f"{file}: expected the first column to be t, got {names[0]!r}")
@@ -234,12 +224,30 @@ def read_samples(file: str | FilePath, positions: Sequence[str]) -> tuple[np.nda
     for number, row in rows:
         if len(row) != len(names) or not all(map(_is_number, row)):
             raise ValueError(f"{file}, line {number}: expected {len(names)} numbers, got {','.join(row)!r}")
-    table = np.array([[float(x) for x in row] for _, row in rows]).reshape(len(rows), len(names))
+    table = np.array([[float(x) for x in row] for _, row in rows]).reshape(len(rows), len(names)) * sizes
     q = np.zeros((len(rows), len(positions)))
     for column, name in zip(table.T[1:], names[1:], strict=True):
         if name in positions:
             q[:, list(positions).index(name)] = column
     return table[:, 0], q
+
+
+def _name_and_size(
+    column: str, positions: Sequence[str], units: Mapping[str, str], file: str | FilePath
+) -> tuple[str, float]:
+    """The name and the size of the unit of a column such as "j1 (deg)"."""
+    found = None if column in positions else re.fullmatch(r"(.*\S)\s*[(\[]([^()\[\]]*)[)\]]", column)
+    if found is None:
+        return column, 1.0
+    name, unit = found[1], found[2].strip()
+    if name not in positions and name not in ("t", "time"):
+        return (name if _is_derived(name) else column), 1.0
+    kind, size = UNITS.get(unit, ("", 1.0))
+    if kind != units.get(name, kind) or not kind:
+        wanted = units.get(name, "")
+        known = ", ".join(unit for unit, (kind, _) in UNITS.items() if wanted in ("", kind))
+        raise ValueError(f"{file}: column {column!r}: expected one of the units {known}, got {unit!r}")
+    return name, size
 
 
 def _is_derived(name: str) -> bool:
@@ -263,7 +271,8 @@ def _is_number(text: str) -> bool:
 def as_path(
     trajectory: Any, names: Sequence[str], angles: Sequence[int] = (), quaternions: Sequence[int] = ()
 ) -> Path:
-    """A `Path`, a Drake Trajectory, or samples (t, q), as a path of the coordinates of those names.
+    """A `Path`, a Drake Trajectory, a SciPy spline, or samples (t, q), as a path of the coordinates of those
+    names.
 
     angles, quaternions: see `RecordedPath`. Raises ValueError.
     """
@@ -271,13 +280,16 @@ def as_path(
         path = trajectory
     elif hasattr(trajectory, "EvalDerivative"):
         path = DrakePath(trajectory)
+    elif callable(trajectory) and hasattr(trajectory, "derivative"):
+        path = SplinePath(trajectory)
     elif isinstance(trajectory, tuple) and len(trajectory) == 2:
         t, q = trajectory
         _require_columns(np.shape(q)[-1] if np.ndim(q) == 2 else len(names), names)
         path = RecordedPath(t, q, names, angles, quaternions)
     else:
         raise ValueError(
-            f"trajectory: expected a Path, a Drake Trajectory or (t, q), got {type(trajectory).__name__}"
+            "trajectory: expected a Path, a Drake Trajectory, a SciPy spline or (t, q), "
+            f"got {type(trajectory).__name__}"
         )
     _require_columns(path.joints, names)
     return path

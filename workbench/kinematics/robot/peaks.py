@@ -25,7 +25,8 @@ WITHIN, BEYOND, NOT_DETERMINED = "within", "BEYOND", "not determined"
 
 @dataclass(frozen=True)
 class Peak:
-    """Where a quantity is largest on a path. `of`: a coordinate or "point"; order: which derivative.
+    """Where a quantity is largest on a path. `of`: a coordinate, "point" or "rotation"; order: which
+    derivative, 1 of a rotation being the angular velocity.
 
     value ± error: the largest |derivative|, at the time in s; infinite where a lower derivative jumps;
     error: infinite where the value is not determined. The size is at_least and at_most so large. limit:
@@ -106,7 +107,7 @@ class Asked:
     """A quantity whose peak is asked for.
 
     `of`, order, bound, unit, limit: as in `Peak`. position, velocity: the index of the coordinate and the
-    velocity that it is a multiple of, None for the point; the coordinate is factor · q + offset.
+    velocity that it is a multiple of, None for what is of a body; the coordinate is factor · q + offset.
     """
 
     of: str
@@ -119,11 +120,70 @@ class Asked:
     factor: float = 1.0
     offset: float = 0.0
 
+    @property
+    def threshold(self) -> float:
+        """What no size may be larger than: the limit; of a lower bound, whose size is −q, minus the limit."""
+        if self.limit is None:
+            return np.inf
+        return -self.limit if self.bound == "lower" else self.limit
+
+
+@dataclass(frozen=True)
+class Violation:
+    """A stretch of time, from `start` to `end` in s, in which a quantity is beyond its limit.
+
+    `of`, order, bound, limit, unit: as in `Peak`. value: the largest |derivative| there (of a lower bound the
+    least coordinate), at the time in s; infinite where a lower derivative jumps. Along a recording the
+    stretch holds the samples that are beyond the limit by more than their stated errors.
+    """
+
+    of: str
+    order: int
+    bound: str
+    limit: float
+    unit: str
+    start: float
+    end: float
+    value: float
+    time: float
+
+    def __str__(self) -> str:
+        name = self.bound if self.order == 0 or self.bound == "deceleration" else order_name(self.order)
+        span = f"from {self.start:.6g} to {self.end:.6g} s"
+        most = f"{self.value:.6g} at {self.time:.6g} s"
+        return f"{name} of {self.of}: beyond {self.limit:g} {self.unit} {span}, {most}"
+
+
+def violation(asked: Asked, start: float, end: float, value: float, time: float) -> Violation:
+    """The violation of what was asked, its size being −q of a lower bound."""
+    assert asked.limit is not None
+    signed = -value if asked.bound == "lower" else value
+    return Violation(asked.of, asked.order, asked.bound, asked.limit, asked.unit, start, end, signed, time)
+
+
+def stretches(flags: np.ndarray) -> list[tuple[int, int]]:
+    """The first and the last index of each run of true flags (n,)."""
+    edges = np.diff(np.concatenate([[False], flags, [False]]).astype(int))
+    firsts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
+    return list(zip(firsts.tolist(), (ends - 1).tolist(), strict=True))
+
 
 def point_of(motion: States, body: str, point: ArrayLike, relative_to: str | None) -> PointMotion:
     """The motion of a body's point, as another body sees it if `relative_to` names one."""
     frame = motion.frame(body)
     return (frame if relative_to is None else frame.relative_to(motion.frame(relative_to))).point(point)
+
+
+def body_curves(
+    motion: States, body: str | None, point: ArrayLike, relative_to: str | None
+) -> dict[str, np.ndarray]:
+    """ "point": the derivatives (N + 1, ..., 3) of a body's point; "rotation": its angular velocity and its
+    derivatives from row 1 on, row 0 being 0. Nothing if there is no body."""
+    if body is None:
+        return {}
+    moving = point_of(motion, body, point, relative_to)
+    omega = moving.frame.twists[..., :3]
+    return {"point": moving.derivatives, "rotation": np.concatenate([np.zeros_like(omega[:1]), omega])}
 
 
 def peak_at(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from workbench.kinematics.robot.dynamics import Inertia
 from workbench.kinematics.robot.joints import Limits, Mimic, TreeJoint
 from workbench.kinematics.robot.leibniz import inverse_pose
 
@@ -76,6 +77,21 @@ def tree_joints(plant: MultibodyPlant, mimics: Mapping[str, Mimic]) -> list[Tree
             )
         )
     return [joint for _, joint in sorted(found, key=lambda entry: entry[0])]
+
+
+def inertias(plant: MultibodyPlant) -> dict[str, Inertia]:
+    """The inertias of a finalized plant's rigid bodies but the world, by the names that `tree_joints` gives
+    them."""
+    from workbench.drake.gate import BodyIndex
+
+    bodies = [plant.get_body(BodyIndex(index)) for index in range(1, plant.num_bodies())]
+    names, found = _names(plant, [plant.world_body(), *bodies]), {}
+    for body in bodies:
+        M = body.default_spatial_inertia()
+        mass, com = float(M.get_mass()), np.array(M.get_com())
+        about_com = M.CalcRotationalInertia().ShiftToCenterOfMass(mass, com).CopyToFullMatrix3()
+        found[names[body.index()]] = Inertia(mass, com, about_com)
+    return found
 
 
 def _names(plant: MultibodyPlant, elements: list) -> dict:

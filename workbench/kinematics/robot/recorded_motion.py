@@ -15,7 +15,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot.common_base import coordinates_that_move
-from workbench.kinematics.robot.peaks import Asked, Peak, peak_at, point_of
+from workbench.kinematics.robot.peaks import (
+    Asked,
+    Peak,
+    Violation,
+    body_curves,
+    peak_at,
+    stretches,
+    violation,
+)
 from workbench.kinematics.robot.recorded_peaks import (
     RecordedPeak,
     below_noise,
@@ -44,20 +52,56 @@ def recorded_peaks(
     motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
 ) -> list[Peak]:
     """The peaks on the times from the motion's first to its last."""
-    start, end = float(motion.times.min()), float(motion.times.max())
-    parts = [recording.within(start, end) for recording in motion.path.recordings]
-    orders = range(motion.order + 1)
-    pairs = [[part.estimate(k) for part in parts] for k in orders]
-    estimates, errors = (
-        np.array([[pair[i] for pair in row] for row in pairs]).swapaxes(1, 2) for i in (0, 1)
-    )
-    samples = Samples(parts[0].times, estimates, errors, tuple(part.breaks for part in parts))
+    parts, samples = _samples(motion)
     carried = _carried(motion, body, point, relative_to, asked, samples)
     whole = samples.times[0], samples.times[-1]
     return [
         _as_peak(one, whole, _direct(parts[one.position], one) if one.position is not None else carried[i])
         for i, one in enumerate(asked)
     ]
+
+
+def _samples(motion: States) -> tuple[list[Recording], Samples]:
+    """The recordings on the times from the motion's first to its last, and their estimates together."""
+    start, end = float(motion.times.min()), float(motion.times.max())
+    parts = [recording.within(start, end) for recording in motion.path.recordings]
+    pairs = [[part.estimate(k) for part in parts] for k in range(motion.order + 1)]
+    estimates, errors = (
+        np.array([[pair[i] for pair in row] for row in pairs]).swapaxes(1, 2) for i in (0, 1)
+    )
+    return parts, Samples(parts[0].times, estimates, errors, tuple(part.breaks for part in parts))
+
+
+def recorded_violations(
+    motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
+) -> list[Violation]:
+    """The stretches of samples that are beyond a limit by more than their stated errors."""
+    parts, samples = _samples(motion)
+    carried = _carried_values(motion, body, point, relative_to, asked, samples)
+    found = []
+    for i, one in enumerate(asked):
+        if one.position is None:
+            values, errors, _ = carried[i]
+            sizes = np.linalg.norm(values, axis=-1)
+        else:
+            sizes, errors = _own_sizes(parts[one.position], one)
+        for first, last in stretches(sizes - errors > one.threshold):
+            top = first + int(np.argmax(sizes[first : last + 1]))
+            start, end, time = (float(samples.times[at]) for at in (first, last, top))
+            found.append(violation(one, start, end, float(sizes[top]), time))
+    return found
+
+
+def _own_sizes(recording: Recording, one: Asked) -> tuple[np.ndarray, np.ndarray]:
+    """What a coordinate's limit is compared with, and its errors, each (samples,)."""
+    values, errors = recording.estimate(one.order)
+    if one.order == 0:
+        q = one.factor * values + one.offset
+        return (-q if one.bound == "lower" else q), abs(one.factor) * errors
+    if one.bound == "deceleration":
+        sizes, errors = _decelerations(recording)
+        return abs(one.factor) * sizes, abs(one.factor) * errors
+    return np.abs(one.factor * values), abs(one.factor) * errors
 
 
 def _as_peak(one: Asked, whole: tuple[float, float], found: RecordedPeak) -> Peak:
@@ -89,16 +133,20 @@ def _direct(recording: Recording, one: Asked) -> RecordedPeak:
 
 
 def _deceleration(recording: Recording) -> RecordedPeak:
-    """The largest |q̈| where q̈ and q̇ have opposite signs; where the signs are not known it may count or
-    not."""
+    sizes, errors = _decelerations(recording)
+    return peak_of(recording.times, sizes, errors, [one for one in recording.breaks if one.order < 2])
+
+
+def _decelerations(recording: Recording) -> tuple[np.ndarray, np.ndarray]:
+    """|q̈| where q̈ and q̇ have opposite signs, else 0, and its errors, each (samples,); where the signs are not
+    known it may count or not."""
     (v, ev), (a, ea) = recording.estimate(1), recording.estimate(2)
     size = np.abs(a)
     is_sure = (np.abs(v) > ev) & (size > ea)
     slows = v * a < 0
     half = (size + ea) / 2
     sizes = np.where(is_sure, np.where(slows, size, 0.0), half)
-    errors = np.where(is_sure, np.where(slows, ea, 0.0), half)
-    return peak_of(recording.times, sizes, errors, [one for one in recording.breaks if one.order < 2])
+    return sizes, np.where(is_sure, np.where(slows, ea, 0.0), half)
 
 
 def _carried(
@@ -109,7 +157,28 @@ def _carried(
     asked: list[Asked],
     samples: Samples,
 ) -> dict[int, RecordedPeak]:
-    """The peaks of the point and of balls' velocities, by their places in `asked`."""
+    """The peaks of the body and of balls' velocities, by their places in `asked`."""
+    found: dict[int, RecordedPeak] = {}
+    places: dict[tuple[str, int], int] = {}
+    for i, (values, errors, own) in _carried_values(motion, body, point, relative_to, asked, samples).items():
+        one = asked[i]
+        found[i] = _peak(samples, values, errors, own, one.order)
+        if (one.of, one.order - 1) in places:
+            found[i] = below_noise(found[i], lambda at=places[one.of, one.order - 1]: found[at])
+        places[one.of, one.order] = i
+    return found
+
+
+def _carried_values(
+    motion: States,
+    body: str | None,
+    point: ArrayLike,
+    relative_to: str | None,
+    asked: list[Asked],
+    samples: Samples,
+) -> dict[int, tuple[np.ndarray, np.ndarray, list[int]]]:
+    """Of the body and of balls' velocities, by their places in `asked`: values (samples, components), errors
+    (samples,) of their sizes, and the coordinates that they depend on."""
     robot = motion.robot
     wanted = {i: one for i, one in enumerate(asked) if one.position is None}
     if not wanted:
@@ -117,23 +186,18 @@ def _carried(
 
     def values_at(q: np.ndarray) -> dict[int, np.ndarray]:
         there = robot.motion(q)
-        of_point = None if body is None else point_of(there, body, point, relative_to).derivatives
+        of_body = body_curves(there, body, point, relative_to)
         return {
-            i: of_point[one.order] if one.velocity is None else there.rates[one.order - 1][:, [one.velocity]]
+            i: of_body[one.of][one.order]
+            if one.velocity is None
+            else there.rates[one.order - 1][:, [one.velocity]]
             for i, one in wanted.items()
         }
 
     movers = [] if body is None else coordinates_that_move(robot, body, relative_to)
     own = {i: movers if one.velocity is None else _of_ball(motion, one) for i, one in wanted.items()}
-    found: dict[int, RecordedPeak] = {}
-    places: dict[tuple[str, int], int] = {}
-    for i, (values, errors) in _with_errors(values_at, samples, wanted, own).items():
-        one = wanted[i]
-        found[i] = _peak(samples, values, errors, own[i], one.order)
-        if (one.of, one.order - 1) in places:
-            found[i] = below_noise(found[i], lambda at=places[one.of, one.order - 1]: found[at])
-        places[one.of, one.order] = i
-    return found
+    with_errors = _with_errors(values_at, samples, wanted, own)
+    return {i: (values, errors, own[i]) for i, (values, errors) in with_errors.items()}
 
 
 def _of_ball(motion: States, one: Asked) -> list[int]:

@@ -14,8 +14,6 @@ from math import factorial
 
 import numpy as np
 
-from workbench.kinematics.robot.local_polynomials import ORDERS, fit_windows, mean_squares
-
 HIGHEST_RECORDED_ORDER = 4
 LEAST_SAMPLES = 10
 CONFIDENCE = 0.05  # that any of the windows misses by more than the noise's part of the stated error
@@ -128,6 +126,7 @@ def record(t: np.ndarray, q: np.ndarray) -> Recording:
     """The recording of the samples q (n,) at increasing times t (n,) in s; n is at least 10."""
     from scipy.special import ndtri
 
+    from workbench.kinematics.robot.local_polynomials import ORDERS, fit_windows  # loads Numba
     from workbench.kinematics.robot.recorded_breaks import find_breaks
 
     n, clock = len(t), t - t[0]
@@ -173,6 +172,8 @@ def _local_noise(t: np.ndarray, q: np.ndarray, floor: float) -> tuple[float, np.
     Of several kinds of small windows those count that leave least: what they leave is noise and not motion.
     """
     from scipy.special import chdtri
+
+    from workbench.kinematics.robot.local_polynomials import mean_squares
 
     n, best = len(t), None
     for count, degree in NOISE_WINDOWS:

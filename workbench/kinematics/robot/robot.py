@@ -9,35 +9,40 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.drake.urdf import base_joint_name
-from workbench.kinematics.chain_engine import HIGHEST_DERIVATIVE_ORDER
-from workbench.kinematics.robot.inverse import inverse_kinematics
+from workbench.kinematics.robot.dynamics import Inertia
+from workbench.kinematics.robot.evaluator import Evaluator, evaluator_of
+from workbench.kinematics.robot.inverse import DampedInverse, Task, damped_inverse, inverse_kinematics
 from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.motion import Motion
 from workbench.kinematics.robot.paths import Path as JointPath
-from workbench.kinematics.robot.paths import as_path
+from workbench.kinematics.robot.paths import as_path, read_samples
+from workbench.kinematics.robot.scalars import casadi_function, jax_function, object_motion
 from workbench.kinematics.robot.states import states_on_path
-from workbench.kinematics.robot.structure import Structure, reals, whole
+from workbench.kinematics.robot.structure import MOST_ROWS, Structure, reals, whole
 from workbench.kinematics.robot.urdf import WORLD, UrdfError, read_urdf
+from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER
 
 if TYPE_CHECKING:
     from workbench.drake.gate import MultibodyPlant
 
 BLOCK = 4096  # states that are worked on at a time, where a batch is streamed
-MOST_ROWS = 21  # of one state's derivatives: more are a table of states by mistake
 
 
 class Robot(Structure):
     """A robot with named joints and bodies; make it by `from_urdf`, `from_plant`, or of `TreeJoint`s.
 
-    name; bodies, positions, velocities: names, in the order of every array; limits: by joint.
-    The world is the body "world".
+    name; bodies, positions, velocities: names, in the order of every array; limits: by joint. The world is
+    the body "world". inertias: of the bodies, for `Motion.torques`; a URDF read by `from_urdf` gives none.
     """
+
+    inertias: Mapping[str, Inertia] = MappingProxyType({})
 
     @classmethod
     def from_urdf(cls, path: str | Path, base: str = "fixed", rotations: str = "quaternion") -> Robot:
@@ -71,9 +76,38 @@ class Robot(Structure):
 
         mimics: joints that follow others (a plant does not tell). Raises ValueError.
         """
-        from workbench.kinematics.robot.plant import tree_joints
+        from workbench.kinematics.robot.plant import inertias, tree_joints
 
-        return cls("plant", tree_joints(plant, mimics or {}))
+        robot = cls("plant", tree_joints(plant, mimics or {}))
+        robot.inertias = inertias(plant)
+        return robot
+
+    @classmethod
+    def from_file(
+        cls,
+        path: str | Path,
+        base: str = "fixed",
+        packages: Mapping[str, str | Path] | None = None,
+        mimics: Mapping[str, Mimic] | None = None,
+    ) -> Robot:
+        """The robot of an SDF, MJCF, URDF or model-directives file, all models of it, by Drake's parser.
+
+        base: "fixed" welds the root of each model that nothing holds to the world, "floating" lets it move.
+        packages: folders by the names that package:// paths start with. mimics: see `from_plant`. A body that
+        several models have is model::body. Raises ValueError in one line.
+        """
+        if base not in ("fixed", "floating"):
+            raise ValueError(f"base: expected fixed or floating, got {base!r}")
+        from workbench.drake.plants import PlantError, load_models
+
+        try:
+            robot = cls.from_plant(load_models(path, base, packages), mimics)
+        except PlantError as error:
+            raise ValueError(str(error)) from None
+        except ValueError as error:
+            raise ValueError(f"{path}: {error}") from None
+        robot.name = Path(path).stem
+        return robot
 
     def motion(self, q_derivatives: ArrayLike, v_derivatives: ArrayLike | None = None) -> Motion:
         """The motion of all bodies to the order N, at one state or at many.
@@ -84,16 +118,71 @@ class Robot(Structure):
         more than 21 rows of one state, or a NaN or infinity.
         """
         if v_derivatives is None:
-            q = reals(q_derivatives, "q_derivatives")
-            if q.ndim == 2 and len(q) > MOST_ROWS:
-                raise ValueError(
-                    f"q_derivatives: expected at most {MOST_ROWS} rows, one an order of one state, "
-                    f"got {len(q)}: for a table of states see `along((t, q))`; for one state to a higher "
-                    "order give the shape (N + 1, 1, positions)"
-                )
-            return Motion(self, np.array(self.derivatives(q)))
-        q, v = self.state(q_derivatives, v_derivatives)
-        return Motion(self, np.array(q), None if v is None else np.array(v))
+            return Motion(self, self.derivatives(q_derivatives, MOST_ROWS))
+        return Motion(self, *self.state(q_derivatives, v_derivatives))
+
+    def evaluator(self, frame: str, order: int, jacobians: int = 0) -> Evaluator:
+        """A call for a control loop: reads its array `q` and writes its `pose`, `twists` and `jacobians`.
+
+        order: N, the highest derivative of the coordinates. jacobians: of how many orders the Jacobian is
+        computed, too, N + 1 at most. The call checks nothing and makes no new array; see `Evaluator`.
+        Raises ValueError for an unknown frame or another order, and for a robot with ball or floating joints.
+        """
+        order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
+        jacobians = whole(jacobians, "jacobians", 0, order + 1)
+        self.require_rates("evaluator")
+        plan = self.engine.plan(self.body(frame).name, order, jacobians)
+        return evaluator_of(plan, order, len(self.positions), jacobians)
+
+    def on_objects(self, frame: str, q_derivatives: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+        """The pose (4, 4) and the twists (N, 6) of a frame, of one state of Drake's Expression or AutoDiffXd
+        or of SymPy's symbols, q_derivatives (N + 1, positions): arrays of these.
+
+        Twists are V_WF = (ω; velocity of Fo) and its derivatives, in W's axes. Raises ValueError for another
+        shape, an unknown frame, and a robot with ball or floating joints.
+        """
+        q = np.asarray(q_derivatives, dtype=object)
+        if q.ndim != 2 or q.shape[1] != len(self.positions) or len(q) < 2:
+            raise ValueError(
+                f"q_derivatives: expected shape (N + 1, {len(self.positions)}) with N >= 1, got {q.shape}"
+            )
+        return object_motion(self, frame, q)
+
+    def casadi(self, frame: str, order: int) -> Any:
+        """A casadi.Function q (positions, N + 1) → pose (4, 4), twists (6, N) of a frame, N = order.
+
+        A column is an order. Raises ImportError without CasADi, ValueError as `on_objects`.
+        """
+        return casadi_function(self, frame, whole(order, "order", 1))
+
+    def jax(self, frame: str, order: int) -> Any:
+        """A function of JAX arrays q (N + 1, positions) → pose (4, 4), twists (N, 6) of a frame, N = order;
+        for jax.jit, jax.vmap (batches) and jax.jacfwd. Raises ImportError without JAX, ValueError as
+        `on_objects`."""
+        return jax_function(self, frame, whole(order, "order", 1))
+
+    def to_c(self, frame: str, order: int) -> str:
+        """C code of a function frame_motion(arg, res, iw, w, mem), in CasADi's calling convention.
+
+        arg[0]: q, the derivatives of all coordinates order by order, (N + 1) × positions. res[0]: the pose,
+        16 numbers column by column. res[1]: the twists, N × 6. Raises ImportError without CasADi, ValueError
+        as `on_objects`."""
+        function = self.casadi(frame, order)
+        import casadi
+
+        generator = casadi.CodeGenerator("frame_motion")
+        generator.add(function)
+        return generator.dump()
+
+    def with_frame(self, name: str, body: str, X_BF: ArrayLike) -> Robot:
+        """This robot with one more frame, of a tool: fixed to a body at X_BF (4, 4), m. Raises ValueError
+        for a name that is there, an unknown body, or a transform that is not rigid."""
+        if name in self.frames:
+            raise ValueError(f"frame {name!r}: the robot has a body of that name, expected a new name")
+        joint = TreeJoint(f"{name}_weld", "fixed", self.body(body).name, name, np.asarray(X_BF, dtype=float))
+        robot = Robot(self.name, [*self.joints, joint], self.world)
+        robot.inertias = self.inertias
+        return robot
 
     def along(
         self, trajectory: Any, times: ArrayLike | None = None, order: int = 4, samples: int = 201
@@ -101,9 +190,10 @@ class Robot(Structure):
         """The motion along a trajectory at `times` (...) in s (`samples` of them over all of it unless
         given).
 
-        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory of the positions, or
-        samples (t, q): t (samples,) increasing, in s, q (samples, positions) in rad or m, whose derivatives
-        are estimated to the order 4 at most. Raises ValueError for a time outside of the trajectory.
+        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory or a SciPy spline of
+        the positions, `spline_paths.waypoints`, or samples (t, q): t (samples,) increasing, in s, q (samples,
+        positions) in rad or m, whose derivatives are estimated to the order 4 at most; or the name of a CSV
+        file of samples, see `paths.read_samples`. Raises ValueError for a time outside of the trajectory.
         """
         path = self.path(trajectory)
         order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
@@ -120,6 +210,8 @@ class Robot(Structure):
         Of samples, angles without limits are unwrapped and the signs of quaternions made continuous; the
         path's `notes` say where. Raises ValueError for another number of coordinates and for bad samples.
         """
+        if isinstance(trajectory, str | Path):
+            trajectory = read_samples(trajectory, self.positions, self.units)
         angles = [i for i, name in enumerate(self.positions) if name in self.unlimited_angles]
         return as_path(trajectory, self.positions, angles, self._quaternions)
 
@@ -154,6 +246,7 @@ class Robot(Structure):
         rows: Sequence[int] = range(6),
         weight: ArrayLike | None = None,
         null_space: ArrayLike | None = None,
+        relative_to: str | None = None,
         rtol: float = 1e-6,
     ) -> np.ndarray:
         """The velocities and their derivatives (N, ..., velocities) that move a body as prescribed.
@@ -164,12 +257,42 @@ class Robot(Structure):
         that fit, nearest to `null_space` (N, ..., velocities), 0 unless given; weight (velocities,) > 0, 1
         unless given. Raises SingularJacobian, with the singular values, where σ_min <= rtol · σ_max.
         """
-        options = {
-            "expressed": expressed,
-            "point": point,
-            "rows": tuple(np.atleast_1d(rows).tolist()),
-            "rtol": rtol,
-        }
         return inverse_kinematics(
-            self, body, q, twist_derivatives, weight=weight, null_space=null_space, **options
+            self,
+            Task(body, expressed, point, tuple(np.atleast_1d(rows).tolist()), relative_to),
+            q,
+            twist_derivatives,
+            weight=weight,
+            null_space=null_space,
+            rtol=rtol,
+        )
+
+    def inverse_damped(
+        self,
+        body: str,
+        q: ArrayLike,
+        twist_derivatives: ArrayLike,
+        damping: float,
+        *,
+        expressed: str = "mixed",
+        point: ArrayLike = (0, 0, 0),
+        rows: Sequence[int] = range(6),
+        weight: ArrayLike | None = None,
+        null_space: ArrayLike | None = None,
+        relative_to: str | None = None,
+    ) -> DampedInverse:
+        """As `inverse`, near and at singular positions, too: at each order the velocities of least |V − V
+        wanted|² + damping² Σ weightᵢ (vᵢ − nullᵢ)², and what is missed.
+
+        damping > 0, in the units of a singular value of the Jacobian (m, or 1 of rotations); damped least
+        squares of Nakamura and Hanafusa (1986), order by order. Returns rates (N, ..., velocities) and
+        residual (N, ..., len(rows)) = wanted − reached. Raises ValueError."""
+        return damped_inverse(
+            self,
+            Task(body, expressed, point, tuple(np.atleast_1d(rows).tolist()), relative_to),
+            q,
+            twist_derivatives,
+            damping=damping,
+            weight=weight,
+            null_space=null_space,
         )

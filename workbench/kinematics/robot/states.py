@@ -2,7 +2,7 @@
 
 Orders count as in Eq. (13): 1 velocity, 2 acceleration, 3 jerk, 4 snap. Everything is measured in the world W
 and expressed in its axes, unless a frame is asked for its motion relative to another. Nothing is computed
-before it is asked for, and everything once.
+before it is asked for, and everything once. All arrays are read-only.
 """
 
 from __future__ import annotations
@@ -13,18 +13,25 @@ from math import prod
 import numpy as np
 from numpy.typing import ArrayLike
 
+from workbench.algebra.dual_tensors import transpose
 from workbench.drake.joint_paths import Path
 from workbench.kinematics.robot.common_base import without_common_base
 from workbench.kinematics.robot.frames import FrameMotion, chain_scales
 from workbench.kinematics.robot.leibniz import (
     about_moving_point,
-    position_derivatives,
+    carried_vector,
+    inverse_pose,
+    origin_derivatives,
+    relative_twist,
     rotation_derivatives,
     turned,
 )
-from workbench.kinematics.robot.structure import Body, Structure
-from workbench.kinematics.robot.tree import WORLD, TreeMotion, step_motion, tree_motion
+from workbench.kinematics.robot.partials import turning_parts, twist_partial
+from workbench.kinematics.robot.structure import Body, Structure, whole
+from workbench.kinematics.tree_engine import compute, states_side_by_side
+from workbench.kinematics.tree_steps import WORLD
 
+ORIGIN = (0, 0, 0)
 EXPRESSED = ("world", "mixed", "body")
 
 
@@ -35,28 +42,33 @@ class States:
     times (...) in s and path, where it is a motion along one.
     """
 
+    times = path = None
+    _q = _q_derivatives = _rates = _channels = None
+
     def __init__(self, robot: Structure, q: np.ndarray, rates: np.ndarray | None = None):
         self.robot = robot
-        self.times = self.path = None
-        self._q_derivatives = q if rates is None else None
-        self._q, self._rates = (q[0], None) if rates is None else (q, rates)
-        self.order = len(q) - 1 if rates is None else len(rates)
-        self._twists: dict[str, np.ndarray] = {}  # no frames: these would keep the motion alive, and it them
-        self._poses: dict[int, np.ndarray] = {}
+        if rates is None:
+            self._q_derivatives, self.order = q, len(q) - 1
+        else:
+            self._q, self._rates, self.order = q, rates, len(rates)
+        self._records: dict[str, np.ndarray] = {}  # no frames: these would keep the motion alive, and it them
 
     @property
     def q(self) -> np.ndarray:
-        return self._q
+        q = self._q_derivatives[0] if self._q is None else self._q
+        q.setflags(write=False)
+        return q
 
     @property
     def rates(self) -> np.ndarray:
         if self._rates is None:
             self._rates = self.robot.velocity_derivatives(self._q_derivatives)
+        self._rates.setflags(write=False)
         return self._rates
 
     @property
     def shape(self) -> tuple[int, ...]:
-        return self._q.shape[:-1]
+        return self.q.shape[:-1]
 
     def frame(self, name: str) -> RobotFrame:
         """The motion of a body's frame; ValueError lists the bodies."""
@@ -69,47 +81,106 @@ class States:
     @property
     def frames(self) -> tuple[RobotFrame, ...]:
         """Of all bodies, computed together."""
-        self._tree  # noqa: B018
+        if not all(name in self._records for name in self.robot.bodies):
+            records = self.records()
+            self._records = dict(zip(self.robot.bodies, records, strict=True))
         return tuple(map(self.frame, self.robot.bodies))
 
-    @cached_property
-    def _all(self) -> tuple[np.ndarray, np.ndarray]:
-        """Coordinates (S, all positions) and rates (N, S, all velocities), with the joints that mimic."""
-        q, rates = self.robot._of_all_joints(self.q, self.rates)
-        states = prod(self.shape)  # known where there are none, or no coordinates
-        return q.reshape(states, q.shape[-1]), rates.reshape(len(rates), states, rates.shape[-1])
+    def records(self, out: np.ndarray | None = None) -> np.ndarray:
+        """The poses and twists of all bodies, (bodies, ..., 16 + 6 N), computed together: of each, in the
+        order of `robot.bodies`, the 16 numbers of X_WF, then V_WF and its derivatives, six each.
+
+        out: if given, the result is written there, which spares large batches the fresh memory. An array such
+        as this returns, whose states' numbers are side by side in memory, suits the compiled kernel best.
+        Raises ValueError for an `out` of another shape.
+        """
+        robot, states = self.robot, prod(self.shape)
+        plan = robot.engine.plan(robot.bodies, self.order)
+        shape = len(robot.bodies), *self.shape, plan.rows
+        if out is None and not self.shape:
+            records = np.empty(shape)
+            compute(self._input(), plan, records[:, None, None])
+            records.setflags(write=False)
+            return records
+        if out is None:
+            records = states_side_by_side(len(robot.bodies), states, plan.rows)
+            compute(self._input(), plan, records[:, :, None])
+            records = np.moveaxis(
+                np.moveaxis(records, 1, 2).reshape(*shape[:1], plan.rows, *self.shape), 1, -1
+            )
+            records.flags.writeable = False
+            return records
+        if out.shape != shape or out.dtype != np.float64 or not out.flags.writeable:
+            raise ValueError(
+                f"out: expected a writable array of doubles of shape {shape}, "
+                f"got {out.dtype} of shape {out.shape}"
+            )
+        rows = out.reshape(len(robot.bodies), states, plan.rows)
+        compute(self._input(), plan, rows[:, :, None])
+        if not np.may_share_memory(rows, out):
+            out[...] = rows.reshape(shape)
+        return out
+
+    def _input(self) -> np.ndarray:
+        """(N + 1, states, channels)"""
+        channels = self._channels
+        if channels is None:
+            channels = self._q_derivatives  # of a robot without balls: see `Structure.state`
+            if not self.robot._plain:
+                channels = self._channels = self.robot.channels(self.q, self.rates)
+        if channels.ndim == 2:
+            return channels[:, None]
+        return channels.reshape(len(channels), prod(self.shape), channels.shape[-1])
+
+    def _record(self, name: str) -> np.ndarray:
+        """(..., 16 + 6 N): the pose and the twists of a body."""
+        record = self._records.get(name)
+        if record is None:
+            robot, q = self.robot, self._q_derivatives
+            if q is not None and q.ndim == 2 and robot._plain:
+                record = robot.engine.of_one_state(q, name, self.order)
+            else:
+                record = self._new_record(name, 0)
+            self._records[name] = record
+        return record
 
     @cached_property
-    def _tree(self) -> TreeMotion:
-        return tree_motion(self.robot.steps, *self._all)
+    def _jacobians(self) -> dict[str, np.ndarray]:
+        return {}
 
-    def _pose_after(self, at: int) -> np.ndarray:
-        """The pose (S, 4, 4) that a step reaches, by the steps on the way to it."""
-        if "_tree" in vars(self):
-            return self._tree.poses[at]
-        way = [at]
-        while way[-1] not in self._poses and (parent := self.robot.steps[way[-1]].parent) != WORLD:
-            way.append(parent)
-        for one in reversed(way):
-            if one not in self._poses:
-                step = self.robot.steps[one]
-                before = step.before if step.parent == WORLD else self._poses[step.parent] @ step.before
-                self._poses[one] = before @ step_motion(step, self._all[0])
-        return self._poses[at]
+    def _jacobian_record(self, name: str, orders: int) -> np.ndarray:
+        """(..., orders or more, 6, velocities)"""
+        J = self._jacobians.get(name)
+        if J is None or J.shape[-3] < orders:
+            record = self._new_record(name, orders)
+            J = record[..., 16 + 6 * self.order :]
+            J = J.reshape(*self.shape, orders, 6, len(self.robot.velocities))
+            self._jacobians[name] = J
+        return J
+
+    def _new_record(self, name: str, jacobians: int) -> np.ndarray:
+        plan, q = self.robot.engine.plan(name, self.order, jacobians), self._input()
+        record = np.empty((q.shape[1], plan.rows))
+        compute(q, plan, record[None, :, None])
+        record.setflags(write=False)
+        return record.reshape(*self.shape, plan.rows)
 
     def _sizes(self, body: Body) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """What moves a body, for `chain_scales`: sizes and terms (N, ...) of its joints' rates, and its
         reach."""
-        follow = np.abs(self.robot._of_velocities.T)
-        rates = np.stack([np.abs(self.rates), self.magnitudes]) @ follow
-        total, reach, at = np.zeros(rates.shape[:-1]), 1 + np.linalg.norm(body.X_MB[:3, 3]), body.after
-        q = np.abs(self._all[0]).reshape(*self.shape, self._all[0].shape[-1])
+        rates = np.stack([np.abs(self.rates), self.magnitudes])
+        total, reach = np.zeros(rates.shape[:-1]), 1 + np.linalg.norm(body.X_MB[:3, 3])
+        at = body.after
         while at != WORLD:
             step = self.robot.steps[at]
-            total += rates[..., step.velocities].sum(axis=-1)
+            drive = step.turn or step.slide
+            count = 3 if step.joint is None else 1
+            own = rates[..., drive.velocity : drive.velocity + count].sum(axis=-1)
+            total += abs(drive.factor) * own
             reach = reach + np.linalg.norm(step.before[:3, 3])
-            if not isinstance(step.joint, str) and step.joint.kind in ("prismatic", "helical"):
-                reach = reach + q[..., step.positions.start] * abs(step.joint.pitch or 1.0)
+            if step.slide is not None:
+                value = self._input()[0][:, step.slide.channel].reshape(self.shape)
+                reach = reach + np.abs(step.slide.factor * value + step.slide.offset)
             at = step.parent
         return *total, np.broadcast_to(reach, self.shape)
 
@@ -135,36 +206,25 @@ class RobotFrame(FrameMotion):
         self.motion, self._body = motion, body
         self.name, self.order = body.name, motion.order
 
-    @cached_property
+    @property
     def pose(self) -> np.ndarray:
-        motion, body = self.motion, self._body
-        if body.after == WORLD:
-            return np.broadcast_to(body.X_MB, (*motion.shape, 4, 4))
-        return (motion._pose_after(body.after) @ body.X_MB).reshape(*motion.shape, 4, 4)
+        record = self.motion._record(self.name)
+        if record.ndim == 1:
+            return record[:16].reshape(4, 4)
+        return record[..., :16].reshape(*record.shape[:-1], 4, 4)
 
     @property
-    def origin_twist(self) -> np.ndarray:
-        twist = self.motion._twists.get(self.name)
-        if twist is None:
-            twist = self.motion._twists[self.name] = self._new_origin_twist()
-        return twist
+    def twists(self) -> np.ndarray:
+        record = self.motion._record(self.name)
+        if record.ndim == 1:
+            return record[16:].reshape(self.order, 6)
+        return np.moveaxis(record[..., 16:].reshape(*record.shape[:-1], self.order, 6), -2, 0)
 
-    def _new_origin_twist(self) -> np.ndarray:
-        motion, body = self.motion, self._body
-        if motion._q_derivatives is not None and "_tree" not in motion.__dict__:
-            robot = motion.robot
-            found = robot._chains.get(body.name) or robot._chain(body)
-            if found is not None:  # the compiled engine, for one body
-                chain, own = found
-                q = motion._q_derivatives
-                return chain.twist_derivatives_of_finite(q if own is ... else q[..., own])
-        if body.after == WORLD:
-            return np.zeros((motion.order, *motion.shape, 6))
-        return motion._tree.twists[:, body.after].reshape(motion.order, *motion.shape, 6)
+    def _twist(self, k: int) -> np.ndarray:
+        record, at = self.motion._record(self.name), 16 + 6 * k
+        return record[at : at + 6] if record.ndim == 1 else record[..., at : at + 6]
 
-    def jacobian(
-        self, order: int = 0, *, point: ArrayLike = (0, 0, 0), expressed: str = "mixed"
-    ) -> np.ndarray:
+    def jacobian(self, order: int = 0, *, point: ArrayLike = ORIGIN, expressed: str = "mixed") -> np.ndarray:
         """dᵏJ/dtᵏ, k = order, (..., 6, velocities): the derivative of ∂(ω; v)/∂(velocities) along the motion.
 
         point (3,): p_FoP_F in m, whose velocity v is. expressed: "mixed": v of the point, all in W's axes
@@ -173,71 +233,111 @@ class RobotFrame(FrameMotion):
         components, so that V⁽ᵏ⁾ = Σ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾ with `velocity(k)` of the same two arguments.
         Raises ValueError for an order beyond the motion's.
         """
-        return self._jacobians(order, point, expressed)[order]
+        return self.jacobian_derivatives(order, point=point, expressed=expressed)[order]
 
-    def velocity(
-        self, order: int = 0, *, point: ArrayLike = (0, 0, 0), expressed: str = "mixed"
+    def jacobian_derivatives(
+        self, order: int, *, point: ArrayLike = ORIGIN, expressed: str = "mixed"
     ) -> np.ndarray:
-        """The k-th derivative, k = order, of (ω; v), (..., 6), as `jacobian` has it: point and expressed."""
-        self._require(order, self.order - 1)
-        twist = self.origin_twist[: order + 1]
-        self._check(expressed)
-        if expressed != "world":
-            twist = self._expressed(twist[..., None, :], point, expressed)[..., 0, :]
-        return twist[order]
-
-    def _jacobians(self, order: int, point: ArrayLike, expressed: str) -> np.ndarray:
-        """(order + 1, ..., 6, velocities)"""
+        """J, dJ/dt, …, dᵏJ/dtᵏ, k = order, (k + 1, ..., 6, velocities); see `jacobian`."""
         self._require(order, self.order)
         self._check(expressed)
-        motion = self.motion
-        columns = motion._tree.columns[: order + 1]
-        J = motion.robot._of_free_joints(columns, self._moving)
-        J = np.moveaxis(J.reshape(*J.shape[:2], *motion.shape, 6), 1, -2)
-        if expressed != "world":
-            J = self._expressed(J, point, expressed)
-        return J.swapaxes(-1, -2)
+        J = self.motion._jacobian_record(self.name, order + 1)
+        J = (J if J.ndim == 3 else np.moveaxis(J, -3, 0))[: order + 1]
+        if expressed == "mixed" and point is ORIGIN:
+            return J
+        return self._expressed(J.swapaxes(-1, -2), point, expressed).swapaxes(-1, -2)
+
+    def twist_partial(self, k: int, j: int, *, point: ArrayLike = ORIGIN) -> np.ndarray:
+        """∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, positions): how the k-th derivative of the twist V = (ω; velocity of the
+        point) depends on the j-th derivatives of the coordinates, the other derivatives being held.
+
+        In W's axes, rad and m, per s¹⁺ᵏ⁻ʲ; k < N; 0 for j > k + 1. point (3,): p_FoP_F in m. For k = 0, j =
+        1 it is the Jacobian. Closed form, see `partials`. Raises ValueError for an order beyond the
+        motion's, and for a robot with ball or floating joints, whose velocities are not the rates of its
+        coordinates."""
+        self._require(k, self.order - 1)
+        whole(j, "j", 0)
+        self.motion.robot.require_rates("partial derivatives")
+        J = self.jacobian_derivatives(k + 1, point=point)
+        return twist_partial(J, self._turning, k, j)
 
     @cached_property
-    def _moving(self) -> list[int]:
-        """The velocities, of all joints, that move the body."""
-        steps, at = self.motion.robot.steps, self._body.after
-        moving: list[int] = []
-        while at != WORLD:
-            moving += range(steps[at].velocities.start, steps[at].velocities.stop)
-            at = steps[at].parent
-        return sorted(moving)
+    def _turning(self) -> np.ndarray:
+        return turning_parts(self.jacobian_derivatives(self.order), self.twists[..., :3])
 
     def relative_to(self, other: FrameMotion) -> FrameMotion:
-        """As `FrameMotion.relative_to`; how a common base of both frames moves does not enter."""
+        """The motion of this frame B as an observer in the frame A of `other` sees it, expressed in A; with
+        its `jacobian` where `other` is a frame of the same motion. How a common base of both moves does not
+        enter then."""
         if not (isinstance(other, RobotFrame) and other.motion is self.motion):
             return super().relative_to(other)
         motion = self.motion
         q, rates = without_common_base(motion.robot, self.name, other.name, motion.q, motion.rates)
-        alone = motion.robot.motion(q, rates)
-        return FrameMotion.relative_to(alone.frame(self.name), alone.frame(other.name))
+        alone = States(motion.robot, *motion.robot.state(q, rates))
+        return RelativeFrame(alone.frame(self.name), alone.frame(other.name))
+
+    def velocity(self, order: int = 0, *, point: ArrayLike = ORIGIN, expressed: str = "mixed") -> np.ndarray:
+        """The k-th derivative, k = order, of (ω; v), (..., 6), as `jacobian` has it: point and expressed."""
+        self._require(order, self.order - 1)
+        self._check(expressed)
+        if expressed == "world":
+            return self.origin_twist[order]
+        return self._expressed(self.twists[: order + 1, ..., None, :], point, expressed)[order][..., 0, :]
 
     @cached_property
     def _scales(self) -> tuple[np.ndarray, np.ndarray]:
         return chain_scales(*self.motion._sizes(self._body))
 
     def _expressed(self, columns: np.ndarray, point: ArrayLike, expressed: str) -> np.ndarray:
-        """Twists (k + 1, ..., c, 6) about W's origin as those about the point P, in W's axes or F's."""
-        p_WP = self.point(point).position
-        orders = len(columns) - 1
-        twist = self.origin_twist[:orders]
-        p = position_derivatives(twist, p_WP) if orders else p_WP[None]
+        """Twists (k + 1, ..., c, 6) about Fo, in W's axes, as those about the point P, in W's axes or F's, or
+        about W's origin."""
+        arm = self.point(point)._arm
+        twists = self.twists[: len(columns) - 1]
+        if expressed == "world":
+            p = -origin_derivatives(twists, self.pose[..., :3, 3])
+        else:
+            p = carried_vector(twists[..., :3], arm)
         columns = about_moving_point(columns, p[..., None, :])
-        if expressed == "mixed":
+        if expressed != "body":
             return columns
         R = self.pose[..., :3, :3]
-        R = rotation_derivatives(twist[..., :3], R) if orders else R[None]
+        R = rotation_derivatives(twists[..., :3], R) if len(twists) else R[None]
         return turned(R.swapaxes(-1, -2)[..., None, :, :], columns)
 
     @staticmethod
     def _check(expressed: str) -> None:
         if expressed not in EXPRESSED:
             raise ValueError(f"expressed: expected one of {', '.join(EXPRESSED)}, got {expressed!r}")
+
+
+class RelativeFrame(FrameMotion):
+    """The motion of a frame B in a frame A, expressed in A, of the same motion of a robot."""
+
+    def __init__(self, moving: RobotFrame, observer: RobotFrame):
+        pose = inverse_pose(observer.pose) @ moving.pose
+        twists = relative_twist(observer.twists, observer.pose, moving.twists, moving.pose)
+        super().__init__(f"{moving.name} relative to {observer.name}", moving.order, pose, twists)
+        self._moving, self._observer = moving, observer
+
+    def jacobian(self, order: int = 0) -> np.ndarray:
+        """dᵏJ/dtᵏ, k = order <= N, (..., 6, velocities): the derivative of ∂V_AB/∂(velocities) in A's axes.
+
+        V_AB = (ω; velocity of Bo) as A sees it, `twist(0)`; the derivative is that of the components in the
+        moving A, so that V_AB⁽ᵏ⁾ = Σ C(k,i) J⁽ⁱ⁾ v⁽ᵏ⁻ⁱ⁾. Raises ValueError for an order beyond the motion's.
+        """
+        self._require(order, self.order)
+        A, B = self._observer, self._moving
+        of_A, of_B = (frame.jacobian_derivatives(order).swapaxes(-1, -2) for frame in (A, B))
+        between = np.concatenate(
+            [
+                (B.pose[..., :3, 3] - A.pose[..., :3, 3])[None],
+                B.twists[:order, ..., 3:] - A.twists[:order, ..., 3:],
+            ]
+        )
+        R = A.pose[..., :3, :3]
+        R = rotation_derivatives(A.twists[:order, ..., :3], R) if order else R[None]
+        J = of_B - about_moving_point(of_A, between[..., None, :])
+        return turned(transpose(R)[..., None, :, :], J)[order].swapaxes(-1, -2)
 
 
 def states_on_path(kind: type[States], robot: Structure, path: Path, times: np.ndarray, order: int) -> States:

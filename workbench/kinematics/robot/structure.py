@@ -2,28 +2,30 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy import inf, ndarray
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.chain import SerialChain
-from workbench.kinematics.chain_engine import HIGHEST_DERIVATIVE_ORDER
-from workbench.kinematics.chain_geometry import Joint
-from workbench.kinematics.robot.joints import ANGLES, Limits, TreeJoint
-from workbench.kinematics.robot.tree import (
-    WORLD,
-    Step,
+from workbench.kinematics.chain_joints import Joint
+from workbench.kinematics.robot.balls import (
     angular_velocity_of_quaternion,
     angular_velocity_of_rpy,
+    unit_quaternion,
 )
+from workbench.kinematics.robot.joints import ANGLES, Limits, Move, TreeJoint
+from workbench.kinematics.tree_engine import TreeEngine
+from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Step
 
 DOUBLE = np.dtype(np.float64)
+MOST_ROWS = 21  # of one state's derivatives: more are a table of states by mistake
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,31 @@ class Body:
     name: str
     after: int
     X_MB: np.ndarray
+
+
+class _Move(NamedTuple):
+    """One motion of a joint, and where the coordinate, velocity and input channel that drive it are: its
+    value is factor · (that coordinate) + offset."""
+
+    move: Move
+    position: int
+    velocity: int
+    channel: int
+    factor: float = 1.0
+    offset: float = 0.0
+
+    def step(self, parent: int, before: np.ndarray) -> Step:
+        """The step of the kernel, after `parent`."""
+        joint = self.move.joint
+        turn = Drive(self.channel, self.velocity, self.factor, self.offset)
+        if isinstance(joint, str):
+            return Step(parent, before, None, turn)
+        if joint.kind == "prismatic":
+            return Step(parent, before, joint, None, turn)
+        slide = None
+        if joint.kind == "helical":
+            slide = turn._replace(factor=self.factor * joint.pitch, offset=self.offset * joint.pitch)
+        return Step(parent, before, joint, turn, slide)
 
 
 class Structure:
@@ -50,58 +77,36 @@ class Structure:
         for name, count in names.items():
             if count > 1:
                 raise ValueError(f"joint {name!r} is there twice: expected one of each name")
-        self._place_bodies()
+        self._name_coordinates()
         self._follow_mimics()
+        self._place_bodies()
 
-    def _place_bodies(self) -> None:
-        waiting: dict[str, list[TreeJoint]] = {}
-        for joint in self.joints:
-            waiting.setdefault(joint.parent, []).append(joint)
-        slices, positions, velocities = {}, [], []
-        for joint in self.joints:
-            slices[joint.name] = len(positions), len(velocities)
-            positions += joint.coordinates
-            velocities += joint.velocities
-        bodies = {self.world: Body(self.world, WORLD, np.eye(4))}
-        steps: list[Step] = []
-        queue = [self.world]
-        while queue:
-            parent = bodies[queue.pop(0)]
-            for joint in waiting.get(parent.name, []):
-                if joint.child in bodies:
-                    raise ValueError(f"body {joint.child!r}: more than one joint leads to it, expected one")
-                after, X = parent.after, parent.X_MB @ joint.X_PF
-                q, v = slices[joint.name]
-                for move in joint.moves():
-                    own = (slice(q + move.position, q + move.position + move.sizes[0]),)
-                    own += (slice(v + move.velocity, v + move.velocity + move.sizes[1]),)
-                    steps.append(Step(after, X, move.joint, *own))
-                    after, X = len(steps) - 1, np.eye(4)
-                bodies[joint.child] = Body(joint.child, after, X @ joint.X_MC)
-                queue.append(joint.child)
-        for joint in self.joints:
-            if joint.child not in bodies:
-                raise ValueError(f"body {joint.child!r}: no joint connects it with {self.world!r}")
-        self.steps = tuple(steps)
-        self.frames = bodies
-        self._chains: dict[str, tuple[SerialChain, Any] | None] = {}
-        self._states: set[tuple[int, ...]] = set()  # shapes of q_derivatives that were found right
-        self.bodies = tuple(name for name in bodies if name != self.world)
-        self._all_positions, self._all_velocities = tuple(positions), tuple(velocities)
-
-    def _follow_mimics(self) -> None:
-        by_name = {joint.name: joint for joint in self.joints}
+    def _name_coordinates(self) -> None:
         free = [joint for joint in self.joints if joint.mimic is None]
         self.positions = tuple(name for joint in free for name in joint.coordinates)
         self.velocities = tuple(name for joint in free for name in joint.velocities)
-        self._has_mimics = len(free) < len(self.joints)
+        self._all_positions = tuple(name for joint in self.joints for name in joint.coordinates)
         self._quaternions = [i for i, name in enumerate(self.positions) if name.endswith("_qw")]
-        self._plain = len(self.positions) == len(self.velocities) and not any(
-            isinstance(step.joint, str) for step in self.steps
-        )  # velocities are the rates of the coordinates
-        of_positions = np.zeros((len(self._all_positions), len(self.positions)))
-        of_velocities = np.zeros((len(self._all_velocities), len(self.velocities)))
-        offset = np.zeros(len(self._all_positions))
+        self._states: set[tuple[int, ...]] = set()  # shapes of q_derivatives that were found right
+        self._moves: dict[str, tuple[_Move, ...]] = {}
+        position = velocity = channel = 0
+        for joint in free:
+            own = []
+            for move in joint.moves():
+                own.append(_Move(move, position + move.position, velocity + move.velocity, channel))
+                channel += 4 if isinstance(move.joint, str) else 1
+            position, velocity = position + len(joint.coordinates), velocity + len(joint.velocities)
+            self._moves[joint.name] = tuple(own)
+        self._channels = channel
+        self._plain = not any(
+            isinstance(m.move.joint, str) for own in self._moves.values() for m in own
+        )  # velocities are the rates of the coordinates, and these the kernel's channels
+
+    def _follow_mimics(self) -> None:
+        """M and c of `follow`: all coordinates of the free ones."""
+        by_name = {joint.name: joint for joint in self.joints}
+        self._of_positions = np.zeros((len(self._all_positions), len(self.positions)))
+        self._offset = np.zeros(len(self._all_positions))
         for joint in self.joints:
             factor, constant, source = 1.0, 0.0, joint
             followed = [joint.name]
@@ -122,11 +127,38 @@ class Structure:
                 )
             for ours, theirs in zip(joint.coordinates, source.coordinates, strict=True):
                 row = self._all_positions.index(ours)
-                of_positions[row, self.positions.index(theirs)], offset[row] = factor, constant
-            for ours, theirs in zip(joint.velocities, source.velocities, strict=True):
-                row = self._all_velocities.index(ours)
-                of_velocities[row, self.velocities.index(theirs)] = factor
-        self._of_positions, self._of_velocities, self._offset = of_positions, of_velocities, offset
+                self._of_positions[row, self.positions.index(theirs)], self._offset[row] = factor, constant
+            if joint.mimic is not None:
+                (source_move,), (move,) = self._moves[source.name], joint.moves()
+                self._moves[joint.name] = (source_move._replace(move=move, factor=factor, offset=constant),)
+
+    def _place_bodies(self) -> None:
+        waiting: dict[str, list[TreeJoint]] = {}
+        for joint in self.joints:
+            waiting.setdefault(joint.parent, []).append(joint)
+        bodies = {self.world: Body(self.world, WORLD, np.eye(4))}
+        steps: list[Step] = []
+        self._own_positions: list[int | None] = []  # of each step; None of a joint that mimics
+        queue = deque([self.world])
+        while queue:
+            parent = bodies[queue.popleft()]
+            for joint in waiting.get(parent.name, []):
+                if joint.child in bodies:
+                    raise ValueError(f"body {joint.child!r}: more than one joint leads to it, expected one")
+                after, X = parent.after, parent.X_MB @ joint.X_PF
+                for move in self._moves[joint.name]:
+                    steps.append(move.step(after, X))
+                    self._own_positions.append(None if joint.mimic else move.position)
+                    after, X = len(steps) - 1, np.eye(4)
+                bodies[joint.child] = Body(joint.child, after, X @ joint.X_MC)
+                queue.append(joint.child)
+        for joint in self.joints:
+            if joint.child not in bodies:
+                raise ValueError(f"body {joint.child!r}: no joint connects it with {self.world!r}")
+        self.steps = tuple(steps)
+        self.frames = bodies
+        self.bodies = tuple(name for name in bodies if name != self.world)
+        self.engine = TreeEngine(steps, bodies, self._channels, len(self.velocities))
 
     @cached_property
     def limits(self) -> Mapping[str, Limits]:
@@ -134,6 +166,13 @@ class Structure:
         there is none."""
         return MappingProxyType(
             {joint.name: joint.limits for joint in self.joints if joint.coordinates == (joint.name,)}
+        )
+
+    @cached_property
+    def units(self) -> Mapping[str, str]:
+        """The unit of each coordinate and of what each velocity is the rate of: rad, m, or 1."""
+        return MappingProxyType(
+            {name: j.unit(name) for j in self.joints for name in (*j.coordinates, *j.velocities)}
         )
 
     @cached_property
@@ -167,54 +206,54 @@ class Structure:
 
         None where no moving joint, a ball or a mimic joint is on the way.
         """
-        found = self._chain(self.body(body))
-        return None if found is None else (found[0], np.arange(len(self.positions))[found[1]].tolist())
-
-    def _chain(self, body: Body) -> tuple[SerialChain, Any] | None:
-        """As `chain`, the coordinates as a slice where they stand in a row, as `...` where they are all."""
-        try:
-            return self._chains[body.name]
-        except KeyError:
-            found = self._chains[body.name] = self._new_chain(body)
-            return found
-
-    def _new_chain(self, body: Body) -> tuple[SerialChain, Any] | None:
-        joints, names, at = [Joint.fixed(body.X_MB)], [], body.after
+        frame = self.body(body)
+        joints, coordinates, at = [Joint.fixed(frame.X_MB)], [], frame.after
         while at != WORLD:
-            step = self.steps[at]
-            name = self._all_positions[step.positions.start]
-            if isinstance(step.joint, str) or name not in self.positions:
+            step, position = self.steps[at], self._own_positions[at]
+            if step.joint is None or position is None:
                 return None
             joints += [step.joint, Joint.fixed(step.before)]
-            names.append(name)
+            coordinates.append(position)
             at = step.parent
-        indices = [self.positions.index(name) for name in reversed(names)]
-        if not indices:
-            return None
-        if indices == list(range(len(self.positions))):
-            return SerialChain(reversed(joints)), ...
-        in_a_row = indices == list(range(indices[0], indices[0] + len(indices)))
-        return SerialChain(reversed(joints)), slice(indices[0], indices[-1] + 1) if in_a_row else indices
+        return (SerialChain(reversed(joints)), coordinates[::-1]) if coordinates else None
 
-    def derivatives(self, q_derivatives: ArrayLike) -> np.ndarray:
-        """q_derivatives (N + 1, ..., positions), checked."""
-        q = reals(q_derivatives, "q_derivatives")
-        if q.shape in self._states:
-            return q
+    def require_rates(self, what: str) -> None:
+        """Raise ValueError unless the velocities are the rates of the coordinates."""
+        if not self._plain:
+            raise ValueError(
+                f"{what}: expected a robot without ball or floating joints, whose velocities are the rates "
+                f"of its coordinates; {self.name!r} has such joints"
+            )
+
+    def derivatives(
+        self, q_derivatives: ArrayLike, most_rows: int = HIGHEST_DERIVATIVE_ORDER + 1
+    ) -> np.ndarray:
+        """A copy of q_derivatives (N + 1, ..., positions), checked; of one state `most_rows` at most."""
+        if type(q_derivatives) is ndarray and q_derivatives.dtype is DOUBLE:
+            numbers = q_derivatives.ravel()
+            if q_derivatives.shape in self._states and numbers.dot(numbers) < inf:  # a state as before
+                return q_derivatives.copy()
+        q = reals(q_derivatives, "q_derivatives").copy("K")
         count = len(self.positions)
         if q.ndim < 2 or q.shape[-1] != count or len(q) < 2:
             raise ValueError(
                 f"q_derivatives: expected shape (N + 1, ..., {count}) with N >= 1, the order first and the "
                 f"{count} coordinates last, got {q.shape}"
             )
+        if q.ndim == 2 and len(q) > most_rows:
+            raise ValueError(
+                f"q_derivatives: expected at most {most_rows} rows, one an order of one state, "
+                f"got {len(q)}: for a table of states see `along((t, q))`; for one state to a higher "
+                "order give the shape (N + 1, 1, positions)"
+            )
         self.check(q[0], len(q) - 1)
-        if q.ndim == 2 and not self._quaternions:
+        if q.ndim == 2 and len(q) <= MOST_ROWS and not self._quaternions:
             self._states.add(q.shape)
         return q
 
     def state(self, q: ArrayLike, v_derivatives: ArrayLike) -> tuple[np.ndarray, np.ndarray | None]:
-        """q (..., positions) and v_derivatives (N, ..., velocities), checked; as q_derivatives where that
-        is the same."""
+        """Copies of q (..., positions) and v_derivatives (N, ..., velocities), checked; as q_derivatives
+        where that is the same."""
         q, v = reals(q, "q"), reals(v_derivatives, "v_derivatives")
         nq, nv = len(self.positions), len(self.velocities)
         if q.ndim < 1 or q.shape[-1] != nq:
@@ -223,7 +262,7 @@ class Structure:
             expected = ", ".join(map(str, ("N", *q.shape[:-1], nv)))
             raise ValueError(f"v_derivatives: expected shape ({expected}), the order first, got {v.shape}")
         self.check(q, len(v))
-        return (np.concatenate([q[None], v]), None) if self._plain else (q, v)
+        return (np.concatenate([q[None], v]), None) if self._plain else (q.copy(), v.copy())
 
     def check(self, q: np.ndarray, order: int) -> None:
         if order > HIGHEST_DERIVATIVE_ORDER:
@@ -239,19 +278,29 @@ class Structure:
         if self._plain:
             return q_derivatives[1:]
         v = np.zeros((len(q_derivatives) - 1, *q_derivatives.shape[1:-1], len(self.velocities)))
-        first_position = first_velocity = 0
-        for joint in self.joints:
-            if joint.mimic is not None:
-                continue
-            for move in joint.moves():
-                own = q_derivatives[..., first_position + move.position :][..., : move.sizes[0]]
-                rates = {"quaternion": angular_velocity_of_quaternion, "rpy": angular_velocity_of_rpy}
-                rate = rates.get(move.joint, lambda own: own[1:]) if isinstance(move.joint, str) else None
-                at = first_velocity + move.velocity
-                v[..., at : at + move.sizes[1]] = own[1:] if rate is None else rate(own)
-            first_position += len(joint.coordinates)
-            first_velocity += len(joint.velocities)
+        for own in self._free_moves():
+            positions, velocities = own.move.sizes
+            q = q_derivatives[..., own.position : own.position + positions]
+            v[..., own.velocity : own.velocity + velocities] = _RATES.get(own.move.joint, _rate)(q)
         return v
+
+    def channels(self, q: np.ndarray, rates: np.ndarray) -> np.ndarray:
+        """The kernel's input (N + 1, ..., channels) of q (..., positions) and rates (N, ..., velocities)."""
+        inputs = np.zeros((len(rates) + 1, *q.shape[:-1], self._channels))
+        for own in self._free_moves():
+            positions, velocities = own.move.sizes
+            of_q = q[..., own.position : own.position + positions]
+            of_v = rates[..., own.velocity : own.velocity + velocities]
+            ball = isinstance(own.move.joint, str)
+            inputs[0, ..., own.channel : own.channel + (4 if ball else 1)] = (
+                unit_quaternion(own.move.joint, of_q) if ball else of_q
+            )
+            first = own.channel + (1 if ball else 0)
+            inputs[1:, ..., first : first + velocities] = of_v
+        return inputs
+
+    def _free_moves(self) -> list[_Move]:
+        return [move for j in self.joints if j.mimic is None for move in self._moves[j.name]]
 
     def follow(self, names: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
         """M (names, positions) and c (names,) with M q + c the coordinates of those names, mimic joints'
@@ -264,22 +313,18 @@ class Structure:
         rows = [self._all_positions.index(name) for name in names]
         return self._of_positions[rows], self._offset[rows]
 
-    def _of_all_joints(self, q: np.ndarray, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Coordinates and velocities with those of the joints that mimic."""
-        if not self._has_mimics:
-            return q, rates
-        return q @ self._of_positions.T + self._offset, rates @ self._of_velocities.T
-
-    def _of_free_joints(self, columns: np.ndarray, moving: list[int]) -> np.ndarray:
-        """Of the columns (k, all velocities, S, 6) those that move a body, joints that mimic added to their
-        source."""
-        return np.einsum("kvsa,vf->kfsa", columns[:, moving], self._of_velocities[moving])
-
     def __repr__(self) -> str:
         return f"Robot({self.name!r}: {len(self.bodies)} bodies, {len(self.positions)} coordinates)"
 
     def __dir__(self) -> list[str]:
         return [name for name in super().__dir__() if not name.startswith("_")]
+
+
+def _rate(q: np.ndarray) -> np.ndarray:
+    return q[1:]
+
+
+_RATES = {"quaternion": angular_velocity_of_quaternion, "rpy": angular_velocity_of_rpy}
 
 
 def is_whole(value: Any) -> bool:
@@ -306,7 +351,6 @@ def reals(values: ArrayLike, what: str) -> np.ndarray:
         if array.dtype.kind not in "fiu":
             raise ValueError(f"{what}: expected real numbers, got an array of {array.dtype}")
         array = array.astype(float)
-    numbers = array.ravel()
-    if not (numbers.dot(numbers) < np.inf or np.isfinite(array).all()):
+    if not (np.add.reduce(array, axis=None) < np.inf or np.isfinite(array).all()):
         raise ValueError(f"{what}: expected finite numbers, got a NaN or an infinity")
     return array

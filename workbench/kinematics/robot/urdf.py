@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from workbench.drake.plain_xml import parse_plain
+from workbench.kinematics.robot.balls import rotation_of_rpy
 from workbench.kinematics.robot.joints import Limits, Mimic, TreeJoint
-from workbench.kinematics.robot.tree import rotation_of_rpy
 
 KINDS = {
     "revolute": "revolute",

@@ -1,0 +1,35 @@
+"""Compiled kernels, kept on disk: (q, address of a plan, out, exactly) → whether `out` is right."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+from numba import njit
+
+Kernel = Callable[[np.ndarray, int, np.ndarray, bool], bool]
+
+
+def compiled_kernel(function: Kernel, parts: Sequence[ModuleType], options: dict[str, object]) -> Kernel:
+    """The function of arrays with three and four axes, kept on disk if there is a place for it. Numba would
+    not notice that what it calls, the `parts`, has changed since, so what is older than these files is
+    removed first.
+
+    It is called without Numba's look at the arguments' types, which takes 0.1 µs: nothing but arrays of
+    native doubles with three and four axes, an int and a bool may be given. The workspace is the end of the
+    plan: two calls cannot meet there, for Python's global lock is held throughout."""
+    try:
+        kernel = njit(cache=True, **options)(function)
+        changed = max(Path(part.__file__).stat().st_mtime for part in parts if part.__file__)
+        name = f"{function.__module__.rpartition('.')[2]}.{function.__name__}"
+        for index in Path(kernel.stats.cache_path).glob(f"{name}*.nbi"):
+            if index.stat().st_mtime < changed:
+                index.unlink(missing_ok=True)
+    except (RuntimeError, OSError):
+        kernel = njit(**options)(function)
+    kernel.compile("boolean(float64[:,:,:], int64, float64[:,:,:,:], boolean)")
+    kernel.disable_compile()
+    (overload,) = kernel.overloads.values()
+    return overload.entry_point

@@ -1,0 +1,38 @@
+"""A frame's motion for a control loop: arrays that a call reads and writes, with no checks and no new
+memory."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from workbench.kinematics.tree_plan import Plan
+
+
+class Evaluator(partial):
+    """What `Robot.evaluator` returns: a call without arguments that computes anew from what is in `q`.
+
+    q (N + 1, positions): the coordinates and their derivatives, to be filled in place before each call.
+    pose (4, 4): X_WF. twists (N, 6): V_WF = (ω; velocity of Fo) and its derivatives, in W's axes. jacobians
+    (orders, 6, velocities): J of these twists and its derivatives. They are overwritten by each call. It
+    returns False, with them unusable, if an angle is beyond 2⁵⁰ rad.
+    """
+
+    q: np.ndarray
+    pose: np.ndarray
+    twists: np.ndarray
+    jacobians: np.ndarray
+
+
+def evaluator_of(plan: Plan, order: int, coordinates: int, jacobians: int) -> Evaluator:
+    """The evaluator of a plan for one frame."""
+    q, record = np.zeros((order + 1, coordinates)), np.zeros(plan.rows)
+    call = Evaluator(plan.kernel, q[:, None], plan.address, record[None, None, None], False)
+    call.plan = plan  # what the address points to must live as long
+    call.q, call.pose = q, record[:16].reshape(4, 4)
+    call.twists = record[16 : 16 + 6 * order].reshape(order, 6)
+    call.jacobians = record[16 + 6 * order :].reshape(jacobians, 6, coordinates)
+    return call

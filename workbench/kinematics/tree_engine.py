@@ -1,0 +1,85 @@
+"""Evaluates a tree of joints by the compiled kernel, which is loaded when something is first computed.
+
+Loading takes some tenths of a second; the first time on a machine the kernel is compiled, which takes some
+seconds, and kept on disk.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy import empty
+
+from workbench.kinematics.tree_steps import Frame, Step, Wanted
+
+if TYPE_CHECKING:
+    from workbench.kinematics.tree_plan import Plan
+
+
+class TreeEngine:
+    """Poses, twist derivatives and Jacobian derivatives of frames on a tree of steps.
+
+    frames: by name. channels: how many input channels the steps' drives read; velocities: how many columns
+    the Jacobians have."""
+
+    def __init__(
+        self,
+        steps: Sequence[Step],
+        frames: Mapping[str, Frame],
+        channels: int,
+        velocities: int,
+    ):
+        self._steps, self._frames = tuple(steps), frames
+        self._channels, self._velocities = channels, velocities
+        self._plans: dict[tuple, Plan] = {}
+
+    def plan(self, names: str | tuple[str, ...], order: int, jacobians: int = 0) -> Plan:
+        """The plan for one frame or more, inputs with `order` derivatives, and so many orders of
+        Jacobians."""
+        key = names, order, jacobians
+        if key not in self._plans:
+            self._plans[key] = self._new_plan(names, order, jacobians)
+        return self._plans[key]
+
+    def of_one_state(self, q: np.ndarray, name: str, order: int) -> np.ndarray:
+        """The pose's 16 numbers and the twists (16 + 6 order,) of a frame at one state q (order + 1,
+        channels)."""
+        plan = self._plans.get((name, order, 0)) or self.plan(name, order)
+        record = empty(plan.rows)
+        out = record[None, None, None]
+        if not plan.kernel(q[:, None], plan.address, out, False):
+            compute(q[:, None], plan, out)
+        record.setflags(write=False)
+        return record
+
+    def _new_plan(self, names: str | tuple[str, ...], order: int, jacobians: int) -> Plan:
+        from workbench.kinematics.tree_plan import plan_of
+
+        frames = [self._frames[name] for name in ((names,) if isinstance(names, str) else names)]
+        return plan_of(self._steps, frames, self._channels, self._velocities, Wanted(order, jacobians))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return vars(self) | {"_plans": {}}  # plans hold addresses of this process
+
+
+def compute(q: np.ndarray, plan: Plan, out: np.ndarray) -> None:
+    """Run a plan: q (order + 1, states, channels) → out (frames, states, orders, parts), both of doubles.
+
+    The numbers of a frame and a state are `plan.rows`: the pose's 16, the twists, the Jacobians. They are
+    spread over the last two axes in this order."""
+    if not plan.kernel(q, plan.address, out, False):
+        plan.kernel(q, plan.address, out, True)  # some angle is so large that only the C library reduces it
+
+
+def states_side_by_side(frames: int, states: int, rows: int) -> np.ndarray:
+    """Fresh memory (frames, states, rows) in which the states' numbers are neighbours, on whole cache
+    lines."""
+    from workbench.kinematics.lanes import SIZE, WIDTH
+
+    padded = -(-states // WIDTH) * WIDTH
+    memory = np.empty(frames * rows * padded + WIDTH)
+    start = -memory.ctypes.data % SIZE // 8
+    whole = memory[start : start + frames * rows * padded].reshape(frames, rows, padded)
+    return whole[..., :states].swapaxes(1, 2)

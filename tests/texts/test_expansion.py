@@ -15,6 +15,7 @@ EXPANDED = [
     (r"\newcommand{\d}[2][]{\frac{d^{#1} #2}{dt^{#1}}}", r"\d[2]{x} + \d y", r"\frac{d^{2} x}{dt^{2}} + \frac{d^{} y}{dt^{}}"),
     (r"\def\pair(#1,#2){[#1|#2]}", r"\pair(a,b)", r"[a|b]"),
     (r"\def\upto#1\end{<#1>}", r"\upto x+y\end z", r"<x+y>z"),
+    (r"\def\upto#1\end{<#1>}", r"\upto{x}\end \upto{x}{y}\end", r"<x> <{x}{y}>"),
     (r"\DeclareMathOperator{\tr}{tr}\DeclareMathOperator*{\argmin}{arg\,min}", r"\tr A", r"\operatorname{tr}A"),
     (r"\DeclarePairedDelimiter\norm{\lVert}{\rVert}", r"\norm*{x} = \norm[\big]{y}", r"\left\lVert x\right\rVert= \left\lVert y\right\rVert"),
     (r"\NewDocumentCommand\v{s m O{B}}{\IfBooleanTF{#1}{\dot #2}{#2}_{#3}}", r"\v{r} + \v*{r}[A]", r"r_{B} + \dot r_{A}"),

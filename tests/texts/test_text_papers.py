@@ -206,6 +206,8 @@ STEPS = [
     (r"\begin{matrix} a = b \\ c = d \end{matrix}", ["a = b", "c = d"]),
     (r"\begin{matrix} a = b & c = d \end{matrix}", [r"\begin{matrix} a = b & c = d \end{matrix}"]),
     (r"\displaylines{a = b \\ c = d}", ["a = b", "c = d"]),
+    (r"\begin{array}{lll} a = b & c & = d \end{array}", ["a = b", "c = d"]),
+    (r"\begin{aligned} a &= b & + c &= d \end{aligned}", ["a = b", "+ c = d"]),
 ]  # fmt: skip
 
 

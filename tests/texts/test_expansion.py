@@ -22,6 +22,8 @@ EXPANDED = [
     (r"\NewDocumentCommand\p{m o}{#1\IfNoValueF{#2}{^{#2}}}", r"\p{a} \p{b}[2]", r"a b^{2}"),
     (r"\let\ga\alpha\let\old\vec\renewcommand{\vec}[1]{\mathbf{#1}}", r"\ga \vec{a} \old{b}", r"\alpha\mathbf{a} \vec{b}"),
     (r"\newif\iflong\longtrue\newcommand\x{\iflong a\else b\fi}", r"\x", r"a"),
+    (r"\newcommand\x{\ifnum 1<2 a\else b\fi}", r"\x + \ifnum-3>12 a\else b\fi", "a + b"),
+    ("", r"\ifnum 12=012 a\else b\fi + \ifnum 1>0 2 a\else b\fi", "a + 2 a"),
     (r"\newcommand\opt[1]{a\ifx\\#1\\ \else_{#1}\fi}", r"\opt{} \opt{k}", r"a a_{k}"),
     (r"\newcommand\e[1]{\ensuremath{e_{#1}}}", r"\e1", r"e_{1}"),
     (r"\newcommand\make[1]{\newcommand#1[1]{<##1>}}\make\angle", r"\angle{x}", r"<x>"),
@@ -102,6 +104,14 @@ def test_overrides_win_over_the_text(tmp_path: Path) -> None:
     assert "only TeX can follow" in read_text(path).warnings[0].message
     read = read_text(path, macros=tmp_path / "m.tex").displays[0]
     assert _bare(read.latex) == r"\left(a\right)" and not read.opaque
+
+
+@pytest.mark.parametrize("test", [r"\z>1", r"1<\z", r"-1=\z"])
+def test_an_undecided_comparison_is_told_and_kept(tmp_path: Path, test: str) -> None:
+    text = _read(tmp_path, "p.tex", rf"\[ \ifnum{test} a\else b\fi \]")
+    (display,) = text.displays
+    assert "first branch" in text.warnings[0].message and display.opaque == {"ifnum"}
+    assert _bare(display.latex) == f"{test}a"
 
 
 MARKDOWN = [

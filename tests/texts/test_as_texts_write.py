@@ -89,6 +89,10 @@ SPELLED = [
     (r"\sum m v = \sum_i F_i", [r"\sum m v = \sum_i F_i"]),
     (r"v_i = w_i = u_i, \, i = 1,2,3", [r"v_i=w_i,i=\overline{1,3}", r"w_i=u_i,i=\overline{1,3}"]),
     (r"v_i = w_i \quad (i = 0, 1)", [r"v_i = w_i,i=\overline{0,1}"]),
+    (
+        r"v_{ij} = w_i, \quad i = 1, 2, (j = 1, 2)",
+        [r"v_{ij} = w_i, i=\overline{1,2}, j=\overline{1,2}"],
+    ),
     (r"v_i = w_i \text{ for } i = 1, \ldots, n", [r"v_i = w_i,i\geq1"]),
     (
         r"v_{ij} = w_i, \; i, j = 1,...,6, \quad u = z",

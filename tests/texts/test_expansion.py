@@ -15,12 +15,16 @@ EXPANDED = [
     (r"\newcommand{\d}[2][]{\frac{d^{#1} #2}{dt^{#1}}}", r"\d[2]{x} + \d y", r"\frac{d^{2} x}{dt^{2}} + \frac{d^{} y}{dt^{}}"),
     (r"\def\pair(#1,#2){[#1|#2]}", r"\pair(a,b)", r"[a|b]"),
     (r"\def\upto#1\end{<#1>}", r"\upto x+y\end z", r"<x+y>z"),
+    (r"\def\upto#1\end{<#1>}", r"\upto{x}\end \upto{x}{y}\end", r"<x> <{x}{y}>"),
     (r"\DeclareMathOperator{\tr}{tr}\DeclareMathOperator*{\argmin}{arg\,min}", r"\tr A", r"\operatorname{tr}A"),
     (r"\DeclarePairedDelimiter\norm{\lVert}{\rVert}", r"\norm*{x} = \norm[\big]{y}", r"\left\lVert x\right\rVert= \left\lVert y\right\rVert"),
     (r"\NewDocumentCommand\v{s m O{B}}{\IfBooleanTF{#1}{\dot #2}{#2}_{#3}}", r"\v{r} + \v*{r}[A]", r"r_{B} + \dot r_{A}"),
     (r"\NewDocumentCommand\p{m o}{#1\IfNoValueF{#2}{^{#2}}}", r"\p{a} \p{b}[2]", r"a b^{2}"),
     (r"\let\ga\alpha\let\old\vec\renewcommand{\vec}[1]{\mathbf{#1}}", r"\ga \vec{a} \old{b}", r"\alpha\mathbf{a} \vec{b}"),
     (r"\newif\iflong\longtrue\newcommand\x{\iflong a\else b\fi}", r"\x", r"a"),
+    (r"\newcommand\x{\ifnum 1<2 a\else b\fi}", r"\x + \ifnum-3>12 a\else b\fi", "a + b"),
+    ("", r"\ifnum 12=012 a\else b\fi + \ifnum 1>0 2 a\else b\fi", "a + 2 a"),
+    (r"\newif\ifbar\bartrue\let\ifz\bar", r"\ifz{x}", r"\bar{x}"),
     (r"\newcommand\opt[1]{a\ifx\\#1\\ \else_{#1}\fi}", r"\opt{} \opt{k}", r"a a_{k}"),
     (r"\newcommand\e[1]{\ensuremath{e_{#1}}}", r"\e1", r"e_{1}"),
     (r"\newcommand\make[1]{\newcommand#1[1]{<##1>}}\make\angle", r"\angle{x}", r"<x>"),
@@ -101,6 +105,14 @@ def test_overrides_win_over_the_text(tmp_path: Path) -> None:
     assert "only TeX can follow" in read_text(path).warnings[0].message
     read = read_text(path, macros=tmp_path / "m.tex").displays[0]
     assert _bare(read.latex) == r"\left(a\right)" and not read.opaque
+
+
+@pytest.mark.parametrize("test", [r"\z>1", r"1<\z", r"-1=\z"])
+def test_an_undecided_comparison_is_told_and_kept(tmp_path: Path, test: str) -> None:
+    text = _read(tmp_path, "p.tex", rf"\[ \ifnum{test} a\else b\fi \]")
+    (display,) = text.displays
+    assert "first branch" in text.warnings[0].message and display.opaque == {"ifnum"}
+    assert _bare(display.latex) == f"{test}a"
 
 
 MARKDOWN = [

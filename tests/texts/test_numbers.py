@@ -202,6 +202,7 @@ UNNUMBERED = r"""
 \backmatter\chapter{J}\section{K}\label{s7}
 \end{document}
 """
+OF_NOTHING = r"\counterwithout{equation}{section}\begin{equation}\label{e1} a\end{equation}\end{document}"
 
 
 def of_class(name: str, body: str, numbers: str, preamble: str = "") -> tuple[str, dict[str, str]]:
@@ -223,6 +224,7 @@ CLASSES = {
     "memoir without numbers": of_class(
         "memoir", UNNUMBERED, "1,1.1,1.1,1.1,1.1,1.2,1.2.1,1.2.1,1.2,A,A,A.1,A"
     ),
+    "counterwithout": of_class("article", OF_NOTHING, "1"),
     "IEEEtran with one appendix": of_class("IEEEtran", ONE_APPENDIX, "I,1,A,A,B,B1,2,B1"),
     "IEEEtran": of_class("IEEEtran", SECTIONED, "1,I,2,I-A,I-A1,I-B,3,II,4,A,5"),
 }

@@ -28,6 +28,8 @@ SPELLED = {
     r"a^{\mkern-1pt \top \mkern -1.5 mu} b\space = {\rm\bf I} c": r"a^{\top} b= \mathbf{I} c",
     r"A = \begin{bmatrix} 1 \\\\ 2 \\ \\ 3 \end{bmatrix}": r"A = \begin{bmatrix} 1 \\ 2 \\ 3 \end{bmatrix}",
     r"\text{the angle $\theta \in S$:} x = y": "x = y",
+    r"x = \text{the turn $\theta$ of $\phi$ in deg} y": r"x = \text{the turn }\theta\text{ of }\phi\text{ in deg} y",
+    r"f(x \text{(by } c = z\text{)}) = y": "f(x) = y",
     r"\leftexp{B}{\omega} = y": r"{}^{B} {\omega} = y",
     r"a = \omega_\mathcal{{B}/\cal{N}}": r"a = \omega_{\mathcal{B}/\mathcal{N}}",
     r"v = (x_1 \hspace{.1 in} y \quad z)^T": r"v = (x_1 , y , z)^T",

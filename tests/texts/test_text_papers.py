@@ -179,6 +179,25 @@ def test_what_no_longer_fits_the_text_is_named_all_at_once(tmp_path: Path) -> No
     assert run("check", str(tmp_path / "p.toml"), "--no-proposals").exit_code == 1
 
 
+def test_a_quote_may_be_spaced_and_ended_otherwise(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("$$ a \\times a = 0 $$ (one)\n")
+    quoted = "[[claim]]\nat = 'one'\nprinted = 'a\\times a  =0.'\n"
+    (tmp_path / "p.toml").write_text(MODEL.split("[[claim]]")[0] + quoted)
+    assert not load_paper(tmp_path / "p.toml").faults
+
+
+def test_macros_that_only_tex_can_follow_are_named(tmp_path: Path) -> None:
+    path = tmp_path / "p.tex"
+    path.write_text(
+        r"\newcommand\one[1]{\expandafter(#1)}\newcommand\other[1]{\expandafter[#1]}"
+        r"\[ \one{1} = 1 \] \[ \other{\one{1}} = 1 \] \[ 1 = 1 \]"
+    )
+    one, both, none = (result.verdict.reason for result in judge_paper(load_paper(path)))
+    assert "the macro \\one could" in one
+    assert "the macro \\one, \\other could" in both
+    assert "macro" not in none
+
+
 STEPS = [
     (r"a = b = c", ["a=b", "b=c"]),
     (r"a = b, \quad c = d", ["a = b", "c = d"]),
@@ -206,6 +225,8 @@ STEPS = [
     (r"\begin{matrix} a = b \\ c = d \end{matrix}", ["a = b", "c = d"]),
     (r"\begin{matrix} a = b & c = d \end{matrix}", [r"\begin{matrix} a = b & c = d \end{matrix}"]),
     (r"\displaylines{a = b \\ c = d}", ["a = b", "c = d"]),
+    (r"\begin{array}{lll} a = b & c & = d \end{array}", ["a = b", "c = d"]),
+    (r"\begin{aligned} a &= b & + c &= d \end{aligned}", ["a = b", "+ c = d"]),
 ]  # fmt: skip
 
 

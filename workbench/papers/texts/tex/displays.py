@@ -232,7 +232,7 @@ class _Body:
                 reader.begin_environment(name)
                 reader.expand(token.standing_for(f"\\{name}"), declared.begin)
             else:
-                call = Call(name, declared.end.defined, token.call, 1)
+                call = Call(name, token.call, 1)
                 parts = declared.end.body
                 made = [Token(p.text, token.source, token.start, token.end, call) for p in parts]
                 reader.push([*made, end_mark(token, group_of(name))])

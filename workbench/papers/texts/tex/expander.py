@@ -199,7 +199,7 @@ def _stays(macro: Macro) -> bool:
 
 
 def _call(token: Token, macro: Macro) -> Call:
-    return Call(token.text[1:], macro.defined, token.call, token.call.depth + 1 if token.call else 1)
+    return Call(token.text[1:], token.call, token.call.depth + 1 if token.call else 1)
 
 
 def _unbraced(tokens: Sequence[Token]) -> Sequence[Token]:

@@ -40,7 +40,7 @@ def _newcommand(expander: State, token: Token) -> None:
         parameters = (Parameter("optional", ("[", "]"), tuple(default)), *_braces(count - 1))
     known = name in expander.names.macros
     if name is not None and not (token.word == "providecommand" and known):
-        expander.declare(name, Macro(parameters, tuple(body), _place(token)))
+        expander.declare(name, Macro(parameters, tuple(body)))
 
 
 def _def(expander: State, token: Token) -> None:
@@ -71,7 +71,7 @@ def _def(expander: State, token: Token) -> None:
         else:
             prefix.append(each.text)
     made = tuple(Parameter("until", tuple(marks)) if marks else bare for bare, marks in parameters)
-    macro = Macro(made, tuple(body), _place(token), tuple(prefix), protected=protected)
+    macro = Macro(made, tuple(body), tuple(prefix), protected=protected)
     expander.declare(name.word, macro, everywhere)
 
 
@@ -88,7 +88,7 @@ def _let(expander: State, token: Token) -> None:
         expander.assign(expander.names.flags, name[2:], flag, everywhere)
         return
     macro = expander.names.macros.get(target.word or "")
-    expander.declare(name, macro or Macro((), (target,), _place(token), keeps=True), everywhere)
+    expander.declare(name, macro or Macro((), (target,), keeps=True), everywhere)
 
 
 def _flag_of(expander: State, target: Token) -> bool | None:
@@ -107,7 +107,7 @@ def _operator(expander: State, token: Token) -> None:
     name, body = _name(expander), expander.argument()
     if name is not None:
         made = [*_made(f"\\operatorname{star}{{", token), *body, *_made("}", token)]
-        expander.declare(name, Macro((), tuple(made), _place(token)))
+        expander.declare(name, Macro((), tuple(made)))
 
 
 #: \name*{…} and \name[\big]{…} differ from \name{…} in size alone.
@@ -136,7 +136,7 @@ def _declare_delimiter(
 ) -> None:
     body = [*_made("\\left", token), *left, *inside, *_made("\\right", token), *right]
     if name is not None:
-        expander.declare(name, Macro((*_SIZE, *_braces(count)), tuple(body), _place(token)))
+        expander.declare(name, Macro((*_SIZE, *_braces(count)), tuple(body)))
 
 
 def _document_command(expander: State, token: Token) -> None:
@@ -149,7 +149,7 @@ def _document_command(expander: State, token: Token) -> None:
         expander.warn(token, f"{message}; \\{name} is left as it stands")
         expander.opaque.add(name)
     elif not (token.word == "ProvideDocumentCommand" and name in expander.names.macros):
-        expander.declare(name, Macro(parameters, tuple(body), _place(token), protected=True))
+        expander.declare(name, Macro(parameters, tuple(body), protected=True))
 
 
 def parameters_of(spec: Sequence[Token]) -> tuple[Parameter, ...] | None:
@@ -219,8 +219,7 @@ def _declare_environment(
     begin: Sequence[Token],
     end: Sequence[Token],
 ) -> None:
-    place = _place(token)
-    declared = Environment(Macro(parameters, tuple(begin), place), Macro((), tuple(end), place))
+    declared = Environment(Macro(parameters, tuple(begin)), Macro((), tuple(end)))
     expander.assign(expander.names.environments, name, declared)
     expander.assign(expander.names.printed, name, not is_verbatim(expander, begin))
 
@@ -229,10 +228,6 @@ def _flag(expander: State, token: Token) -> None:
     name = _name(expander) or ""
     if name.startswith("if"):
         expander.assign(expander.names.flags, name[2:], False)
-
-
-def _place(token: Token) -> tuple[Source, int]:
-    return token.source, token.start
 
 
 def _made(latex: str, token: Token) -> list[Token]:
@@ -248,7 +243,7 @@ def named(bodies: Mapping[str, str], path: Path) -> dict[str, Macro]:
         tokens = tuple(lex(source.view()))
         count = max((int(t.text[1:]) for t in tokens if re.fullmatch(r"#\d", t.text)), default=0)
         star = Parameter("star", counted=False)
-        made[name.removeprefix("\\")] = Macro((star, *_braces(count)) if count else (), tokens, None)
+        made[name.removeprefix("\\")] = Macro((star, *_braces(count)) if count else (), tokens)
     return made
 
 

@@ -9,7 +9,6 @@ from typing import TypeVar
 from workbench.papers.texts.tex.groups import CELL, CLOSING, LEFT, OPENING, Groups, environment, has_cells
 from workbench.papers.texts.tex.stream import TokenStream
 from workbench.papers.texts.tex.tokens import Token
-from workbench.papers.texts.view import Source
 
 T = TypeVar("T")
 
@@ -35,7 +34,6 @@ class Macro:
 
     parameters: tuple[Parameter, ...]
     body: tuple[Token, ...]
-    defined: tuple[Source, int] | None
     prefix: tuple[str, ...] = ()
     keeps: bool = False
     protected: bool = False

@@ -30,7 +30,6 @@ class Call:
     """A macro's use: the tokens of its body came through it."""
 
     name: str
-    defined: tuple[Source, int] | None
     outer: Call | None
     depth: int
 

@@ -51,8 +51,7 @@ def include(reader: State, token: Token) -> None:
 def special(reader: State, token: Token) -> None:
     """\\specialcomment{name}{before}{after}: a printed environment."""
     name, before, after = reader.word(), reader.argument(), reader.argument()
-    place = token.source, token.start
-    declared = Environment(Macro((), tuple(before), place), Macro((), tuple(after), place))
+    declared = Environment(Macro((), tuple(before)), Macro((), tuple(after)))
     reader.assign(reader.names.environments, name, declared)
     reader.assign(reader.names.printed, name, True)
 

@@ -246,7 +246,11 @@ def test_what_stands_in_a_group_stays_in_it(tmp_path: Path) -> None:
 
 
 def test_an_environment_without_an_end_ends_with_its_group(tmp_path: Path) -> None:
-    for part in (r"{\begin{bmatrix} b \\ c }", r"\frac{\begin{bmatrix} b}{c}", r"\left(\begin{matrix} b \right)"):
+    for part in (
+        r"{\begin{bmatrix} b \\ c }",
+        r"\frac{\begin{bmatrix} b}{c}",
+        r"\left(\begin{matrix} b \right)",
+    ):
         (display,) = displays_of(tmp_path, f"$$a = {part} = d, \\quad e = f$$", "p.md")
         part = "".join(part.split())
         found = [plain_of(step) for line in steps_of(display) for step in line]

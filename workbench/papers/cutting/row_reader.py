@@ -168,8 +168,10 @@ class RowReader:
         if self._pending is not None and not self._begins_definition(piece):
             self._behind_words(piece, rest)
             return False
-        if self._pending is not None:
-            self._define_beside(piece)
+        if self._pending is not None:  # “where R = …” says what R is, or is a condition
+            self._pending = None
+            self._begun.add(self._column)
+            self._begin_beside(piece)
             return False
         is_first = self._here is None and self._column not in self._begun
         above = self._above.get(self._column) if is_first else None
@@ -199,12 +201,6 @@ class RowReader:
     def _begins_definition(self, piece: Piece) -> bool:
         """Whether “where R := …” says what R is: a statement, and no condition."""
         return self._pending is Role.CONDITION and self._names_what and names_what(piece.kept)
-
-    def _define_beside(self, piece: Piece) -> None:
-        """Begins “where R = …”, which says what R is, or may be a condition of what stands before it."""
-        self._pending = None
-        self._begun.add(self._column)
-        self._begin_beside(piece)
 
     def _begin_beside(self, piece: Piece) -> Statement:
         """Begins a statement that may be a condition of those before it in its row."""
@@ -394,11 +390,9 @@ def _end_of_a_name(piece: Piece, rest: Sequence[Piece]) -> int:
     colon = next((at for at, node in enumerate(piece.kept) if node.name == ":"), 0)
     is_symbol = sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in piece.kept[:colon]) == 1
     behind_it = [node for node in piece.kept[colon + 1 :] if node.text != " "]
-    is_spaced = (
-        bool(behind_it)
-        and behind_it[0].kind is Kind.GAP
-        and behind_it[0].text.strip(" ") in ("\\", "~", "\\;")
-    )
-    is_spaced = is_spaced or (not behind_it and bool(rest) and Apart.WIDE in rest[0].apart)
+    if behind_it:
+        is_spaced = behind_it[0].kind is Kind.GAP and behind_it[0].text.strip(" ") in ("\\", "~", "\\;")
+    else:
+        is_spaced = bool(rest) and Apart.WIDE in rest[0].apart
     arrows = {node.name for node in piece.kept} & {"\\to", "\\rightarrow", "\\longrightarrow", "\\mapsto"}
     return colon + 1 if colon and is_symbol and is_spaced and not arrows else 0

@@ -1,7 +1,8 @@
-"""Which lines of the judge, or of the reader, no test would miss: a sample of mutants by mutmut.
+"""Which lines of the judge, of the reader or of the text layer no test would miss: a sample of mutants by mutmut.
 
     uv run --group mutation python tests/mutation.py judge --sample 400
     uv run --group mutation python tests/mutation.py language --sample 100
+    uv run --group mutation python tests/mutation.py texts --sample 100 --seed 35
 
 pyproject.toml says which files and which tests are meant by these names. mutmut writes the mutants; all tests run
 once, to see which of them calls which function. Each mutant of the sample then gets a process of its own, which runs

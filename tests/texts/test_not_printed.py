@@ -214,3 +214,11 @@ def test_only_what_is_printed_has_a_verdict(tmp_path: Path, name: str) -> None:
     (tmp_path / "p.toml").write_text(f'source = "{name}"\n[symbols]\nf = "scalar"\ng = "scalar"\n')
     (result,) = judge_paper(load_paper(tmp_path / "p.toml"))
     assert "g f" in result.claim.printed.latex
+
+
+def test_verb_ends_with_its_line(tmp_path: Path) -> None:
+    (tmp_path / "p.tex").write_text("Text \\verb|a\n\\[ |c| = d \\]\n\\[ e = f \\]\n")
+    assert [display.latex.strip() for display in read_text(tmp_path / "p.tex").displays] == [
+        "|c| = d",
+        "e = f",
+    ]

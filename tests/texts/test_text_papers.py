@@ -198,6 +198,14 @@ def test_macros_that_only_tex_can_follow_are_named(tmp_path: Path) -> None:
     assert "macro" not in none
 
 
+def test_another_reading_that_is_not_read_decides_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "p.tex"
+    path.write_text("%! workbench: symbols.x = 'scalar'\n" r"\[\begin{split} & x = \sin \\ & x \end{split}\]")
+    (result,) = judge_paper(load_paper(path))
+    assert result.claim.otherwise[0].unread == "cannot be read: line 1, column 5: sin of nothing"
+    assert result.verdict.outcome is Outcome.UNCHECKED and "a row without" in result.verdict.reason
+
+
 STEPS = [
     (r"a = b = c", ["a=b", "b=c"]),
     (r"a = b, \quad c = d", ["a = b", "c = d"]),
@@ -227,6 +235,7 @@ STEPS = [
     (r"\displaylines{a = b \\ c = d}", ["a = b", "c = d"]),
     (r"\begin{array}{lll} a = b & c & = d \end{array}", ["a = b", "c = d"]),
     (r"\begin{aligned} a &= b & + c &= d \end{aligned}", ["a = b", "+ c = d"]),
+    (r"a &= b & + c &= d \\ e &= f", ["a = b", "+ c = d", "e = f"]),
 ]  # fmt: skip
 
 

@@ -27,6 +27,7 @@ EXPANDED = [
     (r"\newif\ifbar\bartrue\let\ifz\bar", r"\ifz{x}", r"\bar{x}"),
     (r"\makeatletter\newif\ifmy@\newcommand\x{\my@false\ifmy@ a\else b\fi}\makeatother", r"\x", "b"),
     (r"\NewDocumentCommand\v{t+ m}{\IfBooleanTF{#1}{\dot #2}{#2}}", r"\v+{r} = \v{r}", r"\dot r = r"),
+    (r"\newcommand\x{\ifmmode a\else b\fi}", r"\x", "a"),
     (r"\newcommand\opt[1]{a\ifx\\#1\\ \else_{#1}\fi}", r"\opt{} \opt{k}", r"a a_{k}"),
     (r"\newcommand\e[1]{\ensuremath{e_{#1}}}", r"\e1", r"e_{1}"),
     (r"\newcommand\make[1]{\newcommand#1[1]{<##1>}}\make\angle", r"\angle{x}", r"<x>"),

@@ -18,6 +18,7 @@ SPELLED = {
     r"a = \boldsymbol\omega_\mathcal{B/N}": r"a = \boldsymbol\omega_{\mathcal{B}/\mathcal{N}}",
     r"\alpha^{\prime}_1 = x^{\prime\prime}": r"\alpha'_1 = x''",
     r"A = \mathbf{R}(t)^T S {(t)^T}": r"A = \mathbf{R}^T S ^T",
+    r"A = \varOmega(t)^T \omega(t)^T + \cos(t)^2": r"A = \mathit{\Omega}^T \omega^T + \cos(t)^2",
     r"m_{\text{\text{sc}}} = J_{\textit{7}}": r"m_{\text{sc}} = J_{\text{7}}",
     r"I{ }^{-1} \cdot R{}^{-1} = {}^{-1} R {}^A x": r"I^{-1} \cdot R^{-1} = {}^{-1} R {}^A x",
     r"\omega_{\mathcal{E}_{\textit{i}}/N} = x_{\textit{in}}": r"\omega_{\mathcal{E}_{i}/N} = x_{\text{in}}",

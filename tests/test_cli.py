@@ -263,7 +263,7 @@ def test_a_bad_call_gets_one_message(arguments, says):
 def test_assumptions_that_nothing_satisfies_are_an_error(tmp_path):
     paper = tmp_path / "p.toml"
     paper.write_text(
-        "title = 'x'\n[symbols]\na = { kind = 'vector' }\n[[claim]]\nid = '1'\nprinted = 'a = 0'\n"
+        "title = 'x'\n[symbols]\na = { kind = 'vector' }\n[[claim]]\nid = '1'\nprinted = 'a^2 = 1'\n"
         "assume = ['a = 0', 'a \\neq 0']\n"
     )
     assert_one_message(run("check", str(paper)), f"{paper}:4: claim 1: ")

@@ -21,7 +21,7 @@ from workbench.language.typed.instances import instantiate
 from workbench.language.typed.terms import Conjunction, IllFormed, Relation
 from workbench.papers import find_paper
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.edits import KINDS, edits
+from workbench.repair.terms.edits import KINDS, Edit, edits
 from workbench.repair.terms.places import sides
 from workbench.verify.results import HOLDS
 
@@ -126,7 +126,7 @@ def run(pairs):
 
 def test_a_sample_of_mutants(originals):
     pool = [(claim, statement, edit) for claim, statement in originals for edit in edits(statement)]
-    well_formed = [mutant for mutant in pool if mutant[2].statement is not None]
+    well_formed = [mutant for mutant in pool if isinstance(mutant[2], Edit)]
     chosen = Random(SEED).sample(well_formed, SAMPLE)
     counts, escaped = run(sorted(chosen, key=lambda mutant: mutant[0].id))
     assert not escaped, "\n".join(escaped)
@@ -159,7 +159,7 @@ def test_a_refutation_modulo_the_prime_is_one_by_the_judge(originals):
     compared = 0
     for claim, statement in Random(SEED).sample(originals, 12):
         campaign = Campaign(claim, statement)
-        mutants = [e for e in edits(statement) if e.statement is not None]
+        mutants = [e for e in edits(statement) if isinstance(e, Edit)]
         for edit in Random(claim.id).sample(mutants, min(2, len(mutants))):
             if not claim.assume and campaign.refuted_modulo_the_prime(edit.statement):
                 verdict = campaign.verdict(edit.statement)

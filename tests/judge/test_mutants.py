@@ -21,7 +21,7 @@ from workbench.language.typed.instances import instantiate
 from workbench.language.typed.terms import Conjunction, IllFormed, Relation
 from workbench.papers import find_paper
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.edits import KINDS, Edit, edits
+from workbench.repair.terms.edits import KINDS, Edit, Refused, edits
 from workbench.repair.terms.places import sides
 from workbench.verify.results import HOLDS
 
@@ -67,7 +67,7 @@ class Campaign:
 
     def outcome(self, edit):
         """One of OUTCOMES; anything else is a mutant that got away."""
-        if edit.statement is None or not self.is_defined(edit.statement):
+        if isinstance(edit, Refused) or not self.is_defined(edit.statement):
             return "ill-formed"
         if self.refuted_modulo_the_prime(edit.statement):
             return "refuted"

@@ -325,7 +325,8 @@ def test_interrupted_it_says_so_and_leaves_no_half_report(tmp_path):
         "from workbench.cli.commands import main; main()"
     )
     call = [sys.executable, "-c", code, "report", "--paper", EVERY_VERDICT, "--out", str(tmp_path / "out")]
-    done = subprocess.run(call, capture_output=True, text=True, timeout=30)
+    anew = {**os.environ, "WORKBENCH_CACHE": os.devnull}  # a kept verdict is not judged
+    done = subprocess.run(call, capture_output=True, text=True, timeout=30, env=anew)
     assert done.returncode == 128 + signal.SIGINT
     assert done.stderr == "interrupted\n"
     assert not (tmp_path / "out").exists()

@@ -12,11 +12,14 @@ import pytest
 from workbench import check
 from workbench.judge.first import closed_numbers
 from workbench.judge.kernel import closed
+from workbench.judge.kernel.judge import Judge
 from workbench.judge.second import closed_values
 from workbench.judge.verdict import EngineDisagreement, Outcome
 from workbench.language.definitions import Definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
+from workbench.papers.formulas import read_statement
+from workbench.papers.model import Notation
 
 PLAIN = SymbolTable.build({})
 
@@ -170,3 +173,11 @@ def test_roots_of_numbers_lie_in_the_cyclotomic_field(order: int) -> None:
         if order % (4 * closed_numbers.prod(primes)) == 0:
             own = field._root(closed_numbers.Fraction(square))
             assert (own * own - field.rational(closed_numbers.Fraction(square))).polynomial == 0
+
+
+def test_one_engine_proves_no_closed_formula() -> None:
+    notation = Notation(SymbolTable(), Definitions([]), {})
+    statement, _ = read_statement(r"\cos\frac{\pi}{3} = \frac12", notation, None)
+    assert Judge(notation.definitions).judge(statement).outcome is Outcome.PROVED
+    alone = Judge(notation.definitions, second_engine=False).judge(statement)
+    assert alone.outcome is Outcome.PROBABLE

@@ -69,7 +69,7 @@ class Judge(Setting):
         judged = judge_family(judge, statement, tuple(assume), hypothesis, orders)
         is_idle = judged.reason == SAME_TERM and isinstance(statement, Relation)
         if is_idle and statement.left != statement.right:
-            judged = judge_closed(statement, tuple(assume), self.definitions) or judged
+            judged = judge_closed(statement, tuple(assume), self.definitions, self.second_engine) or judged
         return replace(judged, read_back=to_latex(statement))
 
     def judge_instance(
@@ -133,7 +133,7 @@ class Judge(Setting):
         except ZeroDivisionError:
             return Verdict(Outcome.UNCHECKED, reason="a denominator is identically zero")
         except NotExact:
-            if (closed := judge_closed(statement, assume, self.definitions)) is None:
+            if (closed := judge_closed(statement, assume, self.definitions, self.second_engine)) is None:
                 raise
             return closed
         values = verdict.counterexample and verdict.counterexample.values
@@ -143,7 +143,7 @@ class Judge(Setting):
         is_settled = is_refuted or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION)
         if is_settled or verdict.reason == SAME_TERM:
             return verdict
-        return judge_closed(statement, assume, self.definitions) or verdict
+        return judge_closed(statement, assume, self.definitions, self.second_engine) or verdict
 
     def _judge_form(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:
         match statement:

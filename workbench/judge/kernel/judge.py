@@ -136,10 +136,9 @@ class Judge(Setting):
             if (closed := judge_closed(statement, assume, self.definitions, self.second_engine)) is None:
                 raise
             return closed
-        values = verdict.counterexample and verdict.counterexample.values
-        is_refuted = (
-            verdict.outcome is Outcome.REFUTED and not values
-        )  # with π, a value for it would be needed
+        # A counterexample that gives π a value is none.
+        values = verdict.counterexample.values if verdict.counterexample else ()
+        is_refuted = verdict.outcome is Outcome.REFUTED and not values
         is_settled = is_refuted or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION)
         if is_settled or verdict.reason == SAME_TERM:
             return verdict

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from workbench.language.typed.names import Name
 from workbench.papers.load import load_paper
 from workbench.papers.model import PaperError
 from workbench.verify.claims import judge_paper
@@ -143,3 +144,43 @@ def test_a_scope_may_begin_at_any_line(tmp_path: Path) -> None:
         assert not paper.faults and outcomes == ["refuted", "proved"], line
     (tmp_path / "p.toml").write_text(model + scope.format(10))
     assert "the text has no 'line 10'" in load_paper(tmp_path / "p.toml").faults[0].message
+
+
+@pytest.mark.parametrize("section", [r"\section{Two}\label{sec:two}", r"\section*{Two}\label{sec:two}"])
+def test_a_scope_begins_at_the_label_of_a_section(tmp_path: Path, section: str) -> None:
+    body = rf"\[ b \cdot a = a \cdot b \] {section} where \[ b a = a b \] \section{{Three}}\label{{sec:end}}"
+    (tmp_path / "p.tex").write_text(
+        rf"\begin{{document}}\section{{One}}\label{{sec:one}}{body}\end{{document}}"
+    )
+    head = "source = 'p.tex'\n[symbols]\n'a' = 'vector'\n'b' = 'vector'\n[[scope]]\n"
+    scope = "from = 'sec:two'\nsymbols = { 'b' = { kind = 'scalar' } }\n"
+    (tmp_path / "p.toml").write_text(head + scope)
+    claims = load_paper(tmp_path / "p.toml").claims
+    kinds = [claim.notation.symbols.symbols[Name("b")].type.kind for claim in claims]
+    assert kinds == ["vector", "scalar"]
+    (tmp_path / "p.toml").write_text(head + scope.replace("sec:two", "sec:end"))  # no display follows
+    assert "from: the text has no 'sec:end'" in load_paper(tmp_path / "p.toml").faults[0].message
+
+
+def test_a_scope_may_use_what_is_defined_behind_the_place(tmp_path: Path) -> None:
+    """Of r, e and s a scope defines r anew by e, which stood behind it, and e is in force as before."""
+    (tmp_path / "p.md").write_text("$$ s = 2 a $$\n\n$$ s = 8 a $$ (two)\n")
+    (tmp_path / "p.toml").write_text(
+        "source = 'p.md'\n[symbols]\na = 'vector'\nr = 'vector'\ns = 'vector'\ne = 'vector'\n"
+        "[definitions]\nr = 'a'\ns = '2 r'\ne = '2 a'\n"
+        "[[scope]]\nfrom = 'two'\ndefinitions = { r = '2 e' }\n"
+    )
+    assert [each.verdict.outcome.value for each in judge_paper(load_paper(tmp_path / "p.toml"))] == [
+        "proved",
+        "proved",
+    ]
+
+
+def test_what_a_scope_defines_in_a_circle_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "p.md").write_text("$$ r = 2 e $$\n\n$$ e = 2 r $$ (two)\n")
+    (tmp_path / "p.toml").write_text(
+        "source = 'p.md'\n[symbols]\nr = 'vector'\ne = 'vector'\n[definitions]\nr = '2 e'\n"
+        "[[scope]]\nfrom = 'two'\ndefinitions = { e = '2 r' }\n"
+    )
+    with pytest.raises(PaperError, match="used above its definition"):
+        load_paper(tmp_path / "p.toml")

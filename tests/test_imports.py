@@ -16,6 +16,7 @@ ROOT = Path(workbench.__file__).parent
 
 #: What a part of the engine may import: the parts before it.
 LAYERS = (
+    ("core",),
     ("algebra", "budget", "language", "drake", "memory", "typeset"),
     ("kinematics", "judge"),
     ("papers",),

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from typing import Any
 
+from workbench.core.reasons import Code, Reason, code_of
+
 
 class Outcome(StrEnum):
     """The verdicts of the report. ARGUED: steps are checked, and prose joins them; it never counts as
@@ -20,10 +22,6 @@ class Outcome(StrEnum):
     ARGUED = "argued"
     PROBABLE = "probable"
     UNCHECKED = "unchecked"
-
-
-#: Why a claim that says x = x has no verdict.
-SAME_TERM = "both sides are the same term, so nothing is tested"
 
 
 class EngineDisagreement(RuntimeError):
@@ -97,25 +95,32 @@ class Verdict:
     outcome: Outcome
     read_back: str | None = None
     scope: str | None = None
-    reason: str | None = None
+    reason: Reason | None = None
     hypothesis: str | None = None
     counterexample: Counterexample | None = None
     evidence: tuple[Evidence, ...] = ()
     no_motion: str = ""
 
+    @property
+    def code(self) -> Code | None:
+        """The code of the reason; None where there is no reason."""
+        return code_of(self.reason)
+
     def to_dict(self) -> dict[str, Any]:
         own = {field.name: getattr(self, field.name) for field in fields(self)}
+        own["reason"] = self.reason.to_dict() if isinstance(self.reason, Reason) else self.reason
         against = self.counterexample.to_dict() if self.counterexample else None
         return own | {"counterexample": against, "evidence": [e.to_dict() for e in self.evidence]}
 
     @staticmethod
     def from_dict(data: Mapping[str, Any]) -> Verdict:
         """What `to_dict` gives, back. Raises KeyError, ValueError or TypeError for anything else."""
-        against = data["counterexample"]
+        against, reason = data["counterexample"], data["reason"]
         return Verdict(
             **{
                 **data,
                 "outcome": Outcome(data["outcome"]),
+                "reason": Reason.from_dict(reason) if isinstance(reason, Mapping) else reason,
                 "counterexample": Counterexample.from_dict(against) if against else None,
                 "evidence": tuple(Evidence.from_dict(entry) for entry in data["evidence"]),
             }

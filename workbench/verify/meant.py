@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.closed import is_of_numbers
 from workbench.judge.subject.angles import sum_of_products
-from workbench.judge.verdict import SAME_TERM, Outcome, Verdict
+from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions, expand, only_turns
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
@@ -127,7 +128,7 @@ class Meant:
             if statement != claim.printed.statement:
                 verdict = self._under.verdict(replace(claim, printed=printed), ())
                 proved = (Outcome.PROVED, Outcome.DEFINITION, Outcome.CONDITIONAL)
-                holds = verdict.outcome in proved or verdict.reason == SAME_TERM
+                holds = verdict.outcome in proved or verdict.code is VerdictCode.SAME_TERM
                 return _REACH if holds else None
         return None
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from workbench.judge.verdict import SAME_TERM, Counterexample, Outcome, Verdict
+from workbench.core.verdict_codes import VerdictCode
+from workbench.judge.verdict import Counterexample, Outcome, Verdict
 from workbench.papers.model import Claim, Formula
 from workbench.repair.propose.proposed import Proposed
 from workbench.typeset.differences import difference
@@ -117,7 +118,7 @@ def _only_marks_differ(claim: Claim) -> bool:
 
 def _unexpected(result: ClaimResult) -> Iterator[str]:
     claim = result.claim
-    is_idle = result.verdict.reason == SAME_TERM and result.expected is Outcome.PROVED
+    is_idle = result.verdict.code is VerdictCode.SAME_TERM and result.expected is Outcome.PROVED
     if claim.span is not None and is_idle:  # a step of a chain that says x = x
         return
     if claim.unread is None or result.verdict.outcome not in HOLDS:  # a verdict where none was expected yet

@@ -8,8 +8,9 @@ from contextlib import suppress
 from dataclasses import replace
 from itertools import chain, product
 
+from workbench.core.verdict_codes import UNLESS_IT_LASTS
 from workbench.judge.kernel.families import mapped
-from workbench.judge.kernel.judge import UNLESS_IT_LASTS, Judge
+from workbench.judge.kernel.judge import Judge
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
 from workbench.judge.verdict import EngineDisagreement, Outcome
@@ -279,7 +280,7 @@ def _holds(
         meant = mapped(claim.printed.statement, special)
         supposed = (*(mapped(each, special) for each in claim.supposed), *premises, *known.known_of(meant))
         verdict = judge.judge(meant, supposed, orders=claim.orders)
-        return verdict.outcome in HOLDS or (verdict.reason or "").startswith(UNLESS_IT_LASTS)
+        return verdict.outcome in HOLDS or verdict.code in UNLESS_IT_LASTS
     return False
 
 

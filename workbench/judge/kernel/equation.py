@@ -7,6 +7,7 @@ zero, a small rational counterexample.
 from __future__ import annotations
 
 from workbench.algebra.differential_ring import Polynomial
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.evidence.points import Trial
 from workbench.judge.evidence.reals import surely_differ
 from workbench.judge.kernel.case import Case, NoDefinitions, Setting
@@ -14,7 +15,7 @@ from workbench.judge.kernel.laws import law_for
 from workbench.judge.kernel.rotated import in_rotated_frame
 from workbench.judge.second.rings import PRIME
 from workbench.judge.subject.inventory import Lookup, NotExact, has_gradient
-from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import Relation, Statement, Symbol
@@ -45,7 +46,7 @@ class Equation(Case):
         ):
             return self._definition()
         if relation.left == relation.right:
-            return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.SAME_TERM())
         self.require_satisfiable()
         return self._in_rotated_frame() or self._by_names_alone() or self._by_definitions()
 

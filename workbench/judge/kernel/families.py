@@ -13,6 +13,7 @@ from functools import partial
 from itertools import pairwise
 from typing import Protocol
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.beyond import OrderRanges, beyond
 from workbench.judge.kernel.generic import judge_addends, ranges_apart
 from workbench.judge.kernel.in_force import exceptions, rewritten, symbolic_members
@@ -20,7 +21,7 @@ from workbench.judge.kernel.symbolic_orders import freed, symbolic_orders
 from workbench.judge.subject.addends import has_sums
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import SAME_TERM, EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
 from workbench.language.definitions import Definitions, expand
 from workbench.language.typed.construct import relation
 from workbench.language.typed.instances import instantiate
@@ -291,7 +292,7 @@ def _instances(
         except Unsatisfiable as found:
             impossible = found
             continue
-        if current.reason == SAME_TERM:
+        if current.code is VerdictCode.SAME_TERM:
             is_idle = True
             continue
         count += 1
@@ -302,7 +303,7 @@ def _instances(
     if worst is None and impossible is not None and not is_idle:
         raise impossible
     if worst is None:
-        return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
+        return Verdict(Outcome.UNCHECKED, reason=VerdictCode.SAME_TERM())
     if worst.outcome in (Outcome.REFUTED, Outcome.UNCHECKED):
         reason = f"for {place}" + (f": {worst.reason}" if worst.reason else "")
         figures = {"held before": count - 1} if worst.outcome == Outcome.REFUTED else {}

@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.beyond import OrderRanges
 from workbench.judge.kernel.branches import holds_arc, judge_branch
 from workbench.judge.kernel.case import Case, Setting
@@ -22,7 +23,7 @@ from workbench.judge.subject.exponentials import holds_exponentials, without_exp
 from workbench.judge.subject.inventory import NotExact, has_gradient
 from workbench.judge.subject.slopes import positive_coordinates
 from workbench.judge.subject.small import to_first_order
-from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
+from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, zero
 from workbench.language.typed.construct import relation as equated
@@ -38,9 +39,6 @@ from workbench.language.typed.terms import (
     Symbol,
     sides_of,
 )
-
-#: How the reason begins where a claim is false under its premise now, and not seen to be so if that lasts.
-UNLESS_IT_LASTS = "false if the condition holds at one"
 
 
 @dataclass(frozen=True)
@@ -67,7 +65,7 @@ class Judge(Setting):
         """
         judge = replace(self, laws=False) if orders else self
         judged = judge_family(judge, statement, tuple(assume), hypothesis, orders)
-        is_idle = judged.reason == SAME_TERM and isinstance(statement, Relation)
+        is_idle = judged.code is VerdictCode.SAME_TERM and isinstance(statement, Relation)
         if is_idle and statement.left != statement.right:
             judged = judge_closed(statement, tuple(assume), self.definitions, self.second_engine) or judged
         return replace(judged, read_back=to_latex(statement))
@@ -140,7 +138,7 @@ class Judge(Setting):
         values = verdict.counterexample.values if verdict.counterexample else ()
         is_refuted = verdict.outcome is Outcome.REFUTED and not values
         is_settled = is_refuted or verdict.outcome in (Outcome.PROVED, Outcome.DEFINITION)
-        if is_settled or verdict.reason == SAME_TERM:
+        if is_settled or verdict.code is VerdictCode.SAME_TERM:
             return verdict
         return judge_closed(statement, assume, self.definitions, self.second_engine) or verdict
 
@@ -223,13 +221,15 @@ class Judge(Setting):
         """On a chain or a system: that on its parts which say something. Of one whose sides are the same term
         it is seen that they are defined, and the evidence tells."""
         judged = [(part, self._judge(part, assume)) for part in parts]
-        if all(verdict.reason == SAME_TERM for _, verdict in judged):
+        if all(verdict.code is VerdictCode.SAME_TERM for _, verdict in judged):
             return judged[0][1]
         verdicts, idle = [], []
         for part, verdict in judged:
-            if verdict.reason == SAME_TERM and isinstance(part, Relation):
+            if verdict.code is VerdictCode.SAME_TERM and isinstance(part, Relation):
                 verdict = self._judge(_difference(part), assume)
-                idle.append(Evidence("trivial part", SAME_TERM, {"formula": to_latex(part)}))
+                idle.append(
+                    Evidence("trivial part", VerdictCode.SAME_TERM.template, {"formula": to_latex(part)})
+                )
             verdicts.append(verdict)
         verdict = _together(verdicts)
         return replace(verdict, evidence=(*verdict.evidence, *idle))
@@ -284,9 +284,9 @@ class Judge(Setting):
             again = self._judge(claim, (*assume, *premises, *lasting))
             if again.outcome == Outcome.REFUTED:
                 return again
-        where = "place only; if everywhere" if has_gradient(sides_of(claim)) else "instant only; if it lasts"
-        reason = f"{UNLESS_IT_LASTS} {where}, state its derivatives too"
-        return Verdict(Outcome.UNCHECKED, reason=reason)
+        is_field = has_gradient(sides_of(claim))
+        code = VerdictCode.AT_ONE_PLACE if is_field else VerdictCode.AT_ONE_INSTANT
+        return Verdict(Outcome.UNCHECKED, reason=code())
 
 
 def _operator(statement: Statement) -> str | None:

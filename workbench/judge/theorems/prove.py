@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
+from workbench.core.verdict_codes import VerdictCode
 from workbench.judge.kernel.beyond import FIRST, FirstMembers
 from workbench.judge.kernel.equation import Equation
 from workbench.judge.kernel.judge import Judge
@@ -51,7 +52,7 @@ from workbench.judge.theorems.sequents import (
     supposed,
 )
 from workbench.judge.theorems.substitution import Substitution, at_integer
-from workbench.judge.verdict import SAME_TERM, Evidence, Outcome, Verdict
+from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import number, relation
 from workbench.language.typed.errors import IllFormedAt, ReadError
@@ -137,7 +138,7 @@ class _Prover:
                 return _not_shown(obligation, verdict)
             found.append(_evidence(obligation, verdict))
         if not found:
-            return Verdict(Outcome.UNCHECKED, reason=SAME_TERM)
+            return Verdict(Outcome.UNCHECKED, reason=VerdictCode.SAME_TERM())
         return Verdict(Outcome.PROVED, scope=_scope_of(sequent.goal), evidence=tuple(found))
 
     def _defined(self, obligation: Obligation) -> Verdict:

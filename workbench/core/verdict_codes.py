@@ -1,0 +1,26 @@
+"""The codes of verdicts: why a claim is not judged, fails, or holds under a condition only."""
+
+from __future__ import annotations
+
+from enum import unique
+
+from workbench.core.reasons import Code
+
+
+@unique
+class VerdictCode(Code):
+    """One row for each reason of a verdict."""
+
+    SAME_TERM = "same-term", "both sides are the same term, so nothing is tested"
+    AT_ONE_INSTANT = (
+        "at-one-instant",
+        "false if the condition holds at one instant only; if it lasts, state its derivatives too",
+    )
+    AT_ONE_PLACE = (
+        "at-one-place",
+        "false if the condition holds at one place only; if everywhere, state its derivatives too",
+    )
+
+
+#: A claim is false under its premise now, and not seen to be false if the premise lasts.
+UNLESS_IT_LASTS = frozenset({VerdictCode.AT_ONE_INSTANT, VerdictCode.AT_ONE_PLACE})

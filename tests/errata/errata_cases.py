@@ -1,0 +1,183 @@
+"""Measures one case of a public misprint: read, found, place, correction, false alarms, seconds."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+import tomllib
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from workbench.ingest import ingest, model_text
+from workbench.judge.kernel.case import NoDefinitions
+from workbench.judge.second.rings import PRIME
+from workbench.judge.subject.inventory import NotExact
+from workbench.judge.verdict import Outcome
+from workbench.language.typed.errors import IllFormedAt, ReadError
+from workbench.language.typed.terms import Conjunction, Relation, Statement, Term, Zero
+from workbench.papers.formulas import read_statement
+from workbench.papers.load import load_paper
+from workbench.papers.model import Claim, PaperError
+from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.repair import repair
+from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.coefficients import factor_between
+from workbench.verify.claims import judge_claims
+from workbench.verify.results import ClaimResult
+
+HERE = Path(__file__).resolve().parent
+
+FALSE = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED})
+
+#: Of wall time, for the search of one false claim.
+SECONDS = 5.0
+
+
+@dataclass(frozen=True)
+class Case:
+    """One folder: the text before and after, the lines of the misprints, whether the text decides it."""
+
+    folder: Path
+    about: Mapping[str, Any]
+
+    @property
+    def name(self) -> str:
+        return self.folder.name
+
+    @property
+    def is_decidable(self) -> bool:
+        return str(self.about["decidable"]).startswith("yes")
+
+    @property
+    def lines(self) -> list[int]:
+        return [int(each["line"]) for each in self.about["correction"]]
+
+
+@dataclass(frozen=True)
+class Row:
+    """What the workbench said of one case.
+
+    read: displays of `before` that are read as a whole, of all.   found: a display of `before` is refuted or
+    ill-formed at a misprint.   place: each misprint lies in such a display, and nothing else is called false.
+    correction: "same" if a proposal is the author's formula, else "other" or "none".
+    alarms: formulas of `after` that are called false."""
+
+    name: str
+    decidable: bool
+    read: str
+    found: bool
+    place: bool
+    correction: str
+    alarms: int
+
+    def to_dict(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+def cases(folder: Path = HERE) -> list[Case]:
+    """The cases of a folder, by name."""
+    files = sorted(folder.glob("*/case.toml"))
+    return [Case(file.parent, tomllib.loads(file.read_text(encoding="utf-8"))) for file in files]
+
+
+def measured(case: Case, drafted: bool = False, seconds: float = SECONDS) -> tuple[Row, float]:
+    """The row of a case, and the seconds that it took. drafted: without the models of the folder."""
+    start = time.perf_counter()
+    before, after = _judged(case, "before", drafted), _judged(case, "after", drafted)
+    false = [result for result in before if result.verdict.outcome in FALSE]
+    at_place = [result for result in false if any(_covers(result.claim, line) for line in case.lines)]
+    hit = {line for line in case.lines for result in false if _covers(result.claim, line)}
+    read = [result for result in before if result.claim.printed.unread is None]
+    row = Row(
+        case.name,
+        case.is_decidable,
+        f"{len(read)}/{len(before)}",
+        bool(at_place),
+        bool(at_place) and len(at_place) == len(false) and hit == set(case.lines),
+        _correction(at_place, [result.claim for result in after], seconds),
+        sum(result.verdict.outcome in FALSE for result in after),
+    )
+    return row, time.perf_counter() - start
+
+
+def _judged(case: Case, name: str, drafted: bool) -> list[ClaimResult]:
+    if not drafted:
+        return judge_claims(load_paper(case.folder / f"{name}.toml").claims)
+    (text,) = (path for path in case.folder.glob(f"{name}.*") if path.suffix != ".toml")
+    with tempfile.TemporaryDirectory() as folder:
+        copy, model = Path(folder, text.name), Path(folder, "model.toml")
+        copy.write_text(text.read_text(encoding="utf-8"), encoding="utf-8")
+        try:
+            model.write_text(model_text(ingest(copy), model), encoding="utf-8")
+            return judge_claims(load_paper(model).claims)
+        except PaperError:
+            return []
+
+
+def _covers(claim: Claim, line: int) -> bool:
+    """Whether the line prints a part of the formula; a step of a chain goes on from the row before."""
+    first = claim.span.line if claim.span else claim.line
+    last = claim.span.end_line if claim.span else claim.line
+    return first - bool(claim.chain) <= line <= last
+
+
+def _correction(false: Sequence[ClaimResult], after: Sequence[Claim], seconds: float) -> str:
+    limits = Limits(seconds=seconds)
+    found = [
+        (result.claim, proposal) for result in false for proposal in repair(result.claim, limits).proposals
+    ]
+    for claim, proposal in found:
+        if any(_is_formula_of(proposal.latex, claim, right) for right in after):
+            return "same"
+    return "other" if found else "none"
+
+
+def _is_formula_of(latex: str, claim: Claim, right: Claim) -> bool:
+    """Whether the proposal says what the author's formula says, with all defined symbols left free."""
+    with suppress(ReadError, IllFormedAt, PaperError):
+        proposed, _ = read_statement(latex, claim.notation, claim.orders)
+        meant, _ = read_statement(right.printed.latex, claim.notation, claim.orders)
+        return is_same_formula(proposed, meant)
+    return False
+
+
+def is_same_formula(one: Statement, other: Statement) -> bool:
+    """Whether two statements are equal side by side for free symbols, or rearranged."""
+    if one == other:
+        return True
+    match one, other:
+        case Conjunction(), Conjunction():
+            parts = zip(one.parts, other.parts, strict=False)
+            return len(one.parts) == len(other.parts) and all(is_same_formula(a, b) for a, b in parts)
+        case Relation(), Relation() if one.operator == other.operator:
+            return _have_same_sides(one, other)
+    return False
+
+
+def _have_same_sides(one: Relation, other: Relation) -> bool:
+    try:
+        screen = Screen(NoDefinitions(), (), [{"i": 1, "j": 2, "k": 3, "n": 3}] * 2, seed=39)
+    except NotExact:
+        return False
+    shape = one.left if not isinstance(one.left, Zero) else one.right
+    left, right = _components(screen, one, shape), _components(screen, other, shape)
+    if left is None or right is None:
+        return False
+    return left in (right, right[::-1]) or factor_between(_minus(left), _minus(right)) is not None
+
+
+def _components(
+    screen: Screen, relation: Relation, shape: Term
+) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
+    sides = [screen.components(side, shape) for side in (relation.left, relation.right)]
+    first, second = sides
+    if first is None or second is None or len(first) != len(second):
+        return None
+    return first, second
+
+
+def _minus(sides: tuple[tuple[int, ...], tuple[int, ...]]) -> tuple[int, ...]:
+    return tuple((x - y) % PRIME for x, y in zip(*sides, strict=True))

@@ -148,6 +148,13 @@ def _grid(start: float, end: float, breaks: np.ndarray, near: float, asked: np.n
     return np.unique(times[(times >= start) & (times <= end)])
 
 
+def sizes_on(
+    motion: States, body: str | None, point: ArrayLike, relative_to: str | None, asked: list[Asked]
+) -> np.ndarray:
+    """The sizes (asked, ...) at the motion's own states of what peaks are asked of."""
+    return _sizes(Curves(motion.q, motion.rates, body_curves(motion, body, point, relative_to)), asked)
+
+
 def _sizes(curves: Curves, asked: list[Asked]) -> np.ndarray:
     """(asked, ...): what is largest where the peaks are."""
     return np.array([_size(curves, one) for one in asked])

@@ -15,6 +15,7 @@ from workbench.kinematics.robot.joint_limits import LimitTables
 from workbench.kinematics.robot.path_peaks import peaks, violations
 from workbench.kinematics.robot.peaks import Peak, Violation
 from workbench.kinematics.robot.states import States
+from workbench.kinematics.robot.time_scaling import RetimedPath, Slowdown, retimed, slowdown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -63,6 +64,38 @@ class Motion(States):
         """The stretches of time in which a limit is exceeded, in their order, with the arguments and errors
         of `peaks`: along samples those that are sure, the samples beyond by more than their errors."""
         return violations(self, body, point, limits, relative_to)
+
+    def slowdown(
+        self,
+        body: str | None = None,
+        point: ArrayLike = (0, 0, 0),
+        limits: LimitTables | None = None,
+        relative_to: str | None = None,
+    ) -> Slowdown:
+        """The least factor by which to stretch the path's times so that all limits are kept, and the peak
+        that asks for it: the largest of (peak/limit)^(1/order); below 1 the path can be faster.
+
+        Arguments: as of `peaks`; see `time_scaling.slowed` for the path in these times. Along a recording
+        the factor is enough for all sizes that the stated errors allow. Raises ValueError for a position
+        beyond its limit, a peak without bound, a limit of a higher order than the motion's, and where
+        nothing is limited."""
+        return slowdown(self, body, point, limits, relative_to)
+
+    def retimed(
+        self,
+        body: str | None = None,
+        point: ArrayLike = (0, 0, 0),
+        limits: LimitTables | None = None,
+        relative_to: str | None = None,
+    ) -> RetimedPath:
+        """The same path q(s) in other times q(s(t)), t from 0 s on, within all limits of velocity,
+        acceleration, jerk and snap: slow where a limit asks for it, else faster; never longer than by the
+        uniform `slowdown`. For `Robot.along`.
+
+        Arguments and errors: as of `slowdown`; a recording is refused. The time law is near the fastest
+        one of its kind, a spline with continuous derivatives to the order 5, not the time-optimal one.
+        """
+        return retimed(self, body, point, limits, relative_to)
 
     def table(
         self, body: str | None = None, point: ArrayLike = (0, 0, 0), relative_to: str | None = None

@@ -23,7 +23,7 @@ def peaks(
     relative_to: str | None,
 ) -> list[Peak]:
     """See `Motion.peaks`."""
-    asked = _asked(motion, body, limits)
+    asked = asked_of(motion, body, limits)
     if not asked:
         return []
     if isinstance(motion.path, RecordedPath):
@@ -39,14 +39,14 @@ def violations(
     relative_to: str | None,
 ) -> list[Violation]:
     """See `Motion.violations`."""
-    asked = [one for one in _asked(motion, body, limits) if one.limit is not None]
+    asked = [one for one in asked_of(motion, body, limits) if one.limit is not None]
     if not asked:
         return []
     find = recorded_violations if isinstance(motion.path, RecordedPath) else exact_violations
     return sorted(find(motion, body, point, relative_to, asked), key=lambda one: one.start)
 
 
-def _asked(motion: States, body: str | None, limits: LimitTables | None) -> list[Asked]:
+def asked_of(motion: States, body: str | None, limits: LimitTables | None) -> list[Asked]:
     """What is sought: each joint derivative, those of the point and of the body's rotation, and each
     coordinate with a limit; of joints that follow others only what has a limit."""
     if motion.path is None:

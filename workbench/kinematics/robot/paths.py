@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from workbench.drake.joint_paths import JointPath, LinearPath, Path, SinePath
 from workbench.kinematics.robot.derivative_names import order_name
+from workbench.kinematics.robot.planner_paths import planner_path
 from workbench.kinematics.robot.recordings import HIGHEST_RECORDED_ORDER, LEAST_SAMPLES, record
 from workbench.kinematics.robot.sampled_path import SampledPath
 from workbench.kinematics.robot.spline_paths import SplinePath
@@ -71,10 +72,10 @@ class DrakePath(SampledPath):
 class RecordedPath(SampledPath):
     """A path of samples: derivatives to the snap by local least-squares polynomials, with stated errors.
 
-    recordings: one `Recording` a coordinate; noise (joints,): the standard deviation of each coordinate's
-    samples; notes: what was changed in the samples before, one sentence each; breaks: times in s at which a
-    derivative jumps.
-    """
+    times (samples,), samples (samples, joints): what was recorded, angles unwrapped; names: of the
+    coordinates. recordings: one `Recording` a coordinate; noise (joints,): the standard deviation of each
+    coordinate's samples; notes: what was changed in the samples before, one sentence each; breaks: times
+    in s at which a derivative jumps."""
 
     def __init__(
         self,
@@ -97,7 +98,7 @@ class RecordedPath(SampledPath):
         ]
         self.notes = tuple(filter(None, notes))
         self.start, self.end, self.joints = float(t[0]), float(t[-1]), q.shape[1]
-        self.times, self.names = t, tuple(names)
+        self.times, self.samples, self.names = t, q, tuple(names)
         self.recordings = tuple(record(t, np.ascontiguousarray(column)) for column in q.T)
         self.noise = np.array([recording.noise for recording in self.recordings])
         self.breaks = np.array(sorted({one.time for r in self.recordings for one in r.breaks}))
@@ -271,8 +272,8 @@ def _is_number(text: str) -> bool:
 def as_path(
     trajectory: Any, names: Sequence[str], angles: Sequence[int] = (), quaternions: Sequence[int] = ()
 ) -> Path:
-    """A `Path`, a Drake Trajectory, a SciPy spline, or samples (t, q), as a path of the coordinates of those
-    names.
+    """A `Path`, a Drake Trajectory, a SciPy spline, a trajectory of toppra or Ruckig, or samples (t, q), as a
+    path of the coordinates of those names.
 
     angles, quaternions: see `RecordedPath`. Raises ValueError.
     """
@@ -282,14 +283,16 @@ def as_path(
         path = DrakePath(trajectory)
     elif callable(trajectory) and hasattr(trajectory, "derivative"):
         path = SplinePath(trajectory)
+    elif (planned := planner_path(trajectory)) is not None:
+        path = planned
     elif isinstance(trajectory, tuple) and len(trajectory) == 2:
         t, q = trajectory
         _require_columns(np.shape(q)[-1] if np.ndim(q) == 2 else len(names), names)
         path = RecordedPath(t, q, names, angles, quaternions)
     else:
         raise ValueError(
-            "trajectory: expected a Path, a Drake Trajectory, a SciPy spline or (t, q), "
-            f"got {type(trajectory).__name__}"
+            "trajectory: expected a Path, a Drake Trajectory, a SciPy spline, a trajectory of toppra or "
+            f"Ruckig, or (t, q), got {type(trajectory).__name__}"
         )
     _require_columns(path.joints, names)
     return path

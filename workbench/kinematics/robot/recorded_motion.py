@@ -138,8 +138,8 @@ def _deceleration(recording: Recording) -> RecordedPeak:
 
 
 def _decelerations(recording: Recording) -> tuple[np.ndarray, np.ndarray]:
-    """|q̈| where q̈ and q̇ have opposite signs, else 0, and its errors, each (samples,); where the signs are not
-    known it may count or not."""
+    """|q̈| where q̈ and q̇ have opposite signs, else 0, and its errors, each (samples,); where the signs
+    are not known it may count or not."""
     (v, ev), (a, ea) = recording.estimate(1), recording.estimate(2)
     size = np.abs(a)
     is_sure = (np.abs(v) > ev) & (size > ea)

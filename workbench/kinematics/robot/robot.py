@@ -190,11 +190,11 @@ class Robot(Structure):
         """The motion along a trajectory at `times` (...) in s (`samples` of them over all of it unless
         given).
 
-        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory or a SciPy spline of
-        the positions, `spline_paths.waypoints`, or samples (t, q): t (samples,) increasing, in s, q (samples,
-        positions) in rad or m, whose derivatives are estimated to the order 4 at most; or the name of a CSV
-        file of samples, see `paths.read_samples`. Raises ValueError for a time outside of the trajectory.
-        """
+        trajectory: a `Path` of `workbench.kinematics.robot.paths`, a Drake Trajectory, a SciPy spline or
+        a trajectory of toppra or Ruckig of the positions, `spline_paths.waypoints`, or samples (t, q): t
+        (samples,) increasing, in s, q (samples, positions) in rad or m, whose derivatives are estimated
+        to the order 4 at most; or the name of a CSV file of samples, see `paths.read_samples`. Raises
+        ValueError for a time outside of the trajectory."""
         path = self.path(trajectory)
         order = whole(order, "order", 1, HIGHEST_DERIVATIVE_ORDER)
         if times is None:

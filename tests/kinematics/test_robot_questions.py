@@ -8,6 +8,8 @@ import pytest
 from random_robots import NEAR, motion, tree
 
 from workbench.kinematics.robot import Mimic, Robot, TreeJoint
+from workbench.kinematics.robot.joints import Limits
+from workbench.kinematics.robot.paths import JointPath
 
 
 def test_what_does_not_move_is_zero_and_no_error():
@@ -189,3 +191,45 @@ def test_bad_joints():
         TreeJoint("a", "revolute", "x", "y", X_PF=2 * np.eye(4))
     with pytest.raises(ValueError, match="not one coordinate to mimic"):
         TreeJoint("a", "ball", "x", "y", mimic=Mimic("b"))
+
+
+# -- names and units -----------------------------------------------------------------------------------
+
+
+def test_a_joint_named_point_keeps_its_limits():
+    """Law: what joints are called does not change a verdict."""
+    kinds = {"velocity": 0.5, "jerk": 3.0}
+    verdicts = []
+    for names in (("point", "rotation"), ("j", "k")):
+        joints = [
+            TreeJoint(names[0], "revolute", "world", "a", limits=Limits(velocity=0.5, jerk=9.0)),
+            TreeJoint(names[1], "prismatic", "a", "b", limits=Limits(acceleration=0.1)),
+        ]
+        robot = Robot("r", joints)
+        motion = robot.along(
+            JointPath(np.array([[0, 0], [0, 1], [1, 1], [0.5, 0.2]])), np.linspace(0, 1, 5), 3
+        )
+        own = "body " if names[0] == "point" else ""
+        found = motion.peaks("b", (0.1, 0, 0), {names[0]: kinds, f"{own}point": {"jerk": 1.0}})
+        verdicts.append([(p.name, p.value, p.limit, p.verdict) for p in found])
+        assert {p.of for p in found} == {*names, f"{own}point", f"{own}rotation"}
+        assert motion.plot("b", (0.1, 0, 0)) is not None
+    assert verdicts[0] == verdicts[1] and ("velocity", 3.5, 0.5, "BEYOND") in verdicts[0]
+
+
+def test_degrees_become_radians_and_metres_stay():
+    robot = Robot("r", [TreeJoint("j", "revolute", "world", "a"), TreeJoint("k", "prismatic", "a", "b")])
+    np.testing.assert_allclose(robot.from_degrees([[180, 2], [90, 1]]), [[np.pi, 2], [np.pi / 2, 1]])
+    floating = Robot("f", [TreeJoint("base", "floating", "world", "b")])
+    values = np.arange(7.0)
+    np.testing.assert_array_equal(floating.from_degrees(values), values)
+    rates = floating.from_degrees(np.full(6, 180.0), floating.velocities)
+    np.testing.assert_allclose(rates, [np.pi] * 3 + [180] * 3)
+    t = np.linspace(0, 1, 101)
+    degrees = np.stack([30 * np.sin(t), 0.1 * t], axis=1)
+    ours = robot.along((t, robot.from_degrees(degrees)), order=2).rates[0][50]
+    np.testing.assert_allclose(ours, [np.deg2rad(30 * np.cos(0.25)), 0.1], rtol=1e-6)
+    with pytest.raises(ValueError, match=r"values: expected shape \(\.\.\., 2\), got \(3,\)"):
+        robot.from_degrees([1, 2, 3])
+    with pytest.raises(ValueError, match="no coordinate or velocity 'x'"):
+        robot.from_degrees([1, 2], ["j", "x"])

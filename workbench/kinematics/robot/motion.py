@@ -45,13 +45,13 @@ class Motion(States):
         """The largest size of every joint derivative on the path, and of those of a point of a body and of
         the body's rotation (angular velocity, …), in rad or m, per s, s², …, with its time in s.
 
-        point (3,): p_BoP_B in m; relative_to: the body in which it is measured. limits: by joint, joints that
-        follow others among them, or "*" for all, or "point" or "rotation": {"velocity": ...,
-        "acceleration": ..., "deceleration": ..., "jerk": ..., "snap": ..., "lower": ..., "upper": ...}; they
-        replace the robot's own. The times are those from the motion's first to its last, those between its
-        states with them. A peak has no bound where a lower derivative jumps. Along samples it has a stated
-        error, or is not determined. Raises ValueError for a motion along no path and for bad limits.
-        """
+        point (3,): p_BoP_B in m; relative_to: the body in which it is measured. limits: by joint, joints
+        that follow others among them, or "*" for all, or "point" or "rotation" ("body point", "body
+        rotation" where a joint has that name): {"velocity": ..., "acceleration": ..., "deceleration":
+        ..., "jerk": ..., "snap": ..., "lower": ..., "upper": ...}; they replace the robot's own. The
+        times are those from the motion's first to its last, those between its states with them. A peak
+        has no bound where a lower derivative jumps. Along samples it has a stated error, or is not
+        determined. Raises ValueError for a motion along no path and for bad limits."""
         return peaks(self, body, point, limits, relative_to)
 
     def violations(

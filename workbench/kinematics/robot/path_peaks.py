@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot.derivative_names import order_name, per_second
 from workbench.kinematics.robot.exact_peaks import exact_peaks, exact_violations
-from workbench.kinematics.robot.joint_limits import LimitTables, known_limits
+from workbench.kinematics.robot.joint_limits import LimitTables, known_limits, of_body
 from workbench.kinematics.robot.paths import RecordedPath
 from workbench.kinematics.robot.peaks import Asked, Peak, Violation
 from workbench.kinematics.robot.recorded_motion import recorded_peaks, recorded_violations
@@ -63,7 +63,7 @@ def asked_of(motion: States, body: str | None, limits: LimitTables | None) -> li
         if name in free or order_name(n) in known[name]
     ]
     if body is not None:
-        for of, unit in (("point", "m"), ("rotation", "rad")):
+        for of, unit in zip(of_body(robot), ("m", "rad"), strict=True):
             found += [Asked(of, n, "upper", unit + per[n], known[of].get(order_name(n))) for n in per]
     if order >= 2:
         found += [

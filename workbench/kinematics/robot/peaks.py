@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot.derivative_names import order_name
+from workbench.kinematics.robot.joint_limits import of_body
 
 if TYPE_CHECKING:
     from workbench.kinematics.robot.frames import PointMotion
@@ -25,8 +26,8 @@ WITHIN, BEYOND, NOT_DETERMINED = "within", "BEYOND", "not determined"
 
 @dataclass(frozen=True)
 class Peak:
-    """Where a quantity is largest on a path. `of`: a coordinate, "point" or "rotation"; order: which
-    derivative, 1 of a rotation being the angular velocity.
+    """Where a quantity is largest on a path. `of`: a coordinate, "point" or "rotation" (see `of_body`);
+    order: which derivative, 1 of a rotation being the angular velocity.
 
     value ± error: the largest |derivative|, at the time in s; infinite where a lower derivative jumps;
     error: infinite where the value is not determined. The size is at_least and at_most so large. limit:
@@ -177,13 +178,14 @@ def point_of(motion: States, body: str, point: ArrayLike, relative_to: str | Non
 def body_curves(
     motion: States, body: str | None, point: ArrayLike, relative_to: str | None
 ) -> dict[str, np.ndarray]:
-    """ "point": the derivatives (N + 1, ..., 3) of a body's point; "rotation": its angular velocity and its
-    derivatives from row 1 on, row 0 being 0. Nothing if there is no body."""
+    """By the names of `of_body` the derivatives (N + 1, ..., 3) of a body's point, and its angular
+    velocity and its derivatives from row 1 on, row 0 being 0. Nothing if there is no body."""
     if body is None:
         return {}
     moving = point_of(motion, body, point, relative_to)
     omega = moving.frame.twists[..., :3]
-    return {"point": moving.derivatives, "rotation": np.concatenate([np.zeros_like(omega[:1]), omega])}
+    curves = moving.derivatives, np.concatenate([np.zeros_like(omega[:1]), omega])
+    return dict(zip(of_body(motion.robot), curves, strict=True))
 
 
 def peak_at(

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from workbench.kinematics.robot.derivative_names import order_name
-from workbench.kinematics.robot.joint_limits import LimitTables, known_limits
+from workbench.kinematics.robot.joint_limits import LimitTables, known_limits, of_body
 from workbench.kinematics.robot.path_peaks import peaks
 from workbench.kinematics.robot.peaks import point_of
 
@@ -46,7 +46,7 @@ def plot(
         if body is not None:
             sizes = np.linalg.norm(point_of(motion, body, point, relative_to).derivative(n), axis=-1)
             axes[n - 1, 1].plot(times, sizes, lw=1.2, color="black")
-            peak = next(p for p in found if p.of == "point" and p.order == n)
+            peak = next(p for p in found if p.of == of_body(robot).point and p.order == n)
             if np.isfinite(peak.value):
                 axes[n - 1, 1].plot([peak.time], [peak.value], "o", ms=4, color="black")
             _limit_lines(axes[n - 1, 1], (peak.limit,) if peak.limit else (), "tab:red")

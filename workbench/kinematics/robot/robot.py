@@ -215,6 +215,20 @@ class Robot(Structure):
         angles = [i for i, name in enumerate(self.positions) if name in self.unlimited_angles]
         return as_path(trajectory, self.positions, angles, self._quaternions)
 
+    def from_degrees(self, values: ArrayLike, names: Sequence[str] | None = None) -> np.ndarray:
+        """A copy of values (..., positions) whose angles are in degrees, in radians: of coordinates, samples,
+        waypoints or derivatives; metres and quaternions stay as they are.
+
+        names: those of the last axis, `positions` unless given (`velocities` of rates). Raises ValueError."""
+        names = self.positions if names is None else tuple(names)
+        values = reals(values, "values")
+        unknown = [name for name in names if name not in self.units]
+        if unknown:
+            raise ValueError(f"names: no coordinate or velocity {unknown[0]!r} of {self.name!r}")
+        if values.ndim < 1 or values.shape[-1] != len(names):
+            raise ValueError(f"values: expected shape (..., {len(names)}), got {values.shape}")
+        return values * [np.pi / 180 if self.units[name] == "rad" else 1.0 for name in names]
+
     def blocks(
         self, q_derivatives: np.ndarray, v_derivatives: np.ndarray | None = None, size: int = BLOCK
     ) -> Iterator[Motion]:

@@ -6,6 +6,7 @@ A TOML file without `[[claim]]` is no paper file and is left alone, unless it is
 from __future__ import annotations
 
 import re
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -64,17 +65,28 @@ class NotAsExpected(Exception):
         self.result = result
 
 
+class DoubtfulVerdict(UserWarning):
+    """A claim that is false, unless something holds that nobody has confirmed."""
+
+
 class ClaimItem(pytest.Item):
-    """Passes if the verdicts on the claim are those that its keys announce."""
+    """Passes if the verdicts on the claim are those that its keys announce. A claim of a text is skipped
+    where it is not judged, and warns where it is false under a doubt."""
 
     def __init__(self, *, name: str, parent: pytest.Collector, claim: Claim, judge: PaperJudge) -> None:
         super().__init__(name, parent)
         self.claim, self.judge = claim, judge
 
     def runtest(self) -> None:
+        from workbench.judge.verdict import Grade
+
         result = self.judge.result(self.claim)
-        if not result.passed:
+        if result.shown is Grade.ERROR:
             raise NotAsExpected(result)
+        if result.shown is Grade.WARNING:
+            warnings.warn(DoubtfulVerdict(f"claim {self.claim.id}: {result.why_not}"), stacklevel=1)
+        if result.shown is Grade.NOT_JUDGED:
+            pytest.skip(result.why_not)
 
     def repr_failure(
         self, excinfo: pytest.ExceptionInfo[BaseException], style: TracebackStyle | None = None

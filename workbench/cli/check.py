@@ -45,6 +45,7 @@ FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
 @click.option("--watch", is_flag=True, help="Stay, and judge again what changes.")
 @engine_options
 @proposals_flag
+@click.option("--strict", is_flag=True, help="Let a warning count as an error in the exit status.")
 @reports_faults
 def check(
     files: Sequence[Path],
@@ -54,12 +55,14 @@ def check(
     scheduler: str | None,
     watch: bool,
     proposals: bool,
+    strict: bool,
     **engines: Any,
 ) -> None:
     """Judge paper files, texts (.tex, .md, .rst, .html, .ipynb) or the models beside them.
 
-    Exit status: 0 if all verdicts are those that the claims expect, 1 if some are not, 2 if a file cannot be
-    used, or nothing in it could be judged.
+    Exit status: 0 without an error (with --strict: without an error or a warning), 1 with one, 2 if a file
+    cannot be used, or nothing in it could be judged. A claim whose verdict is not the one that its keys
+    announce is an error; what is unchecked in a text is none.
     """
     if watch:
         from workbench.cli.watch import watch_files
@@ -81,14 +84,17 @@ def check(
     found = judged_papers(papers, jobs, scheduler, **engines)
     judged = [(paper, results) for (_, paper), results in zip(papers, found, strict=True)]
     print_judged(judged, json_out, form, proposals, unusable, engines["cache"])
-    sys.exit(max([_status(paper, results) for paper, results in judged], default=2) if not unusable else 2)
+    sys.exit(
+        max([_status(paper, results, strict) for paper, results in judged], default=2) if not unusable else 2
+    )
 
 
-def _status(paper: Paper, results: Sequence[ClaimResult]) -> int:
-    from workbench.judge.verdict import Outcome
+def _status(paper: Paper, results: Sequence[ClaimResult], strict: bool) -> int:
+    from workbench.judge.verdict import Grade, Outcome
     from workbench.papers.text_claims.text_paper import TextPaper
 
     is_text = isinstance(paper, TextPaper)
     if is_text and all(result.verdict.outcome is Outcome.UNCHECKED for result in results):
         return 2
-    return 0 if all(result.passed for result in results) and not paper.faults else 1
+    faults = {Grade.ERROR, Grade.WARNING} if strict else {Grade.ERROR}
+    return 1 if paper.faults or any(result.shown in faults for result in results) else 0

@@ -186,6 +186,7 @@ def _told(result: ClaimResult) -> str:
     verdict = result.verdict
     lines = [f"**{verdict.outcome}**" + (f" ({verdict.scope})" if verdict.scope else "")]
     lines += [verdict.reason] if verdict.reason else []
+    lines += [f"unless {'; '.join(verdict.unless)}"] if verdict.unless else []
     lines += [f"read as `{verdict.read_back}`"] if verdict.read_back else []
     if example := verdict.counterexample:
         values = ", ".join(f"`{name}` = {value}" for name, value in values_as_text(example).items())

@@ -111,6 +111,7 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
     yield from _field("scope", verdict.scope)
     if claim.reading is None or not claim.note:  # else the note says what the machine would guess
         yield from _field("because", verdict.reason)
+    yield from _field("unless", "; ".join(verdict.unless))
     yield from _field("hypothesis", result.hypothesis)
     for form in ("reading", "corrected"):
         if own := result.verdicts.get(form):

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
-from enum import StrEnum
+from enum import IntEnum, StrEnum
 from typing import Any
 
 from workbench.core.reasons import Code, Reason, code_of
@@ -22,6 +22,43 @@ class Outcome(StrEnum):
     ARGUED = "argued"
     PROBABLE = "probable"
     UNCHECKED = "unchecked"
+
+
+class Strength(IntEnum):
+    """How far a fact can be relied on; the basis of a verdict is the weakest fact that it rests on."""
+
+    GUESSED = 0  # one of several conventions about letters or typefaces, or a proposal
+    HINTED = 1  # words near the symbol, or a convention that authors follow
+    STATED = 2  # a formula or a sentence that is read
+    DECLARED = 3  # the model
+
+    def __str__(self) -> str:
+        return self.name.lower()
+
+
+class Grade(StrEnum):
+    """How a verdict is shown."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    OK = "ok"
+    NOTE = "note"
+    NOT_JUDGED = "not judged"
+
+
+def grade_of(outcome: Outcome, basis: Strength, unless: Sequence[str]) -> Grade:
+    """Returns how a verdict is shown. unless: the doubts under which it would be another one; one doubt makes
+    a falsehood a warning, two make it a note."""
+    match outcome:
+        case Outcome.REFUTED | Outcome.ILL_FORMED:
+            doubts = max(len(unless), int(basis < Strength.STATED))
+            return (Grade.ERROR, Grade.WARNING, Grade.NOTE)[min(doubts, 2)]
+        case Outcome.PROVED | Outcome.CONDITIONAL:
+            return Grade.OK if basis >= Strength.STATED else Grade.NOTE
+        case Outcome.DEFINITION | Outcome.ARGUED:
+            return Grade.NOTE
+        case Outcome.PROBABLE | Outcome.UNCHECKED:
+            return Grade.NOT_JUDGED
 
 
 class EngineDisagreement(RuntimeError):
@@ -90,6 +127,8 @@ class Verdict:
     reason: why, for ill-formed (with line and column), unchecked and conditional.
     hypothesis: canonical LaTeX of the condition that the text does not state, for conditional.
     no_motion: why no motion is among the evidence; empty where one is.
+    basis: the strength of the weakest fact that it rests on.
+    unless: the facts that nobody has confirmed under which it would be another one.
     """
 
     outcome: Outcome
@@ -100,6 +139,12 @@ class Verdict:
     counterexample: Counterexample | None = None
     evidence: tuple[Evidence, ...] = ()
     no_motion: str = ""
+    basis: Strength = Strength.DECLARED
+    unless: tuple[str, ...] = ()
+
+    @property
+    def grade(self) -> Grade:
+        return grade_of(self.outcome, self.basis, self.unless)
 
     @property
     def code(self) -> Code | None:
@@ -123,5 +168,7 @@ class Verdict:
                 "reason": Reason.from_dict(reason) if isinstance(reason, Mapping) else reason,
                 "counterexample": Counterexample.from_dict(against) if against else None,
                 "evidence": tuple(Evidence.from_dict(entry) for entry in data["evidence"]),
+                "basis": Strength(data["basis"]),
+                "unless": tuple(data["unless"]),
             }
         )

@@ -9,19 +9,20 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from workbench.judge.verdict import Outcome
+from workbench.judge.verdict import Grade, Outcome
 from workbench.papers import Paper, PaperError
 from workbench.papers.model import Span
 from workbench.papers.text_claims.text_paper import TextPaper
 from workbench.report.counterexamples import sides_as_text, values_as_text
 from workbench.verify.results import HOLDS, ClaimResult
 
+#: The levels of SARIF, of editors and of CI.
 _LEVEL_OF = {
-    Outcome.REFUTED: "error",
-    Outcome.ILL_FORMED: "error",
-    Outcome.CONDITIONAL: "warning",
-    Outcome.PROBABLE: "warning",
-    Outcome.UNCHECKED: "note",
+    Grade.ERROR: "error",
+    Grade.WARNING: "warning",
+    Grade.OK: "note",
+    Grade.NOTE: "note",
+    Grade.NOT_JUDGED: "note",
 }
 _RULES = {
     "refuted": "The formula is well-formed and false.",
@@ -74,11 +75,12 @@ def _of_results(results: Sequence[ClaimResult]) -> Iterator[Finding]:
                 message = f"is judged now: {outcome}; its model can do without `unread`"
                 yield Finding("note", "unexpected", message, place_of(result), claim.id, claim.printed.latex)
             continue
-        code, level = str(outcome), _LEVEL_OF.get(outcome, "error")
+        code = str(outcome)
         if result.passed:
-            code, level = ("known", "note") if claim.skip is None else ("unchecked", "note")
+            code = "known" if claim.skip is None else "unchecked"
         elif outcome == result.expected or outcome in HOLDS:
-            code, level = "unexpected", "error"
+            code = "unexpected"
+        level = _LEVEL_OF[result.shown]
         message = _message(result, bool(claim.chain), is_first)
         yield Finding(level, code, message, place_of(result), claim.id, claim.printed.latex)
 
@@ -92,6 +94,8 @@ def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:
         )
     if verdict.reason:
         parts[0] += f": {verdict.reason}"
+    if verdict.unless:
+        parts[0] += f", unless {'; '.join(verdict.unless)}"
     if verdict.hypothesis:
         parts.append(f"holds if {verdict.hypothesis}")
     if counterexample := verdict.counterexample:

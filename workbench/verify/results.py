@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from workbench.core.verdict_codes import VerdictCode
-from workbench.judge.verdict import Counterexample, Outcome, Verdict
+from workbench.judge.verdict import Counterexample, Grade, Outcome, Verdict
 from workbench.papers.model import Claim, Formula
 from workbench.repair.propose.proposed import Proposed
 from workbench.typeset.differences import difference
@@ -56,6 +56,17 @@ class ClaimResult:
     @property
     def passed(self) -> bool:
         return not self.why_not
+
+    @cached_property
+    def shown(self) -> Grade:
+        """The grade under which the claim is reported. A verdict that its keys announce is no fault of the
+        file, and one that they do not is an error, whatever it is."""
+        if self.passed:
+            return Grade.OK if self.verdict.outcome in HOLDS else Grade.NOTE
+        is_announced = self.claim.span is None or self.expected is not Outcome.PROVED
+        if is_announced or self.verdict.outcome in HOLDS:
+            return Grade.ERROR
+        return self.verdict.grade
 
     @cached_property
     def why_not(self) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from workbench.judge.subject.assumptions import Unsatisfiable
 from workbench.judge.subject.inventory import NotExact
-from workbench.judge.verdict import EngineDisagreement, Outcome, Verdict
+from workbench.judge.verdict import EngineDisagreement, Outcome, Strength, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.typed.terms import Definition
 from workbench.papers.model import Aside, Claim, Formula, Notation, Said
@@ -96,6 +96,7 @@ def conditional(under: Verdict, hypotheses: Sequence[str], reason: str, bare: Ve
         hypothesis=", ".join(dict.fromkeys(hypotheses)),
         reason=reason,
         counterexample=bare.counterexample,
+        basis=Strength.STATED,
     )
 
 

@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from workbench.judge.subject import Lookup, NotExact
-from workbench.judge.verdict import Counterexample, Evidence, Outcome, Verdict
+from workbench.judge.verdict import Counterexample, Evidence, Outcome, Strength, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, block, number, relation
 from workbench.language.typed.terms import (
@@ -81,6 +81,7 @@ def judge_branch(statement: Relation, definitions: Lookup, judge: Judge) -> Verd
         hypothesis=branch,
         counterexample=witness,
         evidence=(*verdict.evidence, Evidence("branch", f"{name} = {value} lies on another one")),
+        basis=Strength.HINTED,
     )
 
 

@@ -15,7 +15,7 @@ from workbench.judge.kernel.laws import law_for
 from workbench.judge.kernel.rotated import in_rotated_frame
 from workbench.judge.second.rings import PRIME
 from workbench.judge.subject.inventory import Lookup, NotExact, has_gradient
-from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Verdict
+from workbench.judge.verdict import EngineDisagreement, Evidence, Outcome, Strength, Verdict
 from workbench.language.definitions import Definitions
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import Relation, Statement, Symbol
@@ -177,6 +177,7 @@ class Equation(Case):
             reason="a denominator can vanish, and nothing that the claim assumes excludes it",
             counterexample=self.counterexample(trial, relation),
             evidence=(*evidence, gap),
+            basis=Strength.HINTED,
         )
 
     def _refute(self, residuals: list[Polynomial]) -> Verdict:

@@ -23,7 +23,7 @@ from workbench.judge.subject.exponentials import holds_exponentials, without_exp
 from workbench.judge.subject.inventory import NotExact, has_gradient
 from workbench.judge.subject.slopes import positive_coordinates
 from workbench.judge.subject.small import to_first_order
-from workbench.judge.verdict import Evidence, Outcome, Verdict
+from workbench.judge.verdict import Evidence, Outcome, Strength, Verdict
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.construct import apply, zero
 from workbench.language.typed.construct import relation as equated
@@ -123,6 +123,7 @@ class Judge(Setting):
             hypothesis=to_latex(hypothesis),
             counterexample=verdict.counterexample,
             evidence=(*under.evidence, witness),
+            basis=Strength.HINTED,
         )
 
     def _judge(self, statement: Statement, assume: tuple[Statement, ...]) -> Verdict:

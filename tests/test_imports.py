@@ -23,8 +23,10 @@ LAYERS = (
     ("repair",),
     ("verify",),
     ("report", "ingest", "certificates"),
+    ("guide",),
     ("cli",),
     ("checked", "pytest_plugin"),
+    ("__main__",),
 )
 
 #: The same inside of a part. The two engines stand beside each other: neither imports the other.

@@ -14,10 +14,7 @@ from typing import Any
 
 import click
 
-from workbench.cli.certify import certify
-from workbench.cli.check import check
-from workbench.cli.ingest import ingest_text
-from workbench.cli.init import init
+from workbench.cli.command_groups import CommandGroups
 from workbench.cli.judging import (
     as_expected,
     engine_options,
@@ -26,13 +23,10 @@ from workbench.cli.judging import (
     print_results,
     proposals_flag,
 )
-from workbench.cli.lsp import lsp
-from workbench.cli.motion import motion
 from workbench.cli.options import Unusable, json_flag, named_paper, paper_option, print_json, reports_faults
-from workbench.cli.repair import errata, repair_claim, with_proposals
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=CommandGroups, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="kinematics-workbench", prog_name="workbench")
 def main() -> None:
     """Checks the printed formulas of kinematics papers: LaTeX in, exact verdict and evidence out."""
@@ -43,17 +37,7 @@ def main() -> None:
             stream.reconfigure(errors="backslashreplace")  # where the locale has no Φ
 
 
-main.add_command(repair_claim)
-main.add_command(errata)
-main.add_command(certify)
-main.add_command(check)
-main.add_command(ingest_text)
-main.add_command(init)
-main.add_command(motion)
-main.add_command(lsp)
-
-
-@main.command("list")
+@click.command("list")
 @click.argument("select", nargs=-1)
 @paper_option
 @json_flag
@@ -81,7 +65,7 @@ def list_claims(select: Sequence[str], paper_name: str | None, as_json: bool) ->
         console(sys.stdout).print(claims_table(claims))
 
 
-@main.command()
+@click.command()
 @click.argument("select", nargs=-1)
 @paper_option
 @json_flag
@@ -96,7 +80,7 @@ def verify(select: Sequence[str], paper_name: str | None, as_json: bool, **engin
     sys.exit(0 if as_expected(paper, results) else 1)
 
 
-@main.command()
+@click.command()
 @click.argument("claim_id", metavar="ID")
 @paper_option
 @json_flag
@@ -107,6 +91,7 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     ID may also select several claims, as for verify."""
     from workbench.certificates.certify import with_certificates
     from workbench.cli.proposals import proposal_lines
+    from workbench.cli.repair import with_proposals
     from workbench.cli.terminal import claim_lines, console
     from workbench.report.to_json import claim_json
 
@@ -124,7 +109,7 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
     sys.exit(0 if all(result.passed for result in results) else 1)
 
 
-@main.command()
+@click.command()
 @click.argument("select", nargs=-1)
 @paper_option
 @click.option(
@@ -144,6 +129,7 @@ def report(
 ) -> None:
     """Write the report of a paper: JSON, HTML, Markdown and LaTeX. Exit status as for verify."""
     from workbench.certificates.certify import with_certificates
+    from workbench.cli.repair import with_proposals
     from workbench.cli.terminal import console, summary_line
     from workbench.report.render import write_report
     from workbench.report.to_json import report_json

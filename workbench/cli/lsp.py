@@ -18,11 +18,11 @@ if TYPE_CHECKING:
     from workbench.papers.model import Span
     from workbench.report.counterexamples import values_as_text
     from workbench.report.findings import Finding
-from workbench.verify.results import ClaimResult
+    from workbench.verify.results import ClaimResult
 
 
 @click.command()
-@click.option("--motions/--no-motions", default=False, help="Evaluate claims on Drake's motions too.")
+@click.option("--motions/--no-motions", default=True, help="Evaluate claims on Drake's motions too.")
 def lsp(motions: bool) -> None:
     """Serve an editor: faults under the author's characters on save, verdicts on hover, proved corrections as
     quick fixes. Needs the extra lsp."""

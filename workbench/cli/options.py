@@ -66,9 +66,17 @@ def _is_interruption(error: BaseException | None) -> bool:
     return error is not None
 
 
+def _installed(_ctx: click.Context, _parameter: click.Parameter, begun: str) -> list[str]:
+    """The installed papers whose names begin so, for the shell's completion."""
+    from workbench.papers.installed import installed_names
+
+    return [name for name in installed_names() if name.startswith(begun)]
+
+
 paper_option = click.option(
     "--paper",
     "paper_name",
+    shell_complete=_installed,
     show_default="the installed paper chapter",
     metavar="FILE",
     help="A paper file, or the name of an installed paper.",

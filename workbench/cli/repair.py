@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -27,9 +27,32 @@ if TYPE_CHECKING:
     from workbench.verify.results import ClaimResult
 
 
-_seconds_option = click.option(
-    "--seconds", default=STANDARD.seconds, show_default=True, help="The limit on time for one claim."
-)
+def _seconds_option(command: Callable[..., None]) -> Callable[..., None]:
+    """The limit of a search. `--seconds`, its old name, is the limit of one judgement elsewhere."""
+    limit = click.option(
+        "--search-seconds",
+        "seconds",
+        default=STANDARD.seconds,
+        show_default=True,
+        callback=lambda ctx, _, value: ctx.meta.get("workbench.seconds", value),
+        help="The limit on time for the search about one claim.",
+    )
+    old = click.option(
+        "--seconds",
+        "old_seconds",
+        type=float,
+        hidden=True,
+        is_eager=True,
+        expose_value=False,
+        callback=_renamed,
+    )
+    return limit(old(command))
+
+
+def _renamed(ctx: click.Context, _parameter: click.Parameter, value: float | None) -> None:
+    if value is not None:
+        click.echo("--seconds is called --search-seconds here", err=True)
+        ctx.meta["workbench.seconds"] = value
 
 
 @click.command("repair")

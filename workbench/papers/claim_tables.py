@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from workbench.core.schema import key_names
 from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers
 from workbench.judge.theorems.proofs import Proven
 from workbench.judge.theorems.reading import read_goal
@@ -15,17 +16,12 @@ from workbench.language.reader import read_formula
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Conjunction, Statement
 from workbench.papers.formulas import FormulaReader
-from workbench.papers.mends import MEND_KEYS, fault_of, mend_of
+from workbench.papers.mends import fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Stated
 from workbench.papers.orders import Orders
 from workbench.papers.toml.toml_file import TomlFile
 from workbench.papers.toml.toml_places import KeyPath
 
-_FORMULA_KEYS = ("printed", "formula", "goal", "reading", "corrected", "hypothesis", "assume", "orders")
-_CLAIM_KEYS = (
-    *("id", "equation", "section", *_FORMULA_KEYS, "inherits"),
-    *("statement", "theorem", "argued", "every_n", *MEND_KEYS, "note"),
-)
 _ID = re.compile(r"[\w.+*'-]{1,80}")
 _HYPOTHESIS = re.compile(r"\\hypothesis\s*\\Rightarrow")
 _QUOTE = re.compile(r"“[^“”]+”")
@@ -52,7 +48,7 @@ class ClaimTable:
 
     def claims(self) -> list[Claim]:
         toml = self.toml
-        toml.allow_keys(self.path, _CLAIM_KEYS)
+        toml.allow_keys(self.path, key_names("claim of a paper file"))
         name = self._text("id") or ""
         if name and _ID.fullmatch(name) is None:
             message = f"id: expected letters, digits and . _ - + * ' without blanks, got {name!r}"

@@ -9,6 +9,7 @@ from functools import partial
 from itertools import product
 from typing import Any, NamedTuple
 
+from workbench.core.schema import key_names
 from workbench.language.definitions import Definitions
 from workbench.language.grammar.parser import parse
 from workbench.language.naming.declarations import key_spelling
@@ -24,10 +25,10 @@ from workbench.papers.frame_families import PHRASES, RESOLVED_IN_F, Frames, minu
 from workbench.papers.promises import is_rotation, unseen
 from workbench.papers.toml.toml_file import TomlFile
 
-_FRAME_KEYS = ("base", "names", "axes", "dot", "rates", "orientation")
+_FRAME_KEYS = key_names("frames")
 #: What {}^F\\dot{x} of a resolved vector may be.
 _RATES = ("resolved", "of components")
-_POINT_KEYS = ("names", "fixed", "place")
+_POINT_KEYS = key_names("points")
 #: How phrases begin that speak of points.
 _PLACES = ("to", "origin", "place")
 _OF_COMPONENTS = rf"resolved in|^(?:rotation|transform|{'|'.join(RESOLVED_IN_F)})"

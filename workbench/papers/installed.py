@@ -7,6 +7,7 @@ from functools import cache
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 
+from workbench.core.close_names import did_you_mean
 from workbench.papers.model import InstalledPaper, PaperError
 
 GROUP = "workbench.papers"
@@ -30,6 +31,8 @@ def installed(name: str) -> InstalledPaper:
     if point is None:
         known = ", ".join(installed_names()) or "none"
         message = f"no such file, and no installed paper of that name (known: {known})"
+        if hint := did_you_mean(name, installed_names()):
+            message = f"{message}. {hint}"
         raise PaperError(name, None, None, message)
     try:
         paper = point.load()

@@ -13,17 +13,18 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from workbench.budget import Budget, Workers
+from workbench.core.schema import key_names
 from workbench.judge.theorems.proofs import Proven
 from workbench.memory.store import Store
 from workbench.papers.faults import Faults
 from workbench.papers.installed import DEFAULT, installed, installed_names, name_of, paper_of
 from workbench.papers.kept import Kept
 from workbench.papers.model import CITATION_KEYS, Claim, Notation, Paper, PaperError
-from workbench.papers.notation_files import NOTATION_KEYS, budget_of, nearest, notation_chain
+from workbench.papers.notation_files import budget_of, nearest, notation_chain
 from workbench.papers.sisters import claim_ids, sisters_of
 from workbench.papers.toml.toml_file import TomlFile
 
-_PAPER_KEYS = (*NOTATION_KEYS, "citation", "section", "claim")
+_PAPER_KEYS = key_names("paper file")
 _NO_FILES = "the installed paper has no claim files"
 
 #: From this many files on it pays to read them in processes of their own.

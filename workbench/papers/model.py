@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from workbench.budget import Budget
+from workbench.core.schema import key_names
 from workbench.judge.verdict import Outcome
 from workbench.papers.orders import Orders
 
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 FAULTS = ("error", "misprint", "transcription", "wording", "hypothesis")
 
 #: What a note to an editor says of the paper and of what was read.
-CITATION_KEYS = ("authors", "source", "year", "pages", "commit", "licence", "read", "recheck")
+CITATION_KEYS = key_names("citation")
 
 
 class Entries(Protocol):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from workbench.core.schema import key_names
 from workbench.drake.bindings import Bound, alternatives
 from workbench.drake.special_motions import NAMES
 from workbench.language.naming.symbols import SymbolTable
@@ -19,7 +20,7 @@ from workbench.papers.toml.toml_file import TomlFile
 from workbench.papers.toml.toml_places import KeyPath
 
 ROBOT, CLAIMS = "robot", "claims"
-_ON_MOTIONS = ("holds", "printed", "orders", "on", "none")
+_ON_MOTIONS = key_names("motion claim")
 
 
 def bindings(file: TomlFile, table: SymbolTable, keys: Sequence[str]) -> Iterator[tuple[Symbol, str]]:
@@ -34,7 +35,7 @@ def robot(file: TomlFile) -> Robot | None:
     if ROBOT not in file.value(("motion",), dict, {}):
         return None
     for key in file.value(path, dict):
-        if key not in ("urdf", "body"):
+        if key not in key_names("motion robot"):
             raise file.error_at_key((*path, key), f"motion.robot: expected urdf and body, got {key}")
     urdf, body = (file.text((*path, key)) for key in ("urdf", "body"))
     if urdf is None or body is None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, TypeAlias
 
+from workbench.core.schema import choices
 from workbench.language.circles import USED_ABOVE
 from workbench.language.defining import read_definition, read_definitions
 from workbench.language.definitions import Definitions
@@ -25,19 +26,8 @@ from workbench.papers.ties import ties
 from workbench.papers.toml.toml_file import TomlFile
 
 HAMILTON = "hamilton, scalar first"
-#: What each convention may be. points: what a transform makes of one, the column of four or the vector of its
-#: first three; products: vectors beside each other; one: a number beside tensors; powers: \\sin(x)^2; cross:
-#: a \\times b \\times c; brackets: k (x), \\sin x (y).
-CONVENTIONS = {
-    "quaternion": (HAMILTON,),
-    "gradient": ("row", "column"),
-    "points": ("homogeneous", "vectors"),
-    "products": ("dyads", "matrices"),
-    "one": ("unit", "scalar"),
-    "powers": ("values",),
-    "cross": ("right",),
-    "brackets": ("factors",),
-}
+#: What each convention may be.
+CONVENTIONS = choices("conventions")
 _LOOSE = ("products", "one", "powers", "cross", "brackets")
 #: A definition as a file has it: the file, what is defined, and its body.
 _Entry: TypeAlias = tuple[TomlFile, str, str]

@@ -7,14 +7,12 @@ from pathlib import Path
 from typing import TypeVar
 
 from workbench.budget import Budget
+from workbench.core.schema import key_names
 from workbench.papers.toml.toml_file import TomlFile
 
 T = TypeVar("T")
 
-NOTATION_KEYS = (
-    "title", "doi", "notation", "conventions", "symbols", "definitions", "motion", "frames",
-    "points", "budget",
-)  # fmt: skip
+NOTATION_KEYS = key_names("notation file")
 
 
 def notation_chain(file: TomlFile) -> list[TomlFile]:
@@ -51,7 +49,7 @@ def budget_of(file: TomlFile) -> Budget | None:
     given = file.value(("budget",), dict, None)
     if given is None:
         return None
-    file.allow_keys(("budget",), ("seconds", "megabytes"))
+    file.allow_keys(("budget",), key_names("budget"))
     for name, value in given.items():
         try:
             Budget(**{name: value})

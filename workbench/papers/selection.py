@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from fnmatch import fnmatchcase
 
+from workbench.core.close_names import did_you_mean
 from workbench.papers.model import Claim
 
 _RANGE = re.compile(r"(\d{1,6})\s*[-–]\s*(\d{1,6})")
@@ -28,9 +29,12 @@ def select_claims(claims: Sequence[Claim], select: Sequence[str]) -> list[Claim]
     for item in select:
         found = {claim.id for claim in claims if _means(item.strip(), claim)}
         if not found:
+            hint = did_you_mean(
+                item, {name for claim in claims for name in (claim.id, claim.equation) if name}
+            )
             raise SelectError(
                 f"{item!r} selects no claim; expected an equation (58), a range (45-70), an id (58.det), "
-                "a section (4.1) or a pattern (58.*)"
+                f"a section (4.1) or a pattern (58.*). {hint}".rstrip()
             )
         chosen |= found
     return [claim for claim in claims if claim.id in chosen]

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from workbench.core.schema import flag_names, key_names
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import (
     Accented,
@@ -38,10 +39,7 @@ from workbench.language.typed.integers import Linear
 from workbench.language.typed.names import PREFIXES, Name
 from workbench.language.typed.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
-_FLAGS = (
-    "constant", "unit", "coordinate", "uniform", "independent", "symmetric", "diagonal", "small", "positive",
-    "free",
-)  # fmt: skip
+_FLAGS = flag_names()
 _FLAGGED = {
     "unit": ("vector", "hamilton quaternion"),
     "coordinate": ("vector",),
@@ -49,7 +47,7 @@ _FLAGGED = {
     "diagonal": ("tensor",),
     "positive": ("scalar",),
 }
-_ALLOWED = ("kind", "weight", *_FLAGS, "of", "aliases", "note")
+_ALLOWED = key_names("symbol")
 
 #: What these names mean in every formula. The unit tensor's may be declared to be something else, and so may
 #: the dual unit's where no symbol is dual.

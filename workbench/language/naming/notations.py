@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
+from workbench.core.schema import key_names
 from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.syntax import (
@@ -36,7 +37,7 @@ from workbench.language.typed.types import KINDS, type_of_kind
 #: alone in a bracket or under an accent, with a mark of its own, or beside others.
 Place = Literal["alone", "marked", "beside"]
 
-_ALLOWED = ("where", "means")
+_ALLOWED = key_names("notation entry")
 _FORMS = (
     "a bracket, an accent, a mark above or below an argument, a sign behind or between, a word before it,"
     " a letter that it stands below"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import partial
 
+from workbench.core.close_names import did_you_mean
 from workbench.papers.cutting.chains import Step
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.text_claims.text_model import Entry, TextModel, names_of
@@ -126,4 +127,6 @@ def unknown_ids(entries: Mapping[str, Sequence[Entry]], ids: Collection[str]) ->
         by = table.text(("mended_by",))
         for path, name in [*named, *([(("mended_by",), by)] if by else [])]:
             if name not in ids:
-                yield table.error_at_value(path, f"{path[0]}: no claim has the id {name!r}")
+                hint = did_you_mean(name, ids)
+                message = f"{path[0]}: no claim has the id {name!r}. {hint}".removesuffix(". ")
+                yield table.error_at_value(path, message)

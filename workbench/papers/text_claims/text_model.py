@@ -9,36 +9,21 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from workbench.core.schema import key_names
 from workbench.language.naming.declarations import read_key
 from workbench.language.naming.spelling import INDEX_LETTERS
 from workbench.language.typed.names import Name
 from workbench.papers.faults import Faults
-from workbench.papers.mends import MEND_KEYS
 from workbench.papers.model import Notation, PaperError
 from workbench.papers.notation import notation_of
-from workbench.papers.notation_files import NOTATION_KEYS
 from workbench.papers.texts import Directive, Display, Text
 from workbench.papers.texts.prose import headings
 from workbench.papers.toml.toml_file import TomlFile
 from workbench.papers.toml.toml_places import KeyPath
 
-MODEL_KEYS = (*NOTATION_KEYS, "source", "macros", "scope", "claim", "guessed", "citation")
-CLAIM_KEYS = (
-    "at",
-    "printed",
-    "reading",
-    "corrected",
-    "hypothesis",
-    "assume",
-    "given",
-    "orders",
-    "skip",
-    "unread",
-    "note",
-    "inherits",
-    *MEND_KEYS,
-)
-_SCOPE_KEYS = ("from", "symbols", "definitions", "motion", "frames", "points")
+MODEL_KEYS = key_names("model")
+CLAIM_KEYS = key_names("claim of a model")
+_SCOPE_KEYS = key_names("scope")
 _CLAIM_KEY = re.compile(rf"\s*({'|'.join(CLAIM_KEYS)})\s*=")
 _LINE = re.compile(r"line\s+(\d+)")
 
@@ -228,7 +213,7 @@ def read_directives(directives: Sequence[Directive], displays: Sequence[Display]
     for path, lines in notation.items():
         text = "\n".join(lines.get(number, "") for number in range(1, max(lines) + 1))
         toml = TomlFile(path, text)
-        known = ("title", "doi", "conventions", "symbols", "definitions", "motion")
+        known = key_names("directive")
         model.faults.past(partial(toml.allow_keys, (), known))
         model.chain.append(toml)
 

@@ -1,0 +1,118 @@
+"""The commands in their groups: target, summary and examples of each. Imports no command."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One command of the command line.
+
+    target: "module:object".   summary: at most 65 characters, so that it is not cut at 80 columns.
+    examples: complete command lines.   hidden: an old name, which stands in no list."""
+
+    group: str
+    name: str
+    target: str
+    summary: str
+    examples: tuple[str, ...]
+    hidden: bool = False
+
+
+COMMANDS = (
+    Entry(
+        "Check",
+        "check",
+        "workbench.cli.check:check",
+        "Check papers and texts, and print what is wrong.",
+        ("workbench check paper.tex", "workbench check paper.toml --format github"),
+    ),
+    Entry(
+        "Check",
+        "ingest",
+        "workbench.cli.ingest:ingest_text",
+        "Write a first model beside a text.",
+        ("workbench ingest paper.tex", "workbench ingest paper.tex --macros site.tex --force"),
+    ),
+    Entry(
+        "Check",
+        "init",
+        "workbench.cli.init:init",
+        "Write a paper file to begin with.",
+        ("workbench init paper.toml",),
+    ),
+    Entry(
+        "Check",
+        "lsp",
+        "workbench.cli.lsp:lsp",
+        "Serve an editor: verdicts on save (extra lsp).",
+        ("workbench lsp",),
+    ),
+    Entry(
+        "Read",
+        "report",
+        "workbench.cli.commands:report",
+        "Write the report of a paper: HTML, JSON, Markdown, LaTeX.",
+        ("workbench report", "workbench report --paper kindr --out kindr-report"),
+    ),
+    Entry(
+        "Read",
+        "show",
+        "workbench.cli.commands:show",
+        "Show one claim in full.",
+        ("workbench show 70.div", "workbench show 58.det --paper chapter --json"),
+    ),
+    Entry(
+        "Read",
+        "list",
+        "workbench.cli.commands:list_claims",
+        "List the claims of a paper without judging them.",
+        ("workbench list", "workbench list 45-70 --paper chapter"),
+    ),
+    Entry(
+        "Read",
+        "help",
+        "workbench.cli.help:help_command",
+        "Show a page of the manual, or the meaning of a code.",
+        ("workbench help", "workbench help frames", "workbench help --search quaternion"),
+    ),
+    Entry(
+        "Robot",
+        "motion",
+        "workbench.cli.motion:motion",
+        "Print twists, accelerations and jerk of a robot's body.",
+        (
+            "workbench motion robot.urdf --body hand --order 4",
+            "workbench motion robot.urdf --body hand --trajectory samples.csv --limits limits.toml",
+        ),
+    ),
+    Entry(
+        "Chapter",
+        "verify",
+        "workbench.cli.commands:verify",
+        "Judge claims and compare the verdicts with the recorded ones.",
+        ("workbench verify 45-70", "workbench verify '58.*'"),
+    ),
+    Entry(
+        "Chapter",
+        "errata",
+        "workbench.cli.repair:errata",
+        "Compare proposed corrections with the known errata.",
+        ("workbench errata 70",),
+    ),
+    Entry(
+        "Chapter",
+        "repair",
+        "workbench.cli.repair:repair_claim",
+        "Propose the right form of claims.",
+        ("workbench repair 70.div",),
+    ),
+    Entry(
+        "Chapter",
+        "certify",
+        "workbench.cli.certify:certify",
+        "Write exact claims as theorems of Coq, and check them.",
+        ("workbench certify 58 --out certificates", "workbench certify --check"),
+    ),
+)

@@ -1,0 +1,53 @@
+"""The parts of the manual and the order of their pages. A page is named by its file, without the ending."""
+
+from __future__ import annotations
+
+#: (part, folder, pages in order). Pages of the folder that are not named follow in alphabetical order.
+PARTS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
+    ("Tutorial", "tutorial", ("first-paper", "first-robot")),
+    (
+        "How-to",
+        "howto",
+        (
+            "why-not-judged",
+            "model",
+            "accents",
+            "frames",
+            "quaternions",
+            "matrices",
+            "derivatives",
+            "angles",
+            "extrema",
+            "laws",
+            "macros",
+            "many-papers",
+            "ci",
+            "editor",
+            "page",
+            "assistant",
+            "erratum-note",
+            "motions",
+            "certificates",
+            "python",
+        ),
+    ),
+    ("Robots", "robot", ()),
+    (
+        "Reference",
+        "reference",
+        (
+            "verdicts",
+            "command-line",
+            "model-keys",
+            "notation",
+            "spellings",
+            "conditions",
+            "messages",
+            "api",
+            "conventions",
+        ),
+    ),
+    ("Explanation", "explanation", ("engines", "context", "trust", "certified", "mistakes", "speed")),
+    ("Contributing", "contributing", ("contributing", "chapter-claims", "mutants")),
+    ("About", "about", ("glossary", "changelog", "citing")),
+)

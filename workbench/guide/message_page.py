@@ -1,0 +1,83 @@
+"""The reference of messages, made from the tables of codes and from messages.toml."""
+
+from __future__ import annotations
+
+import pkgutil
+import re
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+
+from workbench import core
+from workbench.core.reasons import Code
+
+_DATA = Path(__file__).parent / "messages.toml"
+
+
+@cache
+def all_codes() -> Mapping[str, Code]:
+    """Returns the codes of all tables by their label, as in WB-UNKNOWN-SYMBOL."""
+    for module in pkgutil.iter_modules(core.__path__, "workbench.core."):
+        if module.name.endswith("_codes"):
+            import_module(module.name)
+    return {label(code): code for table in Code.__subclasses__() for code in table}
+
+
+def label(code: Code) -> str:
+    """Returns the code as messages end with it, in brackets: WB-UNKNOWN-SYMBOL."""
+    return f"WB-{code.name.replace('_', '-')}"
+
+
+def known_codes() -> list[str]:
+    return list(all_codes())
+
+
+@cache
+def entries() -> Mapping[str, Mapping[str, str]]:
+    """Returns what messages.toml says of each code, by its label: meaning, example, way_out."""
+    with _DATA.open("rb") as file:
+        return {f"WB-{slug.upper()}": entry for slug, entry in tomllib.load(file).items()}
+
+
+def code_text(label: str) -> str | None:
+    """Returns the page of one code as Markdown; None for an unknown code."""
+    name = label.strip().strip("[]").upper()
+    code = all_codes().get(name if name.startswith("WB-") else f"WB-{name}")
+    return None if code is None else _entry(code, "#")
+
+
+def message_page() -> str:
+    """Returns the page of all messages, table by table."""
+    parts = [
+        "# Messages",
+        "Every reason and message with its code: what it means, an example, what to do.",
+        "A message ends with its code in brackets, and `workbench help CODE` shows its entry.",
+        "Words in braces stand for what the message names at that place.",
+    ]
+    tables = dict.fromkeys(type(code) for code in all_codes().values())
+    for table in tables:
+        title = (table.__doc__ or table.__name__).split("\n")[0].rstrip(".")
+        parts.append(f"## {title}")
+        parts += [_entry(code, "###") for code in sorted(table, key=lambda each: each.name)]
+    return "\n\n".join(part.rstrip() for part in parts) + "\n"
+
+
+def _entry(code: Code, level: str) -> str:
+    said = entries().get(label(code), {})
+    lines = [f"{level} {label(code)}", "", f"> {_template(code)}", ""]
+    if meaning := said.get("meaning"):
+        lines += [meaning, ""]
+    if example := said.get("example"):
+        lines += [f"Example: {example}", ""]
+    if way_out := said.get("way_out"):
+        lines += [f"What to do: {way_out}", ""]
+    return "\n".join(lines)
+
+
+def _template(code: Code) -> str:
+    """The message, its arguments as `{name}`."""
+    text = code.template.replace("{{", "\0").replace("}}", "\1")
+    text = re.sub(r"\{(\w+)\}", lambda found: "{" + found[1].lower().replace("_", " ") + "}", text)
+    return text.replace("\0", "{").replace("\1", "}")

@@ -116,3 +116,27 @@ def jacobian_out(
             for a in range(3):
                 store(J, at + a * velocities, load(J, at + a * velocities) + z[a])
                 store(J, at + (3 + a) * velocities, load(J, at + (3 + a) * velocities) + t[a])
+
+
+@compiled
+def turning_out(
+    entries: int, count: int, U: int, w: int, D: int, orders: int, velocities: int, factors: int
+) -> None:
+    """D(k, a, velocity), k < orders: ż − ω × z and its derivatives of the axes z of turns, with the
+    body's own angular velocity ω, whose series is w; 0 of shifts."""
+    zero = spread(0.0)
+    for i in range(orders * 3 * velocities):
+        store(D, i, zero)
+    for entry in range(count):
+        row = entries + 8 * COLUMN * entry
+        if int(number(row, 0)):
+            continue
+        u, velocity, factor = U + SIZE * int(number(row, 1)), int(number(row, 3)), number(row, 4)
+        for k in range(orders):
+            t = scaled(-float(k + 1), load3(u, 3 * k + 3))
+            for j in range(k + 1):
+                t = add_cross(t, load3(w, 3 * j), load3(u, 3 * (k - j)))
+            t = scaled(-factor * number(factors, k), t)
+            for a in range(3):
+                at = (3 * k + a) * velocities + velocity
+                store(D, at, load(D, at) + t[a])

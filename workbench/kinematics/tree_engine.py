@@ -35,18 +35,18 @@ class TreeEngine:
         self._channels, self._velocities = channels, velocities
         self._plans: dict[tuple, Plan] = {}
 
-    def plan(self, names: str | tuple[str, ...], order: int, jacobians: int = 0) -> Plan:
+    def plan(self, names: str | tuple[str, ...], order: int, jacobians: int = 0, turning: int = 0) -> Plan:
         """The plan for one frame or more, inputs with `order` derivatives, and so many orders of
-        Jacobians."""
-        key = names, order, jacobians
+        Jacobians and of their turning parts."""
+        key = names, order, jacobians, turning
         if key not in self._plans:
-            self._plans[key] = self._new_plan(names, order, jacobians)
+            self._plans[key] = self._new_plan(names, Wanted(order, jacobians, turning))
         return self._plans[key]
 
     def of_one_state(self, q: np.ndarray, name: str, order: int) -> np.ndarray:
         """The pose's 16 numbers and the twists (16 + 6 order,) of a frame at one state q (order + 1,
         channels)."""
-        plan = self._plans.get((name, order, 0)) or self.plan(name, order)
+        plan = self._plans.get((name, order, 0, 0)) or self.plan(name, order)
         record = empty(plan.rows)
         out = record[None, None, None]
         if not plan.kernel(q[:, None], plan.address, out, False):
@@ -54,11 +54,11 @@ class TreeEngine:
         record.setflags(write=False)
         return record
 
-    def _new_plan(self, names: str | tuple[str, ...], order: int, jacobians: int) -> Plan:
+    def _new_plan(self, names: str | tuple[str, ...], wanted: Wanted) -> Plan:
         from workbench.kinematics.tree_plan import plan_of
 
         frames = [self._frames[name] for name in ((names,) if isinstance(names, str) else names)]
-        return plan_of(self._steps, frames, self._channels, self._velocities, Wanted(order, jacobians))
+        return plan_of(self._steps, frames, self._channels, self._velocities, wanted)
 
     def __getstate__(self) -> dict[str, Any]:
         return vars(self) | {"_plans": {}}  # plans hold addresses of this process

@@ -48,12 +48,14 @@ from workbench.kinematics.tree_bodies import (
     POSE,
     body_out,
     jacobian_out,
+    turning_out,
 )
 from workbench.kinematics.tree_joints import SCREW, SLIDE, TURN, first_step, next_step, scaled_rates
 from workbench.kinematics.tree_memory import Axis, read_block, read_side_by_side, runs, write_block
 
-HEAD, STEP, BODY = 13, 24, 19  # doubles of the header, a step and a body in the plan
+HEAD, STEP, BODY = 14, 24, 19  # doubles of the header, a step and a body in the plan
 ORIGIN = 10  # where in the header the point is that positions are reckoned from
+TURNING = 13  # and how many orders of the Jacobian's turning parts are wanted
 LARGE = 2_000_000  # doubles of a result that is written past the caches, which it would only empty
 PARTS = (lanes, tree_arithmetic, tree_bodies, tree_joints, tree_memory)  # what is compiled into the pass
 
@@ -189,12 +191,12 @@ def write_body(
     outputs: tuple[Axis, Axis],
     constants: Constants,
     room: Room,
-    orders: int,
-    velocities: int,
+    jacobians: tuple[int, int, int],
     N: int,
 ) -> None:
     """The results of a body, of each block. way: AT_ONCE or PAST_CACHES to the result itself, else by way of
-    W."""
+    W. jacobians: orders of these and of their turning parts, and velocities."""
+    orders, turning, velocities = jacobians
     target = out.ctypes.data + out.strides[0] * int(number(row, 2))
     here, of_state = min(WIDTH, out.shape[1]), out.strides[1]
     of_part = out.strides[3]
@@ -215,7 +217,11 @@ def write_body(
             entries = constants.columns + 8 * COLUMN * int(number(row, 16))
             J = W + SIZE * (POSE + 6 * N)
             where = Q + room.S, room.slot, Q + room.U, v, Q + room.d
-            jacobian_out(entries, int(number(row, 17)), where, J, orders, velocities, constants.out_factors)
+            columns, factors = int(number(row, 17)), constants.out_factors
+            jacobian_out(entries, columns, where, J, orders, velocities, factors)
+            if turning > 0:
+                D, w = J + SIZE * 6 * orders * velocities, slot + (12 + 3 * N) * SIZE
+                turning_out(entries, columns, Q + room.U, w, D, turning, velocities, factors)
         write_block(W, here, outputs, target + of_state * state, of_state)
 
 
@@ -234,7 +240,8 @@ def tree_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
     The arrays may lie in memory in any way; states that are neighbours there need no transposition."""
     columns, states, channels = q.shape
     steps, bodies, together = int(number(plan, 0)), int(number(plan, 1)), int(number(plan, 3))
-    orders, velocities, keep = int(number(plan, 4)), int(number(plan, 5)), number(plan, 7) != 0.0
+    keep, orders = number(plan, 7) != 0.0, int(number(plan, 4))
+    jacobians = orders, int(number(plan, TURNING)), int(number(plan, 5))
     constants, room = constants_of(plan, channels, columns), room_of(plan, channels, columns)
     inputs = runs((columns, q.strides[0], 1), (channels, q.strides[2], columns))
     outputs = runs((out.shape[2], out.strides[2], out.shape[3]), (out.shape[3], out.strides[3], 1))
@@ -252,9 +259,7 @@ def tree_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
                 move_joint(step, blocks, constants, room, keep, columns - 1)
             while body < bodies and int(number(constants.bodies + 8 * BODY * body, 0)) == step:
                 row = constants.bodies + 8 * BODY * body
-                write_body(
-                    row, first, blocks, out, way, outputs, constants, room, orders, velocities, columns - 1
-                )
+                write_body(row, first, blocks, out, way, outputs, constants, room, jacobians, columns - 1)
                 body += 1
         first += WIDTH * together
     largest, spare = 0.0, room.work + room.v

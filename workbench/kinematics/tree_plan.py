@@ -14,7 +14,7 @@ from workbench.kinematics.lanes import SIZE, WIDTH
 from workbench.kinematics.tree_arithmetic import ABOUT_X, GENERAL, IDENTITY
 from workbench.kinematics.tree_bodies import COLUMN, POSE
 from workbench.kinematics.tree_joints import BALL, SCREW, SLIDE, TURN
-from workbench.kinematics.tree_kernel import BODY, HEAD, ORIGIN, STEP, tree_kernel
+from workbench.kinematics.tree_kernel import BODY, HEAD, ORIGIN, STEP, TURNING, tree_kernel
 from workbench.kinematics.tree_steps import WORLD, Frame, Step, Wanted
 
 NEAR = 4096  # doubles of the nearest cache that blocks which take turns may fill
@@ -82,7 +82,7 @@ class _Planner:
     def plan(self) -> Plan:
         N, J = self.wanted.order, self.wanted.jacobians
         columns, axes_size = N + 1, self._place_axes()
-        rows = POSE + 6 * N + 6 * self.velocities * J
+        rows = POSE + 6 * N + 6 * self.velocities * J + 3 * self.velocities * self.wanted.turning
         table = [self._step_row(at) for at in self.order]
         bodies, entries = self._body_rows()
         slot_size = 9 + 3 * columns + 3 * N
@@ -94,7 +94,7 @@ class _Planner:
         header[:8] = (
             len(table), len(bodies), self.slots, together, J, self.velocities, axes_size, J > 0,
         )  # fmt: skip
-        header[ORIGIN : ORIGIN + 3] = self.origin
+        header[ORIGIN : ORIGIN + 3], header[TURNING] = self.origin, self.wanted.turning
         constants = [
             np.tile(self._input_factors(), self.channels),
             self._output_factors(),

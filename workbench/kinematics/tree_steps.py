@@ -45,8 +45,10 @@ class Frame(NamedTuple):
 
 class Wanted(NamedTuple):
     """What a pass computes: N, the highest derivative of the inputs, and of each body in this order the
-    pose's 16 numbers, N twists (6 each) and the Jacobian's derivatives (6, velocities) of `jacobians`
-    orders."""
+    pose's 16 numbers, N twists (6 each), the Jacobian's derivatives (6, velocities) of `jacobians`
+    orders, and their turning parts (3, velocities) of `turning` orders (`twist_partial` in
+    `robot.partials`)."""
 
     order: int
     jacobians: int = 0
+    turning: int = 0

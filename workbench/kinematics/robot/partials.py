@@ -16,22 +16,10 @@ from math import comb
 import numpy as np
 
 
-def turning_parts(J: np.ndarray, omega: np.ndarray) -> np.ndarray:
-    """D, Ḋ, …, (n, ..., 3, coordinates), of J (n + 1, ..., 6, coordinates) and ω (n, ..., 3), each with its
-    derivatives."""
-    z, found = J[..., :3, :], np.empty((len(omega), *J.shape[1:-2], 3, J.shape[-1]))
-    for n in range(len(omega)):
-        found[n] = z[n + 1]
-        for i in range(n + 1):
-            w, u = omega[i][..., None], comb(n, i) * z[n - i]
-            for a, b, c in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-                found[n][..., a, :] -= w[..., b, :] * u[..., c, :] - w[..., c, :] * u[..., b, :]
-    return found
-
-
 def twist_partial(J: np.ndarray, D: np.ndarray, k: int, j: int) -> np.ndarray:
-    """∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, coordinates), of J (k + 2, ..., 6, coordinates) with its derivatives and the
-    turning parts D; V = (ω; velocity of the point that J is of), in W's axes."""
+    """∂V⁽ᵏ⁾/∂q⁽ʲ⁾, (..., 6, coordinates), of J (k + 2, ..., 6, coordinates) with its derivatives and its
+    turning parts D, Ḋ, … (k + 1, ..., 3, coordinates); V = (ω; velocity of the point that J is of), in
+    W's axes."""
     partial = np.zeros(J.shape[1:])
     if j > k + 1:
         return partial

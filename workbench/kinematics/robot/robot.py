@@ -23,7 +23,7 @@ from workbench.kinematics.robot.joints import Mimic, TreeJoint
 from workbench.kinematics.robot.motion import Motion
 from workbench.kinematics.robot.paths import Path as JointPath
 from workbench.kinematics.robot.paths import as_path, read_samples
-from workbench.kinematics.robot.scalars import casadi_function, jax_function, object_motion
+from workbench.kinematics.robot.scalars import autodiff_motion, casadi_function, jax_function, object_motion
 from workbench.kinematics.robot.states import states_on_path
 from workbench.kinematics.robot.structure import MOST_ROWS, Structure, reals, whole
 from workbench.kinematics.robot.urdf import WORLD, UrdfError, read_urdf
@@ -138,14 +138,18 @@ class Robot(Structure):
         """The pose (4, 4) and the twists (N, 6) of a frame, of one state of Drake's Expression or AutoDiffXd
         or of SymPy's symbols, q_derivatives (N + 1, positions): arrays of these.
 
-        Twists are V_WF = (ω; velocity of Fo) and its derivatives, in W's axes. Raises ValueError for another
-        shape, an unknown frame, and a robot with ball or floating joints.
-        """
+        Twists are V_WF = (ω; velocity of Fo) and its derivatives, in W's axes. The gradients of
+        AutoDiffXd are the partial derivatives in closed form, see `RobotFrame.twist_partial`. Raises
+        ValueError for another shape, an unknown frame, gradients of several sizes, and a robot with ball
+        or floating joints."""
         q = np.asarray(q_derivatives, dtype=object)
         if q.ndim != 2 or q.shape[1] != len(self.positions) or len(q) < 2:
             raise ValueError(
                 f"q_derivatives: expected shape (N + 1, {len(self.positions)}) with N >= 1, got {q.shape}"
             )
+        self.require_rates("this arithmetic")
+        if all(type(x).__name__.startswith("AutoDiff") for x in q.flat):
+            return autodiff_motion(self, frame, q)
         return object_motion(self, frame, q)
 
     def casadi(self, frame: str, order: int) -> Any:

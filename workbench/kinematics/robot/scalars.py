@@ -7,12 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import factorial
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from workbench.kinematics.robot.structure import Structure
 from workbench.kinematics.tree_steps import WORLD, Drive, Step
+
+if TYPE_CHECKING:
+    from workbench.kinematics.robot.robot import Robot
 
 
 class Arithmetic(NamedTuple):
@@ -126,6 +129,38 @@ def object_motion(robot: Structure, body: str, q: np.ndarray) -> tuple[np.ndarra
     pose = np.eye(4).astype(object)
     pose[:3, :3], pose[:3, 3] = np.stack(found.columns, axis=-1), found.origin
     return pose, np.array([np.concatenate(pair) for pair in found.twists], dtype=object)
+
+
+def autodiff_motion(robot: Robot, body: str, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The same of Drake's AutoDiffXd q (N + 1, positions), whose gradients are not taken through the
+    recursion: they are the partial derivatives in closed form (`partials`) times the gradients of q."""
+    from workbench.drake.gate import AutoDiffXd
+
+    sizes = {x.derivatives().size for x in q.flat} - {0}
+    if len(sizes) > 1:
+        raise ValueError(f"q_derivatives: expected gradients of one size, got {sorted(sizes)}")
+    size = sizes.pop() if sizes else 0
+    slopes = np.zeros((*q.shape, size))
+    for at, x in np.ndenumerate(q):
+        if x.derivatives().size:
+            slopes[at] = x.derivatives()
+    frame = robot.motion(np.array([[x.value() for x in row] for row in q])).frame(body)
+    J = frame.jacobian_derivatives(0)[0] @ slopes[0]  # of the frame's turning and of its origin
+    of_pose = np.zeros((4, 4, size))
+    of_pose[:3, :3] = np.cross(J[:3].T[:, None], frame.pose[:3, :3].T[None]).transpose(2, 1, 0)
+    of_pose[:3, 3] = J[3:]
+    of_twists = [
+        sum(partial @ slope for partial, slope in zip(frame.twist_partials(k), slopes, strict=False))
+        for k in range(len(q) - 1)
+    ]
+
+    def joined(values: np.ndarray, gradients: np.ndarray) -> np.ndarray:
+        found = np.empty(values.shape, dtype=object)
+        for at in np.ndindex(values.shape):
+            found[at] = AutoDiffXd(values[at], gradients[at])
+        return found
+
+    return joined(frame.pose, of_pose), joined(frame.twists, np.stack(of_twists))
 
 
 def _object_cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -26,7 +26,7 @@ from workbench.kinematics.robot.leibniz import (
     rotation_derivatives,
     turned,
 )
-from workbench.kinematics.robot.partials import turning_parts, twist_partial
+from workbench.kinematics.robot.partials import twist_partial
 from workbench.kinematics.robot.structure import Body, Structure, whole
 from workbench.kinematics.tree_engine import compute, states_side_by_side
 from workbench.kinematics.tree_steps import WORLD
@@ -158,8 +158,25 @@ class States:
             self._jacobians[name] = J
         return J
 
-    def _new_record(self, name: str, jacobians: int) -> np.ndarray:
-        plan, q = self.robot.engine.plan(name, self.order, jacobians), self._input()
+    @cached_property
+    def _turning(self) -> dict[str, np.ndarray]:
+        return {}
+
+    def _turning_record(self, name: str) -> np.ndarray:
+        """The turning parts of the Jacobian (N, ..., 3, velocities), computed with all of its derivatives."""
+        if name not in self._turning:
+            record, N, count = (
+                self._new_record(name, self.order + 1, self.order),
+                self.order,
+                len(self.robot.velocities),
+            )
+            J, D = np.split(record[..., 16 + 6 * N :], [6 * (N + 1) * count], axis=-1)
+            self._jacobians[name] = J.reshape(*self.shape, N + 1, 6, count)
+            self._turning[name] = np.moveaxis(D.reshape(*self.shape, N, 3, count), -3, 0)
+        return self._turning[name]
+
+    def _new_record(self, name: str, jacobians: int, turning: int = 0) -> np.ndarray:
+        plan, q = self.robot.engine.plan(name, self.order, jacobians, turning), self._input()
         record = np.empty((q.shape[1], plan.rows))
         compute(q, plan, record[None, :, None])
         record.setflags(write=False)
@@ -258,12 +275,12 @@ class RobotFrame(FrameMotion):
         self._require(k, self.order - 1)
         whole(j, "j", 0)
         self.motion.robot.require_rates("partial derivatives")
-        J = self.jacobian_derivatives(k + 1, point=point)
-        return twist_partial(J, self._turning, k, j)
+        D = self.motion._turning_record(self.name)
+        return twist_partial(self.jacobian_derivatives(k + 1, point=point), D, k, j)
 
-    @cached_property
-    def _turning(self) -> np.ndarray:
-        return turning_parts(self.jacobian_derivatives(self.order), self.twists[..., :3])
+    def twist_partials(self, k: int, *, point: ArrayLike = ORIGIN) -> np.ndarray:
+        """∂V⁽ᵏ⁾/∂q⁽ʲ⁾ of all j, (k + 2, ..., 6, positions), j = 0, …, k + 1 first; see `twist_partial`."""
+        return np.stack([self.twist_partial(k, j, point=point) for j in range(k + 2)])
 
     def relative_to(self, other: FrameMotion) -> FrameMotion:
         """The motion of this frame B as an observer in the frame A of `other` sees it, expressed in A; with

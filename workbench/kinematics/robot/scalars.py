@@ -7,15 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import factorial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from workbench.kinematics.robot.states import States
 from workbench.kinematics.robot.structure import Structure
 from workbench.kinematics.tree_steps import WORLD, Drive, Step
-
-if TYPE_CHECKING:
-    from workbench.kinematics.robot.robot import Robot
 
 
 class Arithmetic(NamedTuple):
@@ -131,7 +129,7 @@ def object_motion(robot: Structure, body: str, q: np.ndarray) -> tuple[np.ndarra
     return pose, np.array([np.concatenate(pair) for pair in found.twists], dtype=object)
 
 
-def autodiff_motion(robot: Robot, body: str, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def autodiff_motion(robot: Structure, body: str, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The same of Drake's AutoDiffXd q (N + 1, positions), whose gradients are not taken through the
     recursion: they are the partial derivatives in closed form (`partials`) times the gradients of q."""
     from workbench.drake.gate import AutoDiffXd
@@ -144,7 +142,8 @@ def autodiff_motion(robot: Robot, body: str, q: np.ndarray) -> tuple[np.ndarray,
     for at, x in np.ndenumerate(q):
         if x.derivatives().size:
             slopes[at] = x.derivatives()
-    frame = robot.motion(np.array([[x.value() for x in row] for row in q])).frame(body)
+    values = robot.derivatives([[x.value() for x in row] for row in q])
+    frame = States(robot, values).frame(body)
     J = frame.jacobian_derivatives(0)[0] @ slopes[0]  # of the frame's turning and of its origin
     of_pose = np.zeros((4, 4, size))
     of_pose[:3, :3] = np.cross(J[:3].T[:, None], frame.pose[:3, :3].T[None]).transpose(2, 1, 0)

@@ -9,11 +9,12 @@ from pathlib import Path
 import pytest
 
 from workbench.ingest import ingest, model_text
-from workbench.ingest.kinds import Guesser
+from workbench.ingest.inference.infer import infer
 from workbench.ingest.proposal import ground_of
 from workbench.ingest.proposals import proposals_for
 from workbench.ingest.prose import Prose
-from workbench.ingest.typefaces import Guess
+from workbench.ingest.reading import Reader
+from workbench.ingest.typefaces import Guess, by_typeface
 from workbench.judge.verdict import Outcome
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
@@ -255,10 +256,12 @@ def test_kinds_of_parts_labels_and_brackets(tmp_path: Path, text: str, kinds: di
 def test_what_frames_spell_is_guessed_no_more() -> None:
     """A symbol may be guessed before the frames that spell it are."""
     formula = r"\frac{{}^A d x}{dt} = {}^A R^B x"
-    (frames,) = (each for each in proposals_for([formula], "") if each.table == "frames")
-    guesser = Guesser(Prose(""), ground_of([frames]))
-    knowing = guesser.knowing({"{}^{A}R^{B}": Guess("{}^{A}R^{B}", "tensor"), "x": Guess("x", "vector")})
-    assert list(knowing.guesses) == ["x"] and knowing.read_all([formula])[0].statements
+    inference = infer([], Prose(""))
+    proposals = proposals_for([formula], "", inference)
+    (frames,) = (each for each in proposals if each.table == "frames")
+    guesses = {"{}^{A}R^{B}": Guess("{}^{A}R^{B}", "tensor"), "x": Guess("x", "vector")}
+    reader = Reader(ground_of([frames]), guesses, False, by_typeface)
+    assert list(reader.guesses) == ["x"] and reader.read(formula).statements
 
 
 MODEL = 'source = "p.md"\n[symbols]\n' + "".join(
@@ -340,6 +343,6 @@ def test_that_a_product_is_in_a_set_is_a_claim_and_a_declared_symbol_says_nothin
 
 def test_what_the_notation_spells_is_no_symbol() -> None:
     """A model with both would not load."""
-    guesser = Guesser(Prose(""), SymbolTable().with_notations({"i": {"means": "2"}, "j": {"means": "3"}}))
+    ground = SymbolTable().with_notations({"i": {"means": "2"}, "j": {"means": "3"}})
     guesses = {name: Guess(name, "scalar") for name in "ijm"}
-    assert list(guesser.knowing(guesses).guesses) == ["m"]
+    assert list(Reader(ground, guesses, False, by_typeface).guesses) == ["m"]

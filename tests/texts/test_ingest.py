@@ -21,7 +21,7 @@ KINDS = [
     (r"$$ \dot{\boldsymbol{R}} = \boldsymbol{ω} \boldsymbol{R} $$", {r"\boldsymbol{\omega}": "tensor"}),
     (r"The angle $v$ and the vector $m$: $$ v m = m v $$", {"v": "scalar", "m": "vector"}),
     (r"$$ \ddot{r} - r ω = m $$ $$ m + r = 1 $$", {r"\omega": "scalar", "r": "scalar"}),
-    (r"$$ V^{\mathscr R} = V + V^{\mathscr R} $$", {r"V^{\mathscr{R}}": "tensor", "V": "tensor"}),
+    (r"$$ A^{\mathscr R} = A + A^{\mathscr R} $$", {r"A^{\mathscr{R}}": "tensor", "A": "tensor"}),
     (
         r"$$ F_x = m a_{cm_x} $$ $$ \mathbf{T}_m = m \mathbf{u} $$",
         {"m": "scalar", "F_{x}": "scalar", r"\mathbf{T}_{m}": "vector"},
@@ -32,7 +32,7 @@ KINDS = [
     ),
     (r"$a, b \in \mathbb{R}$, $A \in \R^{2 \times 3}$: $$ a A = A b $$", {"a": "scalar", "b": "scalar", "A": "matrix 2×3"}),
     (r"The homogeneous matrix $T$: $$ T = \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix} \in SE(3), R \in SO(3) $$", {"T": "transform"}),
-    (r"The vector $\tau$: $$ \tau = M(\theta) \ddot{\theta} + h(\theta, \dot{\theta}) $$", {"M": "tensor", "h": "vector"}),
+    (r"The vector $\tau$: $$ \tau = M(\theta) \ddot{\theta} + h(\theta, \dot{\theta}) $$", {"M": "matrix 2×2", "h": "matrix 2×1"}),
     (r"$$ {}^A\bar{v} = {}^B\bar{v} + \bar{u} \times \bar{p} $$", {r"{}^{A}\bar{v}": "vector"}),
 ]  # fmt: skip
 

@@ -65,8 +65,8 @@ def _lines(ingested: Ingested, path: Path, chosen: list[Proposed], refused: dict
     yield "[symbols]"
     defined = {proposed.name for proposed in chosen}
     for guess in ingested.guesses.values():
-        unit = ", unit = true" if guess.unit else ""
-        entry = f'{_string(guess.name)} = {{ kind = "{guess.kind}"{unit} }}'
+        flags = "".join(f", {flag} = true" for flag in guess.spec if flag != "kind")
+        entry = f'{_string(guess.name)} = {{ kind = "{guess.kind}"{flags} }}'
         mark = "# " if guess.name in defined else ""
         yield f"{mark}{entry}  # guessed: {_comment(guess.why)}"
     yield ""

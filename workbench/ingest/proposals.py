@@ -7,7 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from workbench.ingest.frames import frames
+from workbench.ingest.inference.infer import Inference
 from workbench.ingest.proposal import Proposal
+from workbench.ingest.prose import speaks_of_quaternions
 from workbench.papers.notation import FUNCTIONS, HAMILTON
 
 _UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
@@ -29,7 +31,7 @@ _UNITS_OF_QUATERNIONS = re.compile(
 )
 
 
-def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
+def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> Iterator[Proposal]:
     """What the formulas show signs of, what others need first."""
     together = "\n".join(formulas)
     if speaks_of_quaternions(prose):
@@ -85,11 +87,8 @@ def proposals_for(formulas: Sequence[str], prose: str) -> Iterator[Proposal]:
     hat = _notation(
         r"\\(?:wide)?hat(?![A-Za-z])", r"\hat{x}", {"x": "vector"}, _SKEW, "a hat on a symbol", question
     )
-    yield replace(hat, reads=True)
-
-
-def speaks_of_quaternions(prose: str) -> bool:
-    return len(re.findall(r"quaternion", prose, re.IGNORECASE)) > 2
+    if "\\hat" in inference.skew_marks:
+        yield hat
 
 
 _QUATERNIONS = "Are quaternions Hamilton's (i j = k), scalar part first?"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from workbench.ingest.proposals import speaks_of_quaternions
 from workbench.ingest.typefaces import Guess, flat
 from workbench.papers.texts import Display
 
@@ -14,6 +13,7 @@ _WORDS = (
         re.compile(r"rotation(?:al)? matri|orthogonal (?:matri|tensor)|rotation tensor|direction cosine"),
         "rotation",
     ),
+    (re.compile(r"quaternion"), "quaternion"),
     (re.compile(r"homogeneous|transformation matri|rigid[- ](?:body )?transform"), "transform"),
     (re.compile(r"unit(?:[- ]length|-norm)? (?:vector|axis|direction)|normali[sz]ed vector"), "unit vector"),
     (re.compile(r"\bvectors?\b|velocit|position\b|displacement|angular momentum|torque"), "vector"),
@@ -32,6 +32,12 @@ _SETS = {
 }
 _FONTS = re.compile(r"\\(?:math(?:bb|bf|cal|rm|sf|frak|ds)|boldsymbol|operatorname|text)")
 _NEAR = 40
+#: How much farther words behind a symbol count than words before it.
+_BEHIND = 4
+#: The length of a noun phrase, in which the first of the table wins: a unit vector is a vector.
+_PHRASE = 16
+#: Where the words behind a symbol begin to speak of others.
+_OF_OTHERS = re.compile(r"[.;,$]|\b(?:and|with|where|about|by|from|to)\b")
 #: A q in any font; the parts of one have names of their own.
 _QUATERNION = re.compile(
     r"(?:\\(?:mathbf|boldsymbol|mathsf|bar|vec|hat|underline)\{)?q\}?(?:_\{(?P<part>[^{}]*)\})?(?:\^\{[^{}]*\})?"
@@ -39,33 +45,56 @@ _QUATERNION = re.compile(
 _PARTS = {"v": "vector", **dict.fromkeys("swxyz", "scalar")}
 
 
+def _nearest(before: str, after: str) -> tuple[int, int, str] | None:
+    """The words nearest to a symbol that say what it is: how far they are, their place in the table, and they
+    themselves."""
+    found = []
+    for place, (pattern, _) in enumerate(_WORDS):
+        near = [(len(before) - match.end(), match[0]) for match in pattern.finditer(before)]
+        near += [(match.start() + _BEHIND, match[0]) for match in pattern.finditer(after)]
+        found += [(distance // _PHRASE, place, words) for distance, words in near]
+    return min(found, default=None)
+
+
+def speaks_of_quaternions(text: str) -> bool:
+    """Returns whether a text has to do with quaternions."""
+    return len(re.findall(r"quaternion", text, re.IGNORECASE)) > 2
+
+
 class Prose:
     """What a text says of its symbols in words."""
 
-    def __init__(self, text: str, inline: Sequence[Display] = ()) -> None:
+    def __init__(self, text: str, inline: Sequence[Display] = (), displays: Sequence[Display] = ()) -> None:
         self.text = text
         self.has_quaternions = speaks_of_quaternions(text)
         self._numbers_parts = all(re.search(rf"q_\{{?{part}", text) for part in "0123")
-        self._inline = inline
+        self._inline, self._displays = inline, displays
         self._flat = flat(text)
-        self._alone: dict[str, list[str]] | None = None
+        self._alone: dict[str, list[tuple[str, str]]] | None = None
 
     def guess(self, name: str) -> Guess | None:
+        """Returns what the text says of a symbol in words or by a set that it is in; None for nothing."""
         if (kind := self._in_a_set(flat(name))) is not None:
             return Guess(name, kind, "the text says what set it is in")
-        beside = self._near(flat(name))
-        for pattern, kind in _WORDS:
-            for near in beside:
-                if found := pattern.search(near):
-                    plain = kind.removeprefix("unit ")
-                    why = f'the text says "{" ".join(found[0].split())}" near it'
-                    return Guess(name, plain, why, unit=plain != kind)
-        if self.has_quaternions and (quaternion := _QUATERNION.fullmatch(name)):
-            part = quaternion["part"] or ""
-            is_number = bool(part) and part in "0123" and self._numbers_parts
-            kind = "scalar" if is_number else _PARTS.get(part, "hamilton quaternion")
-            return Guess(name, kind, "the text speaks of quaternions")
-        return None
+        said = [each for near in self._near(flat(name)) if (each := _nearest(*near)) is not None]
+        if said:
+            _, place, words = min(said, key=lambda each: each[:2])
+            kind = _WORDS[place][1]
+            if kind == "quaternion" and self.has_quaternions:
+                return self._of_quaternions(name)
+            plain = kind.removeprefix("unit ")
+            why = f'the text says "{" ".join(words.split())}" near it'
+            return Guess(name, plain, why, unit=plain != kind)
+        return self._of_quaternions(name)
+
+    def _of_quaternions(self, name: str) -> Guess | None:
+        """A q in any font of a text on quaternions, and the parts of one."""
+        if not self.has_quaternions or (quaternion := _QUATERNION.fullmatch(name)) is None:
+            return None
+        part = quaternion["part"] or ""
+        is_number = bool(part) and part in "0123" and self._numbers_parts
+        kind = "scalar" if is_number else _PARTS.get(part, "hamilton quaternion")
+        return Guess(name, kind, "the text speaks of quaternions")
 
     def _in_a_set(self, name: str) -> str | None:
         """The kind of what the text says to be in a set."""
@@ -77,8 +106,9 @@ class Prose:
         found = ((re.match(pattern, plain), kind) for pattern, kind in _SETS.items())
         return next((match.expand(kind) for match, kind in found if match), None)
 
-    def _near(self, name: str) -> list[str]:
-        """The words beside each formula in the text that is the symbol alone, or says what it is."""
+    def _near(self, name: str) -> list[tuple[str, str]]:
+        """The words before and behind each formula in the text that is the symbol alone, or says what it
+        is."""
         if self._alone is None:
             self._alone = {}
             for formula in self._inline:
@@ -87,6 +117,10 @@ class Prose:
                     r"(?:\$|\\\(|:math:`)\s*$", "", text[max(0, formula.start - _NEAR) : formula.start]
                 )
                 after = re.sub(r"^\s*(?:\$|\\\)|`)", "", text[formula.end : formula.end + _NEAR])
-                before, after = re.split(r"[.;$]", before)[-1], re.split(r"[.;,$]", after)[0]
-                self._alone.setdefault(key, []).append(f"{before} {after}".lower())
+                before, after = re.split(r"[.;$]", before)[-1], _OF_OTHERS.split(after)[0]
+                self._alone.setdefault(key, []).append((before.lower(), after.lower()))
+            for display in self._displays:
+                left, _, right = display.latex.partition("=")
+                if right and not display.before.endswith((".", ";")):
+                    self._alone.setdefault(flat(left), []).append((display.before[-_NEAR:].lower(), ""))
         return self._alone.get(name, [])

@@ -54,6 +54,7 @@ class Guess:
     kind: str
     why: str = field(default="", compare=False)
     unit: bool = False
+    constant: bool = False
 
     @property
     def is_said(self) -> bool:
@@ -62,7 +63,8 @@ class Guess:
 
     @property
     def spec(self) -> dict[str, object]:
-        return {"kind": self.kind, "unit": True} if self.unit else {"kind": self.kind}
+        flags = {"unit": self.unit, "constant": self.constant}
+        return {"kind": self.kind, **{name: True for name, is_so in flags.items() if is_so}}
 
 
 def bare_name(name: str) -> str:

@@ -1,0 +1,98 @@
+"""The kinds that are inferred of whole texts, and laws of the inference."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from ingest.true_kinds import TRUE, symbols_of
+
+from workbench.ingest.inference.infer import Inference, Source, infer, kind_name
+from workbench.ingest.inference.pieces import operations_of
+from workbench.ingest.inference.walker import Walker
+from workbench.ingest.prose import Prose
+
+#: Texts that take a moment, and the symbols of them that are known to be wrong.
+QUICK = [path for path in TRUE if "errata" in path or "multibody" in path or "two_link" in path]
+
+
+def test_at_least_97_of_100_symbols_have_their_kind() -> None:
+    symbols = [symbol for path in QUICK for symbol in symbols_of(path)]
+    wrong = [symbol for symbol in symbols if not symbol.is_right]
+    assert len(symbols) > 200 and len(wrong) <= 3 * len(symbols) / 100, wrong
+
+
+@pytest.mark.slow
+def test_at_least_97_of_100_symbols_of_all_texts_have_their_kind() -> None:
+    symbols = [symbol for path in TRUE for symbol in symbols_of(path)]
+    wrong = [symbol for symbol in symbols if not symbol.is_right]
+    assert len(symbols) == 371 and len(wrong) <= 3 * len(symbols) / 100, wrong
+
+
+def kinds(*formulas: str, words: str = "") -> dict[str, str]:
+    found = infer([Source(latex) for latex in formulas], Prose(words))
+    return {name: kind_name(own.kind) for name, own in found.kinds.items()}
+
+
+FORMULAS = [
+    ((r"a \times b = c",), dict.fromkeys("abc", "vector")),
+    ((r"\mathbf{R} \mathbf{R}^T = \mathbf{I}", r"\mathbf{x} = \mathbf{R} \mathbf{y}"), {r"\mathbf{R}": "tensor", r"\mathbf{x}": "vector"}),
+    ((r"T = \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}",), {"T": "matrix 4×4", "R": "tensor", "p": "vector"}),
+    ((r"\det J = l_1 l_2 \sin\theta", r"J = \begin{bmatrix} a & b \\ c & d \end{bmatrix}"), {"J": "matrix 2×2", "a": "scalar"}),
+    ((r"S(\omega) v = \omega \times v", r"\dot{R} = S(\omega) R"), {r"\omega": "vector", "v": "vector", "R": "tensor"}),
+    ((r"\hat{\omega} v = \omega \times v", r"\widehat{R \omega} = R \hat{\omega} R^T"), {r"\omega": "vector", "R": "tensor"}),
+    ((r"M(q) \ddot{q} + C(q, \dot{q}) \dot{q} = \tau",), {"M": "matrix n×n", "q": "matrix n×1", r"\tau": "matrix n×1"}),
+    ((r"i^2 = j^2 = k^2 = i j k = -1",), dict.fromkeys("ijk", "hamilton quaternion")),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("formulas", "expected"), FORMULAS, ids=[formulas[0] for formulas, _ in FORMULAS])
+def test_kinds_are_those_under_which_formulas_fit(
+    formulas: tuple[str, ...], expected: dict[str, str]
+) -> None:
+    assert kinds(*formulas).items() >= expected.items()
+
+
+def test_kinds_do_not_depend_on_the_order_of_formulas() -> None:
+    for formulas, _ in FORMULAS:
+        assert kinds(*formulas) == kinds(*reversed(formulas))
+
+
+RENAMED = {"a": "u", "b": "v", "c": "w", "d": "z"}
+
+
+@pytest.mark.parametrize(
+    "latex", [r"a \times (b \times c) = (a \cdot c) b - (a \cdot b) c", r"d = a \cdot (b \times c)"]
+)
+def test_renaming_letters_of_one_face_renames_their_kinds(latex: str) -> None:
+    renamed = re.sub(r"\\[a-z]+|[a-d]", lambda found: RENAMED.get(found[0], found[0]), latex)
+    assert kinds(renamed) == {RENAMED[name]: kind for name, kind in kinds(latex).items()}
+
+
+def misfits(*formulas: str) -> tuple[str, ...]:
+    found: Inference = infer([Source(latex) for latex in formulas], Prose(""))
+    return tuple(dict.fromkeys(misfit.latex for misfit in found.misfits))
+
+
+def test_a_formula_that_fits_no_kinds_is_a_misfit() -> None:
+    good = [
+        r"\mathbf{a} = \mathbf{B} \mathbf{c}",
+        r"\mathbf{d} = \mathbf{a} \times \mathbf{c}",
+        r"s = \mathbf{a} \cdot \mathbf{c}",
+    ]
+    assert misfits(*good) == ()
+    assert misfits(*good, r"\sin \mathbf{d} = \mathbf{a} \times s") == (
+        r"\sin \mathbf{d} = \mathbf{a} \times s",
+    )
+
+
+@pytest.mark.parametrize(
+    ("latex", "pieces"),
+    [
+        (r"\int_0^1 a \, dt \leq b + c", ["compare"]),
+        (r"x = a \boxast b", ["said"]),
+        (r"x = y \text{ if } z > 0", ["equal", "compare"]),
+    ],
+)
+def test_a_refused_formula_is_read_in_pieces(latex: str, pieces: list[str]) -> None:
+    assert [tree.op for tree in operations_of(latex, Walker())] == pieces

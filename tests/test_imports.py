@@ -25,7 +25,7 @@ LAYERS = (
     ("report", "ingest", "certificates"),
     ("guide",),
     ("cli",),
-    ("checked", "pytest_plugin"),
+    ("api", "checked", "pytest_plugin"),
     ("__main__",),
 )
 

@@ -7,18 +7,71 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from workbench.api import judge, load, repair, report
     from workbench.checked import Checked, CheckedLines
-    from workbench.papers import Paper
+    from workbench.judge.verdict import Counterexample, Outcome, Verdict
+    from workbench.kinematics import Robot
+    from workbench.language.typed.errors import ReadError
+    from workbench.papers import Claim, Paper, PaperError
+    from workbench.repair.propose.repair import Repair
+    from workbench.verify.results import ClaimResult
 
-__all__ = ["__version__", "check"]
+__all__ = [
+    "Checked",
+    "CheckedLines",
+    "Claim",
+    "ClaimResult",
+    "Counterexample",
+    "Outcome",
+    "Paper",
+    "PaperError",
+    "ReadError",
+    "Repair",
+    "Robot",
+    "Verdict",
+    "__version__",
+    "check",
+    "judge",
+    "load",
+    "repair",
+    "report",
+]
+
+#: Where each public name is defined; it is imported at its first use. judge, repair and report are packages,
+#: too, and callable.
+_PLACES = {
+    "Checked": "workbench.checked",
+    "CheckedLines": "workbench.checked",
+    "Claim": "workbench.papers.model",
+    "ClaimResult": "workbench.verify.results",
+    "Counterexample": "workbench.judge.verdict",
+    "Outcome": "workbench.judge.verdict",
+    "Paper": "workbench.papers.model",
+    "PaperError": "workbench.papers.model",
+    "ReadError": "workbench.language.typed.errors",
+    "Repair": "workbench.repair.propose.repair",
+    "Robot": "workbench.kinematics",
+    "Verdict": "workbench.judge.verdict",
+    "load": "workbench.api",
+}
 
 
-def __getattr__(name: str) -> str:
+def __getattr__(name: str) -> Any:
+    from importlib import import_module
+
     if name == "__version__":
         from importlib.metadata import version
 
         return version("kinematics-workbench")
+    if name in _PLACES:
+        return getattr(import_module(_PLACES[name]), name)
+    if name in ("judge", "repair", "report"):
+        return import_module(f"workbench.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
 
 
 def check(
@@ -34,7 +87,7 @@ def check(
     seconds: float | None = None,
     megabytes: float | None = None,
 ) -> Checked | CheckedLines:
-    """The verdict on a printed formula, which displays itself in Jupyter and on a terminal.
+    """Returns the verdict on a printed formula, which displays itself in Jupyter and on a terminal.
 
     latex: an equation; several lines (aligned, cases) give several verdicts.
     symbols: LaTeX → what it is, as in a paper file, or just its kind: {r"u": "vector"}; weightless then.

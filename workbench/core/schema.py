@@ -20,7 +20,7 @@ class Key:
 
 #: What stands at the top of every file: of papers, models and notation files.
 _NOTATION = (
-    Key("title", "text", "The title of the paper.", 'title = "My paper"'),
+    Key("title", "text", "The title of the paper; a paper file needs one.", 'title = "My paper"'),
     Key("doi", "text", "Its DOI."),
     Key("notation", "text or table", "Spellings of the author's own, or the file that this one stands on."),
     Key("conventions", "table", "Readings of notation on which authors differ."),

@@ -10,3 +10,7 @@
 
 A `proved` rests on subject, kernel and both engines agreeing; see the table in the README.
 """
+
+from workbench.core.callable_package import make_callable
+
+make_callable(__name__, "workbench.api:judge")

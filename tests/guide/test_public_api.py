@@ -1,0 +1,59 @@
+"""The public Python API: a recorded list of names and signatures, and its docstrings' examples."""
+
+from __future__ import annotations
+
+import doctest
+import inspect
+from pathlib import Path
+
+import pytest
+
+import workbench
+from workbench import api
+from workbench.guide.api_page import FUNCTIONS, MEMBERS, function_of, surface
+
+RECORDED = (Path(__file__).parent / "public_api.txt").read_text(encoding="utf-8").splitlines()
+
+
+def test_surface_is_the_recorded_one() -> None:
+    assert list(surface()) == RECORDED
+
+
+def test_all_lists_functions_and_classes() -> None:
+    assert sorted(workbench.__all__) == sorted([*FUNCTIONS, *MEMBERS, "__version__"])
+
+
+@pytest.mark.parametrize("name", MEMBERS)
+def test_members_exist(name: str) -> None:
+    noun = getattr(workbench, name)
+    known = {*dir(noun), *getattr(noun, "__dataclass_fields__", {}), *_assigned(noun)}
+    assert set(MEMBERS[name]) <= known and inspect.getdoc(noun)
+
+
+def _assigned(noun: type) -> set[str]:
+    """The attributes that the class assigns to `self`."""
+    lines = [line.partition(" = ")[0] for line in inspect.getsource(noun).splitlines() if "self." in line]
+    return {word.strip().removeprefix("self.") for line in lines for word in line.split(",")}
+
+
+@pytest.mark.parametrize("name", ["judge", "repair", "report"])
+def test_package_can_be_called(name: str) -> None:
+    package = getattr(workbench, name)
+    assert inspect.signature(package) == inspect.signature(function_of(name))
+    assert package.__name__ == f"workbench.{name}"
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_first_line_says_what_is_returned(name: str) -> None:
+    first = (inspect.getdoc(function_of(name)) or "").splitlines()[0]
+    assert first.startswith(("Returns ", "Writes "))
+
+
+def test_docstring_examples_are_right() -> None:
+    done = doctest.testmod(api)
+    assert done.attempted >= 8 and done.failed == 0
+
+
+def test_unknown_name_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        _ = workbench.nothing  # type: ignore[attr-defined]

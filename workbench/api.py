@@ -1,0 +1,117 @@
+"""The functions of the Python API beside `check`: load, judge, repair, report."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from workbench.papers import Claim, Paper
+    from workbench.repair.propose.repair import Repair
+    from workbench.verify.results import ClaimResult
+
+
+def load(source: Path | str | None = None) -> Paper:
+    """Returns a paper: of a paper file, of a text or its model, or an installed one.
+
+    source: a path (.toml, .tex, .md, .rst, .html, .ipynb) or the name of an installed paper; the installed
+        paper "chapter" if it is None.
+
+    Raises PaperError, whose `faults` are all that is wrong, each with its place.
+
+    >>> from workbench import load
+    >>> load("vectors").title
+    'Learn Multibody Dynamics: Vectors'
+    """
+    from workbench.memory.store import standard
+    from workbench.papers import find_paper
+    from workbench.verify.keys import Memory
+
+    with standard(Memory) as memory:
+        return find_paper(None if source is None else str(source), memory)
+
+
+def judge(
+    paper: Paper,
+    select: Sequence[str] = (),
+    *,
+    second_engine: bool = True,
+    motions: bool = True,
+    seconds: float | None = None,
+    megabytes: float | None = None,
+    cache: bool = True,
+    jobs: int | None = None,
+) -> list[ClaimResult]:
+    """Returns the results of the claims of a paper, in reading order.
+
+    select: equations ("58"), ranges ("45-70"), ids ("58.det"), sections ("4.1"), patterns ("58.*"); all
+        claims if it is empty.
+    second_engine: recheck each proof; without it nothing counts as proved.
+    motions: evaluate claims whose symbols are bound on simulated motions.
+    seconds, megabytes: limits for each judgement.   cache: take the verdicts of earlier runs.
+    jobs: the number of processes.
+
+    Raises ValueError for a selection that means no claim.
+
+    >>> from workbench import judge, load
+    >>> [str(result.verdict.outcome) for result in judge(load(), ["58.det"])]
+    ['proved']
+    """
+    from contextlib import nullcontext
+
+    from workbench.budget import Budget
+    from workbench.memory.store import standard
+    from workbench.verify.claims import judge_paper
+    from workbench.verify.keys import Memory
+
+    budget = Budget.of(seconds=seconds, megabytes=megabytes)
+    with standard(Memory) if cache else nullcontext() as memory:
+        return judge_paper(
+            paper,
+            select,
+            jobs=jobs,
+            budget=budget,
+            memory=memory,
+            second_engine=second_engine,
+            motions=motions,
+        )
+
+
+def repair(claim: Claim | ClaimResult, seconds: float = 25.0) -> Repair:
+    """Returns the right forms of a claim that is refuted or ill-formed as printed; each is proved.
+
+    seconds: the limit of the search.
+
+    >>> from workbench import judge, load, repair
+    >>> found = repair(judge(load(), ["70.div"])[0])
+    >>> found.proposals[0].edit
+    'the sign of $\\\\omega^{4}$ is wrong'
+    """
+    from workbench.repair.propose.limits import Limits
+    from workbench.repair.propose.repair import repair as search
+    from workbench.verify.results import ClaimResult
+
+    return search(claim.claim if isinstance(claim, ClaimResult) else claim, Limits(seconds=seconds))
+
+
+def report(paper: Paper, results: Sequence[ClaimResult], out: Path | str = "report") -> list[Path]:
+    """Writes the report of a paper to a folder; returns the files: JSON, HTML, Markdown, LaTeX.
+
+    out: the folder, which is made if it does not exist.
+
+    Raises ReportError if a character cannot be set, OSError if the folder cannot be written.
+
+    >>> import tempfile
+    >>> from workbench import judge, load, report
+    >>> paper = load()
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     sorted(path.name for path in report(paper, judge(paper, ["58.det"]), folder))
+    ['erratum.tex', 'report.html', 'report.json', 'report.md']
+    """
+    from workbench.certificates.certify import with_certificates
+    from workbench.report.render import write_report
+
+    cited = replace(paper, citation={"recheck": "workbench report", **paper.citation})
+    return list(write_report(cited, with_certificates(list(results), paper), Path(out)))

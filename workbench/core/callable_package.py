@@ -1,0 +1,33 @@
+"""A package that can be called: `workbench.report(…)`, although `workbench.report` is a package, too."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+
+class CallablePackage(ModuleType):
+    """A package whose call is that of the function `_called`, written "module:function"."""
+
+    _called: str
+
+    @property
+    def __signature__(self) -> inspect.Signature:
+        return inspect.signature(self._function())
+
+    def _function(self) -> Any:
+        module, _, name = self._called.partition(":")
+        return getattr(import_module(module), name)
+
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
+        return self._function()(*arguments, **options)
+
+
+def make_callable(package: str, called: str) -> None:
+    """Makes the imported package callable. called: "module:function", imported at the first call."""
+    module = sys.modules[package]
+    module.__class__ = CallablePackage
+    module._called = called  # type: ignore[attr-defined]

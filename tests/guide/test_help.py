@@ -25,6 +25,7 @@ def test_contents_list_every_page() -> None:
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.topic)
 def test_each_page_has_title_and_summary(page: object) -> None:
     assert page.title != page.topic and page.summary  # type: ignore[attr-defined]
+    assert page.text.startswith(f"# {page.title}\n")  # type: ignore[attr-defined]
 
 
 def test_topics_are_unique() -> None:

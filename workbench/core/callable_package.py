@@ -16,14 +16,15 @@ class CallablePackage(ModuleType):
 
     @property
     def __signature__(self) -> inspect.Signature:
-        return inspect.signature(self._function())
+        return inspect.signature(self.called_function())
 
-    def _function(self) -> Any:
+    def called_function(self) -> Any:
+        """Returns the function that a call of the package calls."""
         module, _, name = self._called.partition(":")
         return getattr(import_module(module), name)
 
     def __call__(self, *arguments: Any, **options: Any) -> Any:
-        return self._function()(*arguments, **options)
+        return self.called_function()(*arguments, **options)
 
 
 def make_callable(package: str, called: str) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import workbench
+from workbench.core.callable_package import CallablePackage
 
 FUNCTIONS = ("check", "load", "judge", "repair", "report")
 
@@ -46,9 +47,8 @@ MEMBERS = {
 
 def function_of(name: str) -> Any:
     """The function itself, also where the name is that of a package that can be called."""
-    from workbench import api
-
-    return getattr(api, name, None) or getattr(workbench, name)
+    found = getattr(workbench, name)
+    return found.called_function() if isinstance(found, CallablePackage) else found
 
 
 def surface() -> Iterator[str]:

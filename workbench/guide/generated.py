@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import click
 
 from workbench.guide.api_page import api_page
@@ -15,10 +17,14 @@ from workbench.guide.spelling_page import spelling_page
 def manual(command_line: click.Group) -> list[Page]:
     """Returns all pages. command_line: the group whose commands the reference lists."""
     made = [
-        Page("command-line", "Reference", "reference", lambda: command_page(command_line)),
-        Page("model-keys", "Reference", "reference", key_page),
-        Page("spellings", "Reference", "reference", spelling_page),
-        Page("api", "Reference", "reference", api_page),
-        Page("messages", "Reference", "reference", message_page),
+        _reference("command-line", "Command line", lambda: command_page(command_line)),
+        _reference("model-keys", "Model keys", key_page),
+        _reference("spellings", "Spellings", spelling_page),
+        _reference("api", "Python API", api_page),
+        _reference("messages", "Messages", message_page),
     ]
     return all_pages(made)
+
+
+def _reference(topic: str, heading: str, read: Callable[[], str]) -> Page:
+    return Page(topic, "Reference", "reference", read, heading)

@@ -17,12 +17,15 @@ _SENTENCE = re.compile(r"(.+?[.:])(?=\s|$)", re.DOTALL)
 
 @dataclass(frozen=True)
 class Page:
-    """A page of the manual. read: returns its Markdown text."""
+    """A page of the manual.
+
+    read: returns its Markdown text.   heading: its title, where reading it takes time."""
 
     topic: str
     part: str
     folder: str
     read: Callable[[], str]
+    heading: str = ""
 
     @cached_property
     def text(self) -> str:
@@ -30,6 +33,8 @@ class Page:
 
     @property
     def title(self) -> str:
+        if self.heading:
+            return self.heading
         found = _HEADING.search(self.text)
         return found[1] if found else self.topic
 

@@ -89,25 +89,30 @@ def check(
 ) -> Checked | CheckedLines:
     """Returns the verdict on a printed formula, which displays itself in Jupyter and on a terminal.
 
-    latex: an equation; several lines (aligned, cases) give several verdicts.
-    symbols: LaTeX → what it is, as in a paper file, or just its kind: {r"u": "vector"}; weightless then.
-    paper: whose notation is meant: a paper file, an installed paper's name, or a Paper. If neither is given,
-        the notation is that of the installed paper "chapter"; if both are, `symbols` come after the paper's.
-    assume: relations (= or \\neq) to be assumed.   orders: the values of the indices, such as "n = 1..8".
-    definitions: what more symbols stand for, in order, each by what is known before it, recurrences too:
-        {r"K": r"a \\times b"} or [r"K = a \\times b"].
-    notation: a TOML file with [symbols] and [definitions] (claims are not needed), in place of a paper's.
-    at: the equation, id or section of the paper whose notation is meant, where its files have symbols of
-        their own: "32".
-    seconds, megabytes: of processor time and memory for each judgement, beyond which the verdict is
-        `unchecked`; 20 s and 4000 MB if neither is given.
+    Args:
+        latex: An equation; several lines (aligned, cases) give several verdicts.
+        symbols: LaTeX → what it is, as in a paper file, or just its kind: {r"u": "vector"}.
+        paper: Whose notation is meant: a paper file, an installed paper's name, or a Paper. Without `paper`,
+            `notation` and `symbols` it is that of the installed paper "chapter". `symbols` come after it.
+        assume: Relations (= or \\neq) that are assumed.
+        orders: The values of the indices, such as "n = 1..8".
+        definitions: What more symbols stand for, in order: {r"K": r"a \\times b"} or [r"K = a \\times b"].
+        notation: A TOML file with [symbols] and [definitions], in place of a paper's.
+        at: The equation, id or section of the paper whose notation is meant: "32".
+        seconds: The processor time for each judgement, beyond which it is `unchecked`; 20 by default.
+        megabytes: The memory for each judgement; 4000 by default.
 
-    What was judged before by this version is not judged again; it is kept under WORKBENCH_CACHE, or where
-    the system keeps such files.
+    Raises:
+        ReadError: The formula cannot be read; a ValueError with line and column.
+        PaperError: The paper or the notation cannot be used.
+        ValueError: An argument makes no sense.
 
-    Raises ReadError (a ValueError, with line and column) for what cannot be read, PaperError for a paper that
-    cannot be used, and ValueError for arguments that say nothing. What can be read but makes no sense gets
-    the verdict `ill-formed`.
+    What can be read but does not fit together gets the verdict `ill-formed`. Verdicts are remembered under
+    WORKBENCH_CACHE, or where the system keeps such files.
+
+    >>> from workbench import check
+    >>> check(r"a \\times b = b \\times a", symbols={"a": "vector", "b": "vector"}).outcome
+    <Outcome.REFUTED: 'refuted'>
     """
     from workbench.budget import Budget
     from workbench.checked import check

@@ -16,10 +16,12 @@ if TYPE_CHECKING:
 def load(source: Path | str | None = None) -> Paper:
     """Returns a paper: of a paper file, of a text or its model, or an installed one.
 
-    source: a path (.toml, .tex, .md, .rst, .html, .ipynb) or the name of an installed paper; the installed
-        paper "chapter" if it is None.
+    Args:
+        source: A path (.toml, .tex, .md, .rst, .html, .ipynb) or the name of an installed paper; "chapter" if
+            it is None.
 
-    Raises PaperError, whose `faults` are all that is wrong, each with its place.
+    Raises:
+        PaperError: The file cannot be used; `faults` are all faults, each with its position.
 
     >>> from workbench import load
     >>> load("vectors").title
@@ -46,14 +48,19 @@ def judge(
 ) -> list[ClaimResult]:
     """Returns the results of the claims of a paper, in reading order.
 
-    select: equations ("58"), ranges ("45-70"), ids ("58.det"), sections ("4.1"), patterns ("58.*"); all
-        claims if it is empty.
-    second_engine: recheck each proof; without it nothing counts as proved.
-    motions: evaluate claims whose symbols are bound on simulated motions.
-    seconds, megabytes: limits for each judgement.   cache: take the verdicts of earlier runs.
-    jobs: the number of processes.
+    Args:
+        paper: What `load` returned.
+        select: Equations ("58"), ranges ("45-70"), ids ("58.det"), sections ("4.1"), patterns ("58.*"); all
+            claims if it is empty.
+        second_engine: Recheck each proof; without it nothing counts as proved.
+        motions: Evaluate claims whose symbols are bound on simulated motions.
+        seconds: The processor time for each judgement.
+        megabytes: The memory for each judgement.
+        cache: Take the verdicts of earlier runs.
+        jobs: The number of processes.
 
-    Raises ValueError for a selection that means no claim.
+    Raises:
+        ValueError: A selection means no claim.
 
     >>> from workbench import judge, load
     >>> [str(result.verdict.outcome) for result in judge(load(), ["58.det"])]
@@ -82,7 +89,9 @@ def judge(
 def repair(claim: Claim | ClaimResult, seconds: float = 25.0) -> Repair:
     """Returns the right forms of a claim that is refuted or ill-formed as printed; each is proved.
 
-    seconds: the limit of the search.
+    Args:
+        claim: A claim, or its result.
+        seconds: The limit of the search.
 
     >>> from workbench import judge, load, repair
     >>> found = repair(judge(load(), ["70.div"])[0])
@@ -99,9 +108,14 @@ def repair(claim: Claim | ClaimResult, seconds: float = 25.0) -> Repair:
 def report(paper: Paper, results: Sequence[ClaimResult], out: Path | str = "report") -> list[Path]:
     """Writes the report of a paper to a folder; returns the files: JSON, HTML, Markdown, LaTeX.
 
-    out: the folder, which is made if it does not exist.
+    Args:
+        paper: What `load` returned.
+        results: What `judge` returned.
+        out: The folder, which is made if it does not exist.
 
-    Raises ReportError if a character cannot be set, OSError if the folder cannot be written.
+    Raises:
+        ReportError: A character cannot be set.
+        OSError: The folder cannot be written.
 
     >>> import tempfile
     >>> from workbench import judge, load, report

@@ -80,8 +80,8 @@ def api_site_page() -> str:
         place = "workbench.check" if name == "check" else f"workbench.api.{name}"
         parts.append(f"## {name}\n\n```{{eval-rst}}\n.. autofunction:: {place}\n```")
     for name, members in MEMBERS.items():
-        wanted = ", ".join(members)
+        listed = ", ".join(f"`{member}`" for member in members)
         parts.append(
-            f"## {name}\n\n```{{eval-rst}}\n.. autoclass:: workbench.{name}\n   :members: {wanted}\n```"
+            f"## {name}\n\n```{{eval-rst}}\n.. autoclass:: workbench.{name}\n```\n\nMembers: {listed}."
         )
     return "\n\n".join(parts) + "\n"

@@ -36,7 +36,7 @@ BLOCK = 4096  # states that are worked on at a time, where a batch is streamed
 
 
 class Robot(Structure):
-    """A robot with named joints and bodies; make it by `from_urdf`, `from_plant`, or of `TreeJoint`s.
+    """A robot with named joints and bodies; make it by `from_urdf`, `from_plant`, or of `TreeJoint` objects.
 
     name; bodies, positions, velocities: names, in the order of every array; limits: by joint. The world is
     the body "world". inertias: of the bodies, for `Motion.torques`; a URDF read by `from_urdf` gives none.

@@ -28,7 +28,7 @@ from workbench.papers.respell.in_models import with_rows
 from workbench.papers.said import SAID_BEFORE, free_in, introduced, introduces, terms_of
 from workbench.papers.selection import select_claims
 from workbench.repair.propose.limits import STANDARD, Limits
-from workbench.report.counterexamples import sides_as_text, values_as_text
+from workbench.report.counterexamples import told
 from workbench.report.kinds import VERDICTS
 from workbench.report.prose import one_line
 from workbench.verify.claims import judge_claims
@@ -91,9 +91,9 @@ class Checked:
         if verdict.read_back and one_line(verdict.read_back) != one_line(self.latex):
             parts.append(f"read as $ {verdict.read_back} $")
         if counterexample := verdict.counterexample:
-            values = [f"${name} = {value}$" for name, value in values_as_text(counterexample).items()]
-            left, right = sides_as_text(counterexample)
-            parts.append("counterexample: " + ", ".join(values) + f" gives ${left} \\neq {right}$")
+            runs = told(counterexample, self.latex).sentence
+            told_as = (f"${run.content}$" if run.is_math else _as_text(run.content) for run in runs)
+            parts.append("counterexample: " + "".join(told_as))
         evidence = [f"- {_as_text(e.method)}: {_as_text(e.outcome)}" for e in verdict.evidence]
         return "\n\n".join([*parts, "\n".join(evidence)]).rstrip()
 

@@ -1,6 +1,5 @@
 """Drake as the witness of claims: what holds is seen to hold, an error parts the sides, a wrong binding is refused."""
 
-import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import pytest
@@ -9,7 +8,6 @@ from judge.motion_papers import MOTION, judged, motions, paper
 from workbench.judge.verdict import Evidence, Outcome, Verdict
 from workbench.papers import find_paper
 from workbench.papers.model import PaperError
-from workbench.report.residuals import residuals_svg
 from workbench.report.to_json import report_json
 from workbench.verify.claims import judge_paper
 from workbench.verify.witnesses import VETO, Witnesses
@@ -19,7 +17,6 @@ def test_what_holds_is_seen_on_every_motion(tmp_path):
     (claim,) = judged(tmp_path, r"printed = '\dot{R} = \tilde{\omega} R'")
     (seen,) = motions(claim)
     assert claim["verdict"] == "proved" and len(seen["motions"]) == 5 and "6R arm, seed 9" in seen["motions"]
-    assert all(r <= e for r, e in zip(seen["residuals_below"], seen["errors_below"], strict=True))
     assert claim["motion"]["witness"] == "Drake" and claim["motion"]["line"].startswith(
         "holds at 22 instants"
     )
@@ -41,25 +38,6 @@ def test_a_refuted_form_and_its_correction_are_seen_at_the_same_time(tmp_path):
         cost["false"] > 0.1 and cost["right"] <= 1e-13 and cost["motion"] == "two cylindrical joints, seed 1"
     )
     assert cost["time"] in false["course"]["times"] and f"t = {cost['time']:g} s" in claim["motion"]["line"]
-
-
-def test_the_picture_of_both_has_words_and_no_script(tmp_path):
-    loaded = paper(
-        tmp_path,
-        r"""
-        printed = '\dot{R} = -\tilde{\omega} R'
-        corrected = '\dot{R} = \tilde{\omega} R'
-        """,
-        r"printed = '\dot{R} = \tilde{\omega} R'",
-    )
-    false, true = judge_paper(loaded)
-    svg = residuals_svg(false)
-    root = xml.fromstring(svg)
-    names = [element.tag.rpartition("}")[2] for element in root.iter()]
-    assert names.count("polyline") >= 2 and "script" not in names and "title" in names and "desc" in names
-    description = next(e.text for e in root.iter() if e.tag.endswith("desc"))
-    assert "200 %" in description and root.get("role") == "img"
-    assert residuals_svg(true) is None
 
 
 def test_what_has_no_motion_says_so_and_is_counted_apart(tmp_path):
@@ -152,4 +130,3 @@ def test_the_chapters_errors_and_their_corrections():
             continue
         cost = result.on_motions.error
         assert result.passed and cost.false > 0.05 and cost.right <= 1e-12, result.claim.id
-        assert residuals_svg(result) is not None

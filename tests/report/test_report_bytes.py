@@ -25,6 +25,6 @@ def files(out: Path, cache: Path, seed: str, *options: str) -> dict[str, bytes]:
 )
 def test_two_runs_give_the_same_bytes(options, tmp_path):
     first = files(tmp_path / "first", tmp_path / "cache", "1", *options)
-    assert len(first) == 4
+    assert len(first) == 5
     assert first == files(tmp_path / "anew", tmp_path / "another cache", "2", *options)
     assert first == files(tmp_path / "remembered", tmp_path / "cache", "3", *options)

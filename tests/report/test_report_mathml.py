@@ -69,7 +69,7 @@ def test_marks_nest_in_the_order_written():
     tree = shown(r"\dot{\tilde{\omega}}")
     outer = tree.find(f".//{NAMESPACE}mover")
     inner = outer[0].find(f".//{NAMESPACE}mover")
-    assert (inner[1].text, outer[1].text) == ("˜", ".")
+    assert (inner[1].text, outer[1].text) == ("˜", "˙")
 
 
 @pytest.mark.parametrize(

@@ -42,6 +42,13 @@ FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
 @click.option(
     "--scheduler", metavar="ADDRESS", help="Judge by the workers of Dask's scheduler, as in tcp://host:8786."
 )
+@click.option(
+    "--report",
+    "report_out",
+    type=click.Path(path_type=Path),
+    metavar="OUT",
+    help="Write the report of the one FILE into the directory OUT, too.",
+)
 @click.option("--watch", is_flag=True, help="Stay, and judge again what changes.")
 @engine_options
 @proposals_flag
@@ -53,6 +60,7 @@ def check(
     form: str,
     jobs: int | None,
     scheduler: str | None,
+    report_out: Path | None,
     watch: bool,
     proposals: bool,
     strict: bool,
@@ -64,6 +72,8 @@ def check(
     cannot be used, or nothing in it could be judged. A claim whose verdict is not the one that its keys
     announce is an error; what is unchecked in a text is none.
     """
+    if report_out is not None and (watch or len(files) > 1):
+        raise Unusable("--report: expected one FILE and no --watch: a report is of one text")
     if watch:
         from workbench.cli.watch import watch_files
 
@@ -83,10 +93,24 @@ def check(
                 unusable += error.faults
     found = judged_papers(papers, jobs, scheduler, **engines)
     judged = [(paper, results) for (_, paper), results in zip(papers, found, strict=True)]
+    if report_out is not None and judged:
+        _write_report(*judged[0], report_out, proposals, engines["cache"])
     print_judged(judged, json_out, form, proposals, unusable, engines["cache"])
     sys.exit(
         max([_status(paper, results, strict) for paper, results in judged], default=2) if not unusable else 2
     )
+
+
+def _write_report(
+    paper: Paper, results: Sequence[ClaimResult], out: Path, proposals: bool, cache: bool
+) -> None:
+    from workbench.certificates.certify import with_certificates
+    from workbench.cli.repair import with_proposals
+    from workbench.report.render import write_report
+
+    proposed = with_proposals(results, proposals, cache, False)
+    for path in write_report(paper, with_certificates(proposed, paper), out):
+        click.echo(str(path), err=True)
 
 
 def _status(paper: Paper, results: Sequence[ClaimResult], strict: bool) -> int:

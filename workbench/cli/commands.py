@@ -115,6 +115,11 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
 @click.option(
     "--out", default="report", show_default=True, type=click.Path(path_type=Path), help="The directory."
 )
+@click.option(
+    "--source",
+    type=click.Path(path_type=Path),
+    help="The text that the paper file was made from: errata.diff corrects it. A text corrects itself.",
+)
 @json_flag
 @engine_options
 @click.option(
@@ -125,9 +130,16 @@ def show(claim_id: str, paper_name: str | None, as_json: bool, proposals: bool) 
 )
 @reports_faults
 def report(
-    select: Sequence[str], paper_name: str | None, out: Path, as_json: bool, proposals: bool, **engines: Any
+    select: Sequence[str],
+    paper_name: str | None,
+    out: Path,
+    source: Path | None,
+    as_json: bool,
+    proposals: bool,
+    **engines: Any,
 ) -> None:
-    """Write the report of a paper: JSON, HTML, Markdown and LaTeX. Exit status as for verify."""
+    """Write the report of a paper: HTML, Markdown, JSON, and the errata as LaTeX, JSON and a patch. Exit
+    status as for verify."""
     from workbench.certificates.certify import with_certificates
     from workbench.cli.repair import with_proposals
     from workbench.cli.terminal import console, summary_line
@@ -142,7 +154,7 @@ def report(
     cited = replace(paper, citation={"recheck": recheck, **paper.citation})
     told = with_proposals(results, True, engines["cache"]) if proposals else results
     told = with_certificates(told, paper)
-    written = write_report(cited, told, out)
+    written = write_report(cited, told, out, source)
     if as_json:
         print_json(report_json(cited, told))
     else:

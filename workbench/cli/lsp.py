@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from workbench.papers import Paper
     from workbench.papers.model import Span
-    from workbench.report.counterexamples import values_as_text
+    from workbench.report.counterexamples import told
     from workbench.report.findings import Finding
     from workbench.verify.results import ClaimResult
 
@@ -189,8 +189,7 @@ def _told(result: ClaimResult) -> str:
     lines += [f"unless {'; '.join(verdict.unless)}"] if verdict.unless else []
     lines += [f"read as `{verdict.read_back}`"] if verdict.read_back else []
     if example := verdict.counterexample:
-        values = ", ".join(f"`{name}` = {value}" for name, value in values_as_text(example).items())
-        lines += [f"counterexample: {values}"]
+        lines += [f"counterexample: {told(example, result.claim.printed.latex)}"]
     for name in ("reading", "corrected"):
         form, its = getattr(result.claim, name), getattr(result, name)
         lines += [f"{name}: `{form.latex}`: {its.outcome}"] if form is not None and its is not None else []

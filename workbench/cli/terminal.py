@@ -12,12 +12,11 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
-from workbench.report.counterexamples import sides_as_text, value_as_text, values_as_text
+from workbench.report.counterexamples import told
 from workbench.report.counts import summary, witness_counts
 from workbench.report.kinds import STATES, VERDICTS
 
 if TYPE_CHECKING:
-    from workbench.judge.verdict import Counterexample
     from workbench.papers.model import Claim
     from workbench.verify.results import ClaimResult
 
@@ -26,9 +25,6 @@ _UNLIMITED = 100_000
 
 #: Of an evidence's figures: what only a picture can show.
 _UNSHOWN = ("course",)
-
-#: Components of the largest value of a defined symbol that is told: those of a dual vector.
-_LARGEST = 6
 
 
 def console(stream: IO[str]) -> Console:
@@ -119,7 +115,8 @@ def claim_lines(result: ClaimResult, with_expectation: bool = True) -> Iterator[
             yield Text.assemble(" " * 17, outcome_text(own.outcome))
             yield from _field("because", own.reason)
     if result.counterexample:
-        yield from _counterexample(result.counterexample)
+        said = claim.our_formula or claim.shown or ""
+        yield from _field("counterexample", str(told(result.counterexample, said)))
     yield from _field("read as", verdict.read_back)
     for evidence in verdict.evidence:
         figures = ", ".join(f"{k} {v}" for k, v in evidence.figures.items() if k not in _UNSHOWN)
@@ -150,18 +147,6 @@ def _fault(fault: str, claim: Claim) -> Iterator[Text]:
     yield from _field("mended by", mend.by)
     yield from _field("why", claim.note)
     yield from _field("for example", mend.example)
-
-
-def _counterexample(example: Counterexample) -> Iterator[Text]:
-    yield Text(f"{'counterexample':>15}")
-    for symbol, value in values_as_text(example).items():
-        yield Text(f"{'':17}{symbol} = {value}")
-    for symbol, entries in example.defined.items():
-        if len(entries) <= _LARGEST:
-            yield Text(f"{'':17}so that {symbol} = {value_as_text(entries, example.kinds.get(symbol, ''))}")
-    left, right = sides_as_text(example)
-    yield Text(f"{'':17}left  = {left}")
-    yield Text(f"{'':17}right = {right}")
 
 
 @contextmanager

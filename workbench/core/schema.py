@@ -74,6 +74,7 @@ SCHEMA: dict[str, tuple[Key, ...]] = {
         *_NOTATION,
         Key("citation", "table", "Source and licence of the paper."),
         Key("section", "text", "The section of the claims that name none.", 'section = "4.1"'),
+        Key("sections", "table", "The headings of sections by their numbers."),
         Key("claim", "tables", "The claims, in reading order."),
     ),
     "notation file": _NOTATION,

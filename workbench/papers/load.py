@@ -188,7 +188,14 @@ def merge(
         budget,
         citation,
         faults=tuple(found),
+        sections={number: name for file in files for number, name in file.sections.items()},
     )
+
+
+def _section_names(toml: TomlFile) -> dict[str, str]:
+    """The headings of sections by their numbers."""
+    names = toml.value(("sections",), dict, {})
+    return {number: name for number in names if (name := toml.text(("sections", number)))}
 
 
 @dataclass(frozen=True)
@@ -211,6 +218,7 @@ class _PaperFile:
     chain: Sequence[TomlFile]
     budget: Budget | None
     citation: Mapping[str, str | None]
+    sections: Mapping[str, str]
     claims: Sequence[Mapping[str, Any]]
     key: str
     before: _Read | None
@@ -234,8 +242,11 @@ class _PaperFile:
         if title is None:
             faults.tell(toml.error_at_key((), "missing key 'title'"))
         section, key = past(lambda: toml.text(("section",))), kept.key("claims", chain)
+        sections = past(lambda: _section_names(toml)) or {}
         before: _Read | None = kept.get(key)
-        return _PaperFile(toml, title, doi, section, chain, budget, citation, claims or (), key, before)
+        return _PaperFile(
+            toml, title, doi, section, chain, budget, citation, sections, claims or (), key, before
+        )
 
     def read(
         self,

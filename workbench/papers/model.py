@@ -349,7 +349,7 @@ class Paper:
     the goal of the claim that names it, or an argument of its own.
     budget: of each judgement; None where the paper says nothing of it.   faults: what of a model does not fit
     its text.   citation: what a note to its editor
-    says of it and of what was read (CITATION_KEYS).
+    says of it and of what was read (CITATION_KEYS).   sections: number → heading.
     """
 
     title: str
@@ -361,6 +361,7 @@ class Paper:
     budget: Budget | None = None
     citation: Mapping[str, str] = field(default_factory=dict)
     faults: tuple[PaperError, ...] = ()
+    sections: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def symbols(self) -> SymbolTable:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from workbench.judge.verdict import Counterexample, Outcome
@@ -24,16 +24,39 @@ _SMALL = 6
 
 @dataclass(frozen=True)
 class Against:
-    """values: symbol and value, those that are not 0.   rest: whether others are 0.   of: what is false.
-    formula: ours, where what is printed is no formula.   defined: what definitions make of the values."""
+    """values: symbol and value, those that are not 0.   rest: whether others are 0.   as_meant: whether it is
+    of the reading of what is printed.   formula: ours, where what is printed is no formula.   defined: what
+    definitions make of the values."""
 
-    of: str
-    formula: Run | None
-    values: tuple[tuple[Run, Run], ...]
+    as_meant: bool
+    formula: str | None
+    values: tuple[tuple[str, str], ...]
     rest: bool
-    defined: tuple[tuple[Run, Run], ...]
-    left: Run
-    right: Run
+    defined: tuple[tuple[str, str], ...]
+    left: str
+    right: str
+
+    @property
+    def sentence(self) -> list[Run]:
+        """with ω = (0, 1, 0), all else 0: the left side is 2, the right side -2."""
+        runs = _listed(self.values)
+        if self.rest:
+            runs.append(text(", all else 0" if self.values else "all symbols 0"))
+        if self.defined:
+            runs += [text(", so that " if runs else ""), *_listed(self.defined)]
+        sides = f"the left side is {self.left}, the right side {self.right}"
+        return [text("with "), *runs, text(f": {sides}")] if runs else [text(sides)]
+
+    def __str__(self) -> str:
+        return "".join(run.content for run in self.sentence)
+
+
+def _listed(values: Sequence[tuple[str, str]]) -> list[Run]:
+    runs: list[Run] = []
+    for name, value in values:
+        runs += [text(", ")] if runs else []
+        runs += [formula(name), text(f" = {value}")]
+    return runs
 
 
 def against(result: ClaimResult) -> Against | None:
@@ -41,35 +64,31 @@ def against(result: ClaimResult) -> Against | None:
     example, outcome, claim = result.counterexample, result.verdict.outcome, result.claim
     if example is None or outcome is Outcome.CONDITIONAL:
         return None
-    small = {name: entries for name, entries in example.defined.items() if len(entries) <= _SMALL}
-    sides = (example.left, example.right)
-    kind_of = example.kinds.get
-    defined = {
-        name: value_of(entries, kind_of(name, "")) for name, entries in small.items() if entries not in sides
-    }
-    behind = example.behind if defined else ()
-    values = {
-        name: value_of(entries, kind_of(name, ""))
-        for name, entries in example.values.items()
-        if name not in behind
-    }
     ours = claim.our_formula or (claim.goal.latex if claim.goal else None)
-    shown, defined_shown = (_shown(of, ours or claim.shown or "") for of in (values, defined))
-    return Against(
-        of="as it was meant" if outcome is Outcome.ILL_FORMED else "as printed",
-        formula=formula(ours) if ours else None,
-        values=shown,
-        rest=len(shown) < len(values) or (not shown and len(defined_shown) < len(defined)),
-        defined=defined_shown,
-        left=value_of(example.left, example.kind).run,
-        right=value_of(example.right, example.kind).run,
-    )
+    said = ours or claim.shown or ""
+    found = told(example, said)
+    return replace(found, as_meant=outcome is Outcome.ILL_FORMED, formula=ours)
 
 
-def _shown(values: Mapping[str, Value], said: str) -> tuple[tuple[Run, Run], ...]:
-    return tuple(
-        (formula(as_printed(name, said)), value.run) for name, value in values.items() if not value.is_zero
-    )
+def told(example: Counterexample, said: str = "") -> Against:
+    """The values that are not 0, in the letters of the formula `said`, and the two sides."""
+    sides = (example.left, example.right)
+    small = {name: entries for name, entries in example.defined.items() if len(entries) <= _SMALL}
+    defined = {name: entries for name, entries in small.items() if entries not in sides}
+    behind = example.behind if defined else ()
+    values = {name: entries for name, entries in example.values.items() if name not in behind}
+
+    def shown(of: Mapping[str, tuple[str, ...]]) -> tuple[tuple[str, str], ...]:
+        return tuple(
+            (as_printed(name, said), value_as_text(entries, example.kinds.get(name, "")))
+            for name, entries in of.items()
+            if not _are_zero(entries)
+        )
+
+    left, right = sides_as_text(example)
+    shown_values, shown_defined = shown(values), shown(defined)
+    rest = len(shown_values) < len(values) or (not values and len(shown_defined) < len(defined))
+    return Against(False, None, shown_values, rest, shown_defined, left, right)
 
 
 def as_printed(name: str, said: str) -> str:
@@ -85,36 +104,21 @@ def as_printed(name: str, said: str) -> str:
     return name
 
 
-@dataclass(frozen=True)
-class Value:
-    """A value of a counterexample. latex: laid out for pencil, None where an entry is no rational number."""
-
-    plain: str
-    latex: str | None
-    is_zero: bool
-
-    @property
-    def run(self) -> Run:
-        return text(self.plain) if self.latex is None else formula(self.latex)
-
-
-def value_of(entries: Sequence[str], kind: str = "") -> Value:
-    """A value of a kind, as `str(Type)` has it. Of an unknown kind more than one entry are a column."""
-    if not entries or not all(_RATIONAL.fullmatch(entry) for entry in entries):
-        return Value(value_as_text(entries, kind), None, is_zero=False)
-    is_zero = all(Fraction(entry) == 0 for entry in entries)
-    return Value(value_as_text(entries, kind), _Latex(_type_of(kind, entries)).whole(entries), is_zero)
-
-
 def value_as_text(entries: Sequence[str], kind: str = "") -> str:
-    """The same as text: (1, 2, 3), a matrix by rows as ((1, 2), (3, 4)), a quaternion as its scalar and its
-    vector (1, (2, 3, 4)), a dual value as 1 + ε 2."""
-    return _Plain(_type_of(kind, entries)).whole(entries)
-
-
-def values_as_text(example: Counterexample) -> dict[str, str]:
-    """The values of the symbols as text."""
-    return {name: value_as_text(each, example.kinds.get(name, "")) for name, each in example.values.items()}
+    """A value of a kind, as `str(Type)` has it: (1, 2, 3), a matrix by rows as ((1, 2), (3, 4)), a quaternion
+    as its scalar and its vector (1, (2, 3, 4)), a dual value as 1 + ε 2. Of an unknown kind more than one
+    entry are a column."""
+    type_ = _type_of(kind, entries)
+    if not type_.dual:
+        return _part(entries, type_)
+    half = len(entries) // 2
+    real, dual = entries[:half], entries[half:]
+    if _are_zero(dual):
+        return _part(real, type_)
+    sign, size = _signed(dual, type_)
+    if _are_zero(real):
+        return f"{sign.strip('+ ')}{size}"
+    return f"{_part(real, type_)} {sign} {size}"
 
 
 def sides_as_text(example: Counterexample) -> tuple[str, str]:
@@ -132,82 +136,24 @@ def _type_of(kind: str, entries: Sequence[str]) -> Type:
     return found.with_dual(len(entries) > size)
 
 
-@dataclass(frozen=True)
-class _Plain:
-    """Values of a type as text."""
-
-    type: Type
-    unit = "ε"
-
-    def whole(self, entries: Sequence[str]) -> str:
-        """Of a dual value no part that is 0."""
-        if not self.type.dual:
-            return self.part(entries)
-        half = len(entries) // 2
-        real, dual = entries[:half], entries[half:]
-        if _are_zero(dual):
-            return self.part(real)
-        sign, size = self._signed(dual)
-        if _are_zero(real):
-            return f"{sign.strip('+ ')}{size}"
-        return f"{self.part(real)} {sign} {size}"
-
-    def _signed(self, dual: Sequence[str]) -> tuple[str, str]:
-        """The sign of the dual part behind the real one, and ε times the rest."""
-        if len(dual) > 1 or not _RATIONAL.fullmatch(dual[0]):
-            return "+", f"{self.unit} {self.part(dual)}"
-        sign, size = ("-", dual[0][1:]) if dual[0].startswith("-") else ("+", dual[0])
-        return sign, self.unit if size == "1" else f"{self.unit} {self.part([size])}"
-
-    def part(self, entries: Sequence[str]) -> str:
-        """Of the real or the dual part."""
-        numbers = [self.number(entry) for entry in entries]
-        if len(numbers) == 1:
-            return numbers[0]
-        if self.type.algebra == "quaternion":
-            return self.pair(numbers[0], self.matrix([[number] for number in numbers[1:]]))
-        columns = self.type.columns
-        return self.matrix([numbers[at : at + columns] for at in range(0, len(numbers), columns)])
-
-    def number(self, entry: str) -> str:
-        return entry
-
-    def pair(self, scalar: str, vector: str) -> str:
-        return f"({scalar}, {vector})"
-
-    def matrix(self, rows: Sequence[Sequence[str]]) -> str:
-        entries = [row[0] if len(row) == 1 else f"({', '.join(row)})" for row in rows]
-        return f"({', '.join(entries)})"
+def _signed(dual: Sequence[str], type_: Type) -> tuple[str, str]:
+    """The sign of the dual part behind the real one, and ε times the rest."""
+    if len(dual) > 1 or not _RATIONAL.fullmatch(dual[0]):
+        return "+", f"ε {_part(dual, type_)}"
+    sign, size = ("-", dual[0][1:]) if dual[0].startswith("-") else ("+", dual[0])
+    return sign, "ε" if size == "1" else f"ε {size}"
 
 
-@dataclass(frozen=True)
-class _Latex(_Plain):
-    """Values of a type laid out for pencil."""
-
-    unit = r"\varepsilon"
-
-    def part(self, entries: Sequence[str]) -> str:
-        is_zero = len(entries) > 1 and _are_zero(entries) and self.type.algebra != "quaternion"
-        return r"\mathbf{0}" if is_zero else super().part(entries)
-
-    def number(self, entry: str) -> str:
-        return _rational_latex(entry)
-
-    def pair(self, scalar: str, vector: str) -> str:
-        return rf"\left({scalar}, {vector}\right)"
-
-    def matrix(self, rows: Sequence[Sequence[str]]) -> str:
-        lines = r" \\ ".join(" & ".join(row) for row in rows)
-        return rf"\begin{{bmatrix}} {lines} \end{{bmatrix}}"
+def _part(entries: Sequence[str], type_: Type) -> str:
+    """The real or the dual part of a value."""
+    if len(entries) == 1:
+        return entries[0]
+    if type_.algebra == "quaternion":
+        return f"({entries[0]}, ({', '.join(entries[1:])}))"
+    rows = [entries[at : at + type_.columns] for at in range(0, len(entries), type_.columns)]
+    told = [row[0] if len(row) == 1 else f"({', '.join(row)})" for row in rows]
+    return f"({', '.join(told)})"
 
 
 def _are_zero(entries: Sequence[str]) -> bool:
     return all(_RATIONAL.fullmatch(entry) and Fraction(entry) == 0 for entry in entries)
-
-
-def _rational_latex(number: str) -> str:
-    sign, digits = ("-", number[1:]) if number.startswith("-") else ("", number)
-    if "/" not in digits:
-        return sign + digits
-    numerator, denominator = digits.split("/")
-    return rf"{sign}\frac{{{numerator}}}{{{denominator}}}"

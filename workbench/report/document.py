@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -10,10 +10,19 @@ from workbench.judge.verdict import Evidence, Outcome
 from workbench.papers.model import Paper
 from workbench.repair.propose.proposed import Proposed
 from workbench.report.counts import summary, versions
-from workbench.report.errata import Correction, Errata, errata_of, reason_for_readers, without_place
-from workbench.report.kinds import STATES, VERDICTS, Kind
+from workbench.report.errata import (
+    Correction,
+    Errata,
+    cost_in_words,
+    errata_of,
+    reason_for_readers,
+    without_place,
+)
+from workbench.report.error_rows import ErrorRow, error_rows
+from workbench.report.kinds import SHOWN, STATES, VERDICTS, Kind
 from workbench.report.motions import Motions, motions_of
-from workbench.report.places import Heirs, Place, Places, equation_key, heading, is_number, with_headings
+from workbench.report.pictures import spark_line
+from workbench.report.places import Heirs, Place, Places, equation_key, is_counted, label, with_headings
 from workbench.report.prose import Run, plain_value, runs_of
 from workbench.typeset.differences import difference
 from workbench.verify.results import HOLDS, ClaimResult
@@ -64,6 +73,8 @@ class Entry:
     evidence: tuple[Found, ...]
     heirs: tuple[Place, ...]
     rests_on: tuple[Place, ...]
+    spark: str | None
+    cost: str | None
 
     @property
     def id(self) -> str:
@@ -88,40 +99,65 @@ class Entry:
 
 @dataclass(frozen=True)
 class Equation:
-    """All claims under one number or name. state: that of its worst line."""
+    """All claims under one number or name. state: that of its worst line.   counted: not a theorem or a
+    remark."""
 
-    name: str
-    heading: str
+    label: str
     anchor: str
-    numbered: bool
+    counted: bool
     state: Kind
     entries: tuple[Entry, ...]
 
 
 @dataclass(frozen=True)
 class Section:
+    """number: what its name begins with."""
+
+    number: str
     name: str
     anchor: str
     equations: tuple[Equation, ...]
 
+    def count(self, state: str) -> int:
+        """How many of its equations are in a state."""
+        return sum(each.counted and each.state.name == state for each in self.equations)
+
+    @property
+    def counted(self) -> int:
+        return sum(each.counted for each in self.equations)
+
 
 @dataclass(frozen=True)
-class Tile:
+class Class:
+    """The equations in one state, and the theorems and remarks."""
+
     kind: Kind
-    equations: int
-    statements: int
+    equations: tuple[Equation, ...]
+    statements: tuple[Equation, ...]
+
+    @property
+    def count(self) -> int:
+        return len(self.equations)
 
 
 @dataclass(frozen=True)
 class Document:
+    """classes: those that are not empty, in the order of the page."""
+
     title: str
-    citation: tuple[tuple[str, str], ...]
+    citation: Mapping[str, str]
     versions: tuple[tuple[str, str], ...]
     sections: tuple[Section, ...]
-    tiles: tuple[Tile, ...]
+    classes: tuple[Class, ...]
+    rows: tuple[ErrorRow, ...]
     errata: Errata
     summary: Mapping[str, int]
     motions: Motions | None
+    motion_count: int
+    motion_name: str
+    certified: int
+    certified_by: str
+    file: str
 
     @property
     def equations(self) -> list[Equation]:
@@ -132,19 +168,26 @@ class Document:
         return [entry for equation in self.equations for entry in equation.entries]
 
     @property
-    def numbered(self) -> int:
-        return sum(equation.numbered for equation in self.equations)
+    def counted(self) -> int:
+        return sum(equation.counted for equation in self.equations)
 
     @property
-    def statements(self) -> int:
-        return len(self.equations) - self.numbered
+    def cite(self) -> tuple[str, ...]:
+        """Author, book or journal, and year, in one line."""
+        found = [self.citation[key] for key in ("authors", "source", "year") if key in self.citation]
+        found = [each.split(" (")[0] for each in found]
+        return (", ".join(found),) if found else ()
+
+    @property
+    def transcribed(self) -> bool:
+        """Whether what was read is not the print itself."""
+        return "transcription" in self.citation.get("read", "")
+
+    def in_state(self, name: str) -> int:
+        """How many equations are in a state."""
+        return next((each.count for each in self.classes if each.kind.name == name), 0)
 
 
-#: What the note tells of the paper and of what was read, in this order.
-CITED_AS = {
-    **{"authors": "Author", "source": "In", "year": "Year", "pages": "Pages", "doi": "DOI"},
-    **{"commit": "Commit", "licence": "Licence", "read": "Read was", "recheck": "Recheck by"},
-}
 _SIGNS = (
     ("exact ring", "F"),
     ("SymPy", "S"),
@@ -157,7 +200,7 @@ _SIGNS = (
     ("rational point", "C"),
     ("Drake reference motions", "M"),
 )
-_OPEN = (Outcome.ARGUED, Outcome.PROBABLE, Outcome.UNCHECKED)
+_OPEN = (Outcome.ARGUED, Outcome.PROBABLE)
 
 
 def document_of(paper: Paper, results: Sequence[ClaimResult]) -> Document:
@@ -165,52 +208,65 @@ def document_of(paper: Paper, results: Sequence[ClaimResult]) -> Document:
     heirs = Heirs(results, places.claims)
     errata = errata_of(results, places.claims, heirs)
     entry = partial(_entry, places, heirs, {each.id: each for each in errata.corrections})
-    sections = []
-    for number, (name, inside) in enumerate(_grouped(results, lambda r: r.claim.section or "")):
-        equations = _grouped(inside, lambda r: equation_key(r.claim))
-        sections.append(
-            Section(
-                name,
-                f"section-{number + 1}",
-                tuple(_equation(places, list(map(entry, group))) for _, group in equations),
-            )
-        )
-    everything = [equation for section in sections for equation in section.equations]
-    cited = {**paper.citation, "doi": paper.doi}
+    groups: dict[str, list[ClaimResult]] = {}
+    for result in results:
+        groups.setdefault(equation_key(result.claim), []).append(result)
+    equations = [_equation(places, list(map(entry, group))) for group in groups.values()]
     return Document(
         title=paper.title,
-        citation=tuple((key, text) for key in CITED_AS if (text := cited.get(key))),
+        citation={**paper.citation, **({"doi": paper.doi} if paper.doi else {})},
         versions=tuple(versions().items()),
-        sections=tuple(sections),
-        tiles=tuple(_tile(kind, everything) for kind in STATES.values()),
+        sections=tuple(_sections(equations, paper.sections)),
+        classes=tuple(each for kind in SHOWN if (each := _class(kind, equations)) is not None),
+        rows=error_rows(equations, places.anywhere),
         errata=errata,
         summary=summary(results),
         motions=motions_of(results, places.anywhere),
+        motion_count=len(_motion_names(results)),
+        motion_name=next(
+            (r.on_motions.error.motion.split(",")[0] for r in results if r.on_motions.error), ""
+        ),
+        file="" if paper.citation.get("read") else paper.paths[-1].name if paper.paths else "",
+        certified_by=next(
+            (each.checked_by for r in results for each in r.certificates or () if each.checked_by), ""
+        ),
+        certified=sum(bool(each.checked_by) for result in results for each in result.certificates or ()),
     )
 
 
-def _tile(kind: Kind, equations: list[Equation]) -> Tile:
-    ours = [equation for equation in equations if equation.state is kind]
-    numbered = sum(equation.numbered for equation in ours)
-    return Tile(kind, numbered, len(ours) - numbered)
+def _motion_names(results: Sequence[ClaimResult]) -> set[str]:
+    found = (e for result in results for v in result.verdicts.values() for e in v.evidence)
+    return {name for each in found for name in each.figures.get("motions", ())}
 
 
-def _grouped(
-    results: Iterable[ClaimResult], key: Callable[[ClaimResult], str]
-) -> Iterable[tuple[str, list[ClaimResult]]]:
-    groups: dict[str, list[ClaimResult]] = {}
-    for result in results:
-        groups.setdefault(key(result), []).append(result)
-    return groups.items()
+def _sections(equations: Sequence[Equation], names: Mapping[str, str]) -> list[Section]:
+    """In reading order. names: of the sections that the claims number only."""
+    groups: dict[str, list[Equation]] = {}
+    for equation in equations:
+        groups.setdefault(equation.entries[0].result.claim.section or "", []).append(equation)
+    return [
+        Section(
+            name.split()[0] if name[:1].isdigit() else name,
+            f"{name} {names[name]}" if name in names else name,
+            f"section-{number}",
+            tuple(group),
+        )
+        for number, (name, group) in enumerate(groups.items(), start=1)
+    ]
+
+
+def _class(kind: Kind, equations: Sequence[Equation]) -> Class | None:
+    ours = [each for each in equations if each.state is kind]
+    counted = tuple(each for each in ours if each.counted)
+    return Class(kind, counted, tuple(each for each in ours if not each.counted)) if ours else None
 
 
 def _equation(places: Places, entries: Sequence[Entry]) -> Equation:
     first = entries[0].result.claim
     return Equation(
-        name=first.equation or first.id,
-        heading=heading(first),
+        label=label(first),
         anchor=places.of_equation(first),
-        numbered=is_number(first.equation),
+        counted=is_counted(first),
         state=min((entry.state for entry in entries), key=list(STATES.values()).index),
         entries=tuple(entries),
     )
@@ -235,15 +291,22 @@ def _entry(places: Places, heirs: Heirs, corrections: Mapping[str, Correction], 
         evidence=tuple(_found(of, e) for of, verdict in result.verdicts.items() for e in verdict.evidence),
         heirs=heirs.of([claim.id], [name]) if result.fault else (),
         rests_on=tuple(dict.fromkeys(place for place in above if place[0] != name)),
+        spark=spark_line(result) if result.fault == "error" else None,
+        cost=cost_in_words(result),
     )
 
 
 def _state(result: ClaimResult, rests_on_others: bool) -> Kind:
     if result.fault:
         return STATES[result.fault]
-    if result.verdict.outcome not in HOLDS:
-        return STATES["open" if result.verdict.outcome in _OPEN else "error"]
-    return STATES["inherits" if rests_on_others else "holds"]
+    outcome = result.verdict.outcome
+    if outcome not in HOLDS:
+        name = "unjudged" if outcome is Outcome.UNCHECKED else "open" if outcome in _OPEN else "error"
+        return STATES[name]
+    if rests_on_others:
+        return STATES["inherits"]
+    is_own = outcome is Outcome.DEFINITION and result.claim.span is not None
+    return STATES["defines" if is_own else "holds"]
 
 
 def _forms(result: ClaimResult) -> list[Form]:

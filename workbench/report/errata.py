@@ -10,8 +10,7 @@ from workbench.judge.verdict import Outcome
 from workbench.papers.model import FAULTS
 from workbench.report.counterexamples import Against, against
 from workbench.report.places import Heirs, Place, joined, with_headings
-from workbench.report.prose import Run, formula, runs_of, text
-from workbench.report.residuals import residuals_svg
+from workbench.report.prose import Run, formula, power_of_ten, runs_of, text
 from workbench.typeset.differences import difference
 from workbench.verify.on_motions import percent
 from workbench.verify.results import ClaimResult
@@ -20,7 +19,6 @@ _PLACE_IN_SOURCE = re.compile(r"(?:cannot be read: )?line \d+, column \d+: ")
 _OTHERS = "Others."
 #: A longer sentence is not quoted where it is corrected.
 _LONG_QUOTE = 400
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 @dataclass(frozen=True)
@@ -51,7 +49,6 @@ class Correction:
     why: tuple[Run, ...]
     example: tuple[Run, ...]
     counterexample: Against | None
-    picture: str | None
     cost: str | None
 
 
@@ -170,22 +167,20 @@ def _correction(result: ClaimResult, fault: str, places: Mapping[str, Place]) ->
         why=tuple(runs_of(with_headings(claim.note or reason_for_readers(result), places))),
         example=tuple(runs_of(mend.example or "")),
         counterexample=against(result),
-        picture=residuals_svg(result) if fault == "error" else None,
-        cost=_cost(result),
+        cost=cost_in_words(result),
     )
 
 
-def _cost(result: ClaimResult) -> str | None:
+def cost_in_words(result: ClaimResult) -> str | None:
     """What the error comes to on a motion; of a sentence nothing, since what was evaluated is not printed."""
     error = result.on_motions.error
     if error is None or result.claim.quote:
         return None
     factor, exponent = f"{error.right:.0e}".split("e")
-    bound = f"{'' if factor == '1' else factor + '·'}10{str(int(exponent)).translate(_RAISED)}"
-    time = f"{error.time:g}".replace("-", "−")
+    motion = error.motion.split(", seed")[0]
     return (
-        f"Simulated ({error.motion}, t = {time} s), the sides differ by {percent(error.false)}"
-        f" as printed, by less than {bound} as corrected"
+        f"Simulated on {motion}, the sides differ by up to {percent(error.false)} as printed, "
+        f"by less than {power_of_ten(int(exponent), int(factor))} as corrected"
     )
 
 

@@ -13,7 +13,7 @@ from workbench.judge.verdict import Grade, Outcome
 from workbench.papers import Paper, PaperError
 from workbench.papers.model import Span
 from workbench.papers.text_claims.text_paper import TextPaper
-from workbench.report.counterexamples import sides_as_text, values_as_text
+from workbench.report.counterexamples import told
 from workbench.verify.results import HOLDS, ClaimResult
 
 #: The levels of SARIF, of editors and of CI.
@@ -99,9 +99,7 @@ def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:
     if verdict.hypothesis:
         parts.append(f"holds if {verdict.hypothesis}")
     if counterexample := verdict.counterexample:
-        values = ", ".join(f"{name} = {value}" for name, value in values_as_text(counterexample).items())
-        sides = " ≠ ".join(sides_as_text(counterexample))
-        parts.append(f"{values} gives {sides}")
+        parts.append(str(told(counterexample, result.claim.shown or "")))
     if not result.passed and result.why_not and verdict.outcome in HOLDS | {result.expected}:
         parts.append(result.why_not)
     return "; ".join(parts)

@@ -5,15 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from workbench.report.prose import Run, one_line
-from workbench.typeset.latex_atoms import LatexNotTypesettable, atoms_of, in_colour
+from workbench.report.prose import Run, minus, one_line
+from workbench.typeset.latex_atoms import LatexNotTypesettable, atoms_of
 
-_SPECIAL = re.compile(r"([\\`*_{}\[\]()<>#+\-.!|~$&])")
+#: What Markdown takes for markup within a line: emphasis at the edge of a word, links, tags, entities.
+_SPECIAL = re.compile(
+    r"[\\`\[\]|$]|\*(?=\S)|(?<=\S)\*|(?<![^\W_])_|_(?![^\W_])|<(?=[A-Za-z/!?])|&(?=#|\w+;)|~(?=~)"
+)
+_AT_START = re.compile(r"^(?:[#>+-]|\d+[.)](?=\s))")
 
 
 def escaped(plain: str) -> str:
-    """Text with every character that Markdown gives a meaning escaped, on one line."""
-    return _SPECIAL.sub(r"\\\1", " ".join(plain.split()))
+    """Text on one line, with what Markdown would take for markup escaped, and nothing else."""
+    line = _SPECIAL.sub(lambda sign: "\\" + sign[0], " ".join(plain.split()))
+    return _AT_START.sub(lambda sign: sign[0][:-1] + "\\" + sign[0][-1], line)
 
 
 def code(plain: str) -> str:
@@ -29,13 +34,6 @@ def inline_math(latex: str) -> str:
     return f"${one_line(latex)}$" if _is_safe(latex) else code(latex)
 
 
-def display_math(latex: str, marked: frozenset[int] = frozenset(), colour: str = "green") -> str:
-    """A displayed formula, with the marked leaves (indices into its atoms) in a colour."""
-    if not _is_safe(latex):
-        return code(latex)
-    return f"$$\n{one_line(in_colour(latex, marked, colour))}\n$$"
-
-
 def runs(sentence: Iterable[Run]) -> str:
     pieces = []
     for run in sentence:
@@ -43,8 +41,19 @@ def runs(sentence: Iterable[Run]) -> str:
             pieces.append(inline_math(run.content))
         else:
             lead, trail = run.content[:1].isspace(), run.content[-1:].isspace()
-            pieces.append(" " * lead + escaped(run.content) + " " * (trail and bool(run.content.strip())))
+            pieces.append(
+                " " * lead + escaped(minus(run.content)) + " " * (trail and bool(run.content.strip()))
+            )
     return "".join(pieces).strip()
+
+
+def cell(sentence: Iterable[Run]) -> str:
+    """The same within a table, where a bar ends the cell."""
+    spelled = [
+        Run(r.content.replace("|", r"\vert "), True) if r.is_math and _is_safe(r.content) else r
+        for r in sentence
+    ]
+    return runs(spelled).replace("|", r"\|").replace(r"\\|", r"\|")
 
 
 def _is_safe(latex: str) -> bool:
@@ -55,4 +64,4 @@ def _is_safe(latex: str) -> bool:
         return False
 
 
-FILTERS = {"text": escaped, "code": code, "imath": inline_math, "dmath": display_math, "runs": runs}
+FILTERS = {"text": escaped, "imath": inline_math, "runs": runs, "cell": cell}

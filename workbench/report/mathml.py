@@ -25,28 +25,33 @@ _ACCENT_MADE_BY_CONVERTER = {
     "\u02d9": r"\dot", "\u00a8": r"\ddot", "\u20db": r"\dddot", "\u20dc": r"\ddddot",
     "~": r"\tilde", "^": r"\hat", "\u00af": r"\bar", "\u2015": r"\overline", "→": r"\vec",
 }  # fmt: skip
-_MARK_CLASSES = {r"\underline": "under-line", r"\overline": "over-line", r"\bar": "over-line"}
+_LINES = frozenset((r"\overline", r"\bar"))
+_STRETCHING = frozenset((r"\tilde", r"\hat", r"\vec"))
 _SIGNS_ENDING_AN_OPERAND = frozenset(")]}|⟩‖!…⋯")
 _BARE_FUNCTIONS = frozenset(glyphs.FUNCTION_NAMES.values())
 
 
 @lru_cache(maxsize=4096)
-def mathml(latex: str, display: bool = False, marked: frozenset[int] = frozenset()) -> str | None:
-    """MathML of a formula; `marked` leaves (indices into its atoms) get the class `changed`.
+def mathml(
+    latex: str, display: bool = False, marked: frozenset[int] = frozenset(), mark: str = "changed"
+) -> str | None:
+    """MathML of a formula; `marked` leaves (indices into its atoms) get the class `mark`.
 
     None where the formula holds something that cannot be typeset for certain.
     """
     try:
         atoms = atoms_of(latex)
-        return mathml_of_atoms(atoms, display, marked, latex)
+        return mathml_of_atoms(atoms, display, marked, latex, mark)
     except LatexNotTypesettable:
         return None
 
 
-def mathml_of_atoms(atoms: Sequence[Atom], display: bool, marked: Collection[int], alternative: str) -> str:
+def mathml_of_atoms(
+    atoms: Sequence[Atom], display: bool, marked: Collection[int], alternative: str, mark: str
+) -> str:
     """MathML of atoms. Raises LatexNotTypesettable where the result lacks or adds a character."""
     source = latex_of(
-        [_for_converter(atom) for atom in atoms], marked, lambda a: rf"\class{{changed}}{{{a.latex}}}"
+        [_for_converter(atom) for atom in atoms], marked, lambda a: rf"\class{{{mark}}}{{{a.latex}}}"
     )
     try:
         tree = ElementTree.fromstring(convert(source, display="block" if display else "inline"))
@@ -54,9 +59,9 @@ def mathml_of_atoms(atoms: Sequence[Atom], display: bool, marked: Collection[int
         raise LatexNotTypesettable(str(error)) from error
     for element in tree.iter():
         element.tag = element.tag.removeprefix("{" + _XMLNS + "}")
-    _mend(tree)
+    _mend(tree, mark)
     _require_same_characters(tree, atoms, alternative)
-    _require_same_marks(tree, atoms, marked, alternative)
+    _require_same_marks(tree, atoms, marked, alternative, mark)
     tree.set("xmlns", _XMLNS)
     tree.set("alttext", alternative)
     return ElementTree.tostring(tree, encoding="unicode")
@@ -72,9 +77,9 @@ def _for_converter(atom: Atom) -> Atom:
     return atom
 
 
-def _mend(tree: ElementTree.Element) -> None:
+def _mend(tree: ElementTree.Element, mark: str) -> None:
     for parent in list(tree.iter()):
-        _collapse_marked_leaf(parent)
+        _collapse_marked_leaf(parent, mark)
     for parent in list(tree.iter()):
         _tell_signs_from_operators(parent)
         if parent.tag in ("mover", "munder") and len(parent) == 2 and parent[1].tag == "mo":
@@ -86,7 +91,7 @@ def _mend(tree: ElementTree.Element) -> None:
             parent.text = ""
         variant = parent.get("mathvariant")
         if variant and variant != "normal" and parent.text:
-            parent.text = _in_variant(parent.text, variant)
+            parent.text = in_variant(parent.text, variant)
             del parent.attrib["mathvariant"]
         if parent.get("width") == "negativethinmathspace":
             parent.set("width", "-0.167em")
@@ -116,11 +121,11 @@ def _is_word(element: ElementTree.Element) -> bool:
     return element.tag == "mo" and len(text) > 1 and text.isascii() and text.isalpha()
 
 
-def _collapse_marked_leaf(parent: ElementTree.Element) -> None:
+def _collapse_marked_leaf(parent: ElementTree.Element, mark: str) -> None:
     """A sign keeps its spacing when the mark stands on the sign, not on a row around it."""
     for index, child in enumerate(parent):
-        if child.get("class") == "changed" and len(child) == 1 and child[0].tag == "mo":
-            child[0].set("class", "changed")
+        if child.get("class") == mark and len(child) == 1 and child[0].tag == "mo":
+            child[0].set("class", mark)
             child[0].tail = child.tail
             parent[index] = child[0]
 
@@ -133,15 +138,20 @@ def _mend_accent(parent: ElementTree.Element) -> None:
     if parent.tag == "munder":
         command = r"\underline"
     mark.text = glyphs.ACCENTS[command]
+    is_wide = len(list(base.iter("mi"))) + len(list(base.iter("mn"))) > 1
+    stretches = command in _STRETCHING and is_wide
     mark.attrib.clear()
-    mark.attrib.update({"stretchy": "false", "lspace": "0", "rspace": "0"})
+    mark.attrib.update({"stretchy": "true" if stretches else "false", "lspace": "0", "rspace": "0"})
     parent.attrib.clear()
-    parent.set("class", _MARK_CLASSES.get(command, "mark"))
-    if command == r"\tilde" and len(list(base.iter("mi"))) + len(list(base.iter("mn"))) > 1:
-        parent.set("class", "wide-tilde")
+    if command == r"\underline":
+        parent.set("class", "under-line")
+    elif command in _LINES:
+        parent.set("class", "over-line")
+    else:
+        parent.set("accent", "true")
 
 
-_OFFSETS = {
+VARIANTS = {
     "bold": (0x1D400, 0x1D6A8, 0x1D7CE),
     "italic": (0x1D434, 0x1D6E2, None),
     "bold-italic": (0x1D468, 0x1D71C, 0x1D7CE),
@@ -162,9 +172,9 @@ _HOLES = {
 _GREEK_SYMBOLS = "∂ϵϑϰϕϱϖ"
 
 
-def _in_variant(text: str, variant: str) -> str:
+def in_variant(text: str, variant: str) -> str:
     """Letters of a MathML 3 `mathvariant` as the Unicode letters that MathML Core wants instead."""
-    latin, greek, digit = _OFFSETS.get(variant, (None, None, None))
+    latin, greek, digit = VARIANTS.get(variant, (None, None, None))
 
     def letter(character: str) -> str:
         if (variant, character) in _HOLES:
@@ -199,9 +209,9 @@ def _require_same_characters(tree: ElementTree.Element, atoms: Sequence[Atom], a
 
 
 def _require_same_marks(
-    tree: ElementTree.Element, atoms: Sequence[Atom], marked: Collection[int], alternative: str
+    tree: ElementTree.Element, atoms: Sequence[Atom], marked: Collection[int], alternative: str, mark: str
 ) -> None:
     meant = sum(1 for index in marked if atoms[index].leaf)
-    shown = sum(1 for element in tree.iter() if element.get("class") == "changed")
+    shown = sum(1 for element in tree.iter() if element.get("class") == mark)
     if shown != meant:
         raise LatexNotTypesettable(f"{shown} marks in the MathML of {alternative!r}, not {meant}")

@@ -25,8 +25,22 @@ def heading(claim: Claim) -> str:
     return f"Eq. ({claim.equation})" if is_number(claim.equation) else claim.equation or claim.id
 
 
+def label(claim: Claim) -> str:
+    """The heading in a table: (70), Theorem 2, Line 12."""
+    return heading(claim).removeprefix("Eq. ")
+
+
 def equation_key(claim: Claim) -> str:
-    return claim.equation or f"id {claim.id}"
+    """What the claims of one equation have in common: its number or name, or in a text the place where the
+    chain of its steps begins."""
+    if claim.equation:
+        return claim.equation
+    return f"id {claim.chain[0] if claim.chain else claim.id}"
+
+
+def is_counted(claim: Claim) -> bool:
+    """Whether it is of an equation, not of a theorem or a remark, which have a name."""
+    return not claim.equation or claim.span is not None or is_number(claim.equation)
 
 
 def joined(headings: Sequence[str]) -> str:

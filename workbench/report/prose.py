@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +18,10 @@ class Run:
 
     content: str
     is_math: bool = False
+
+
+def is_one_formula(sentence: Sequence[Run]) -> bool:
+    return len(sentence) == 1 and sentence[0].is_math
 
 
 def text(content: str) -> Run:
@@ -40,6 +45,19 @@ def plain_value(value: Any) -> str:
     if isinstance(value, list | tuple) and all(isinstance(item, str) for item in value):
         return ", ".join(value)
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def minus(plain: str) -> str:
+    """With a minus sign before a number."""
+    return re.sub(r"(?<![\w-])-(?=\d)", "−", plain)
+
+
+def power_of_ten(exponent: int, factor: int = 1) -> str:
+    """10⁻¹⁴, 3·10⁻¹⁴."""
+    return f"{'' if factor == 1 else f'{factor}·'}10{str(exponent).translate(_RAISED)}"
 
 
 def one_line(latex: str) -> str:

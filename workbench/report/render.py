@@ -1,4 +1,4 @@
-"""The four files of a report: same results, same bytes."""
+"""The files of a report: same results, same bytes."""
 
 from __future__ import annotations
 
@@ -14,27 +14,28 @@ from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
-from markupsafe import Markup, escape
 
 from workbench.papers.model import Paper
-from workbench.report import ReportError, markdown, tex
-from workbench.report.document import CITED_AS, document_of
-from workbench.report.kinds import STATES, VERDICTS
-from workbench.report.mathml import mathml
-from workbench.report.prose import Run
+from workbench.report import ReportError, html, markdown, tex, wording
+from workbench.report.corrected_text import errata_diff
+from workbench.report.document import document_of
+from workbench.report.errata_json import errata_json
+from workbench.report.kinds import SHOWN
+from workbench.report.pictures import all_errors
 from workbench.report.to_json import report_json
 from workbench.verify.results import ClaimResult
 
-_MATH_FAILED = "This formula could not be typeset for certain; this is its LaTeX source."
 
+def write_report(
+    paper: Paper, results: Sequence[ClaimResult], out: Path, source: Path | None = None
+) -> list[Path]:
+    """Write the files of `render` into the directory `out`, and return their paths.
 
-def write_report(paper: Paper, results: Sequence[ClaimResult], out: Path) -> list[Path]:
-    """Write report.json, report.md, report.html and erratum.tex into the directory `out`.
-
-    Returns their paths. All files are written before the first is put in place. Raises ReportError for what
-    cannot be set, and if `out` cannot be a directory or has no room.
+    source: the text that was read, if the paper is not a text itself. All files are written before the first
+    is put in place. Raises ReportError for what cannot be set or read, and if `out` cannot be a directory or
+    has no room.
     """
-    texts = render(paper, results)
+    texts = render(paper, results, source)
     try:
         out.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=out, prefix=".unfinished-") as staging:
@@ -42,6 +43,8 @@ def write_report(paper: Paper, results: Sequence[ClaimResult], out: Path) -> lis
                 (Path(staging) / name).write_bytes(content.encode("utf-8"))
             for name in texts:
                 os.replace(Path(staging) / name, out / name)
+            if "errata.diff" not in texts:
+                (out / "errata.diff").unlink(missing_ok=True)
     except (FileExistsError, NotADirectoryError):
         raise ReportError(f"{out}: expected a directory for the report, got a file") from None
     except OSError as error:
@@ -49,62 +52,61 @@ def write_report(paper: Paper, results: Sequence[ClaimResult], out: Path) -> lis
     return [out / name for name in texts]
 
 
-def render(paper: Paper, results: Sequence[ClaimResult]) -> dict[str, str]:
-    """The text of each file by name. Raises ReportError for what cannot be set."""
+def render(paper: Paper, results: Sequence[ClaimResult], source: Path | None = None) -> dict[str, str]:
+    """The text of each file by name: report.json, .html and .md, erratum.tex, errata.json, and errata.diff
+    where the text that was read is at hand. Raises ReportError for what cannot be set or read."""
     told = json.dumps(report_json(paper, results), ensure_ascii=False, indent=2, allow_nan=False)
-    texts = {"report.json": told + "\n"}
     document = document_of(paper, results)
+    texts = {"report.json": told + "\n", "errata.json": errata_json(document)}
+    read = source or _own_text(paper)
+    if read is not None and (patch := errata_diff(_content(read), read.name, results)):
+        texts["errata.diff"] = patch
+    picture, sent = all_errors(document.rows), ["erratum.tex", *(n for n in texts if n.startswith("errata"))]
     for name, environment in (
         ("report.md", _environment(markdown.FILTERS)),
-        ("report.html", _environment(_HTML_FILTERS, html=True)),
+        ("report.html", _environment(html.FILTERS, is_html=True)),
         ("erratum.tex", _tex_environment()),
     ):
         template = environment.get_template(name + ".j2")
-        texts[name] = template.render(document=document, **_shared())
+        texts[name] = template.render(document=document, picture=picture, sent=sent, **_shared())
     return texts
+
+
+def _own_text(paper: Paper) -> Path | None:
+    """The text that a paper is, if it stands in one file."""
+    files = {result.span.file for result in paper.claims if result.span is not None}
+    return next(iter(files)) if len(files) == 1 else None
+
+
+def _content(source: Path) -> str:
+    try:
+        return source.read_bytes().decode("utf-8")
+    except OSError as error:
+        raise ReportError(f"{source}: the text that was read cannot be opened: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise ReportError(f"{source}: expected a text in UTF-8, got other bytes") from None
 
 
 @cache
 def _shared() -> dict[str, Any]:
-    """What templates share: the table of kinds, and the script of the page with the hash that admits it."""
-    script = files("workbench.report").joinpath("templates/report.js").read_text("utf-8")
+    """What pages share: the script with the hash that admits it, and the font."""
+    here = files("workbench.report")
+    script = here.joinpath("templates/report.js").read_text("utf-8")
     digest = b64encode(sha256(script.encode()).digest()).decode()
-    return {
-        "cited_as": CITED_AS,
-        "states": STATES,
-        "verdicts": VERDICTS,
-        "colours": list((VERDICTS | STATES).values()),
-        "script": script,
-        "script_hash": f"sha256-{digest}",
-    }
+    font = b64encode(here.joinpath("font/workbench-math.woff2").read_bytes()).decode()
+    return {"shown": SHOWN, "script": script, "script_hash": f"sha256-{digest}", "font": font}
 
 
-def _html_math(latex: str, marked: frozenset[int] = frozenset(), display: bool = False) -> Markup:
-    """MathML, or the LaTeX source with a sign that it is source."""
-    converted = mathml(latex, display, marked)
-    if converted is not None:
-        return Markup(converted)
-    return Markup('<code class="source" title="{}">{}</code><span class="source-sign">{}</span>').format(
-        _MATH_FAILED, latex, " (LaTeX source)"
-    )
-
-
-def _html_runs(runs: tuple[Run, ...] | list[Run]) -> Markup:
-    return Markup("").join(_html_math(run.content) if run.is_math else escape(run.content) for run in runs)
-
-
-_HTML_FILTERS = {"math": _html_math, "runs": _html_runs}
-
-
-def _environment(filters: Mapping[str, Any], html: bool = False) -> Environment:
+def _environment(filters: Mapping[str, Any], is_html: bool = False) -> Environment:
     environment = Environment(
         loader=_loader(),
-        autoescape=select_autoescape(("html.j2",)) if html else False,
+        autoescape=select_autoescape(("html.j2",)) if is_html else False,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    environment.filters.update(wording.FILTERS)
     environment.filters.update(filters)
     return environment
 

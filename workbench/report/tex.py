@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 from workbench.report import ReportError
 from workbench.report.errata import Change
-from workbench.report.prose import Run
+from workbench.report.prose import Run, minus
 from workbench.typeset import glyphs
 from workbench.typeset.latex_atoms import Atom, LatexNotTypesettable, atoms_of, latex_of
 
@@ -142,22 +142,8 @@ def runs(sentence: Iterable[Run]) -> str:
             pieces.append(inline_math(run.content))
             continue
         lead, trail = run.content[:1].isspace(), run.content[-1:].isspace()
-        pieces.append(" " * lead + escaped(run.content) + " " * trail)
+        pieces.append(" " * lead + escaped(minus(run.content)) + " " * trail)
     return re.sub(" +", " ", "".join(pieces)).strip()
-
-
-def small_math(latex: str) -> str:
-    """Within a line of mathematics: matrices small; as source where it cannot be set."""
-    try:
-        atoms = atoms_of(latex)
-    except LatexNotTypesettable:
-        return rf"\text{{{source(latex)}}}"
-    return latex_of(atoms).replace("bmatrix", "bsmallmatrix")
-
-
-def side(run: Run) -> str:
-    """One side of a counterexample, within a line."""
-    return rf"\({small_math(run.content)}\)" if run.is_math else escaped(run.content)
 
 
 def old(change: Change) -> str:
@@ -231,8 +217,6 @@ FILTERS = {
     "imath": inline_math,
     "dmath": display_math,
     "runs": runs,
-    "small": small_math,
-    "side": side,
     "old": old,
     "new": new,
     "stop": stop,

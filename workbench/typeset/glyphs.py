@@ -51,11 +51,9 @@ SYMBOLS = GREEK | BINARY_OPERATORS | RELATIONS | ORDINARY | FUNCTION_NAMES
 #: Characters that stand for another one.
 SAME = {"≜": "=", "⊤": "T", "⟺": "⇔"}
 
-# Full stops set over a letter keep clear of it in every font; the characters made for marks
-# (U+02D9, U+0307, U+20DB …) run into capitals, or are missing.
 ACCENTS = {
-    r"\dot": ".", r"\ddot": "..", r"\dddot": "...", r"\ddddot": "....", r"\tilde": "˜",
-    r"\widetilde": "˜", r"\hat": "^", r"\widehat": "^", r"\bar": "¯", r"\overline": "¯",
+    r"\dot": "˙", r"\ddot": "¨", r"\dddot": "...", r"\ddddot": "....", r"\tilde": "˜",
+    r"\widetilde": "˜", r"\hat": "ˆ", r"\widehat": "ˆ", r"\bar": "¯", r"\overline": "¯",
     r"\vec": "→", r"\underline": "_", r"\mathring": "˚",
 }  # fmt: skip
 DELIMITERS = {

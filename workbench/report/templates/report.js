@@ -1,9 +1,9 @@
-const unfold = () => { let at = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-  if (!at) return; at.querySelector("details.fold")?.setAttribute("open", "");
-  for (let up = at; up; up = up.parentElement) if (up.matches("details")) up.open = true; at.scrollIntoView(); };
+const unfold = () => { const at = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  for (let up = at; up; up = up.parentElement) if (up.matches("details")) up.open = true; };
 addEventListener("hashchange", unfold); unfold();
+const plain = text => text.replace(/[()\s]/g, "").toLowerCase();
 document.querySelector(".jump").addEventListener("submit", event => { event.preventDefault();
-  const wanted = document.getElementById("jump").value.trim().replace(/^\(?(.*?)\)?$/, "$1").toLowerCase();
-  const found = [...document.querySelectorAll("#equation-names option")].find(o => o.value.toLowerCase() === wanted);
-  if (found) { location.hash = found.dataset.anchor; unfold(); } });
-addEventListener("beforeprint", () => document.querySelectorAll(".erratum-group details").forEach(d => d.open = true));
+  const wanted = plain(document.getElementById("jump").value), answer = event.target.querySelector("output");
+  const found = [...document.querySelectorAll("article[data-name]")].find(at => plain(at.dataset.name) === wanted);
+  answer.value = found ? "" : `no equation (${wanted})`;
+  if (found) { location.hash = found.id; found.scrollIntoView(); } });

@@ -1,0 +1,135 @@
+"""The errata as a patch of the text that was read: each edit at its place, in the author's own characters."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+
+from workbench.judge.verdict import Outcome
+from workbench.verify.results import HOLDS, ClaimResult
+
+#: Whose faults are the author's: what a transcription lost is right in the print.
+FAULTS = ("error", "misprint", "wording")
+
+_IGNORED = re.compile(r"\s|&|\\(?:left|right|quad|qquad|displaystyle)(?![A-Za-z])")
+_TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\d|\s+|.", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Replacement:
+    """A piece of the text by its place, and what to put there."""
+
+    start: int
+    end: int
+    new: str
+
+
+def errata_diff(text: str, name: str, results: Sequence[ClaimResult]) -> str:
+    """A unified diff of the text; empty where nothing of it is to be corrected, or could be placed."""
+    corrected, end = text, len(text) + 1
+    for each in sorted(set(replacements(text, results)), key=lambda r: r.start, reverse=True):
+        if each.end <= end:  # an edit inside of another one is made with it
+            corrected, end = corrected[: each.start] + each.new + corrected[each.end :], each.start
+    before, after = (whole.splitlines(keepends=True) for whole in (text, corrected))
+    lines = difflib.unified_diff(before, after, f"a/{name}", f"b/{name}", n=1)
+    return "".join(
+        line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines
+    )
+
+
+def replacements(text: str, results: Sequence[ClaimResult]) -> Iterator[Replacement]:
+    """Where the proved corrections of the author's faults stand in the text."""
+    squeezed = _Squeezed(text)
+    lines = [0, *(at + 1 for at, character in enumerate(text) if character == "\n")]
+    for result in results:
+        if result.fault not in FAULTS:
+            continue
+        span = result.claim.span
+        bounds = (0, len(text))
+        if span is not None:
+            bounds = (lines[span.line - 1] + span.column - 1, lines[span.end_line - 1] + span.end_column - 1)
+        if result.claim.mend.edits:
+            yield from _of_edits(squeezed, result, bounds)
+        elif (right := _right(result)) is not None and span is not None:
+            yield from _of_form(text, bounds, result.claim.printed.latex, right)
+
+
+def _right(result: ClaimResult) -> str | None:
+    """The proved form of what is wrong."""
+    claim = result.claim
+    for formula, verdict in ((claim.corrected, result.corrected), (claim.reading, result.reading)):
+        if formula is not None and verdict is not None and verdict.outcome in HOLDS:
+            return formula.latex
+    proved = (each.latex for each in result.proposed or () if each.verdict is Outcome.PROVED)
+    return next(proved, None)
+
+
+def _of_edits(text: _Squeezed, result: ClaimResult, bounds: tuple[int, int]) -> Iterator[Replacement]:
+    """The edits, each within what is printed or stands beside it."""
+    claim = result.claim
+    around = [claim.shown or "", claim.quote or "", claim.mend.beside or "", claim.printed.latex]
+    for edit in claim.mend.edits:
+        for passage in filter(None, around):
+            if edit.old in passage and (place := text.within(passage, edit.old, bounds)) is not None:
+                yield Replacement(*place, edit.new.strip() if edit.old == edit.old.strip() else edit.new)
+                break
+
+
+def _of_form(text: str, bounds: tuple[int, int], printed: str, right: str) -> Iterator[Replacement]:
+    """The tokens in which the right form differs from what is printed, where the text spells it so."""
+    own = [(m.start() + bounds[0], m.end() + bounds[0], m[0]) for m in _TOKEN.finditer(text[slice(*bounds)])]
+    own = [each for each in own if not _IGNORED.fullmatch(each[2])]
+    before = [token for token in _TOKEN.findall(printed) if not _IGNORED.fullmatch(token)]
+    after = [token for token in _TOKEN.findall(right) if not _IGNORED.fullmatch(token)]
+    if [token for *_, token in own] != before:
+        return
+    for kind, a, b, c, d in SequenceMatcher(None, before, after, autojunk=False).get_opcodes():
+        if kind != "equal":
+            start = own[a][0] if a < len(own) else bounds[1]
+            yield Replacement(start, own[b - 1][1] if b > a else start, _joined(after[c:d]))
+
+
+def _joined(tokens: Sequence[str]) -> str:
+    """The tokens as LaTeX, with a space where a command would run into a letter."""
+    spelled = "".join(token + " " * bool(re.fullmatch(r"\\[A-Za-z]+", token)) for token in tokens)
+    return re.sub(r"(\\[A-Za-z]+) (?=[\\{}^_(\[+=-])", r"\1", spelled)
+
+
+class _Squeezed:
+    """A text without what is no matter of a formula: white space, alignment, sizes of brackets."""
+
+    def __init__(self, text: str) -> None:
+        self.places: list[int] = []
+        kept: list[str] = []
+        at = 0
+        while at < len(text):
+            ignored = _IGNORED.match(text, at)
+            if ignored is None:
+                kept.append(text[at])
+                self.places.append(at)
+            at = ignored.end() if ignored else at + 1
+        self.text = "".join(kept)
+
+    def within(self, passage: str, old: str, bounds: tuple[int, int]) -> tuple[int, int] | None:
+        """Where `old` stands in the passage, if the passage stands once within the bounds."""
+        around, inner = _squeezed(passage.strip("“”$.,; ")), _squeezed(old)
+        inside = around.find(inner)
+        found = [at for at in _all(self.text, around) if bounds[0] <= self.places[at] < bounds[1]]
+        if len(found) != 1 or inside < 0 or not inner:
+            return None
+        start = found[0] + inside
+        return self.places[start], self.places[start + len(inner) - 1] + 1
+
+
+def _squeezed(text: str) -> str:
+    return _IGNORED.sub("", text)
+
+
+def _all(text: str, part: str) -> Iterator[int]:
+    at = text.find(part) if part else -1
+    while at >= 0:
+        yield at
+        at = text.find(part, at + 1)

@@ -157,7 +157,7 @@ def test_report_writes_every_format_and_nothing_else(tmp_path):
     result = run("report", "1-4", "--paper", EVERY_VERDICT, "--out", str(out))
     assert result.exit_code == 0
     suffixes = sorted(path.suffix for path in out.iterdir())
-    assert suffixes == [".html", ".json", ".md", ".tex"]
+    assert suffixes == [".html", ".json", ".json", ".md", ".tex"]
     assert json.loads((out / "report.json").read_text(encoding="utf-8"))["summary"]["refuted"] == 1
 
 

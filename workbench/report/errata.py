@@ -11,6 +11,7 @@ from workbench.papers.model import FAULTS
 from workbench.report.counterexamples import Against, against
 from workbench.report.places import Heirs, Place, joined, with_headings
 from workbench.report.prose import Run, formula, power_of_ten, runs_of, text
+from workbench.report.states import fault_of
 from workbench.typeset.differences import difference
 from workbench.verify.on_motions import percent
 from workbench.verify.results import ClaimResult
@@ -101,7 +102,9 @@ class Errata:
 
     @property
     def counts(self) -> dict[str, int]:
-        return {fault: sum(each.fault == fault for each in self.corrections) for fault in FAULTS}
+        return {
+            fault: sum(each.fault == fault for each in self.corrections) for fault in (*FAULTS, "warning")
+        }
 
 
 def errata_of(results: Sequence[ClaimResult], places: Mapping[str, Place], heirs: Heirs) -> Errata:
@@ -109,7 +112,7 @@ def errata_of(results: Sequence[ClaimResult], places: Mapping[str, Place], heirs
     corrections = [
         _correction(result, fault, places)
         for result in results
-        if (fault := result.fault) and not result.claim.mend.by
+        if (fault := fault_of(result)) and not result.claim.mend.by
     ]
     groups: dict[str, list[Correction]] = {}
     for each in corrections:
@@ -119,7 +122,7 @@ def errata_of(results: Sequence[ClaimResult], places: Mapping[str, Place], heirs
     errors.sort(key=lambda erratum: -erratum.weight)
     tables = {
         fault: _grouped([c for c in corrections if c.fault == fault])
-        for fault in ("misprint", "transcription", "wording")
+        for fault in ("warning", "misprint", "transcription", "wording")
     }
     return Errata(tuple(errors), tables, tuple(c for c in corrections if c.fault == "hypothesis"))
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from workbench.report.document import Document, Entry
+from workbench.report.document import Document
+from workbench.report.entries import Entry
 from workbench.report.errata import Correction
 from workbench.report.prose import Run, is_one_formula
 from workbench.report.wording import short

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from workbench.judge.verdict import Outcome
 from workbench.report.counterexamples import Against
+from workbench.report.entries import Entry, Equation
 from workbench.report.errata import Change
 from workbench.report.kinds import STATES
 from workbench.report.places import Place
@@ -17,9 +17,6 @@ from workbench.typeset.differences import difference
 from workbench.typeset.excerpts import left_side
 from workbench.typeset.glyphs import SYMBOLS
 from workbench.verify.on_motions import Cost
-
-if TYPE_CHECKING:
-    from workbench.report.document import Entry, Equation
 
 #: The signs in the column "Verified", with their words.
 TWICE = ("✓✓", "proved by two engines")
@@ -62,7 +59,7 @@ class ErrorRow:
     cost: Cost | None
 
 
-def error_rows(equations: Sequence[Equation], anywhere: Mapping[str, Place]) -> tuple[ErrorRow, ...]:
+def error_rows(equations: Sequence[Equation]) -> tuple[ErrorRow, ...]:
     """In the order of the text."""
     return tuple(_row(each) for each in equations if each.state is STATES["error"])
 

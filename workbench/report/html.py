@@ -12,10 +12,12 @@ from typing import Any
 from markupsafe import Markup, escape
 
 from workbench.report import wording
-from workbench.report.document import Class, Entry, Form
+from workbench.report.document import Class
+from workbench.report.entries import Entry, Form
 from workbench.report.errata import Change
 from workbench.report.error_rows import ErrorRow
 from workbench.report.mathml import mathml
+from workbench.report.pictures import spark_line
 from workbench.report.prose import Run, formula, minus, text
 from workbench.typeset.excerpts import excerpts, in_one_line
 from workbench.verify.on_motions import METHOD
@@ -129,6 +131,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "row_counts": row_counts,
     "class_counts": class_counts,
     "corrected": _corrected,
+    "spark": lambda entry: spark_line(entry.result) if entry.fault == "error" else None,
     "counts_line": wording.counts_line,
     "counted": wording.counted,
     "told": wording.told,

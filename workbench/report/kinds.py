@@ -37,6 +37,7 @@ VERDICTS = _by_name(
 #: What a reader is told of an equation: the worst first. "holds" is said only of what is printed and proved.
 STATES = _by_name(
     Kind("error", "✗", "error", "false as meant: an argument or a result changes", "red", "errors", "err"),
+    Kind("warning", "!", "warning", "false, unless what is named is meant", "yellow", "warnings", "warn"),
     Kind("misprint", "!", "misprint", "the right form is plain", "magenta", "misprints", "warn"),
     Kind("wording", "·", "wording", "a sentence or a label", "magenta", "wording", "note"),
     Kind(
@@ -65,7 +66,7 @@ STATES = _by_name(
 SHOWN = tuple(
     STATES[name]
     for name in (
-        *("error", "misprint", "hypothesis", "wording", "unjudged", "open"),
+        *("error", "warning", "misprint", "hypothesis", "wording", "unjudged", "open"),
         *("inherits", "holds", "defines", "transcription"),
     )
 )

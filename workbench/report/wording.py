@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from workbench.judge.verdict import Outcome
+from workbench.report.document import Class, Document
+from workbench.report.entries import Entry
 from workbench.report.error_rows import gist_of
 from workbench.verify.on_motions import percent
-
-if TYPE_CHECKING:
-    from workbench.report.document import Class, Document, Entry
 
 _METHODS = (
     ("exact ring over", "exact ring over ℚ (FLINT)"),
@@ -34,7 +33,7 @@ def lead(document: Document) -> tuple[str, str]:
     """The sentence over the bar: what is wrong in bold type, and the rest."""
     total, wrong = document.counted, document.in_state("error")
     misprinted, hold = document.in_state("misprint"), document.in_state("holds")
-    unjudged = document.in_state("unjudged")
+    unjudged, doubtful = document.in_state("unjudged"), document.in_state("warning")
     if wrong:
         strong = f"{wrong} of {equations(total)} {'is' if wrong == 1 else 'are'} wrong"
     elif document.rows:
@@ -42,6 +41,7 @@ def lead(document: Document) -> tuple[str, str]:
     else:
         strong = f"No error found in {equations(total)}"
     rest = [f"{misprinted} {'is' if misprinted == 1 else 'are'} misprinted"] if misprinted else []
+    rest += [f"{doubtful} {'is' if doubtful == 1 else 'are'} doubtful"] if doubtful else []
     rest += [f"{unjudged} {'is' if unjudged == 1 else 'are'} not judged"] if unjudged else []
     rest += [f"{hold} {'holds' if hold == 1 else 'hold'} as printed"] if hold else []
     return strong, "".join(f", {part}" for part in rest) + "."
@@ -59,7 +59,12 @@ def counted(each: Class) -> str:
     words = each.kind.counted
     if each.count != 1:
         return words
-    singular = {"errors": "error", "misprints": "misprint", "definitions": "definition"}
+    singular = {
+        "errors": "error",
+        "misprints": "misprint",
+        "warnings": "warning",
+        "definitions": "definition",
+    }
     singular |= {"conditions missing": "condition missing", "hold as printed": "holds as printed"}
     singular |= {"hold after a correction": "holds after a correction"}
     return singular.get(words, words)
@@ -89,6 +94,8 @@ def told(entry: Entry) -> tuple[str, str, str]:
         return "lost", "our copy", "probably lost a mark"
     if state.name == "error":
         return "err", "wrong", gist_of(entry)
+    if state.name == "warning":
+        return "warn", "false, unless", "one of the doubts below is meant"
     return state.look, state.label, ""
 
 

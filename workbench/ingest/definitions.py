@@ -28,7 +28,7 @@ class Formula:
 
 @dataclass(frozen=True)
 class Proposed:
-    """A definition: the symbol's LaTeX and what the text says that it is. `sure`: it is written := ."""
+    """A definition: the symbol's LaTeX and what the text says that it is. `sure`: the model takes it."""
 
     name: str
     body: str
@@ -55,16 +55,16 @@ def definitions_in(formulas: Sequence[Formula]) -> list[Proposed]:
 
 def _defined(formula: Formula, said: Relation, new: set[str], is_only: bool) -> Iterator[Proposed]:
     if (spin := _spin(said)) is not None:
-        yield Proposed(*spin, formula.display.line, "what the rate of a rotation says", False)
+        yield Proposed(*spin, formula.display.line, "what the rate of a rotation says", True)
         return
-    name, sure = _lone_left(said), ":=" in formula.latex and is_only
-    if name is None or stated(said) is None or not (sure or name in new):
+    name, is_assigned = _lone_left(said), ":=" in formula.latex and is_only
+    if name is None or stated(said) is None or not (is_assigned or name in new):
         return
     _, sign, written = re.split("(:=|=|$)", formula.latex, maxsplit=1)
     body = written.strip() if sign and is_only else to_latex(said.right)
     words = _DEFINES.search(formula.display.before)
     why = f'the text says "{words[0]}" before it' if words else "alone on the left where it comes first"
-    yield Proposed(name, body, formula.display.line, "written :=" if sure else why, sure)
+    yield Proposed(name, body, formula.display.line, "written :=" if is_assigned else why, True)
 
 
 def _lone_left(statement: Statement) -> str | None:
@@ -124,4 +124,4 @@ def in_sentences(formulas: Iterable[Formula], shown: set[str], defined: set[str]
     for formula in formulas:
         for each in definitions_in([formula]):
             if each.name in shown and each.name not in defined:
-                yield replace(each, why="a sentence says so", sure=False)
+                yield replace(each, why="a sentence says so")

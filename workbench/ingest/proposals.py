@@ -12,7 +12,12 @@ from workbench.ingest.proposal import Proposal
 from workbench.ingest.prose import speaks_of_quaternions
 from workbench.papers.notation import FUNCTIONS, HAMILTON
 
-_UNITS = re.compile(r"\\(?:mathbb|mathds)\s*\{?\s*[1I]\s*\}?(?:_\{\s*\d\s*\\times\s*\d\s*\})?")
+_BELOW = r"\s*_\s*(?:\d|\{\s*\d\s*(?:\\times\s*\d\s*)?\})"
+#: Unit tensors by their letters: a blackboard 1 or I, a bold 1, and I with its size.
+_UNITS = re.compile(
+    rf"\\(?:mathbb|mathds)\s*\{{?\s*[1I]\s*\}}?(?:{_BELOW})?|\\(?:mathbf|boldsymbol|mathrm)\s*\{{?\s*1\s*\}}?(?:{_BELOW})?"
+    rf"|(?:\\(?:mathbf|boldsymbol|mathrm)\s*\{{?\s*)?(?<![A-Za-z\\])[IE]\s*\}}?{_BELOW}|\\(?:boldsymbol|mathrm)\s*\{{?\s*I\s*\}}?(?!\s*_)"
+)
 _SYMBOL = r"(?:\\(?:mathbf|boldsymbol|bar|vec|mathsf|underline)\s*)?(?:\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])"
 _DOTTED = rf"(?:\\d*dot\s*\{{?\s*{_SYMBOL}\s*\}}?|{_SYMBOL})"
 _LABELLED = rf"{_DOTTED}\s*(?:_\s*(?:\w|\{{\s*\w+\s*\}}))?"
@@ -55,10 +60,13 @@ def proposals_for(formulas: Sequence[str], prose: str, inference: Inference) -> 
         yield _notation(trigger, key, {"V": "matrix 6×1"}, means, "a bracket or a wedge on a twist", question)
     for row in _NOTATION:
         yield _notation(*row)
-    for unit in dict.fromkeys(match[0] for match in _UNITS.finditer(together)):
-        trigger = re.escape(unit)
+    units = [" ".join(match[0].split()) for match in _UNITS.finditer(together)]
+    if "I" in inference.kinds and inference.is_square("I") and "inertia" not in prose.lower():
+        units.append("I")
+    for unit in dict.fromkeys(units):
+        trigger = re.escape(unit) if len(unit) > 1 else r"(?<![A-Za-z\\{])I(?![A-Za-z])"
         question = f"Is {unit} the unit tensor?"
-        entry = _notation(trigger, unit, {}, r"\mathbf{I}", "a blackboard 1 or I", question)
+        entry = _notation(trigger, unit, {}, r"\mathbf{I}", "a letter of unit tensors", question)
         yield replace(entry, stands=True)
     yield _prime(("scalar", "vector", "tensor", *(["quaternion"] if speaks_of_quaternions(prose) else [])))
     for inside in dict.fromkeys(match[1] for match in _BRACKET.finditer(together)):

@@ -82,6 +82,11 @@ class Inference:
     orthogonal: frozenset[str]
     moving: frozenset[str]
 
+    def is_square(self, name: str) -> bool:
+        """Returns whether a symbol is a square matrix."""
+        kind = self.kinds[name].kind
+        return isinstance(kind, tuple) and kind[0] == kind[1] != 1
+
 
 def infer(sources: Sequence[Source], prose: Prose) -> Inference:
     """Returns the kinds of all symbols of the formulas. Those of sentences count where a display has one of

@@ -79,8 +79,8 @@ def test_a_text_without_a_model_says_what_it_needs(tmp_path: Path) -> None:
     path.write_text("$$ x + y = z $$\n")
     result = run("check", str(path))
     assert result.exit_code == 2
-    assert "1 of 1 steps use symbols that nothing declares" in result.output
-    assert f"workbench ingest {path}" in " ".join(result.output.split())
+    assert "drafted a model of p.md (3 symbols" in result.output
+    assert f"workbench draft {path}" in " ".join(result.output.split())
 
 
 def test_a_worker_judges_what_has_the_very_same_key_alone(tmp_path: Path) -> None:

@@ -81,18 +81,30 @@ def check(
             raise Unusable("--watch prints text, github or rdjsonl, and judges here")
         watch_files(files, form, jobs, **engines)
         return
+    from workbench.ingest.draft import Draft, draft_of, needs_draft, on_drafted_kinds
     from workbench.papers import PaperError, load_paper
 
+    drafts: dict[int, Draft] = {}
     papers: list[tuple[str, Paper]] = []
     unusable: list[PaperError] = []
     with memory_of_verdicts(engines["cache"]) as memory:
         for file in dict.fromkeys(files):
             try:
-                papers.append((str(file), load_paper(file, faults=[], store=memory)))
+                paper = load_paper(file, faults=[], store=memory)
+                if needs_draft(paper):
+                    drafts[len(papers)] = draft = draft_of(file)
+                    paper = draft.paper
+                papers.append((str(file), paper))
             except PaperError as error:
                 unusable += error.faults
     found = judged_papers(papers, jobs, scheduler, **engines)
-    judged = [(paper, results) for (_, paper), results in zip(papers, found, strict=True)]
+    judged = [
+        (paper, on_drafted_kinds(drafts[place], results) if place in drafts else results)
+        for place, ((_, paper), results) in enumerate(zip(papers, found, strict=True))
+    ]
+    if form == "text" and json_out is None:
+        for draft in drafts.values():
+            click.echo(draft.summary)
     if report_out is not None and judged:
         _write_report(*judged[0], report_out, proposals, engines["cache"])
     print_judged(judged, json_out, form, proposals, unusable, engines["cache"])

@@ -30,10 +30,18 @@ COMMANDS = (
     ),
     Entry(
         "Check",
-        "ingest",
-        "workbench.cli.ingest:ingest_text",
+        "draft",
+        "workbench.cli.draft:draft_text",
         "Write a first model beside a text.",
-        ("workbench ingest paper.tex", "workbench ingest paper.tex --macros site.tex --force"),
+        ("workbench draft paper.tex", "workbench draft paper.tex --macros site.tex --force"),
+    ),
+    Entry(
+        "Check",
+        "ingest",
+        "workbench.cli.draft:draft_text",
+        "The old name of draft.",
+        ("workbench draft paper.tex",),
+        hidden=True,
     ),
     Entry(
         "Check",

@@ -94,7 +94,7 @@ def _hint(paper: Paper, results: Sequence[ClaimResult]) -> str | None:
         return None
     name = paper.paths[0]
     return (
-        f"{unknown} of {len(results)} steps use symbols that nothing declares: `workbench ingest {name}`"
+        f"{unknown} of {len(results)} steps use symbols that nothing declares: `workbench draft {name}`"
         " writes a model with guessed kinds beside it; until then, none is guessed"
     )
 

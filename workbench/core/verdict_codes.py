@@ -20,6 +20,10 @@ class VerdictCode(Code):
         "at-one-place",
         "false if the condition holds at one place only; if everywhere, state its derivatives too",
     )
+    NEEDED_ONCE = (
+        "needed-once",
+        "{outcome} if {kinds}, which only this formula needs; if {name} is a {other}, this formula is wrong",
+    )
 
 
 #: A claim is false under its premise now, and not seen to be false if the premise lasts.

@@ -47,8 +47,9 @@ class Ingested:
     formulas: list[Formula]
     definitions: list[Proposed]
     questions: list[str]
-    proposals: list[Proposal] = field(default_factory=list)
-    fences: dict[str, str] = field(default_factory=dict)
+    proposals: list[Proposal]
+    fences: dict[str, str]
+    inference: Inference
 
     @cached_property
     def _formulas_of(self) -> dict[int, list[Formula]]:
@@ -122,6 +123,7 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         list(dict.fromkeys(questions)),
         reading.proposals,
         fences,
+        inference,
     )
 
 

@@ -15,12 +15,13 @@ from workbench.papers.toml.toml_file import TomlFile
 _WIDTH = 100
 
 
-def model_text(ingested: Ingested, path: Path) -> str:
-    """For a file at `path`. Definitions that the loader refuses are left as comments, with its reason."""
+def model_text(ingested: Ingested, path: Path, is_confirmed: bool = False) -> str:
+    """Returns the model for a file at `path`. Definitions that the loader refuses are left as comments, with
+    its reason. is_confirmed: nothing is listed as guessed."""
     chosen = [proposed for proposed in ingested.definitions if proposed.sure]
     refused: dict[str, str] = {}
     while True:
-        written = "\n".join(_lines(ingested, path, chosen, refused)) + "\n"
+        written = "\n".join(_lines(ingested, path, chosen, refused, is_confirmed)) + "\n"
         faults = Faults()
         model_of(TomlFile(path, written), ingested.text, faults).notations()
         wrong = {str(fault.path[-1]): fault.message for fault in faults if fault.path[:1] == ("definitions",)}
@@ -31,7 +32,9 @@ def model_text(ingested: Ingested, path: Path) -> str:
         chosen = [proposed for proposed in chosen if proposed.name not in refused]
 
 
-def _lines(ingested: Ingested, path: Path, chosen: list[Proposed], refused: dict[str, str]) -> Iterator[str]:
+def _lines(
+    ingested: Ingested, path: Path, chosen: list[Proposed], refused: dict[str, str], is_confirmed: bool
+) -> Iterator[str]:
     text = ingested.text
     yield f"# A first model of {_comment(text.path.name)}. Kinds marked `guessed` are guesses: look at each."
     if ingested.questions:
@@ -45,11 +48,12 @@ def _lines(ingested: Ingested, path: Path, chosen: list[Proposed], refused: dict
         yield f"macros = {macros}"
     yield f"title = {_string(text.path.stem)}"
     tables = tables_of(ingested.proposals)
-    yield "# Take out what is right: until then, no fault is found in what rests on it."
-    yield "guessed = ["
-    yield from (f"    {_string(f'[{table}]')}," for table in tables)
-    yield from (f"    {_string(name)}," for name in (*ingested.fences, *ingested.guesses))
-    yield "]"
+    if not is_confirmed:
+        yield "# Take out what is right: until then, no fault is found in what rests on it."
+        yield "guessed = ["
+        yield from (f"    {_string(f'[{table}]')}," for table in tables)
+        yield from (f"    {_string(name)}," for name in (*ingested.fences, *ingested.guesses))
+        yield "]"
     yield ""
     if ingested.fences:
         yield "[macros]"

@@ -66,12 +66,23 @@ class Misfit:
 
 
 @dataclass(frozen=True)
+class Thin:
+    """A symbol whose kind only one formula needs, and its kind without that formula."""
+
+    name: str
+    latex: str
+    line: int
+    kind: Kind
+    other: Kind
+
+
+@dataclass(frozen=True)
 class Inference:
     """What is inferred of a text.
 
-    skew_marks: \\hat and \\tilde, where they make skew tensors.   skews: functions S, where S(a) is the skew
-    tensor of a.   functions: letters that are no factors before a bracket.   orthogonal: matrices with
-    A Aᵀ = 1, det A = 1 or in a set of such.   moving: symbols with a rate.
+    skew_marks: \\hat and \\tilde, where they make skew tensors.   skews: functions S, where S(a) is a skew
+    tensor.   functions: letters that are no factors before a bracket.   thin: kinds that only one formula
+    needs.   orthogonal: matrices with A Aᵀ = 1, det A = 1 or in a set of such.   moving: symbols with a rate.
     """
 
     kinds: Mapping[str, Inferred]
@@ -79,6 +90,7 @@ class Inference:
     skews: tuple[str, ...]
     functions: tuple[str, ...]
     misfits: tuple[Misfit, ...]
+    thin: tuple[Thin, ...]
     orthogonal: frozenset[str]
     moving: frozenset[str]
 
@@ -118,6 +130,11 @@ def infer(sources: Sequence[Source], prose: Prose) -> Inference:
         formulas = [Formula(rewriter.all(each.trees), each.line, each.inline) for each in formulas]
         search = _search(formulas, prose, has_units, has_joints, search)
         search.run()
+    sources = [each for (each, _), formula in zip(read, formulas, strict=True) if formula.trees]
+    thin = tuple(
+        Thin(name, sources[place].latex, sources[place].line, search.kinds[name], other)
+        for name, place, other in search.needed_once()
+    )
     misfits = tuple(
         Misfit(formula.line, each.latex, str(operation))
         for (each, _), formula in zip(read, formulas, strict=True)
@@ -131,6 +148,7 @@ def infer(sources: Sequence[Source], prose: Prose) -> Inference:
         tuple(sorted(skews)),
         tuple(sorted(functions)),
         misfits,
+        thin,
         frozenset(_orthogonal(trees)),
         frozenset(_moving(trees)),
     )

@@ -232,6 +232,18 @@ class Search:
         dearer = [(kind, -self.gain({name: kind})) for kind in self.prior[name] if kind != now]
         return sorted(dearer, key=lambda each: (each[1], str(each[0])))[:3]
 
+    def needed_once(self) -> Iterator[tuple[str, int, Kind]]:
+        """Yields symbols whose kind only one display needs, its place, and the kind without it."""
+        for name, places in self.users.items():
+            for kind in list(self.prior[name])[:_MOST_OPTIONS]:
+                change = {name: kind}
+                dearer = {p: self._cost(p, change) - self._now[p] for p in places}
+                more = self.own(change, change) - self.own(change, {}) + sum(dearer.values())
+                alone = (p for p, own in dearer.items() if own > more and not self.formulas[p].inline)
+                if kind != self.kinds[name] and (place := next(alone, None)) is not None:
+                    yield name, place, kind
+                    break
+
     def operations(self) -> Iterator[Operation]:
         """Yields all operations of the formulas."""
         return (each for formula in self.formulas for tree in formula.trees for each in tree.walk())

@@ -1,4 +1,4 @@
-"""workbench ingest: a first model beside a text."""
+"""workbench draft: a first model beside a text."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from workbench.ingest import Ingested
 
 
-@click.command("ingest")
+@click.command("draft")
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--out", type=click.Path(path_type=Path), help="The model; FILE with the ending .toml if none.")
 @click.option(
@@ -26,9 +26,7 @@ if TYPE_CHECKING:
 )
 @click.option("--force", is_flag=True, help="Write over a model that is there.")
 @reports_faults
-def ingest_text(
-    file: Path, out: Path | None, json_out: Path | None, macros: Path | None, force: bool
-) -> None:
+def draft_text(file: Path, out: Path | None, json_out: Path | None, macros: Path | None, force: bool) -> None:
     """Write a first model for a text: kinds guessed, each with its reason, definitions proposed, questions on
     top, and what could not be read. Exit status 1 if no display was read."""
     from workbench.ingest import ingest, model_text
@@ -41,6 +39,8 @@ def ingest_text(
     if json_out is not None:
         write_atomically(json_out, json_text(found.to_dict()))
     _print_table(found, out)
+    if click.get_current_context().info_name == "ingest":
+        click.echo("`workbench ingest` is now `workbench draft`", err=True)
     sys.exit(0 if len(found.text.displays) > sum(found.missing().values()) else 1)
 
 

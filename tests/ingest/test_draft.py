@@ -1,0 +1,59 @@
+"""A text without a model is judged under a draft; what rests on drafted kinds is a warning at most."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from click.testing import CliRunner
+
+from workbench.cli.commands import main
+from workbench.ingest.draft import draft_of, needs_draft, on_drafted_kinds
+from workbench.judge.verdict import Grade, Outcome
+from workbench.papers import load_paper
+from workbench.verify.claims import judge_paper
+from workbench.verify.results import ClaimResult
+
+WRONG = r"""The vectors $\mathbf{a}$, $\mathbf{b}$ and $\mathbf{c}$:
+$$ \mathbf{a} \times (\mathbf{b} \times \mathbf{c}) = (\mathbf{a} \cdot \mathbf{c}) \mathbf{b} + (\mathbf{a} \cdot \mathbf{b}) \mathbf{c} $$
+$$ \mathbf{a} \times \mathbf{b} = -\mathbf{b} \times \mathbf{a} $$
+"""
+
+
+def judged(path: Path) -> list[ClaimResult]:
+    draft = draft_of(path)
+    return on_drafted_kinds(draft, judge_paper(draft.paper, motions=False))
+
+
+def test_a_falsehood_on_drafted_kinds_is_a_warning(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(WRONG)
+    wrong, right = judged(path)
+    assert (wrong.verdict.outcome, wrong.shown) == (Outcome.REFUTED, Grade.WARNING)
+    assert (right.verdict.outcome, right.shown) == (Outcome.PROVED, Grade.OK)
+
+
+def test_check_says_in_one_line_that_it_drafted(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text(WRONG)
+    result = CliRunner().invoke(main, ["check", str(path), "--no-proposals", "--no-motions", "--no-cache"])
+    first, *rest = result.output.splitlines()
+    assert first.startswith("drafted a model of p.md (3 symbols") and result.exit_code == 0
+    assert not (tmp_path / "p.toml").exists() and any("refuted" in line for line in rest)
+
+
+def test_a_kind_that_only_one_formula_needs_does_not_judge_it(tmp_path: Path) -> None:
+    path = tmp_path / "p.md"
+    path.write_text("$$ 2 a + a = 3 a $$\n\n$$ \\mathbf{f} \\times a = 2 \\mathbf{f} \\times a $$\n")
+    *_, last = judged(path)
+    assert last.verdict.outcome is Outcome.UNCHECKED
+    assert "which only this formula needs" in str(last.verdict.reason)
+
+
+def test_texts_with_a_model_or_comments_need_no_draft(tmp_path: Path) -> None:
+    path = tmp_path / "p.tex"
+    path.write_text("\\[ a = b \\]\n")
+    assert needs_draft(load_paper(path))
+    path.write_text("%! workbench: symbols.a = 'scalar'\n\\[ a = b \\]\n")
+    assert not needs_draft(load_paper(path))
+    (tmp_path / "p.toml").write_text('source = "p.tex"\n')
+    assert not needs_draft(load_paper(path))

@@ -1,0 +1,81 @@
+"""A text without a model, judged under the model that is drafted for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from workbench.core.reasons import Reason
+from workbench.core.verdict_codes import VerdictCode
+from workbench.ingest.inference.infer import Thin, kind_name
+from workbench.ingest.ingest import Ingested, ingest
+from workbench.ingest.model_file import model_text
+from workbench.judge.verdict import Outcome, Strength, Verdict
+from workbench.papers.model import Paper
+from workbench.papers.text_claims.text_load import load_model
+from workbench.papers.text_claims.text_paper import TextPaper
+from workbench.papers.toml.toml_file import TomlFile
+from workbench.verify.results import ClaimResult
+
+_RESTS_ON_KINDS = frozenset({Outcome.REFUTED, Outcome.ILL_FORMED, Outcome.CONDITIONAL})
+
+
+@dataclass(frozen=True)
+class Draft:
+    """A text under a drafted model."""
+
+    ingested: Ingested
+    paper: TextPaper
+
+    @property
+    def summary(self) -> str:
+        """One line that says that a model was drafted, and how to keep it."""
+        found, path = self.ingested, self.ingested.text.path
+        definitions = sum(proposed.sure for proposed in found.definitions)
+        counts = [
+            (len(found.guesses), "symbol"),
+            (definitions, "definition"),
+            (len(found.questions), "question"),
+        ]
+        told = ", ".join(f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts)
+        return f"drafted a model of {path.name} ({told}); `workbench draft {path}` writes it"
+
+
+def needs_draft(paper: Paper) -> bool:
+    """Returns whether a paper is a text that has no model, and no comments that declare anything."""
+    return (
+        isinstance(paper, TextPaper) and len(paper.paths) == 1 and not (paper.text and paper.text.directives)
+    )
+
+
+def draft_of(path: Path) -> Draft:
+    """Returns a text under the model that is drafted for it. Raises PaperError."""
+    ingested = ingest(path)
+    beside = path.with_suffix(".toml")
+    toml = TomlFile(beside, model_text(ingested, beside, is_confirmed=True))
+    return Draft(ingested, replace(load_model(toml, ingested.text), paths=(path,)))
+
+
+def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[ClaimResult]:
+    """Returns the results with the basis that drafted kinds have. A falsehood that rests on a kind that only
+    its own formula needs is not decided."""
+    return [replace(result, verdict=_on_drafted_kinds(draft, result)) for result in results]
+
+
+def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
+    verdict, latex = result.verdict, result.claim.printed.latex
+    if verdict.outcome not in _RESTS_ON_KINDS:
+        return verdict
+    thin = [each for each in draft.ingested.inference.thin if each.latex == latex]
+    if thin:
+        return Verdict(Outcome.UNCHECKED, reason=_asked(verdict, thin), read_back=verdict.read_back)
+    return replace(verdict, basis=min(verdict.basis, Strength.HINTED))
+
+
+def _asked(verdict: Verdict, thin: Sequence[Thin]) -> Reason:
+    kinds = " and ".join(f"{each.name} is a {kind_name(each.kind)}" for each in thin[:2])
+    other = thin[0]
+    return VerdictCode.NEEDED_ONCE(
+        outcome=verdict.outcome, kinds=kinds, name=other.name, other=kind_name(other.other)
+    )

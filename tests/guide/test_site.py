@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
 from workbench.cli.commands import main
 from workbench.guide.docs_source import MENTION, write_source
@@ -37,7 +38,8 @@ def test_pages_name_pages_that_exist() -> None:
 @pytest.mark.slow
 def test_site_builds_without_warnings(tmp_path: Path) -> None:
     pytest.importorskip("myst_nb")
-    write_source(tmp_path, main, NOTEBOOKS)
+    words = ["help", "--site", str(tmp_path), "--notebooks", str(NOTEBOOKS)]
+    assert CliRunner().invoke(main, words).exit_code == 0
     done = built(tmp_path)
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "_build" / "reference" / "messages.html").is_file()

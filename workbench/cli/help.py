@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -27,8 +28,22 @@ def _topics(ctx: click.Context, _parameter: click.Parameter, begun: str) -> list
 @click.command("help")
 @click.argument("topic", nargs=-1, shell_complete=_topics)
 @click.option("--search", "searched", is_flag=True, help="List the pages that contain all words of TOPIC.")
+@click.option(
+    "--site",
+    type=click.Path(path_type=Path, file_okay=False),
+    metavar="FOLDER",
+    help="Write the source of the manual's site, for sphinx-build (extra docs).",
+)
+@click.option(
+    "--notebooks",
+    type=click.Path(path_type=Path, file_okay=False, exists=True),
+    metavar="FOLDER",
+    help="With --site: the notebooks to show.",
+)
 @click.pass_context
-def help_command(ctx: click.Context, topic: Sequence[str], searched: bool) -> None:
+def help_command(
+    ctx: click.Context, topic: Sequence[str], searched: bool, site: Path | None, notebooks: Path | None
+) -> None:
     """Show a page of the manual. TOPIC is a page, a command, or a code such as WB-UNKNOWN-SYMBOL; without it
     the contents are shown. In the pager, / searches and q leaves."""
     from workbench.guide.generated import manual
@@ -37,7 +52,12 @@ def help_command(ctx: click.Context, topic: Sequence[str], searched: bool) -> No
     root = ctx.find_root().command
     assert isinstance(root, click.Group)
     pages = manual(root)
-    if not topic:
+    if site is not None:
+        from workbench.guide.docs_source import write_source
+
+        written = write_source(site, root, notebooks)
+        click.echo(f"{site}: {len(written)} pages; now: sphinx-build -W {site} {site / '_build'}")
+    elif not topic:
         click.echo_via_pager(contents_text(pages))
     elif searched:
         _print_found(topic, pages)

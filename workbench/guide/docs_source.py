@@ -1,10 +1,9 @@
-"""The source of the site: `python -m workbench.guide.docs_source FOLDER [NOTEBOOKS]` writes it for Sphinx."""
+"""The source of the site, for Sphinx: `workbench help --site FOLDER` writes it."""
 
 from __future__ import annotations
 
 import re
 import shutil
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -73,9 +72,3 @@ def _index(pages: Sequence[Page], notebooks: Sequence[Path]) -> str:
 
 def _toctree(caption: str, names: Sequence[str]) -> str:
     return "\n".join(["```{toctree}", f":caption: {caption}", ":maxdepth: 1", "", *names, "```"])
-
-
-if __name__ == "__main__":
-    from workbench.cli.commands import main
-
-    write_source(Path(sys.argv[1]), main, Path(sys.argv[2]) if len(sys.argv) > 2 else None)

@@ -12,7 +12,6 @@ from workbench import papers
 from workbench.budget import Budget
 from workbench.judge.verdict import Outcome, Verdict
 from workbench.language.definitions import Definitions
-from workbench.language.grammar.lines import Line, split_lines, whole_line
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import Range
 from workbench.language.typed.errors import IllFormedAt, ReadError, SpecError
@@ -21,6 +20,7 @@ from workbench.language.typed.terms import Statement
 from workbench.memory.store import Store, standard
 from workbench.papers import Claim, Formula, Notation, Orders, Paper
 from workbench.papers.conclusions import IS_THE_CONCLUSION, is_conclusion
+from workbench.papers.cutting.formula_lines import Line, split_lines, whole_line
 from workbench.papers.formulas import read_statement, why_ill_formed
 from workbench.papers.notation import extended, with_definitions
 from workbench.papers.orders import orders_within

@@ -10,7 +10,6 @@ from typing import Any
 
 from workbench.language.defining import read_definitions
 from workbench.language.grammar.latex import latex_of
-from workbench.language.grammar.lines import split_lines
 from workbench.language.grammar.parser import parse
 from workbench.language.grammar.tokens import tokenize
 from workbench.language.naming.notations import Notation
@@ -21,6 +20,7 @@ from workbench.language.typed.errors import Fault, IllFormedAt, ReadError, SpecE
 from workbench.language.typed.names import Name
 from workbench.language.typed.terms import IllFormed, Naming, Statement, Symbol, Term
 from workbench.language.typed.types import Declaration
+from workbench.papers.cutting.formula_lines import split_lines, whole_line
 
 PLAIN = """
 \\lambda scalar;  \\mu scalar;  \\underline{s} dual scalar;  c_{ij} scalar;  x vector;  y vector;  z_n vector
@@ -141,11 +141,15 @@ def _shown(term: Term) -> str:
 
 
 def _formula(latex: str, table: SymbolTable, as_condition: bool = False) -> str:
-    found = read_formula(latex, table, ("n",), as_condition)
+    lines = split_lines(latex) if not as_condition else [whole_line(latex)]
+    found = [read_formula(line.latex, table, ("n",), as_condition) for line in lines]
     ranges = (
-        f"{r.variable} from {r.lower} to {r.upper}{' as any' if r.generic else ''}" for r in found.ranges
+        f"{r.variable} from {r.lower} to {r.upper}{' as any' if r.generic else ''}"
+        for each in found
+        for r in each.ranges
     )
-    return " ;; ".join([*map(_statement, found.statements), *ranges])
+    said = (_statement(statement) for each in found for statement in each.statements)
+    return " ;; ".join([*said, *dict.fromkeys(ranges)])
 
 
 def _statement(statement: Statement) -> str:

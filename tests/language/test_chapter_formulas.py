@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 import pytest
 
@@ -10,9 +11,10 @@ from tests.language.chapter import PARTS, Part
 from workbench.language.defining import read_definitions
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.printing.printer import to_latex
-from workbench.language.reader import read, read_formula
+from workbench.language.reader import Reading, read, read_formula
 from workbench.language.typed.errors import IllFormedAt
 from workbench.language.typed.terms import Conjunction, Equivalence, Implication, Relation
+from workbench.papers.cutting.formula_lines import split_lines
 
 CASES = [(name, equation, latex) for name, part in PARTS.items() for equation, latex in part.formulas]
 
@@ -28,15 +30,20 @@ def table_of(part: Part) -> SymbolTable:
 
 @pytest.mark.parametrize(("part", "equation", "latex"), CASES, ids=[f"{e}" for _, e, _ in CASES])
 def test_read_and_read_back(part: str, equation: str, latex: str, tables: dict[str, SymbolTable]) -> None:
-    reading = read_formula(latex, tables[part], PARTS[part].integers)
-    variables = {*PARTS[part].integers, *(r.variable for r in reading.ranges)}
-    for statement in reading.statements:
-        assert read(to_latex(statement), tables[part], variables) == (statement,)
+    for reading in _lines(latex, tables[part], PARTS[part].integers):
+        variables = {*PARTS[part].integers, *(r.variable for r in reading.ranges)}
+        for statement in reading.statements:
+            assert read(to_latex(statement), tables[part], variables) == (statement,)
+
+
+def _lines(latex: str, table: SymbolTable, integers: Iterable[str] = ()) -> list[Reading]:
+    return [read_formula(line.latex, table, integers) for line in split_lines(latex)]
 
 
 def test_one_statement_a_line(tables: dict[str, SymbolTable]) -> None:
     latex = dict(PARTS["real"].formulas)
-    assert [len(read(latex[e], tables["real"], "nm")) for e in ("2", "18", "20", "40", "53")] == [
+    said = {e: [s for each in _lines(latex[e], tables["real"], "nm") for s in each.statements] for e in latex}
+    assert [len(said[e]) for e in ("2", "18", "20", "40", "53")] == [
         2,
         2,
         2,  # the recurrences; what stands behind "where" is their condition

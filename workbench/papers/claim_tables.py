@@ -10,11 +10,11 @@ from workbench.core.schema import key_names
 from workbench.judge.theorems.goals import GoalError, Scope, atoms, bound_integers
 from workbench.judge.theorems.proofs import Proven
 from workbench.judge.theorems.reading import read_goal
-from workbench.language.grammar.lines import Line, split_lines
 from workbench.language.printing.printer import to_latex
 from workbench.language.reader import read_formula
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Conjunction, Statement
+from workbench.papers.cutting.formula_lines import Line, split_lines
 from workbench.papers.formulas import FormulaReader
 from workbench.papers.mends import fault_of, mend_of
 from workbench.papers.model import Claim, Formula, Notation, Stated

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NoReturn
 
-from workbench.language.grammar.lines import Line, whole_line
 from workbench.language.reader import Range, read_formula
 from workbench.language.typed.errors import IllFormedAt, ReadError
 from workbench.language.typed.terms import Conjunction, Statement
 from workbench.papers.conclusions import IS_THE_CONCLUSION, is_conclusion
+from workbench.papers.cutting.formula_lines import Line, whole_line
 from workbench.papers.model import Formula, Notation
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.respell.in_models import or_respelled

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
 from workbench.core.schema import choices
@@ -31,6 +32,7 @@ CONVENTIONS = choices("conventions")
 _LOOSE = ("products", "one", "powers", "cross", "brackets")
 #: A definition as a file has it: the file, what is defined, and its body.
 _Entry: TypeAlias = tuple[TomlFile, str, str]
+_GROUPS = re.compile(r"[\s{}]")
 _DOTS = re.compile(r"^\s*\\d{1,4}ot(?![A-Za-z])")
 #: What a text may write without the backslash, if its model says so.
 FUNCTIONS = ("cos", "cot", "csc", "exp", "sec", "sin", "tan")
@@ -70,41 +72,74 @@ def notation_of(files: Sequence[TomlFile], scopes: Sequence[TomlFile] = ()) -> N
     return replace(notation, on_motions=dict(f for file in files for f in formulas(file, notation)))
 
 
+@dataclass
+class _Order:
+    """Puts definitions in an order in which each can be read.
+
+    made: those that are read, each with the symbols known before it.   waiting: those that are not yet."""
+
+    table: SymbolTable
+    made: list[tuple[_Entry, Definition, SymbolTable]] = field(default_factory=list)
+    waiting: list[_Entry] = field(default_factory=list)
+
+    def entries(self) -> list[_Entry]:
+        return [*(entry for entry, _, _ in self.made), *self.waiting]
+
+    def read(self, tried: Sequence[_Entry]) -> list[_Entry] | None:
+        """Reads entries, and those that waited for them.
+
+        Returns what is to be read again, in an order in which it can be, where an entry that is read already
+        uses one of these; None where no order is such."""
+        while tried:
+            keys: list[str] = []
+            for each in tried:
+                try:
+                    definition, known = _read(*each[1:], self.table)
+                except (ReadError, IllFormedAt, SpecError) as error:
+                    if isinstance(error, SpecError) and error.message == USED_ABOVE:
+                        return self._with_users_behind(each)
+                    continue
+                self.made.append((each, definition, self.table))
+                self.table = known
+                self.waiting.remove(each)
+                keys.append(_GROUPS.sub("", each[1]))
+            tried = [each for each in self.waiting if any(key in _GROUPS.sub("", each[2]) for key in keys)]
+        return []
+
+    def _with_users_behind(self, entry: _Entry) -> list[_Entry] | None:
+        using = [each for each, definition, _ in self.made if _uses(definition, entry[1])]
+        if not using:
+            return None
+        first = next(at for at, made in enumerate(self.made) if made[0] is using[0])
+        others = [each for each, _, _ in self.made[first:] if each not in using]
+        waiting = [each for each in self.waiting if each != entry]
+        self.table, self.waiting = self.made[first][2], []
+        del self.made[first:]
+        return [*others, entry, *using, *waiting]
+
+
 def _in_order(entries: list[_Entry], table: SymbolTable) -> list[_Entry]:
     """Each before those that use it, as a scope that defines anew may need it; as they are, where no order is
     such."""
-    order = list(entries)
-    for _ in range(len(entries) ** 2):
-        if (better := _with_users_behind(order, table)) is None:
-            return order
-        order = better
-    return entries
-
-
-def _with_users_behind(entries: list[_Entry], table: SymbolTable) -> list[_Entry] | None:
-    """The entries, those that use the first one that is used above it moved behind it, and each moved
-    behind what it uses; None if each can be read where it stands."""
-    read: list[tuple[_Entry, Definition]] = []
-    waiting: list[_Entry] = []
-    for place, entry in enumerate(entries):
-        waiting.append(entry)
-        tried: list[_Entry] = []
-        while waiting != tried:
-            tried = list(waiting)
-            for each in tried:
-                try:
-                    definition, table = _read(*each[1:], table)
-                except (ReadError, IllFormedAt, SpecError) as error:
-                    if isinstance(error, SpecError) and error.message == USED_ABOVE:
-                        using = [user for user, known in read if _uses(known, each[1])]
-                        others = [other for other, _ in read if other not in using]
-                        rest = [other for other in waiting if other != each]
-                        return [*others, each, *using, *rest, *entries[place + 1 :]] if using else None
-                    continue
-                read.append((each, definition))
-                waiting.remove(each)
-    order = [*(each for each, _ in read), *waiting]
-    return None if order == entries else order
+    order = _Order(table)
+    rest, kept = deque(entries), list(entries)
+    last, moves = -1, 0
+    while rest or len(order.made) != last:
+        if rest:
+            order.waiting.append(rest.popleft())
+            again = order.read(order.waiting[-1:])
+        else:  # those whose symbols are spelled in another way
+            last = len(order.made)
+            again = order.read(list(order.waiting))
+        if again is None:
+            return kept
+        if again:
+            moves += 1
+            rest.extendleft(reversed(again))
+            kept = [*order.entries(), *rest]
+        if moves > len(entries) ** 2:
+            return entries
+    return order.entries()
 
 
 def _uses(definition: Definition, key: str) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from workbench.language.grammar.lines import split_lines
+from workbench.papers.cutting.formula_lines import split_lines
 from workbench.papers.installed import paper_of
 from workbench.papers.model import PaperError
 from workbench.papers.toml.toml_file import TomlFile

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from lark import Token
 
-from workbench.language.grammar.context import join_lines, marked
+from workbench.language.grammar.context import marked
 from workbench.language.grammar.vocabulary import (
     BRACKETS,
     CHARACTERS,
@@ -87,11 +87,8 @@ _EVALUATED = "a bar that says where something is evaluated is not read"
 
 
 class Tokenizer:
-    """alignments: where an & stands in lines, and how many environments it stands in."""
-
     def __init__(self, text: str) -> None:
         self.text = text
-        self.alignments: list[tuple[int, int]] = []
         self.out: list[Token] = []
         self.open: list[_Open] = []
         self.size = ""  # a pending \left, \right, \bigl …
@@ -111,15 +108,6 @@ class Tokenizer:
             raise Fault(f"\\{self.size} without a bracket", len(self.text))
         if self.refused:
             raise self.refused[0]
-        return join_lines(marked(self.out))
-
-    def legible(self) -> list[Token]:
-        """What can be told of the tokens of a formula that may be garbled, its lines not yet joined."""
-        for match in _TOKEN.finditer(self.text):
-            try:
-                self.match(match)
-            except Fault:
-                self.size = ""
         return marked(self.out)
 
     def emit(self, kind: str, value: str, at: int) -> None:
@@ -281,9 +269,7 @@ class Tokenizer:
             elif self.inside("matrix"):
                 if self.text[at - 1 : at] != "&":  # && leaves room between two columns
                     self.emit("CELL", text, at)
-            elif self.inside("lines", "cases"):
-                self.alignments.append((at, sum(each.what.startswith("\\begin") for each in self.open)))
-            else:
+            elif not self.inside("lines", "cases"):
                 raise Fault("& outside of a matrix or an aligned environment", at)
         elif text == "." and self.size:
             self.null_delimiter(at)

@@ -212,13 +212,6 @@ EXPECTED = {
 ENDS_A_FACTOR = frozenset(
     {"LETTER", "NUMBER", "MARK", "RBRACE", "CLOSE", "PRIME", "BANG", "END_MATRIX", "END_LINES"}
 )
-_JOINS = frozenset({"RELATION", "INFIX", "IMPLICATION"})
-
-
-def goes_on(last: str, first: str, is_addend: bool) -> bool:
-    """Whether a line of a display that ends with a token of the kind `last` goes on in the next one, which
-    begins with one of the kind `first`. is_addend: behind a sign, that line is the rest of a side."""
-    return last in _JOINS | {"SIGN"} or first in _JOINS or (first == "SIGN" and is_addend)
 
 
 def is_upright(text: str, plain: str) -> bool:

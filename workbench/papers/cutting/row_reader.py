@@ -15,6 +15,7 @@ from workbench.papers.cutting.row_rules import (
     Layout,
     behind,
     below,
+    end_of_a_name,
     is_range,
     is_symbol,
     leading_side,
@@ -77,6 +78,7 @@ class RowReader:
         self._pending: Role | None = None  # what the words before say that the next formula is
         self._pending_words = ""
         self._names_what = False
+        self._are_unknown = False  # the words before, of which no table says what they mean
         self._is_quantified = False  # by symbols that the words before name, as "for all x" does
         self._said = False
 
@@ -135,7 +137,7 @@ class RowReader:
         if piece.kept[0].name == ":" and Apart.WORDS in before | piece.apart:
             self._state.leave(Leftover.LAYOUT, piece.kept[:1])
             piece.kept = trimmed(piece.kept[1:])
-        elif (end := _end_of_a_name(piece, self._row.pieces[place + 1 :])) and self._here is None:
+        elif (end := end_of_a_name(piece, self._row.pieces[place + 1 :])) and self._here is None:
             self._state.cut.remarks += piece.kept[:end]
             piece.kept = trimmed(piece.kept[end:])
         if not piece.kept:
@@ -184,6 +186,8 @@ class RowReader:
             return False
         rule = below if above is not None else behind
         action, question = rule(target, piece, self._row.layout, rest)
+        if action is Action.NEW and above is None and self._are_unknown and piece.relations:
+            action = Action.PERHAPS
         return self._act(action, question, target, piece, above is not None)
 
     def _goes_on_beside(self, piece: Piece, rest: Sequence[Piece]) -> bool:
@@ -203,9 +207,15 @@ class RowReader:
         return self._pending is Role.CONDITION and self._names_what and names_what(piece.kept)
 
     def _begin_beside(self, piece: Piece) -> Statement:
-        """Begins a statement that may be a condition of those before it in its row."""
+        """Begins a statement that may be a condition of those before it in its row.
+
+        Without a mark of its own it does not end what stands at the mark, with which the next row goes on."""
         served = tuple(dict.fromkeys([*self._made, *([self._here] if self._here else [])]))
+        at_mark = self._state.columns.get(self._column)
         statement = self._begin(piece)
+        is_marked = Apart.MARK in piece.apart or _has_mark(piece.nodes)
+        if at_mark is not None and at_mark in served and _has_mark(at_mark.nodes) and not is_marked:
+            self._state.columns[self._column] = at_mark
         for target in served:
             target.beside.append(Beside(Role.PERHAPS, list(piece.kept)))
         statement.serves = served
@@ -330,6 +340,7 @@ class RowReader:
     def _words(self, node: Node, rest: Sequence[Piece]) -> None:
         words, maths = words_of(node), maths_of(node)
         role = role_of(words)
+        self._are_unknown = role is WordRole.REMARK
         self._names_what = says_what_is(words) or (self._names_what and words == "and")
         self._last = None
         if self._is_in_a_formula(role, rest):
@@ -385,14 +396,5 @@ class RowReader:
         self._pending = None
 
 
-def _end_of_a_name(piece: Piece, rest: Sequence[Piece]) -> int:
-    """The place behind the colon of “L:\\ a = b”; 0 where the piece does not begin so."""
-    colon = next((at for at, node in enumerate(piece.kept) if node.name == ":"), 0)
-    is_symbol = sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in piece.kept[:colon]) == 1
-    behind_it = [node for node in piece.kept[colon + 1 :] if node.text != " "]
-    if behind_it:
-        is_spaced = behind_it[0].kind is Kind.GAP and behind_it[0].text.strip(" ") in ("\\", "~", "\\;")
-    else:
-        is_spaced = bool(rest) and Apart.WIDE in rest[0].apart
-    arrows = {node.name for node in piece.kept} & {"\\to", "\\rightarrow", "\\longrightarrow", "\\mapsto"}
-    return colon + 1 if colon and is_symbol and is_spaced and not arrows else 0
+def _has_mark(nodes: Sequence[Node]) -> bool:
+    return any(node.kind is Kind.MARK for node in nodes)

@@ -220,3 +220,16 @@ def _closes(nodes: Sequence[Node], kept: Sequence[Node]) -> bool:
 
 def _is_list(target: Statement) -> bool:
     return any(node.kind is Kind.COMMA and not depth for node, depth in with_depth(target.nodes))
+
+
+def end_of_a_name(piece: Piece, rest: Sequence[Piece]) -> int:
+    """The place behind the colon of “L:\\ a = b”; 0 where the piece does not begin so."""
+    colon = next((at for at, node in enumerate(piece.kept) if node.name == ":"), 0)
+    is_symbol = sum(node.kind not in (Kind.SCRIPT, Kind.GAP) for node in piece.kept[:colon]) == 1
+    behind_it = [node for node in piece.kept[colon + 1 :] if node.text != " "]
+    if behind_it:
+        is_spaced = behind_it[0].kind is Kind.GAP and behind_it[0].text.strip(" ") in ("\\", "~", "\\;")
+    else:
+        is_spaced = bool(rest) and Apart.WIDE in rest[0].apart
+    arrows = {node.name for node in piece.kept} & {"\\to", "\\rightarrow", "\\longrightarrow", "\\mapsto"}
+    return colon + 1 if colon and is_symbol and is_spaced and not arrows else 0

@@ -22,14 +22,14 @@ def with_rows(latex: str) -> str:
     """The formula with [a \\quad -b] and the like as the rows of matrices that they print."""
     if "[" not in latex and "matrix" not in latex:
         return latex
-    made = tokens = list(_with_environments(lex(Source(Path(), latex).view())))
+    made = tokens = list(with_environments(lex(Source(Path(), latex).view())))
     for pattern in ROWS:
         made = everywhere(made, pattern)
     is_changed = [token.text for token in made] != [token.text for token in tokens]
     return spelled(made)[0] if is_changed else latex
 
 
-def _with_environments(tokens: Sequence[Token]) -> Iterator[Token]:
+def with_environments(tokens: Sequence[Token]) -> Iterator[Token]:
     """The tokens, with \\begin{name} as one, as displays have it."""
     place = 0
     while place < len(tokens):
@@ -37,7 +37,8 @@ def _with_environments(tokens: Sequence[Token]) -> Iterator[Token]:
         place += 1
         if token.text in ("\\begin", "\\end"):
             inside, place = argument(tokens, place)
-            token = token.standing_for(f"{token.text}{{{spelled(inside)[0]}}}")
+            name = f"{token.text}{{{spelled(inside)[0]}}}"
+            token = Token(name, token.source, token.start, tokens[place - 1].end)
         yield token
 
 

@@ -7,9 +7,12 @@ Nothing is proved by them. They keep a formula that is false without them from b
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from fractions import Fraction
+from pathlib import Path
 
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import IllFormedAt, ReadError
@@ -20,7 +23,7 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Notation
 from workbench.papers.said import is_before_scope, is_by_definition, names_in, terms_of
 from workbench.papers.texts import Display, Token, spelled
-from workbench.papers.texts.prose import headings, is_in_section_of, sentence_around, supposed_before
+from workbench.papers.texts.prose import sections_of, sentence_around, supposed_before
 
 _UNEQUAL = frozenset({"\\neq", "\\ne"})
 #: What an equation that is a law for the rest of the text is told by.
@@ -51,41 +54,106 @@ _SPECIAL = re.compile(
 )
 _EXAMPLE = re.compile(r"\b(?:for|as an?) (?:instance|example)\b|\be\.g\.", re.IGNORECASE)
 _LETTER = re.compile(r"\\[A-Za-z]+|[A-Za-z]")
+#: What is in force behind its sentence, too.
+_FAR_REACHING = _UNEQUAL | _RATES | _ORDERS.keys()
 _TURNED = str.maketrans("<>≤≥", "><≥≤")
 
 
+@dataclass(frozen=True)
+class _Said:
+    """A condition that a sentence states, and the symbols in it."""
+
+    aside: Aside
+    symbols: frozenset[Declaration]
+
+
+class Spoken:
+    """The formulas in the sentences of a text. Each is cut and read once, whatever asks for it."""
+
+    def __init__(self, inline: Iterable[Display]) -> None:
+        self._formulas: dict[Path, list[Display]] = {}
+        for each in inline:
+            self._formulas.setdefault(each.source.path, []).append(each)
+        for formulas in self._formulas.values():
+            formulas.sort(key=lambda each: each.start)
+        self._steps: dict[tuple[int, frozenset[str]], list[Step]] = {}
+        self._conditions: dict[tuple[Path, frozenset[str]], list[tuple[Display, Step]]] = {}
+        self._read: dict[tuple[int, int, bool], tuple[Notation, list[_Said]]] = {}
+
+    def before(self, path: Path, end: int, start: int = 0) -> list[Display]:
+        """The formulas of a file that begin between `start` and `end`."""
+        found = self._formulas.get(path, [])
+        first, last = (bisect_left(found, at, key=lambda each: each.start) for at in (start, end))
+        return found[first:last]
+
+    def steps(self, formula: Display, notation: Notation) -> list[Step]:
+        key = (id(formula), frozenset(notation.words))
+        if key not in self._steps:
+            self._steps[key] = [step for steps in steps_of(formula, notation.words) for step in steps]
+        return self._steps[key]
+
+    def conditions(self, path: Path, end: int, notation: Notation) -> Iterator[tuple[Display, Step]]:
+        """The steps before `end` that are conditions outside of their sentences, too."""
+        key = (path, frozenset(notation.words))
+        if key not in self._conditions:
+            self._conditions[key] = [
+                (each, step)
+                for each in self._formulas.get(path, [])
+                if each.rows
+                for step in self.steps(each, notation)
+                if any(token.text in _FAR_REACHING for token in step.tokens)
+            ]
+        found = self._conditions[key]
+        yield from found[: bisect_left(found, end, key=lambda each: each[0].start)]
+
+    def said(self, formula: Display, step: Step, notation: Notation, with_equations: bool) -> list[_Said]:
+        """What a step of a formula says, read in a notation."""
+        key = (id(step), id(notation), with_equations)
+        if key not in self._read:  # with the notation, whose id is thus in use
+            line = formula.source.place(formula.start)[0]
+            made = list(_condition(step.tokens, line, notation, with_equations))
+            self._read[key] = (notation, made)
+        return self._read[key][1]
+
+
 def asides_of(
-    display: Display, statement: Statement, notation: Notation, inline: Sequence[Display]
+    display: Display, statement: Statement, notation: Notation, spoken: Spoken
 ) -> tuple[Aside, ...]:
     """What the sentence of the display says of the symbols in the statement and in what defines these, what
     any sentence before it in its section, or around that, says that they are not, or are more or less than,
     and what any says of their rates."""
     reached = map(notation.definitions.reached, sides_of(statement))
     own = _symbols(part for parts in reached for part in parts)
-    text = display.source.prose
+    text, path = display.source.prose, display.source.path
     first, last = sentence_around(text, display.start, display.end)
     begins = first - len(supposed_before(text, first))
     around = [text[begins : display.start]]
     around += [behind for behind in [text[display.end : last].lstrip("$] \n.,;")] if behind[:1].islower()]
     around = list(map(_flat, around))
-    before = [each for each in inline if each.source.path == display.source.path and each.start < last]
-    near = [each for each in before if each.start >= begins]
-    spoken = {_flat(each.source.text[each.start : each.end]): each for each in near}
+    named = {
+        _flat(each.source.text[each.start : each.end]): each for each in spoken.before(path, last, begins)
+    }
     cases = [
-        next((case for case in _SPECIAL.finditer(words) if _is_about(case.group(), own, spoken)), None)
+        next((case for case in _SPECIAL.finditer(words) if _is_about(case.group(), own, named)), None)
         for words in around
     ]
     if any(isinstance(side, Symbol) for side in sides_of(statement)):
         cases += map(_EXAMPLE.search, around[:1])
     line = display.source.place(display.start)[0]
     found = [Aside(case.group(), line, None, seen=False) for case in cases if case]
-    sections = headings(text)
-    for formula in before:
-        if formula.rows:
-            is_near = formula.start >= first
-            is_inside = is_near or is_in_section_of(display.start, formula.start, sections)
-            found += _conditions(formula, notation, own, is_near, is_inside)
+    sections = sections_of(text)
+    for formula, step in spoken.conditions(path, first, notation):
+        if _holds_rate(step.tokens) or sections.holds(formula.start, display.start):
+            found += _of(own, spoken.said(formula, step, notation, with_equations=False))
+    for formula in spoken.before(path, last, first):
+        for step in spoken.steps(formula, notation) if formula.rows else ():
+            found += _of(own, spoken.said(formula, step, notation, with_equations=True))
     return tuple(dict.fromkeys(found))
+
+
+def _of(own: set[Declaration], said: Iterable[_Said]) -> Iterator[Aside]:
+    """Those that speak of the symbols."""
+    return (each.aside for each in said if each.symbols & own)
 
 
 def _flat(words: str) -> str:
@@ -106,25 +174,13 @@ def _symbols(parts: Iterable[Term]) -> set[Declaration]:
     return {part.declaration for part in parts if isinstance(part, Symbol)}
 
 
-def _conditions(
-    formula: Display, notation: Notation, own: set[Declaration], is_near: bool, is_inside: bool
-) -> Iterator[Aside]:
-    """is_near: whether it stands in the sentence, in which any equation is a condition.   is_inside: in its
-    section; behind that only an equation for a rate is in force."""
-    line = formula.source.place(formula.start)[0]
-    for steps in steps_of(formula, notation.words):
-        for step in steps:
-            if is_inside or _holds_rate(step.tokens):
-                yield from _condition(step.tokens, line, notation, own, is_near)
-
-
 def _holds_rate(tokens: Sequence[Token]) -> bool:
     return any(token.text in _RATES for token in tokens)
 
 
 def _condition(
-    tokens: Sequence[Token], line: int, notation: Notation, own: set[Declaration] | None, with_equations: bool
-) -> Iterator[Aside]:
+    tokens: Sequence[Token], line: int, notation: Notation, with_equations: bool
+) -> Iterator[_Said]:
     latex, _ = spelled(tokens)
     signs = [at for at, token in enumerate(tokens) if token.text in _ORDERS]
     order = _ORDERS[tokens[signs[0]].text] if len(signs) == 1 else None
@@ -135,21 +191,20 @@ def _condition(
         return
     with suppress(ReadError, IllFormedAt, ValueError):
         statement, ranges = read_statement(latex, notation, None)
-        of_pi = any(
-            map(notation.definitions.is_pi, _symbols(terms_of(statement)))
-        )  # `unread` knows such angles
+        symbols = _symbols(terms_of(statement))
+        of_pi = any(map(notation.definitions.is_pi, symbols))  # `unread` knows such angles
         is_equation = isinstance(statement, Relation) and statement.operator != "≈" and not of_pi
         is_new = is_equation and not (order is None and is_by_definition(statement, notation.definitions))
         is_new = is_new and not is_before_scope(names_in(statement), tokens[0].source.path, line, notation)
-        if is_new and not ranges and (own is None or _symbols(terms_of(statement)) & own):
-            yield _aside(spelled(tokens)[0], line, statement, order)
+        if is_new and not ranges:
+            yield _Said(_aside(spelled(tokens)[0], line, statement, order), frozenset(symbols))
 
 
 def own_asides(step: Step, notation: Notation) -> Iterator[Aside]:
     """Where its symbols are, as beside a formula that cannot be read with it: x > 0, or x \\in [0, 1]."""
     for piece in step.ranges:
         line = piece[0].source.place(piece[0].start)[0]
-        found = list(_condition(piece, line, notation, None, with_equations=False))
+        found = [each.aside for each in _condition(piece, line, notation, with_equations=False)]
         yield from found or [Aside(spelled(piece)[0], line, None, seen=False)]
 
 

@@ -21,7 +21,7 @@ from workbench.papers.model import Aside, Claim, Formula, Notation, Paper, Paper
 from workbench.papers.numbered import written_out
 from workbench.papers.orders import Orders, orders_within
 from workbench.papers.said import declared_anew, names_in, stated, terms_of, with_laws, with_said
-from workbench.papers.text_claims.asides import asides_of, own_asides
+from workbench.papers.text_claims.asides import Spoken, asides_of, own_asides
 from workbench.papers.text_claims.assigned import Placed, assigned, means, unknown_ids
 from workbench.papers.text_claims.text_model import Entry, TextModel
 from workbench.papers.text_claims.unsettled import with_unsettled
@@ -70,7 +70,8 @@ def text_paper(
         claims = [replace(claim, guessed=(*claim.guessed, "[[scope]]")) for claim in claims]
     functions = {match[1] for each in text.inline if (match := _FUNCTION.fullmatch(_flat(each.latex)))}
     claims = [_perhaps_of(claim, functions) for claim in claims]
-    claims = [_with_asides(*each, text.inline) for each in zip(claims, placed, strict=True)]
+    spoken = Spoken(text.inline)
+    claims = [_with_asides(*each, spoken) for each in zip(claims, placed, strict=True)]
     for fault in unknown_ids(entries, {claim.id for claim in claims}):
         faults.tell(fault)
     if spoilt:
@@ -139,7 +140,7 @@ def _as_it_stands(claim: Claim) -> Claim:
     return replace(claim, states=None, says=None, unsettled=None, rests=(), laws=(), beside=())
 
 
-def _with_asides(claim: Claim, placed: Placed, inline: Sequence[Display]) -> Claim:
+def _with_asides(claim: Claim, placed: Placed, spoken: Spoken) -> Claim:
     statement = claim.printed.statement
     if statement is None:
         return claim
@@ -148,7 +149,7 @@ def _with_asides(claim: Claim, placed: Placed, inline: Sequence[Display]) -> Cla
     own = () if is_read else own_asides(placed.step, placed.notation)
     return replace(
         claim,
-        beside=(*limits, *claim.beside, *own, *asides_of(placed.display, statement, placed.notation, inline)),
+        beside=(*limits, *claim.beside, *own, *asides_of(placed.display, statement, placed.notation, spoken)),
     )
 
 

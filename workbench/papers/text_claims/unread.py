@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from pathlib import Path
 
 from workbench.language.definitions import expand
@@ -20,7 +20,7 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Aside, Claim, Notation
 from workbench.papers.said import is_before_scope, is_by_definition
 from workbench.papers.texts import Display
-from workbench.papers.texts.prose import headings, is_in_section_of
+from workbench.papers.texts.prose import Sections, headings
 from workbench.papers.texts.view import Source
 
 _WHY = "the text says what {0} is ({1}, not read); a definition says it, or `free = true` that it is any"
@@ -111,9 +111,12 @@ def _is_elsewhere(value: Unread, claim: Claim) -> bool:
     """Whether a sentence gives a symbol its value in a section in which the claim does not stand."""
     if value.sentence is None or value.file != claim.file:
         return False
-    place = value.sentence.place
-    lines = [(place(start)[0], level) for start, level in headings(value.sentence.prose)]
-    return not is_in_section_of(claim.line, value.line, lines)
+    return not _sections_by_line(value.sentence).holds(value.line, claim.line)
+
+
+@lru_cache(maxsize=8)
+def _sections_by_line(source: Source) -> Sections:
+    return Sections.of([(source.place(start)[0], level) for start, level in headings(source.prose)])
 
 
 def _said_of(

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import lru_cache
+from math import inf
 
 _FAR = 800
 _COMMENT = re.compile(r"(?<!\\)%[^\n]*")
@@ -64,10 +67,35 @@ def headings(text: str) -> tuple[tuple[int, int], ...]:
     return tuple(found)
 
 
-def is_in_section_of(place: int, said: int, headings: Sequence[tuple[int, int]]) -> bool:
-    """Returns whether the place lies in the section in which something is said, or in one inside of that."""
-    first, own = next(((start, level) for start, level in reversed(headings) if start <= said), (0, 0))
-    return first <= place and not any(said < start <= place and level <= own for start, level in headings)
+@dataclass(frozen=True)
+class Sections:
+    """The sections of a text. starts: where each heading begins.   ends: where each section does."""
+
+    starts: tuple[int, ...]
+    ends: tuple[float, ...]
+
+    @staticmethod
+    def of(headings: Sequence[tuple[int, int]]) -> Sections:
+        """Those of headings with their levels, in order."""
+        ends: list[float] = [inf] * len(headings)
+        opened: list[int] = []
+        for at, (start, level) in enumerate(headings):
+            while opened and headings[opened[-1]][1] >= level:
+                ends[opened.pop()] = start
+            opened.append(at)
+        return Sections(tuple(start for start, _ in headings), tuple(ends))
+
+    def holds(self, said: int, place: int) -> bool:
+        """Whether the place lies in the section in which something is said, or in one inside of that.
+
+        Of what is said before the first heading, every place does."""
+        at = bisect_right(self.starts, said) - 1
+        return at < 0 or self.starts[at] <= place < self.ends[at]
+
+
+@lru_cache(maxsize=8)
+def sections_of(text: str) -> Sections:
+    return Sections.of(headings(text))
 
 
 def supposed_before(text: str, first: int) -> str:

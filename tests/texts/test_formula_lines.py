@@ -1,15 +1,18 @@
-"""The lines of a formula: each by itself says what it says in the whole, and where it goes on is decided once."""
+"""The lines of a formula typeset in rows: what each says, where it stands, and layouts that are refused."""
 
+import re
 from itertools import product
+from random import Random
 
 import pytest
 
-from workbench.language.grammar.lines import split_lines
+from tests.display_layouts import LAYOUTS, plain, some_chains
 from workbench.language.grammar.tokens import MOST_CHARACTERS
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.reader import read
 from workbench.language.typed.errors import ReadError
 from workbench.papers.cutting.cutter import cut_display
+from workbench.papers.cutting.formula_lines import split_lines
 from workbench.papers.texts import read_text
 
 TABLE = SymbolTable.build({name: {"kind": "scalar", "weight": 0} for name in "abcdx"})
@@ -19,31 +22,49 @@ ENVIRONMENTS = [
     (r"\left\{\begin{array}{l}", r"\end{array}\right."),
 ]
 BREAKS = [r" \\ ", r", \\[2pt] & ", "\\\\\n"]
-#: Two rows, and how many lines they are.
+#: Two rows, and what they say.
 ROWS = [
-    ("a &= b", "c = d", 2),
-    ("a &= b", "= c", 1),
-    ("a &= b", "+ c", 1),
-    ("a &= b +", "c", 1),
-    ("a &= b +", "+ c", 1),
-    ("a &= b", r"\cdot c", 1),
-    ("a &= b", "- c = d", 2),
-    ("a = b, c = d", "- x", 1),
-    ("a &= b", "(c) + d = x", 2),
-    ("a &= b", "- (c + d) x", 1),
+    ("a &= b", "c = d", ["a = b", "c = d"]),
+    ("a &= b", "= c", ["a = b = c"]),
+    ("a &= b", "+ c", ["a = b + c"]),
+    ("a &= b +", "c", ["a = b + c"]),
+    ("a &= b +", "+ c", ["a = b + c"]),
+    ("a &= b", r"\cdot c", [r"a = b \cdot c"]),
+    ("a &= b", "- c = d", ["a = b", "- c = d"]),
+    ("a = b, c = d", "- x", ["a = b, c = d - x"]),
+    ("a &= b", "(c) + d = x", ["a = b", "(c) + d = x"]),
+    ("a &= b", "- (c + d) x", ["a = b - (c + d) x"]),
+    (r"a = b \quad c = d", "x = d", ["a = b, c = d", "x = d"]),
+    ("a &= b && + c", "x &= d", ["a = b + c", "x = d"]),
+    ("a &= b", r"\text{and}", ["a = b"]),
 ]
+RANGES = ["", r", d \neq 0", ""]
 
 
-@pytest.mark.parametrize(("environment", "sign", "rows"), list(product(ENVIRONMENTS, BREAKS, ROWS)))
-def test_each_line_by_itself_says_what_it_says_in_the_whole(environment, sign, rows):
-    first, second, count = rows
-    if first.endswith("+") and "," in sign:
+@pytest.mark.parametrize(("environment", "sign", "rows"), list(product(range(3), BREAKS, ROWS)))
+def test_rows_say_what_they_say_as_lines(
+    environment: int, sign: str, rows: tuple[str, str, list[str]]
+) -> None:
+    first, second, said = rows
+    if "," in sign and (first.endswith("+") or second == "- c = d"):
         return
-    latex = f"{environment[0]} {first}{sign}{second} {environment[1]}"
-    lines = split_lines(latex)
-    assert len(lines) == count
-    said = [statement for line in lines for statement in read(line.latex, TABLE)]
-    assert tuple(said) == read(latex, TABLE)
+    opening, closing = ENVIRONMENTS[environment]
+    lines = split_lines(f"{opening} {first}{sign}{second} {closing}")
+    assert [read(line.latex, TABLE) for line in lines] == [
+        read(f"{each}{RANGES[environment]}", TABLE) for each in said
+    ]
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_lines_of_a_layout_are_its_known_formulas(layout: str) -> None:
+    random = Random(layout)
+    for _ in range(12):
+        chains = some_chains(random)
+        text = re.sub(
+            r"\\(?:begin|end)\{equation\}|\$\$|\\\[(?!\d)|\\\]", "", LAYOUTS[layout](chains, random)
+        )
+        said = ["".join(line.latex.split()) for line in split_lines(text)]
+        assert said == ["=".join(map(plain, (chain.left, *chain.sides))) for chain in chains], text
 
 
 @pytest.mark.parametrize(
@@ -51,13 +72,20 @@ def test_each_line_by_itself_says_what_it_says_in_the_whole(environment, sign, r
     [
         r"a = b \text{ for } c = 1 \\ + d",
         r"a = b, c \neq 0 \\ + d",
-        r"a \\ + b",
         r"a = b, \\ \text{where } c = 1 \\ + d",
+        r"a = b & c = d",
+        r"& a = b \\ & \quad - c = d",
+        r"a = b \\ \text{et} \\ c = d",
+        r"a = b \quad \text{falls} \quad c = d \\ x = d",
+        "a = b & c",
+        "a = b & c = d, d = 1 \\\\ & = c",
     ],
 )
-def test_a_line_that_goes_on_with_a_condition_is_refused(rows):
+@pytest.mark.parametrize("name", ["aligned", "cases"])
+def test_rows_of_two_readings_are_refused(rows: str, name: str) -> None:
     with pytest.raises(ReadError):
-        read(rf"\begin{{aligned}} {rows} \end{{aligned}}", TABLE)
+        for line in split_lines(rf"\begin{{{name}}} {rows} \end{{{name}}}"):
+            read(line.latex, TABLE)
 
 
 def test_the_values_of_cases_do_not_go_on():
@@ -71,11 +99,14 @@ def test_the_values_of_cases_do_not_go_on():
     ("latex", "lines"),
     [
         ("a = b", ["a = b"]),
-        (r"\begin{aligned} a &= b \end{aligned}", [r"\begin{aligned} a &= b \end{aligned}"]),
+        (r"\begin{aligned} a &= b \end{aligned}", ["a  = b"]),
         (r"\begin{cases} a = b, \\ c = d. \end{cases}", ["a = b", "c = d"]),
         (r"\begin{cases} a = b, \\ c = d \end{cases}, n \geq 1", [r"a = b, n \geq 1", r"c = d, n \geq 1"]),
-        (r"\left\{\begin{array}{l} a = b \\[2pt] + c \\ d = e \end{array}\right.", ["a = b + c", "d = e"]),
-        (r"\begin{aligned} a &= b, \\ &= c \\ &\neq d. \end{aligned}", ["a  = b  = c  \\neq d"]),
+        (
+            r"\left\{\begin{array}{l} a = b \\[2pt] + c \\ d = e \end{array}\right.",
+            ["a = b         + c", "d = e"],
+        ),
+        (r"\begin{aligned} a &= b, \\ &= c \\ &\neq d. \end{aligned}", ["a  = b      = c     \\neq d"]),
         (
             r"\begin{aligned} A &= \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \\ a &= b \end{aligned}",
             [r"A  = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", "a  = b"],
@@ -120,18 +151,18 @@ def test_each_character_of_a_line_is_placed_in_the_formula():
 
 @pytest.mark.parametrize("rows", ROWS)
 def test_a_text_is_cut_into_the_lines_of_a_formula(rows, tmp_path):
-    first, second, _ = rows
+    first, second, said = rows
     formula = rf"\begin{{aligned}} {first} \\ {second} \end{{aligned}}"
     (tmp_path / "paper.tex").write_text(rf"\begin{{document}}\[ {formula} \]\end{{document}}")
     (display,) = read_text(tmp_path / "paper.tex").displays
-    assert len(cut_display(display).statements) == len(split_lines(formula)) + first.count(", ")
+    assert len(cut_display(display).statements) == len(said) + "".join(said).count(", ")
 
 
 def test_a_formula_of_as_many_characters_as_are_read_has_lines_and_no_longer_one():
     rows = r"a &= b \\ c &= d"
     latex = rf"\begin{{aligned}} {' ' * (MOST_CHARACTERS - len(rows) - 30)}{rows} \end{{aligned}}"
     assert len(latex) == MOST_CHARACTERS
-    assert len(split_lines(latex)) == len(read(latex, TABLE)) == 2
+    assert len(split_lines(latex)) == 2
     assert len(split_lines(f"{latex} ")) == 1
     with pytest.raises(ReadError, match="column 1: a formula of 20001 characters"):
         read(f"{latex} ", TABLE)

@@ -52,6 +52,22 @@ _SPECIAL = re.compile(
     r"|(?:un|not )chang(?:ed|ing)|(?:do|does) not \w+)\b",
     re.IGNORECASE,
 )
+_FORMULA = r"(?:\$[^$]+\$|\\\([^$]*?\\\)|`[^`]+`)"
+#: A relation between two symbols that words state as a condition, or as the reason of a formula.
+_BETWEEN = re.compile(
+    r"\b(?:since|because|as|if|when|where|for|that|suppose|assume|assuming|let|given)\b[^.,;:$`\\]{0,30}?"
+    rf"(?P<one>{_FORMULA}) and (?P<other>{_FORMULA}) "
+    r"(?:(?:are|is|be) (?:both |mutually )?"
+    r"(?P<adjective>orthogonal|perpendicular|parallel|equal)|(?P<verb>commute))\b",
+    re.IGNORECASE,
+)
+_RELATIONS = {
+    "orthogonal": r"{0} \perp {1}",
+    "perpendicular": r"{0} \perp {1}",
+    "parallel": r"{0} \parallel {1}",
+    "equal": "{0} = {1}",
+    "commute": "{0} {1} = {1} {0}",
+}
 _EXAMPLE = re.compile(r"\b(?:for|as an?) (?:instance|example)\b|\be\.g\.", re.IGNORECASE)
 _LETTER = re.compile(r"\\[A-Za-z]+|[A-Za-z]")
 #: What is in force behind its sentence, too.
@@ -129,7 +145,8 @@ def asides_of(
     begins = first - len(supposed_before(text, first))
     around = [text[begins : display.start]]
     around += [behind for behind in [text[display.end : last].lstrip("$] \n.,;")] if behind[:1].islower()]
-    around = list(map(_flat, around))
+    line = display.source.place(display.start)[0]
+    between, around = _between(list(map(_flat, around)), line, notation)
     named = {
         _flat(each.source.text[each.start : each.end]): each for each in spoken.before(path, last, begins)
     }
@@ -139,8 +156,8 @@ def asides_of(
     ]
     if any(isinstance(side, Symbol) for side in sides_of(statement)):
         cases += map(_EXAMPLE.search, around[:1])
-    line = display.source.place(display.start)[0]
     found = [Aside(case.group(), line, None, seen=False) for case in cases if case]
+    found += _of(own, between)
     sections = sections_of(text)
     for formula, step in spoken.conditions(path, first, notation):
         if _holds_rate(step.tokens) or sections.holds(formula.start, display.start):
@@ -154,6 +171,24 @@ def asides_of(
 def _of(own: set[Declaration], said: Iterable[_Said]) -> Iterator[Aside]:
     """Those that speak of the symbols."""
     return (each.aside for each in said if each.symbols & own)
+
+
+def _between(around: Sequence[str], line: int, notation: Notation) -> tuple[list[_Said], list[str]]:
+    """The relations of two symbols that the words state, and the words without those that can be read."""
+    made: list[_Said] = []
+
+    def read(match: re.Match[str]) -> str:
+        sides = (match[name].strip("$`").removeprefix("\\(").removesuffix("\\)") for name in ("one", "other"))
+        latex = _RELATIONS[(match["adjective"] or match["verb"]).lower()].format(*map(str.strip, sides))
+        with suppress(ReadError, IllFormedAt, ValueError):
+            statement, ranges = read_statement(latex, notation, None)
+            if isinstance(statement, Relation) and not ranges:
+                symbols = frozenset(_symbols(terms_of(statement)))
+                made.append(_Said(Aside(latex, line, statement), symbols))
+                return ""
+        return match.group()
+
+    return made, [_BETWEEN.sub(read, words) for words in around]
 
 
 def _flat(words: str) -> str:

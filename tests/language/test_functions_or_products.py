@@ -9,6 +9,8 @@ import pytest
 
 from workbench import check
 from workbench.judge.verdict import Outcome
+from workbench.language.naming.symbols import SymbolTable
+from workbench.language.reader import read
 from workbench.language.typed.errors import ReadError
 
 MODEL = r"""
@@ -87,3 +89,16 @@ def test_sign_behind_a_sum_in_a_bracket(vector: str, spelled: str, notation: Pat
 
 def test_rotation_before_an_exponential_is_a_product(notation: Path) -> None:
     assert check(r"Re^{\tilde{x}} y = R (e^{\tilde{x}} y)", None, notation=notation).holds
+
+
+@pytest.mark.parametrize(
+    ("formula", "readings"),
+    [
+        (r"A(B) = A", [r"arguments = ['B']", "A at B", r"A \cdot (B)"]),
+    ],
+)
+def test_the_question_writes_both_readings(formula: str, readings: list[str]) -> None:
+    table = SymbolTable.build({"A": {"kind": "tensor"}, "B": {"kind": "tensor"}, "x": {"kind": "vector"}})
+    with pytest.raises(ReadError) as error:
+        read(formula, table)
+    assert all(each in str(error.value) for each in [*readings, "brackets = 'factors'"])

@@ -246,7 +246,7 @@ def test_determinants_with_vectors(latex: str, expected: str) -> None:
         (r"x[\lambda]", r"x \lambda"),
         (r"A[x]", r"A x"),
         (r"x(t_0)", r"refused 3: unknown symbol t_{0}"),
-        (r"x(2 t)", r"refused 2: a function of what is in the bracket, or a product? [convent"),
+        (r"x(2 t)", r"refused 2: a function of what is in the bracket, or a product? a symbol"),
         (r"\lambda(x, y)", r"refused 8: a function of what is in the bracket, or a product? [convent"),
         (r"x(\lambda, \mu)", r"refused 2: a function of what is in the bracket, or a product? [convent"),
         (r"(x, y, x)", r"\left\langle x, y, x\right\rangle"),

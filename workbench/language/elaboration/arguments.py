@@ -10,6 +10,7 @@ from workbench.language.grammar.syntax import Accented, Bracket, Leaf, Node, Pro
 from workbench.language.naming.declarations import key_spelling
 from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Named, Spelling
+from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.names import PREFIXES, Name
 from workbench.language.typed.operators import CIRCULAR
@@ -25,10 +26,21 @@ from workbench.language.typed.terms import (
 )
 from workbench.language.typed.types import Declaration
 
+_ASKED = "a function of what is in the bracket, or a product?"
 OR_A_PRODUCT = (
-    "a function of what is in the bracket, or a product?"
-    ' [conventions] arguments says the former, square brackets or brackets = "factors" the latter'
+    f'{_ASKED} [conventions] arguments says the former, square brackets or brackets = "factors" the latter'
 )
+
+
+def _both_readings(function: Term, bracket: Bracket) -> str:
+    """The question, with both readings and the lines of a model that say which it is."""
+    parts = list(map(latex_of, bracket.parts))
+    inside, own = ", ".join(parts), to_latex(function)
+    names = ", ".join(f"'{part}'" for part in parts)
+    is_named = all(map(_is_name, bracket.parts))
+    one = f"[conventions] arguments = [{names}]" if is_named else "a symbol for it"
+    other = f"{'' if is_named else '[conventions] '}brackets = 'factors'"
+    return f"{_ASKED} {one} says {own} at {inside}, {other} {own} \\cdot ({inside})"
 
 
 def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
@@ -52,7 +64,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
         if only_says:
             _take_place(scope, bracket, term)
         elif is_accented_symbol(_without_sup(term)) and not _has_tensor(scope, bracket):
-            raise Fault(OR_A_PRODUCT, bracket.at)
+            raise Fault(_both_readings(term, bracket), bracket.at)
         return only_says
     if not bracket.parts:
         return False
@@ -72,7 +84,7 @@ def is_own_variable(scope: Scope, bracket: Bracket, term: Term) -> bool:
     if is_accented_symbol(own := _without_sup(term)):
         is_asked = not _is_coordinate(scope, own) and _may_be_argument(scope, part, term)
         if is_asked and not is_said_factor(scope, part):
-            raise Fault(OR_A_PRODUCT, bracket.at)
+            raise Fault(_both_readings(term, bracket), bracket.at)
         if scope.term(part).type.kind == "scalar" and not _is_constant(function):
             _refuse_both(scope, bracket, function, is_factor=True)
     return False
@@ -252,9 +264,10 @@ def _refuse_both(scope: Scope, bracket: Bracket, function: Term, is_factor: bool
     """Raises Fault where brackets behind a symbol say what it depends on, and multiply it."""
     for symbol in _symbols(function):
         places = scope.brackets.setdefault(symbol, {})
-        places.setdefault(is_factor, bracket.at)
+        places.setdefault(is_factor, bracket)
         if len(places) > 1:
-            raise Fault(OR_A_PRODUCT, places[True])
+            factor = places[True]
+            raise Fault(_both_readings(function, factor), factor.at)
 
 
 def _symbols(function: Term) -> list[Named]:

@@ -67,7 +67,7 @@ class Scope(ABC):
         self.places: dict[Named, tuple[str, ...]] = {}
         self.instants: dict[Named, tuple[str, ...]] = {}
         #: where a bracket behind a symbol multiplies it, and where one does not
-        self.brackets: dict[Named, dict[bool, int]] = {}
+        self.brackets: dict[Named, dict[bool, Bracket]] = {}
         #: by a symbol and the letters of the square bracket behind it: what stands there
         self.members: dict[tuple[Named, str], str] = {}
         self.tensor_operand: int | None = None  # where an operator was last applied to a bare tensor

@@ -23,10 +23,10 @@ def finding_lines(finding: Finding, lines: Sequence[str]) -> Iterator[Text]:
     style = _STYLES[finding.level]
     message = printable(finding.message)
     yield Text.assemble(printable(place), (f"{finding.level}: ", style), message, (name, "dim"))
-    yield from _marked(span, lines, style)
+    yield from marked_lines(span, lines, style)
 
 
-def _marked(span: Span, lines: Sequence[str], style: str) -> Iterator[Text]:
+def marked_lines(span: Span, lines: Sequence[str], style: str) -> Iterator[Text]:
     for number in range(span.line, min(span.end_line, span.line + _MOST_LINES - 1) + 1):
         if not 0 < number <= len(lines):
             continue
@@ -46,7 +46,7 @@ def faults_text(faults: Sequence[PaperError]) -> str:
         shown.append(f"Error: {printable(str(fault))}")
         if fault.file is not None and fault.column is not None:
             span = fault_finding(fault, Path(fault.file)).span
-            shown += [line.plain for line in _marked(span, lines_of(span.file), "")]
+            shown += [line.plain for line in marked_lines(span, lines_of(span.file), "")]
     return "\n".join(shown)
 
 

@@ -52,6 +52,8 @@ FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
 @click.option("--watch", is_flag=True, help="Stay, and judge again what changes.")
 @engine_options
 @proposals_flag
+@click.option("--quiet", "-q", is_flag=True, help="Print errors only, one line each.")
+@click.option("--verbose", "-v", is_flag=True, help="Print every display, too.")
 @click.option("--strict", is_flag=True, help="Let a warning count as an error in the exit status.")
 @reports_faults
 def check(
@@ -64,6 +66,8 @@ def check(
     watch: bool,
     proposals: bool,
     strict: bool,
+    quiet: bool,
+    verbose: bool,
     **engines: Any,
 ) -> None:
     """Judge paper files, texts (.tex, .md, .rst, .html, .ipynb) or the models beside them.
@@ -107,7 +111,7 @@ def check(
             click.echo(draft.summary)
     if report_out is not None and judged:
         _write_report(*judged[0], report_out, proposals, engines["cache"])
-    print_judged(judged, json_out, form, proposals, unusable, engines["cache"])
+    print_judged(judged, json_out, form, proposals, unusable, engines["cache"], quiet, verbose)
     sys.exit(
         max([_status(paper, results, strict) for paper, results in judged], default=2) if not unusable else 2
     )

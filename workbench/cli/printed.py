@@ -17,7 +17,7 @@ from workbench.report.to_json import report_json
 
 if TYPE_CHECKING:
     from workbench.papers import Paper, PaperError
-    from workbench.report.findings import Finding
+    from workbench.papers.text_claims.text_paper import TextPaper
     from workbench.verify.results import ClaimResult
 
 
@@ -28,14 +28,16 @@ def print_judged(
     proposals: bool,
     unusable: Sequence[PaperError] = (),
     cache: bool = True,
+    quiet: bool = False,
+    verbose: bool = False,
 ) -> None:
     """`unusable`: what is wrong in papers of which nothing could be judged.   cache: whether earlier runs'
-    proposals are taken."""
+    proposals are taken.   quiet, verbose: how much of a text is told."""
     if form in ("github", "sarif", "rdjsonl"):
         _print_findings(judged, unusable, form)
         return
     print_faults(unusable)
-    judged = [(paper, with_proposals(results, proposals, cache, False)) for paper, results in judged]
+    judged = [(paper, with_proposals(results, proposals, cache, False, paper)) for paper, results in judged]
     if form == "json" or json_out is not None:
         told = [report_json(paper, results) | _faults_json(paper) for paper, results in judged]
         told += [{"faults": [_fault_json(fault) for fault in unusable]}] if unusable else []
@@ -45,9 +47,7 @@ def print_judged(
             return
         write_atomically(Path(json_out), text)
     for paper, results in judged:
-        if len(judged) > 1:
-            click.echo(f"{paper.paths[0]}:")
-        _print_text(paper, results)
+        _print_text(paper, results, quiet, verbose, len(judged) > 1)
 
 
 def _print_findings(
@@ -67,49 +67,52 @@ def _print_findings(
         click.echo(rdjsonl(found, {path: lines_of(path) for path in files}), nl=False)
 
 
-def _print_text(paper: Paper, results: Sequence[ClaimResult]) -> None:
+def _print_text(
+    paper: Paper, results: Sequence[ClaimResult], quiet: bool, verbose: bool, is_one_of_many: bool
+) -> None:
     from workbench.cli.proposals import proposed_lines
-    from workbench.cli.terminal import console, summary_line
+    from workbench.cli.terminal import console
     from workbench.papers.text_claims.text_paper import TextPaper
 
     terminal = console(sys.stdout)
     if isinstance(paper, TextPaper):
-        _print_places(paper, results)
-        terminal.print(summary_line(results))
-        if (hint := _hint(paper, results)) is not None:
-            terminal.print(hint, markup=False)
-    else:
-        print_faults(paper.faults)
-        print_results(paper, results, False)
+        _print_listing(paper, results, quiet, verbose)
+        return
+    if is_one_of_many:
+        click.echo(f"{paper.paths[0]}:")
+    print_faults(paper.faults)
+    print_results(paper, results, False)
     for result in results:
         if result.proposed:
             for line in proposed_lines(result.claim, result.proposed, terminal.is_terminal):
                 terminal.print(line)
 
 
-def _hint(paper: Paper, results: Sequence[ClaimResult]) -> str | None:
-    """What a text without a model needs, where symbols are unknown."""
-    unknown = sum("unknown symbol" in (result.claim.printed.unread or "") for result in results)
-    if len(paper.paths) > 1 or not unknown:
-        return None
-    name = paper.paths[0]
-    return (
-        f"{unknown} of {len(results)} steps use symbols that nothing declares: `workbench draft {name}`"
-        " writes a model with guessed kinds beside it; until then, none is guessed"
-    )
-
-
-def _print_places(paper: Paper, results: Sequence[ClaimResult]) -> None:
-    from workbench.cli.carets import finding_lines, lines_of
+def _print_listing(paper: TextPaper, results: Sequence[ClaimResult], quiet: bool, verbose: bool) -> None:
+    from workbench.cli.carets import printable
+    from workbench.cli.listing_text import in_ascii, listing_lines
     from workbench.cli.terminal import console
-    from workbench.report.findings import findings
+    from workbench.report.listing import listing
 
     terminal = console(sys.stdout)
-    found: Sequence[Finding] = findings(paper, results)
-    lines = {path: lines_of(path) for path in {each.span.file for each in found}}
-    for each in found:
-        for line in finding_lines(each, lines[each.span.file]):
-            terminal.print(line)
+    print_faults(paper.faults)
+    for warning in paper.warnings:
+        click.echo(printable(f"warning: {warning}"), err=True)
+    is_ascii = not _writes(sys.stdout, "✗…·")
+    for line in listing_lines(listing(paper, results), quiet, verbose):
+        if is_ascii:
+            line = line.copy()
+            line.plain = in_ascii(line.plain)
+        terminal.print(line, soft_wrap=True)
+
+
+def _writes(stream: Any, characters: str) -> bool:
+    """Whether the stream's encoding has the characters."""
+    try:
+        characters.encode(getattr(stream, "encoding", None) or "utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _faults_json(paper: Paper) -> dict[str, Any]:

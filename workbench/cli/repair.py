@@ -22,7 +22,7 @@ from workbench.cli.options import (
 from workbench.repair.propose.limits import STANDARD, Limits
 
 if TYPE_CHECKING:
-    from workbench.papers import Claim
+    from workbench.papers import Claim, Paper
     from workbench.repair.propose.repair import Repair
     from workbench.verify.results import ClaimResult
 
@@ -156,13 +156,21 @@ def _repair_definitions(claims: Sequence[Claim], seconds: float, as_json: bool) 
 
 
 def with_proposals(
-    results: Sequence[ClaimResult], wanted: bool, cache: bool = True, beside_right: bool = True
+    results: Sequence[ClaimResult],
+    wanted: bool,
+    cache: bool = True,
+    beside_right: bool = True,
+    paper: Paper | None = None,
 ) -> list[ClaimResult]:
     """The results with what the machine proposes where a printed form is refuted or ill-formed, and perhaps
-    where a right form is proved; with nothing if that is not wanted."""
+    where a right form is proved; with nothing if that is not wanted.   paper: if it is a text, its own
+    characters are edited."""
     from workbench.cli.terminal import progress_bar
+    from workbench.papers.text_claims.text_paper import TextPaper
+    from workbench.verify.author_edits import with_author_edits
     from workbench.verify.proposals import with_proposals
 
     limits = STANDARD if wanted else None
     with memory_of_verdicts(cache) as memory, progress_bar(len(results) * wanted, "repairing") as advance:
-        return with_proposals(results, limits, advance, memory, beside_right)
+        found = with_proposals(results, limits, advance, memory, beside_right)
+    return with_author_edits(found, paper.text if isinstance(paper, TextPaper) else None)

@@ -65,6 +65,7 @@ def claim_json(result: ClaimResult) -> dict[str, Any]:
         "passed": result.passed,
         "why_not": result.why_not,
         **_asked("proposed", result.proposed),
+        **({"edits": [edit.to_dict() for edit in result.edits]} if result.edits else {}),
         **_place(claim),
         **_asked("certificates", result.certificates),
     }

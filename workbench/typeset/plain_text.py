@@ -119,8 +119,8 @@ class _Line:
                 rows[-1][-1].append(atom)
         self._place = end + 1
         text = "; ".join(", ".join(_Line(cell).text().strip() for cell in row) for row in rows)
-        opening_fence, closing_fence = _FENCES.get(name, "[]")
-        return f"{opening_fence}{text}{closing_fence}"
+        fences = _FENCES.get(name, "[]")
+        return f"{fences[0]}{text}{fences[1]}"
 
     _is_word = False
 
@@ -129,7 +129,9 @@ def _trailing_mark(text: str, identity: str) -> str:
     """The accent at the end of a letter's glyphs; a letter such as a bar alone is none."""
     if "(" not in identity or len(text) < 2:
         return ""
-    return next((mark for mark in ("....", "...", "..", ".", "˜", "^", "¯", "→", "_", "˚") if text.endswith(mark)), "")
+    return next(
+        (mark for mark in ("....", "...", "..", ".", "˜", "^", "¯", "→", "_", "˚") if text.endswith(mark)), ""
+    )
 
 
 def _script(sign: str, inner: str, is_word: bool) -> str:

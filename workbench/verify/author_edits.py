@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
-from itertools import islice, product
+from itertools import islice, pairwise, product
 
+from workbench.budget import OutOfBudget
 from workbench.judge.kernel.judge import Judge
 from workbench.judge.verdict import Outcome
 from workbench.language.printing.authors import in_the_hand_of
@@ -25,10 +26,12 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim, Span
 from workbench.papers.respell.in_models import or_respelled
 from workbench.papers.texts import Display, Text, Token, spelled
-from workbench.repair.propose.judging import verdict_or_none
+from workbench.repair.propose.judging import judging
 from workbench.repair.propose.proposed import Proposed
 from workbench.repair.propose.repair import Repair
 from workbench.repair.terms.places import places
+from workbench.verify.edited import SourceEdit
+from workbench.verify.results import ClaimResult
 
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[^\s]", re.DOTALL)
 #: Tokens that only format: neither the printer nor the author needs them where the other has them.
@@ -44,22 +47,10 @@ _SAME = {
 }
 #: How many edited formulas are read, and how many of them are judged.
 _MOST_READ, _MOST_JUDGED = 200, 6
-
-
-@dataclass(frozen=True)
-class SourceEdit:
-    """For the characters `old` at `span` the author is to write `new`."""
-
-    span: Span
-    start: int
-    end: int
-    old: str
-    new: str
-
-    def to_dict(self) -> dict[str, object]:
-        place = {"file": str(self.span.file), "line": self.span.line, "column": self.span.column}
-        end = {"end_line": self.span.end_line, "end_column": self.span.end_column}
-        return place | end | {"old": self.old, "new": self.new}
+#: Seconds of processor time for judging one of them.
+_MOST_SECONDS = 2.0
+#: Edits with at most so many characters between them are one.
+_CLOSE = 2
 
 
 @dataclass(frozen=True)
@@ -86,6 +77,16 @@ class _Piece:
     written: str
 
 
+def with_author_edits(results: Sequence[ClaimResult], text: Text | None) -> list[ClaimResult]:
+    """The results, each with the edits of the text that make its first proposal of it, if such are found."""
+    if text is None:
+        return list(results)
+    return [
+        replace(each, edits=author_edits(each.claim, text, each.proposed[0])) if each.proposed else each
+        for each in results
+    ]
+
+
 def author_edits(claim: Claim, text: Text, proposed: Proposed) -> tuple[SourceEdit, ...]:
     """The edits of the author's characters that make the printed formula say what is proposed; none where
     no such edit was found."""
@@ -98,17 +99,13 @@ def author_edits(claim: Claim, text: Text, proposed: Proposed) -> tuple[SourceEd
     except (ReadError, IllFormedAt):
         return ()
     editor = _Editor(claim, latex, owners, proposed.latex, right)
-    for pieces in editor.candidates():
-        if (found := _edits_of(pieces, latex, owners)) is not None and editor.is_right(pieces):
-            return found
+    try:
+        for pieces in editor.candidates():
+            if (found := _edits_of(pieces, latex, owners)) is not None and editor.is_right(pieces):
+                return _merged(found)
+    finally:
+        editor.close()
     return ()
-
-
-def applied(source: str, edits: Sequence[SourceEdit]) -> str:
-    """The source with the edits made."""
-    for edit in sorted(edits, key=lambda each: each.start, reverse=True):
-        source = source[: edit.start] + edit.new + source[edit.end :]
-    return source
 
 
 def _read(claim: Claim, latex: str) -> Statement:
@@ -151,7 +148,11 @@ class _Editor:
         self._at = _aligned(self._before, self._own)
         self._proposal = proposal
         self._judged = 0
+        self._judge = judging(claim, Judge(claim.notation.definitions))
         self._snippets = self._authors_spellings()
+
+    def close(self) -> None:
+        self._judge.close()
 
     def candidates(self) -> Iterator[tuple[_Piece, ...]]:
         """Edited formulas, the plainest first."""
@@ -180,7 +181,10 @@ class _Editor:
         if self._judged == _MOST_JUDGED:
             return False
         self._judged += 1
-        verdict = verdict_or_none(self._claim, Judge(self._claim.notation.definitions), statement)
+        try:
+            verdict = self._judge.call(statement, _MOST_SECONDS)
+        except OutOfBudget:
+            return False
         return verdict is not None and verdict.outcome is Outcome.PROVED
 
     def _only_brackets(self, start: int, end: int, first: int, last: int) -> bool:
@@ -206,7 +210,11 @@ class _Editor:
         if inside:
             begin, stop = min(inside), max(inside)
             found = [(own[begin].start, own[stop].end)]
-            while begin > 0 and own[begin - 1].text in ("{", r"\left") and (before is None or begin - 1 > before):
+            while (
+                begin > 0
+                and own[begin - 1].text in ("{", r"\left")
+                and (before is None or begin - 1 > before)
+            ):
                 begin -= 1
                 found.append((own[begin].start, own[stop].end))
             while stop + 1 < len(own) and own[stop + 1].text == "}" and (behind is None or stop + 1 < behind):
@@ -280,9 +288,7 @@ class _Editor:
         return self._latex[low:high], written
 
 
-def _edits_of(
-    pieces: Sequence[_Piece], latex: str, owners: Sequence[Token]
-) -> tuple[SourceEdit, ...] | None:
+def _edits_of(pieces: Sequence[_Piece], latex: str, owners: Sequence[Token]) -> tuple[SourceEdit, ...] | None:
     """The edits of the source; None where a place is in no single file."""
     found = []
     for piece in pieces:
@@ -291,8 +297,30 @@ def _edits_of(
             return None
         found.append(edit)
     found.sort(key=lambda each: each.start)
-    overlap = any(a.end > b.start for a, b in zip(found, found[1:], strict=False))
+    overlap = any(a.end > b.start for a, b in pairwise(found))
     return None if overlap else tuple(found)
+
+
+def _merged(edits: Sequence[SourceEdit]) -> tuple[SourceEdit, ...]:
+    """The edits, those that all but touch as one."""
+    found: list[SourceEdit] = []
+    for edit in edits:
+        if found and found[-1].end + _CLOSE >= edit.start and found[-1].source is edit.source:
+            before, between = found.pop(), edit.source.text
+            kept = between[before.end : edit.start]
+            span = replace(before.span, end_line=edit.span.end_line, end_column=edit.span.end_column)
+            found.append(
+                replace(
+                    before,
+                    span=span,
+                    end=edit.end,
+                    old=before.old + kept + edit.old,
+                    new=before.new + kept + edit.new,
+                )
+            )
+        else:
+            found.append(edit)
+    return tuple(found)
 
 
 def _edit_of(piece: _Piece, latex: str, owners: Sequence[Token]) -> SourceEdit | None:
@@ -331,7 +359,7 @@ def _edit(token: Token, begin: int, stop: int, written: str) -> SourceEdit:
     if not written:  # a blank that parted what goes from what follows goes, too
         stop += len(behind) - len(behind.lstrip(" ")) if before[-1:] in " &" else 0
     span = Span(source.path, *source.place(begin), *source.place(stop))
-    return SourceEdit(span, begin, stop, source.text[begin:stop], written)
+    return SourceEdit(span, source, begin, stop, source.text[begin:stop], written)
 
 
 def _atoms(latex: str) -> list[_Atom]:
@@ -384,7 +412,7 @@ def _closed(latex: str, start: int, end: int) -> tuple[int, int]:
 
 def _are_apart(pieces: Sequence[_Piece]) -> bool:
     ordered = sorted(pieces, key=lambda each: (each.start, each.end))
-    return all(a.end <= b.start for a, b in zip(ordered, ordered[1:], strict=False))
+    return all(a.end <= b.start for a, b in pairwise(ordered))
 
 
 def _with(latex: str, edits: Sequence[tuple[int, int, str]]) -> str:

@@ -11,6 +11,7 @@ from workbench.judge.verdict import Counterexample, Grade, Outcome, Verdict
 from workbench.papers.model import Claim, Formula
 from workbench.repair.propose.proposed import Proposed
 from workbench.typeset.differences import difference
+from workbench.verify.edited import SourceEdit
 from workbench.verify.on_motions import Witnessed, witnessed
 
 #: Outcomes that count as true: what a definition says is true by its being one.
@@ -40,7 +41,7 @@ class ClaimResult:
     """The verdict on a claim as printed, on its reading and on its correction.
 
     proposed, certificates: what the machine proposes for it and what Coq says of it; None where nobody
-    asked."""
+    asked.   edits: of the author's characters, which make his formula the first that is proposed."""
 
     claim: Claim
     verdict: Verdict
@@ -48,6 +49,7 @@ class ClaimResult:
     corrected: Verdict | None = None
     proposed: tuple[Proposed, ...] | None = None
     certificates: tuple[Certification, ...] | None = None
+    edits: tuple[SourceEdit, ...] = ()
 
     @property
     def expected(self) -> Outcome:

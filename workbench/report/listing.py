@@ -1,0 +1,241 @@
+"""What `workbench check` tells of a text: each display once, by its grade, what is wrong, what is right."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from workbench.judge.verdict import Counterexample, Grade, Outcome
+from workbench.papers.model import Span
+from workbench.papers.text_claims.text_paper import TextPaper
+from workbench.papers.texts import Display
+from workbench.report.counterexamples import sides_as_text, value_as_text, value_of
+from workbench.report.findings import place_of
+from workbench.typeset.plain_text import in_plain_text, plain_text
+from workbench.verify.edited import SourceEdit
+from workbench.verify.results import ClaimResult
+
+#: The grades from the most serious on, and the words in which displays are counted.
+_RANKS = (Grade.ERROR, Grade.WARNING, Grade.NOT_JUDGED, Grade.OK, Grade.NOTE)
+#: Components of the largest value that is told of a defined symbol: a dual vector.
+_SMALL = 6
+
+
+@dataclass(frozen=True)
+class Example:
+    """A counterexample in words: the values that are not 0, whether all others are, and both sides."""
+
+    values: tuple[tuple[str, str], ...]
+    rest: bool
+    left: str
+    right: str
+
+
+@dataclass(frozen=True)
+class Item:
+    """One thing that is wrong. name: of its display, as in "(8) eq:coriolis".   what: what is wrong, or what
+    to do.   edits: of the author's characters.   proposal: the right form where no such edit was found.
+    proved: whether the corrected formula is."""
+
+    grade: Grade
+    name: str
+    span: Span
+    what: str
+    edits: tuple[SourceEdit, ...] = ()
+    proposal: str = ""
+    proved: bool = False
+    example: Example | None = None
+    unless: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Open:
+    """Displays that are not judged for one reason, and what would settle it."""
+
+    names: tuple[str, ...]
+    reason: str
+
+
+@dataclass(frozen=True)
+class Row:
+    """One display. grade: the most serious of its formulas."""
+
+    name: str
+    grade: Grade
+    word: str
+    remark: str
+
+
+@dataclass(frozen=True)
+class Listing:
+    """All of a text. file: as it was named.   left_out: displays that its model leaves out."""
+
+    file: Path
+    rows: tuple[Row, ...]
+    items: tuple[Item, ...]
+    open: tuple[Open, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many displays there are of each class, the most serious first; no class that is empty."""
+        counted = Counter(row.word for row in self.rows)
+        return {word: counted[word] for word in _WORDS if counted[word]}
+
+    @property
+    def summary(self) -> str:
+        """In one line: "2 errors, 1 warning, 3 not judged, 8 hold, 5 definitions"."""
+        counted = self.counts
+        told = ", ".join(_counted(word, count) for word, count in counted.items())
+        if counted.keys() & {"error", "warning"}:
+            return told
+        return f"no error found; {told}" if told else "no display"
+
+
+_WORDS = ("error", "warning", "not judged", "holds", "definition", "left out")
+_PLURALS = {"error": "errors", "warning": "warnings", "holds": "hold", "definition": "definitions"}
+_SINGULARS = {"holds": "holds"}
+
+
+def _counted(word: str, count: int) -> str:
+    return f"{count} {_PLURALS.get(word, word) if count != 1 else _SINGULARS.get(word, word)}"
+
+
+def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
+    """The results on a text, by its displays."""
+    groups = _by_display(paper, results)
+    rows: list[Row] = []
+    items: list[Item] = []
+    for display, own in groups:
+        name = display_name(display, own[0])
+        rows.append(_row(name, own))
+        items += _items(name, own)
+    items.sort(key=lambda item: _RANKS.index(item.grade))
+    file = paper.text.path if paper.text else paper.paths[0]
+    return Listing(file, tuple(rows), tuple(items), tuple(_open(groups)))
+
+
+def display_name(display: Display | None, result: ClaimResult) -> str:
+    """The printed number and the label, or the line."""
+    claim = result.claim
+    number = f"({claim.equation})" if claim.equation and claim.equation != claim.id else ""
+    labels = display.labels if display else ()
+    own = next(
+        (label for label in labels if label.replace(":", "-") in claim.id), labels[0] if labels else ""
+    )
+    name = " ".join(part for part in (number, own) if part)
+    return name or f"line {place_of(result).line}"
+
+
+def _by_display(
+    paper: TextPaper, results: Sequence[ClaimResult]
+) -> list[tuple[Display | None, list[ClaimResult]]]:
+    """The results on each numbered row, or display without numbers, in the order of the text."""
+    displays = paper.text.displays if paper.text else ()
+    found: dict[tuple[str, str], tuple[Display | None, list[ClaimResult]]] = {}
+    for result in results:
+        span = place_of(result) if result.claim.span is None else result.claim.span
+        display = next((each for each in displays if _holds(each, span)), None)
+        base = result.claim.equation or ""
+        where = f"{display.source.path}:{display.start}" if display else result.claim.id
+        found.setdefault((where, base), (display, []))[1].append(result)
+    return list(found.values())
+
+
+def _holds(display: Display, span: Span) -> bool:
+    source = display.source
+    if source.path != span.file:
+        return False
+    start, end = source.place(display.start), source.place(display.end)
+    return start <= (span.line, span.column) and (span.end_line, span.end_column) <= end
+
+
+def _row(name: str, results: Sequence[ClaimResult]) -> Row:
+    shown = [result.shown for result in results]
+    grade = next(grade for grade in _RANKS if grade in shown)
+    outcomes = {result.verdict.outcome for result in results}
+    if all(result.claim.skip is not None for result in results):
+        return Row(name, Grade.NOTE, "left out", results[0].claim.skip or "")
+    if grade in (Grade.ERROR, Grade.WARNING):
+        return Row(name, grade, str(grade), next(_what(r) for r in results if r.shown is grade))
+    if grade is Grade.NOT_JUDGED:
+        reason = next(str(r.verdict.reason or "") for r in results if r.shown is grade)
+        return Row(name, grade, "not judged", reason)
+    if outcomes & {Outcome.PROVED, Outcome.CONDITIONAL, Outcome.ARGUED, Outcome.PROBABLE}:
+        needs = [r.verdict.hypothesis for r in results if r.verdict.outcome is Outcome.CONDITIONAL]
+        scopes = [r.verdict.scope for r in results if r.verdict.scope]
+        remark = f"if {plain_text(needs[0])}" if needs and needs[0] else f"for {scopes[0]}" if scopes else ""
+        return Row(name, Grade.OK, "holds", remark)
+    return Row(name, Grade.NOTE, "definition", "")
+
+
+def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
+    """What is wrong in a display; formulas that one edit makes right are told once."""
+    told: list[Item] = []
+    for result in results:
+        if result.shown not in (Grade.ERROR, Grade.WARNING):
+            continue
+        own = result.edits
+        if own and any(item.edits == own for item in told):
+            continue
+        proposed = result.proposed[0] if result.proposed else None
+        item = Item(
+            grade=result.shown,
+            name=name,
+            span=place_of(result),
+            what=in_plain_text(proposed.edit) if proposed else _what(result),
+            edits=own,
+            proposal=proposed.latex if proposed and not own else "",
+            proved=proposed is not None and proposed.verdict is Outcome.PROVED,
+            example=example_of(result.counterexample),
+            unless=result.verdict.unless,
+        )
+        if own:
+            item = replace(item, span=replace(item.span, line=own[0].span.line))
+        told.append(item)
+        yield item
+
+
+def _what(result: ClaimResult) -> str:
+    """What is wrong, where no correction is known."""
+    verdict = result.verdict
+    if verdict.outcome is Outcome.CONDITIONAL and verdict.hypothesis:
+        return f"holds only where {plain_text(verdict.hypothesis)}; the text does not say so"
+    if verdict.outcome is Outcome.ILL_FORMED:
+        return f"the parts do not fit: {verdict.reason}"
+    if verdict.outcome is Outcome.REFUTED:
+        follows = "does not follow from the step before" if result.claim.chain else "does not hold"
+        return f"{follows}: {verdict.reason}" if verdict.reason else follows
+    return result.why_not or str(verdict.reason or verdict.outcome)
+
+
+def example_of(found: Counterexample | None) -> Example | None:
+    """A counterexample as text: only what is not 0."""
+    if found is None:
+        return None
+    shown = {**found.values, **{k: v for k, v in found.defined.items() if len(v) <= _SMALL}}
+    kinds = {name: found.kinds.get(name, "") for name in shown}
+    values = {name: value_of(entries, kinds[name]) for name, entries in shown.items()}
+    hidden = set(found.behind)
+    told = tuple(
+        (plain_text(name), value_as_text(shown[name], kinds[name]))
+        for name, value in values.items()
+        if not value.is_zero and name not in hidden
+    )
+    rest = any(value.is_zero and name not in hidden for name, value in values.items())
+    left, right = sides_as_text(found)
+    return Example(told, rest, left, right)
+
+
+def _open(groups: Sequence[tuple[Display | None, list[ClaimResult]]]) -> Iterator[Open]:
+    """What is not judged, by reason, the reason of most displays first."""
+    found: dict[str, dict[str, None]] = {}
+    for display, own in groups:
+        for result in own:
+            if result.shown is Grade.NOT_JUDGED:
+                reason = in_plain_text(str(result.verdict.reason or "no reason is known"))
+                found.setdefault(reason, {})[display_name(display, result)] = None
+    for reason, names in sorted(found.items(), key=lambda each: -len(each[1])):
+        yield Open(tuple(names), reason)

@@ -80,8 +80,8 @@ def test_the_hand_written_correction_is_not_looked_at(paper):
 def test_the_edit_is_said_in_words():
     (proposal, *_) = blindly("61.adjugate").proposals
     said = [change.description for change in proposal.changes]
-    assert said[0].startswith("the tilde belongs over the whole of")
-    assert [s.startswith("the factor 2 of") and s.endswith("is missing") for s in said[1:]] == [True, True]
+    assert said[0].startswith("put the tilde over the whole of")
+    assert [s.startswith("insert the factor 2 before") for s in said[1:]] == [True, True]
 
 
 @pytest.mark.slow

@@ -130,9 +130,9 @@ def _displays_of(claim: Claim, text: Text) -> Iterator[Display]:
     begin, end = claim.span.line, claim.span.end_line
     for display in text.displays:
         source = display.source
-        if source.path == claim.span.file and source.place(display.start)[0] <= begin:
-            if end <= source.place(display.end)[0]:
-                yield display
+        lines = range(source.place(display.start)[0], source.place(display.end)[0] + 1)
+        if source.path == claim.span.file and begin in lines and end in lines:
+            yield display
 
 
 class _Editor:
@@ -265,10 +265,10 @@ class _Editor:
         texts = [each.text for each in self._before]
         for keys in sorted(printed, key=len, reverse=True):
             for start in range(len(texts) - len(keys) + 1):
-                if tuple(texts[start : start + len(keys)]) == keys:
-                    if (snippet := self._snippet(start, start + len(keys))) is not None:
-                        found[keys] = snippet
-                        break
+                is_here = tuple(texts[start : start + len(keys)]) == keys
+                if is_here and (snippet := self._snippet(start, start + len(keys))) is not None:
+                    found[keys] = snippet
+                    break
         return found
 
     def _snippet(self, start: int, end: int) -> tuple[str, str] | None:

@@ -250,7 +250,7 @@ class MissingAddends:
             changed = replaced(self.statement, place, new)
         except IllFormed:
             return None
-        return Edit("addend added", place, ("the addend {} is missing", addend), old, new, changed)
+        return Edit("addend added", place, ("add {}", addend), old, new, changed)
 
     def _is_multiple(self, addend: Term, other: Term) -> bool:
         if number_and_rest(addend)[1] == number_and_rest(other)[1]:

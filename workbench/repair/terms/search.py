@@ -262,7 +262,7 @@ def _twice(term: Term) -> Term | None:
 def _with_addend(statement: Statement, place: Place, addend: Term) -> Edit:
     old = subterm(statement, place)
     new = with_addend(old, addend)
-    said = ("the addend {} is missing", addend)
+    said = ("add {}", addend)
     return Edit("addend added", place, said, old, new, replaced(statement, place, new))
 
 
@@ -278,14 +278,14 @@ def _rescaled(statement: Statement, place: Place, factor: Fraction) -> Change:
     bare = term.arguments[0] if isinstance(term, Apply) and term.head == "neg" else term
     shown = f"${to_latex(bare)}$"
     if factor == 0:
-        return Change("addend dropped", f"the addend {shown} does not belong there")
+        return Change("addend dropped", f"remove the addend {shown}")
     if factor == -1:
-        return Change("sign", f"the sign of {shown} is wrong")
-    sign = " and the sign is wrong" if factor < 0 else ""
+        return Change("sign", f"change the sign of {shown}")
+    sign = " and change its sign" if factor < 0 else ""
     size = abs(factor)
     if size.numerator == 1:
         return Change("coefficient", f"{shown} has the factor {size.denominator} too much{sign}")
-    return Change("coefficient", f"the factor {size} of {shown} is missing{sign}")
+    return Change("coefficient", f"insert the factor {size} before {shown}{sign}")
 
 
 def _direction(vector: Vector) -> Vector:

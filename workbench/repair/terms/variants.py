@@ -68,7 +68,7 @@ def variants(
             yield from _numbers(term)
         case Integer(value=value):
             for step in (1, -1):
-                yield "coefficient", ("{} becomes {}", value, value + step), partial(integer, value + step)
+                yield "coefficient", ("replace {} by {}", value, value + step), partial(integer, value + step)
         case Counting():
             yield from _countings(term)
         case Symbol():
@@ -96,9 +96,9 @@ def variants(
 def _sign_and_factor(term: Term) -> Iterator[Variant]:
     """Of an addend or a whole side. What a sum's addends can do is not done to the sum again."""
     if isinstance(term, Apply) and term.head == "neg":
-        yield "sign", ("the minus sign before {} is dropped", term.arguments[0]), lambda: term.arguments[0]
+        yield "sign", ("remove the minus sign before {}", term.arguments[0]), lambda: term.arguments[0]
     elif not (isinstance(term, Apply) and term.head == "add"):
-        yield "sign", ("{} gets a minus sign", term), partial(apply, "neg", term)
+        yield "sign", ("insert a minus sign before {}", term), partial(apply, "neg", term)
     if coefficient(term) == 1:
         for factor in _FACTORS[:3]:
             yield "coefficient", ("{} gets the factor {}", term, factor), partial(times, factor, term)
@@ -108,7 +108,7 @@ def _numbers(term: Number) -> Iterator[Variant]:
     value = term.value
     for new in dict.fromkeys([*(value * factor for factor in _FACTORS), value + 1, value - 1, -value]):
         if new not in (0, value):
-            yield "coefficient", ("the number {} becomes {}", value, new), partial(number, new)
+            yield "coefficient", ("replace the number {} by {}", value, new), partial(number, new)
 
 
 def _countings(term: Counting) -> Iterator[Variant]:
@@ -116,7 +116,7 @@ def _countings(term: Counting) -> Iterator[Variant]:
         for step in (1, -1):
             changed = list(term.arguments)
             changed[place] = argument + step
-            said = ("{} becomes {} in the {} {}", argument, argument + step, term.name, term)
+            said = ("replace {} by {} in the {} {}", argument, argument + step, term.name, term)
             yield "coefficient", said, partial(counting, term.name, *changed)
 
 
@@ -124,23 +124,23 @@ def _sums(term: Apply) -> Iterator[Variant]:
     """Each addend dropped."""
     for place, addend in enumerate(term.arguments):
         rest = term.arguments[:place] + term.arguments[place + 1 :]
-        yield "addend dropped", ("the addend {} is dropped", addend), partial(sum_of, rest)
+        yield "addend dropped", ("remove the addend {}", addend), partial(sum_of, rest)
 
 
 def _missing(term: Term, addends: Sequence[Term]) -> Iterator[Variant]:
     for addend in addends:
         if addend.type.kind == term.type.kind and addend.weight == term.weight:
-            yield "addend added", ("the addend {} is added", addend), partial(with_addend, term, addend)
+            yield "addend added", ("add {}", addend), partial(with_addend, term, addend)
 
 
 def _bounds(term: BigSum) -> Iterator[Variant]:
     for step in (1, -1):
         upper = term.upper + step
-        said = ("the upper bound {} of the sum becomes {}", term.upper, upper)
+        said = ("replace the upper bound {} of the sum by {}", term.upper, upper)
         yield "bound", said, partial(big_sum, term.variables, term.lower, upper, term.body)
         if term.lower is not None:
             lower = term.lower + step
-            said = ("the lower bound {} of the sum becomes {}", term.lower, lower)
+            said = ("replace the lower bound {} of the sum by {}", term.lower, lower)
             yield "bound", said, partial(big_sum, term.variables, lower, term.upper, term.body)
 
 
@@ -153,7 +153,7 @@ def _indices(term: Symbol) -> Iterator[Variant]:
             changed = list(term.index)
             changed[place] = index + step
             if not (changed[place].is_number and int(changed[place]) < 0):
-                said = ("the index {} of {} becomes {}", index, term, changed[place])
+                said = ("replace the index {} of {} by {}", index, term, changed[place])
                 yield "index", said, partial(symbol, term.declaration, changed, term.arguments)
 
 
@@ -162,7 +162,7 @@ def _exponents(term: Power) -> Iterator[Variant]:
         exponent = term.exponent + step
         if exponent.is_number and int(exponent) < 1:
             continue
-        said = ("the exponent {} of {} becomes {}", term.exponent, term.base, exponent)
+        said = ("replace the exponent {} of {} by {}", term.exponent, term.base, exponent)
         yield "exponent", said, partial(raised_to, term.base, exponent)
 
 
@@ -185,7 +185,7 @@ def _dots(term: Term) -> Iterator[Variant]:
         case Symbol(declaration=declaration) if declaration.constant:
             return
         case Symbol() | Apply(head="skew"):
-            yield "dots", ("{} gets a dot", term), partial(derivative, term, 1)
+            yield "dots", ("put a dot over {}", term), partial(derivative, term, 1)
 
 
 def differentiated(body: Term, order: Linear) -> Term:
@@ -202,39 +202,39 @@ def _operations(term: Apply, is_addend: bool) -> Iterator[Variant]:
         case "skew":
             yield from _tilde_moved(arguments[0])
         case "neg" if not is_addend:
-            yield "sign", ("the minus sign before {} is dropped", arguments[0]), lambda: arguments[0]
+            yield "sign", ("remove the minus sign before {}", arguments[0]), lambda: arguments[0]
         case "transpose":
-            yield "transpose", ("the transpose of {} is dropped", arguments[0]), lambda: arguments[0]
-            said = ("the transpose of {} becomes its inverse", arguments[0])
+            yield "transpose", ("remove the transpose of {}", arguments[0]), lambda: arguments[0]
+            said = ("replace the transpose of {} by its inverse", arguments[0])
             yield "transpose", said, partial(apply, "inverse", arguments[0])
         case "inverse":
-            yield "exponent", ("the inverse of {} is dropped", arguments[0]), lambda: arguments[0]
-            said = ("the inverse of {} becomes its transpose", arguments[0])
+            yield "exponent", ("remove the inverse of {}", arguments[0]), lambda: arguments[0]
+            said = ("replace the inverse of {} by its transpose", arguments[0])
             yield "transpose", said, partial(apply, "transpose", arguments[0])
         case "adjugate" | "conjugate":
-            yield "mark", ("the star of {} is dropped", arguments[0]), lambda: arguments[0]
+            yield "mark", ("remove the star of {}", arguments[0]), lambda: arguments[0]
         case "triple":
             a, b, c = arguments
-            said = ("the first two factors of {} change places", term)
+            said = ("swap the first two factors of {}", term)
             yield "swap", said, partial(apply, "triple", b, a, c)
         case "mul":
             yield from _factors(term)
         case "sin" | "cos" if coefficient(arguments[0]) == 1:
             for factor in _FACTORS[:2]:
-                said = ("the angle {} gets the factor {}", arguments[0], factor)
+                said = ("multiply the angle {} by {}", arguments[0], factor)
                 yield "coefficient", said, partial(_of_multiple, head, factor, arguments[0])
         case "div":
-            said = ("the denominator of {} is dropped", term)
+            said = ("remove the denominator of {}", term)
             yield "coefficient", said, lambda: arguments[0]
     if other := OPERATORS[head].partner:
-        yield "mark", ("{} becomes {} in {}", head, other, term), partial(apply, other, arguments[0])
+        yield "mark", ("replace {} by {} in {}", head, other, term), partial(apply, other, arguments[0])
     if head in ("cross", "outer", "compose"):
-        said = ("the factors of {} change places", term)
+        said = ("swap the factors of {}", term)
         yield "swap", said, partial(apply, head, *reversed(arguments))
     if len(arguments) == 2 and all(a.type.kind == "vector" for a in arguments):
         for other, sign in _PRODUCT_SIGNS.items():
             if other != head and head in _PRODUCT_SIGNS:
-                said = ("{} becomes {} in {}", _PRODUCT_SIGNS[head], sign, term)
+                said = ("replace {} by {} in {}", _PRODUCT_SIGNS[head], sign, term)
                 yield "product", said, partial(apply, other, *arguments)
 
 
@@ -246,7 +246,7 @@ def _factors(term: Apply) -> Iterator[Variant]:
     """A numeric factor dropped; the last two factors swapped, those before them in the product they make."""
     *before, first, last = factors_of(term)
     if not before and isinstance(first, Number):
-        yield "coefficient", ("the factor {} of {} is dropped", first.value, last), lambda: last
+        yield "coefficient", ("remove the factor {} of {}", first.value, last), lambda: last
     if "scalar" not in (first.type.kind, last.type.kind):
         said = ("{} and {} change places", first, last)
         yield "swap", said, partial(product_of, [*before, last, first])
@@ -256,12 +256,12 @@ def _factors(term: Apply) -> Iterator[Variant]:
 
 
 def _tilde_moved(body: Term) -> Iterator[Variant]:
-    yield "tilde", ("the tilde of {} is dropped", body), lambda: body
+    yield "tilde", ("remove the tilde of {}", body), lambda: body
     match body:
         case Apply(head="mul", arguments=(left, right)):
-            said = ("the tilde over {} moves to {}", body, right)
+            said = ("move the tilde from {} to {}", body, right)
             yield "tilde", said, lambda: apply("mul", left, apply("skew", right))
-            said = ("the tilde over {} moves to {}", body, left)
+            said = ("move the tilde from {} to {}", body, left)
             yield "tilde", said, lambda: apply("mul", apply("skew", left), right)
 
 
@@ -269,19 +269,19 @@ def _marks_added(term: Term) -> Iterator[Variant]:
     if isinstance(term, Zero | Identity):
         return
     if term.type.kind == "quaternion" and not (isinstance(term, Apply) and term.head == "conjugate"):
-        yield "mark", ("{} gets a star", term), partial(apply, "conjugate", term)
+        yield "mark", ("put a star on {}", term), partial(apply, "conjugate", term)
     if term.type.kind == "vector":
-        yield "tilde", ("{} gets a tilde", term), partial(apply, "skew", term)
+        yield "tilde", ("put a tilde over {}", term), partial(apply, "skew", term)
     if term.type.kind != "tensor":
         return
     if not (isinstance(term, Apply) and term.head == "transpose"):
-        yield "transpose", ("{} gets a transpose", term), partial(apply, "transpose", term)
+        yield "transpose", ("transpose {}", term), partial(apply, "transpose", term)
     match term:
         case Apply(head="mul", arguments=(left, Apply(head="skew", arguments=(x,)))):
-            said = ("the tilde over {} moves over the product {}", x, term)
+            said = ("move the tilde from {} over the product {}", x, term)
             yield "tilde", said, lambda: apply("skew", apply("mul", left, x))
         case Symbol():
-            yield "mark", ("{} becomes its adjugate", term), partial(apply, "adjugate", term)
+            yield "mark", ("replace {} by its adjugate", term), partial(apply, "adjugate", term)
 
 
 def _other_symbols(term: Term, atoms: Sequence[Term]) -> Iterator[Variant]:
@@ -294,7 +294,7 @@ def _other_symbols(term: Term, atoms: Sequence[Term]) -> Iterator[Variant]:
         if other is not None and other != term:
             underlined = other.type.dual != term.type.dual and _letter(other) == _letter(term)
             kind = "mark" if underlined else "symbol"
-            yield kind, ("{} becomes {}", term, other), partial(_as_it_is, other)
+            yield kind, ("replace {} by {}", term, other), partial(_as_it_is, other)
 
 
 def _as_it_is(term: Term) -> Term:

@@ -62,7 +62,7 @@ def _longer_exponents(product: Product) -> Iterator[Mark]:
                     rest = (*items[:place], longer, *following[taken:])
                     new = in_a_row(product.at, rest)
                     shown = latex_of(Product(item.at, following[:taken]))
-                    said = f"${shown}$ belongs into the exponent of ${latex_of(item)}$"
+                    said = f"move ${shown}$ into the exponent of ${latex_of(item)}$"
                     yield Mark(product, new, 1, "exponent", said)
 
 
@@ -71,7 +71,7 @@ def _surplus_signs(product: Product) -> Iterator[Mark]:
     for place, item in enumerate(items):
         if isinstance(item, Infix) and 0 < place < len(items) - 1:
             new = Product(product.at, (*items[:place], *items[place + 1 :]))
-            said = f"${latex_of(item)}$ before ${latex_of(items[place + 1])}$ should not be there"
+            said = f"remove ${latex_of(item)}$ before ${latex_of(items[place + 1])}$"
             yield Mark(product, new, 1, "product", said, 0)
 
 
@@ -87,7 +87,7 @@ def _missing_factors(node: Node, letters: Sequence[Letter]) -> Iterator[Mark]:
         for letter, weight in letters:
             new = Product(node.at, (*items[:place], letter, *items[place:]))
             where = f"after ${latex_of(before)}$" if before is not None else f"before ${latex_of(items[0])}$"
-            said = f"the factor ${latex_of(letter)}$ is missing {where}"
+            said = f"insert the factor ${latex_of(letter)}$ {where}"
             yield Mark(node, new, 2, "factor", said, weight)
 
 
@@ -97,7 +97,7 @@ def _missing_unit(node: Node) -> Mark:
     if any(isinstance(item, Infix) or _is_function(item) for item in items):
         items = (Bracket(node.at, "(", (node,)),)
     new = Product(node.at, (*items, _UNIT))
-    return Mark(node, new, 1, "factor", f"the factor $\\mathbf{{I}}$ is missing after ${latex_of(node)}$", 0)
+    return Mark(node, new, 1, "factor", f"insert the factor $\\mathbf{{I}}$ after ${latex_of(node)}$", 0)
 
 
 def _is_function(node: Node) -> bool:
@@ -133,7 +133,7 @@ def index_marks(node: Node, table: SymbolTable) -> Iterator[list[Mark]]:
             if one.styles or name.indices or not is_more:
                 continue
             new = parse(str(name)).lines[0][0]
-            said = f"${latex_of(one.node)}$ should be ${name}$"
+            said = f"replace ${latex_of(one.node)}$ by ${name}$"
             marks.append(Mark(one.node, new, 1, "symbol", said))
         if marks:
             yield marks

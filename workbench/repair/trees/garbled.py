@@ -49,7 +49,7 @@ def conditions(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> li
         for part in (part for chain in chains for part in chain.sides[:-1]):
             letter = letter_of(part)
             if isinstance(part, Styled) and letter is not None and len(letter.text) == 1:
-                said = f"${latex_of(part)}$ in the condition should be ${letter.text}$"
+                said = f"replace ${latex_of(part)}$ in the condition by ${letter.text}$"
                 marks.append(Mark(part, letter, 1, "mark", said))
         ways: list[tuple[tuple[Node, ...], tuple[Change, ...]]] = []
         plain = tuple(marked(marks, clause) for clause in stated)
@@ -99,7 +99,7 @@ def superscripts(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> 
         if not has_readable_sup(found, table, integers | bound_variables(lines)):
             nucleus = Scripted(holder.at, holder.nucleus, holder.sub) if holder.sub else holder.nucleus
             row = Product(holder.at, (nucleus, *_row(holder.sup)))
-            said = f"the superscript of ${latex_of(holder)}$ should be a factor"
+            said = f"write the superscript of ${latex_of(holder)}$ as a factor"
             marks.append(Mark(holder, Group(holder.at, (row,)), 1, "exponent", said))
     return [(marked_lines(marks, lines), changes_of(marks))]
 
@@ -112,7 +112,7 @@ def repeated_sides(lines: Lines, table: SymbolTable, integers: frozenset[str]) -
             first, last = latex_of(part.sides[0]), latex_of(part.sides[-1])
             if first == last:
                 new = Chain(part.at, part.sides[:-1], part.relations[:-1], part.universal)
-                marks.append(Mark(part, new, 1, "side", f"the side ${last}$ stands there twice"))
+                marks.append(Mark(part, new, 1, "side", f"remove one of the two sides ${last}$"))
     return [(marked_lines(marks, lines), changes_of(marks))]
 
 
@@ -148,7 +148,7 @@ def _orders(fraction: Fraction) -> tuple[tuple[Scripted, Node], tuple[Scripted, 
 
 def _exchanged_order(holder: Scripted, order: Node) -> Mark:
     new = Scripted(holder.at, holder.nucleus, holder.sub, order)
-    said = f"${latex_of(holder)}$ should be ${latex_of(new)}$: one order above and below"
+    said = f"replace ${latex_of(holder)}$ by ${latex_of(new)}$: one order above and below"
     return Mark(holder, new, 1, "dots", said)
 
 
@@ -164,7 +164,7 @@ def stray_signs(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> l
                 del items[-1]
             if items:
                 new = in_a_row(part.at, items)
-                marks.append(Mark(part, new, 1, "product", f"a sign of ${latex_of(part)}$ is one too many"))
+                marks.append(Mark(part, new, 1, "product", f"remove a sign of ${latex_of(part)}$"))
     return [(marked_lines(marks, lines), changes_of(marks))]
 
 

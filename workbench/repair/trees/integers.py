@@ -120,5 +120,5 @@ def _shown(value: Linear) -> str:
 
 
 def _exchange(holder: Node, old: Node, new: Node, cost: int) -> Mark:
-    said = f"${latex_of(bare(old))}$ in ${latex_of(holder)}$ should be ${latex_of(bare(new))}$"
+    said = f"replace ${latex_of(bare(old))}$ in ${latex_of(holder)}$ by ${latex_of(bare(new))}$"
     return Mark(old, new, cost, "index", said)

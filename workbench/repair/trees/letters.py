@@ -160,7 +160,7 @@ def other_letters(
                 known_as = tuple(one.name for one in meant if one is not None)
                 if None not in meant and known_as not in seen:
                     seen.add(known_as)
-                    said = f"${latex_of(first.node)}$ should be ${latex_of(new)}$ throughout"
+                    said = f"replace ${latex_of(first.node)}$ by ${latex_of(new)}$ throughout"
                     if len(found) == 1:
                         said = said.removesuffix(" throughout")
                     marks = [Mark(one.node, new, 1, "mark", said) for one in found]

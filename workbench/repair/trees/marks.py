@@ -141,7 +141,7 @@ def _other_accents(node: Node, core: _Core, times: int) -> Iterator[Mark]:
             if (tilde, more) == (core.tilde, 0) or abs(more) > 2:
                 continue
             new = _accented(_Core(core.letter, dots, tilde))
-            said = f"${latex_of(_accented(core))}$ should be ${latex_of(new)}$"
+            said = f"replace ${latex_of(_accented(core))}$ by ${latex_of(new)}$"
             kind = "dots" if core.tilde == tilde else "tilde"
             yield Mark(node, new, _price(core.tilde, tilde, more), kind, said, more * times)
 
@@ -165,7 +165,7 @@ def _other_letters(node: Node, core: _Core, table: SymbolTable) -> Iterator[Mark
             for new in (other, Styled(letter.at, "\\underline", other)):
                 if latex_of(new) != printed and latex_of(new) in known:
                     accented = _accented(_Core(new, core.dots, core.tilde))
-                    said = f"${printed}$ should be ${latex_of(new)}$"
+                    said = f"replace ${printed}$ by ${latex_of(new)}$"
                     yield Mark(node, accented, 1, "mark", said)
 
 
@@ -195,14 +195,14 @@ def _wide_tilde(over: Accented) -> Iterator[Mark]:
     """A tilde over more than a letter, away or over one of the factors."""
     body = bare(over.body)
     shown = f"$\\widetilde{{{latex_of(body)}}}$"
-    yield Mark(over, body, 1, "tilde", f"the tilde of {shown} does not belong there", 0)
+    yield Mark(over, body, 1, "tilde", f"remove the tilde of {shown}", 0)
     if not isinstance(body, Product):
         return
     for place, item in enumerate(body.items):
         if not isinstance(item, Infix):
             under = Accented(item.at, "~", item)
             moved = Product(body.at, (*body.items[:place], under, *body.items[place + 1 :]))
-            said = f"the tilde of {shown} belongs over ${latex_of(item)}$ alone"
+            said = f"put the tilde of {shown} over ${latex_of(item)}$ alone"
             yield Mark(over, Group(over.at, (moved,)), 1, "tilde", said, 0)
 
 
@@ -212,7 +212,7 @@ def _sums_uncovered(product: Product) -> Iterator[Mark]:
         match item:
             case Accented(accent="~", body=Group(parts=(Product(items=(Summation(), *_) as inner),))):
                 new = Product(product.at, (*product.items[:place], *inner, *product.items[place + 1 :]))
-                said = f"the tilde of ${latex_of(item)}$ does not belong there"
+                said = f"remove the tilde of ${latex_of(item)}$"
                 yield Mark(product, new, 1, "tilde", said, 0)
 
 
@@ -223,13 +223,13 @@ def _signs(product: Product) -> Iterator[Mark]:
             continue
         for operator, sign in _INFIXES.items():
             new = Product(product.at, (*items[: place + 1], Infix(right.at, operator), *items[place + 1 :]))
-            said = f"${sign}$ is missing between ${latex_of(left)}$ and ${latex_of(right)}$"
+            said = f"insert ${sign}$ between ${latex_of(left)}$ and ${latex_of(right)}$"
             yield Mark(product, new, 1, "product", said, 0)
     for place, item in enumerate(items):
         for operator, sign in _INFIXES.items():
             if isinstance(item, Infix) and item.operator != operator and 0 < place < len(items) - 1:
                 new = Product(product.at, (*items[:place], Infix(item.at, operator), *items[place + 1 :]))
-                said = f"${latex_of(item)}$ before ${latex_of(items[place + 1])}$ should be ${sign}$"
+                said = f"replace ${latex_of(item)}$ before ${latex_of(items[place + 1])}$ by ${sign}$"
                 yield Mark(product, new, 1, "product", said, 0)
 
 
@@ -243,7 +243,7 @@ def _nested(product: Product) -> Iterator[Mark]:
         a, b, c = run
         inner = Bracket(b.at, "(", (Product(b.at, (b, Infix(c.at, "×"), c)),))
         twice = (a, Infix(b.at, "×"), inner)
-        said = f"${latex_of(Product(a.at, run))}$ should be ${latex_of(Product(a.at, twice))}$"
+        said = f"replace ${latex_of(Product(a.at, run))}$ by ${latex_of(Product(a.at, twice))}$"
         new = Product(product.at, (*items[:start], *twice, *items[start + 3 :]))
         yield Mark(product, new, 2, "product", said, 0)
 
@@ -259,15 +259,15 @@ def _tildes(product: Product) -> Iterator[Mark]:
             run = items[start:end]
             if isinstance(run[0], Infix) or isinstance(run[-1], Infix):
                 continue
-            ways = [(run, "is missing over")]
+            ways = [(run, "put a tilde over")]
             if (first := _without_tilde(run[0])) is not None:
-                ways.append(((first, *run[1:]), "belongs over the whole of"))
+                ways.append(((first, *run[1:]), "put the tilde over the whole of"))
             for inner, words in ways:
                 body = Group(run[0].at, (Product(run[0].at, inner),))
                 over = Accented(run[0].at, "~", body)
                 rest = (*items[:start], over, *items[end:])
                 new = in_a_row(product.at, rest)
-                said = f"the tilde {words} ${latex_of(Product(run[0].at, inner))}$"
+                said = f"{words} ${latex_of(Product(run[0].at, inner))}$"
                 yield Mark(product, new, 1, "tilde", said, 0)
 
 

@@ -105,7 +105,7 @@ def _texts(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
             if text not in seen and parses(text):
                 seen.add(text)
                 shown = [tilde] * bool(_STRANGE_ACCENT.search(latex)) + [dots] * bool(_CIRCLE.search(latex))
-                said = f"the accent {accents[0]} should be {' and '.join(shown)}"
+                said = f"replace the accent {accents[0]} by {' and '.join(shown)}"
                 yield text, (Change("mark", said),)
         return
     yield from _brackets(latex)
@@ -122,10 +122,10 @@ def _brackets(latex: str) -> Iterator[tuple[str, tuple[Change, ...]]]:
         if sign in "()[]":
             text = latex[:place] + latex[place + 1 :]
             if parses(text):
-                yield text, (Change("bracket", f"the bracket {sign} in column {place + 1} is one too many"),)
+                yield text, (Change("bracket", f"remove the bracket {sign} in column {place + 1}"),)
     ends = [match.end() for match in re.finditer(r"\\[A-Za-z]+|\\.|[^\\\s]", latex)]
     for sign in (")", "]", "}", "(", "["):
         for place in reversed(ends):
             text = f"{latex[:place]}{sign}{latex[place:]}"
             if parses(text):
-                yield text, (Change("bracket", f"a bracket {sign} is missing in column {place + 1}"),)
+                yield text, (Change("bracket", f"insert a bracket {sign} in column {place + 1}"),)

@@ -50,7 +50,7 @@ def arrows(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> list[F
             vector = Bracket(part.at, "(", (Sum(part.at, (("", part.at, end), ("-", part.at, start))),))
             rest = part.items[:-2]
             new = Product(part.at, (*rest, vector)) if rest else vector
-            said = f"${''.join(names)}$ should be ${latex_of(vector)}$"
+            said = f"replace ${''.join(names)}$ by ${latex_of(vector)}$"
             others = [
                 Mark(other, new, 1, "symbol", said)
                 for other in below(lines)
@@ -113,7 +113,7 @@ def _swapped(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]]:
     left = one.left
     assert left is not None, f"{one.text} has no left scripts"
     new = Scripted(left.at, left.nucleus, left.sup, left.sub)
-    said = f"${latex_of(left)}$ should be ${latex_of(new)}$"
+    said = f"replace ${latex_of(left)}$ by ${latex_of(new)}$"
     scripts = replace(one.scripts, left_sub=one.scripts.left_sup, left_sup=one.scripts.left_sub)
     return replace(one, scripts=scripts), [Mark(left, new, 1, "index", said)]
 
@@ -125,7 +125,7 @@ def _without_left(one: Occurrence, lines: Lines) -> tuple[Occurrence, list[Mark]
         if isinstance(part, Product) and any(item is left for item in part.items):
             rest = tuple(item for item in part.items if item is not left)
             new = in_a_row(part.at, rest)
-            said = f"the index ${latex_of(left)}$ does not belong there"
+            said = f"remove the index ${latex_of(left)}$"
             marks.append(Mark(part, new, 1, "index", said))
     return replace(one, scripts=replace(one.scripts, left_sub=None, left_sup=None)), marks
 
@@ -153,7 +153,7 @@ def _from_index(one: Occurrence, following: Occurrence) -> Iterator[Mark]:
     if len(digits) == 2 and digits.isdigit() and following.holder is not None and following.left is None:
         at = following.holder.at
         left = Scripted(at, Group(at, ()), Leaf(at, "NUMBER", digits[1]))
-        said = f"${digits[1]}$ in ${latex_of(holder)}$ belongs to ${latex_of(following.holder)}$"
+        said = f"move ${digits[1]}$ from ${latex_of(holder)}$ to ${latex_of(following.holder)}$"
         yield Mark(sub, Leaf(sub.at, "NUMBER", digits[0]), 1, "index", said)
         row = Group(at, (Product(at, (left, following.holder)),))
         yield Mark(following.holder, row, 1, "index", said)
@@ -167,7 +167,7 @@ def _from_brackets(product: Product) -> Iterator[Mark]:
             case Scripted(at=at, nucleus=Bracket() as bracket, sub=Node() as sub) if following is not None:
                 row.append(bracket if item.sup is None else Scripted(at, bracket, None, item.sup))
                 row.append(Scripted(at, Group(at, ()), sub))
-                said = f"the index ${latex_of(sub)}$ of the bracket belongs to ${latex_of(following)}$"
+                said = f"move the index ${latex_of(sub)}$ of the bracket to ${latex_of(following)}$"
             case _:
                 row.append(item)
     if said:
@@ -195,7 +195,7 @@ def arguments(lines: Lines, table: SymbolTable, integers: frozenset[str]) -> lis
                 argument = parse(str(other)).lines[0][0]
                 parts = (*given[:place], argument, *given[place:])
                 bracket = Bracket(found.bracket.at, found.bracket.kind, parts)
-                said = f"the argument ${other}$ is missing in ${latex_of(bracket)}$"
+                said = f"insert the argument ${other}$ in ${latex_of(bracket)}$"
                 mark = Mark(found.bracket, bracket, 1, "symbol", said)
                 ways.append((marked_lines([mark], lines), changes_of([mark])))
         return ways or [(lines, ())]

@@ -229,7 +229,7 @@ BAD_CALLS = [
         "expected a directory for the report",
     ),
     (["report", "nothing", "--paper", EVERY_VERDICT, "--out", "unused"], "selects no claim"),
-    (["judge"], "No such command"),
+    (["judge"], "no command 'judge'"),
     (["motion"], "Missing argument 'URDF'"),
     (["motion", "no.urdf"], "Missing option '--body'"),
     (["motion", "no.urdf", "--body", "b"], "no.urdf"),

@@ -6,13 +6,16 @@ Only marks and the removed and inserted characters are coloured; without colours
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import cache
 from pathlib import Path
 
 from rich.text import Text
 
 from workbench.cli.carets import lines_of, marked_lines, printable
 from workbench.judge.verdict import Grade
-from workbench.report.listing import Example, Item, Listing, Open
+from workbench.report.counterexamples import Against
+from workbench.report.listing import Item, Listing, Open
+from workbench.typeset.plain_text import plain_text
 from workbench.verify.edited import SourceEdit
 
 _MARKS = {Grade.ERROR: "✗", Grade.WARNING: "!", Grade.OK: "✓", Grade.NOTE: "·", Grade.NOT_JUDGED: "?"}
@@ -21,6 +24,8 @@ _STYLES = {Grade.ERROR: "red", Grade.WARNING: "yellow", Grade.NOT_JUDGED: "bold"
 _GONE, _NEW = "red", "blue"
 _WIDTH = 80
 _INDENT = 4
+#: How many of the places that cannot be read for one reason are shown.
+_MOST_PLACES = 3
 
 
 def listing_lines(found: Listing, quiet: bool = False, verbose: bool = False) -> Iterator[Text]:
@@ -29,13 +34,13 @@ def listing_lines(found: Listing, quiet: bool = False, verbose: bool = False) ->
         yield from (_heading(item) for item in found.items if item.grade is Grade.ERROR)
         return
     yield Text(f"{printable(str(found.file))}: {found.summary}")
-    lines: dict[Path, list[str]] = {}
+    lines_in = cache(lines_of)
     for item in found.items:
         yield Text("")
-        yield from item_lines(item, lambda path: lines.setdefault(path, lines_of(path)))
+        yield from item_lines(item, lines_in)
     for group in found.open:
         yield Text("")
-        yield from _open_lines(group)
+        yield from _open_lines(group, lines_in)
     if found.notes:
         yield Text("")
         yield from (Text(note) for note in found.notes)
@@ -120,20 +125,22 @@ def _side(sign: str, line: str, marks: Sequence[tuple[int, int]], style: str, in
     return Text.assemble(" " * _INDENT, (sign, style), " ", text)
 
 
-def _example_lines(example: Example) -> Iterator[Text]:
-    values = ", ".join(f"{name} = {value}" for name, value in example.values)
-    rest = ("all else 0" if values else "all values 0") if example.rest or not values else ""
+def _example_lines(example: Against) -> Iterator[Text]:
+    values = ", ".join(f"{plain_text(name)} = {value}" for name, value in (*example.values, *example.defined))
+    rest = ("all else 0" if values else "all symbols 0") if example.rest else ""
     told = ", ".join(part for part in (values, rest) if part)
-    yield _indented(f"As printed, with {told}:")
+    yield _indented(f"As printed, with {told}:" if told else "As printed:")
     yield _indented(f"  left side  {example.left}")
     yield _indented(f"  right side {example.right}")
 
 
-def _open_lines(group: Open) -> Iterator[Text]:
+def _open_lines(group: Open, lines_in: Callable[[Path], Sequence[str]]) -> Iterator[Text]:
     names = ", ".join(group.names[:6]) + (f" and {len(group.names) - 6} more" if len(group.names) > 6 else "")
     mark = Text(_MARKS[Grade.NOT_JUDGED], style=_STYLES[Grade.NOT_JUDGED])
     yield Text.assemble(mark, f" {len(group.names)} not judged: {printable(names)}")
     yield _indented(group.reason)
+    for place in group.places[:_MOST_PLACES]:
+        yield from marked_lines(place, lines_in(place.file), "")
 
 
 def _display_lines(found: Listing) -> Iterator[Text]:

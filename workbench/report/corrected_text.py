@@ -53,6 +53,8 @@ def replacements(text: str, results: Sequence[ClaimResult]) -> Iterator[Replacem
             bounds = (lines[span.line - 1] + span.column - 1, lines[span.end_line - 1] + span.end_column - 1)
         if result.claim.mend.edits:
             yield from _of_edits(squeezed, result, bounds)
+        elif result.edits:
+            yield from (Replacement(edit.start, edit.end, edit.new) for edit in result.edits)
         elif (right := _right(result)) is not None and span is not None:
             yield from _of_form(text, bounds, result.claim.printed.latex, right)
 

@@ -7,30 +7,18 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from workbench.judge.verdict import Counterexample, Grade, Outcome
+from workbench.judge.verdict import Grade, Outcome
 from workbench.papers.model import Span
 from workbench.papers.text_claims.text_paper import TextPaper
 from workbench.papers.texts import Display
-from workbench.report.counterexamples import sides_as_text, value_as_text, value_of
+from workbench.report.counterexamples import Against, told
 from workbench.report.findings import place_of
 from workbench.typeset.plain_text import in_plain_text, plain_text
 from workbench.verify.edited import SourceEdit
-from workbench.verify.results import ClaimResult
+from workbench.verify.results import HOLDS, ClaimResult
 
 #: The grades from the most serious on, and the words in which displays are counted.
 _RANKS = (Grade.ERROR, Grade.WARNING, Grade.NOT_JUDGED, Grade.OK, Grade.NOTE)
-#: Components of the largest value that is told of a defined symbol: a dual vector.
-_SMALL = 6
-
-
-@dataclass(frozen=True)
-class Example:
-    """A counterexample in words: the values that are not 0, whether all others are, and both sides."""
-
-    values: tuple[tuple[str, str], ...]
-    rest: bool
-    left: str
-    right: str
 
 
 @dataclass(frozen=True)
@@ -46,16 +34,18 @@ class Item:
     edits: tuple[SourceEdit, ...] = ()
     proposal: str = ""
     proved: bool = False
-    example: Example | None = None
+    example: Against | None = None
     unless: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Open:
-    """Displays that are not judged for one reason, and what would settle it."""
+    """Displays that are not judged for one reason, which says what would settle it. places: of what is not
+    read."""
 
     names: tuple[str, ...]
     reason: str
+    places: tuple[Span, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -114,7 +104,12 @@ def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
         items += _items(name, own)
     items.sort(key=lambda item: _RANKS.index(item.grade))
     file = paper.text.path if paper.text else paper.paths[0]
-    return Listing(file, tuple(rows), tuple(items), tuple(_open(groups)))
+    notes = tuple(
+        f"{result.claim.id}: is judged now ({result.verdict.outcome}); its model can do without `unread`"
+        for result in results
+        if result.passed and result.claim.unread is not None and result.verdict.outcome in HOLDS
+    )
+    return Listing(file, tuple(rows), tuple(items), tuple(_open(groups)), notes)
 
 
 def display_name(display: Display | None, result: ClaimResult) -> str:
@@ -173,12 +168,12 @@ def _row(name: str, results: Sequence[ClaimResult]) -> Row:
 
 def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
     """What is wrong in a display; formulas that one edit makes right are told once."""
-    told: list[Item] = []
+    found: list[Item] = []
     for result in results:
         if result.shown not in (Grade.ERROR, Grade.WARNING):
             continue
         own = result.edits
-        if own and any(item.edits == own for item in told):
+        if own and any(item.edits == own for item in found):
             continue
         proposed = result.proposed[0] if result.proposed else None
         item = Item(
@@ -189,13 +184,20 @@ def _items(name: str, results: Sequence[ClaimResult]) -> Iterator[Item]:
             edits=own,
             proposal=proposed.latex if proposed and not own else "",
             proved=proposed is not None and proposed.verdict is Outcome.PROVED,
-            example=example_of(result.counterexample),
+            example=told(result.counterexample, result.claim.printed.latex)
+            if result.counterexample
+            else None,
             unless=result.verdict.unless,
         )
         if own:
             item = replace(item, span=replace(item.span, line=own[0].span.line))
-        told.append(item)
+        found.append(item)
         yield item
+
+
+def _example(result: ClaimResult) -> Against | None:
+    found = result.counterexample
+    return None if found is None else told(found, result.claim.printed.latex)
 
 
 def _what(result: ClaimResult) -> str:
@@ -211,31 +213,13 @@ def _what(result: ClaimResult) -> str:
     return result.why_not or str(verdict.reason or verdict.outcome)
 
 
-def example_of(found: Counterexample | None) -> Example | None:
-    """A counterexample as text: only what is not 0."""
-    if found is None:
-        return None
-    shown = {**found.values, **{k: v for k, v in found.defined.items() if len(v) <= _SMALL}}
-    kinds = {name: found.kinds.get(name, "") for name in shown}
-    values = {name: value_of(entries, kinds[name]) for name, entries in shown.items()}
-    hidden = set(found.behind)
-    told = tuple(
-        (plain_text(name), value_as_text(shown[name], kinds[name]))
-        for name, value in values.items()
-        if not value.is_zero and name not in hidden
-    )
-    rest = any(value.is_zero and name not in hidden for name, value in values.items())
-    left, right = sides_as_text(found)
-    return Example(told, rest, left, right)
-
-
 def _open(groups: Sequence[tuple[Display | None, list[ClaimResult]]]) -> Iterator[Open]:
     """What is not judged, by reason, the reason of most displays first."""
-    found: dict[str, dict[str, None]] = {}
+    found: dict[str, dict[str, Span | None]] = {}
     for display, own in groups:
         for result in own:
             if result.shown is Grade.NOT_JUDGED:
                 reason = in_plain_text(str(result.verdict.reason or "no reason is known"))
-                found.setdefault(reason, {})[display_name(display, result)] = None
+                found.setdefault(reason, {})[display_name(display, result)] = result.claim.printed.at
     for reason, names in sorted(found.items(), key=lambda each: -len(each[1])):
-        yield Open(tuple(names), reason)
+        yield Open(tuple(names), reason, tuple(place for place in names.values() if place is not None))

@@ -10,13 +10,13 @@ from workbench.kinematics.lanes import WIDTH
 
 def operations(joints, order):
     """Additions and multiplications that the recursion needs for one state, sines included."""
-    N = order + 1
-    pairs = N * (N + 1) // 2
-    sines, rotation = 45, 45 + 18  # reduction and polynomials of cos and sin; two products of rotations
-    axis, offset = 12 * (pairs - N) + 3 * (N - 1), 15 + 12 * pairs + 3 * N  # cross products and divisions
-    joint = sines + rotation + axis + offset + 6 * pairs + 3 * (N + 1)
-    first, tip = sines + 12 + 3 * N, 12 * pairs + 9 * N
-    return first + (joints - 1) * joint + tip
+    terms = order + 1
+    pairs = terms * (terms + 1) // 2
+    exponential = 4 * (pairs - terms) + 6 + 45  # 45: reduction and polynomials of cos and sin
+    product = 16 * pairs - 4 * terms + terms
+    step = 24 * terms
+    tip_and_base = 14 * terms + 8 * terms
+    return (joints - 1) * (exponential + product + step) + tip_and_base + joints * terms
 
 
 PEAK_SHAPES = [(2, 12), (4, 8), (4, 12), (8, 8), (8, 12), (8, 24)]  # lanes, independent sums

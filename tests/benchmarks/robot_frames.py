@@ -1,6 +1,6 @@
 """Frames of a robot: the workbench beside Pinocchio and Drake, one thread, in one run.
 
-    OPENBLAS_NUM_THREADS=1 python tests/benchmarks/robot_frames.py [robot.urdf frame] [--rounds 200]
+    OPENBLAS_NUM_THREADS=1 python tests/benchmarks/robot_frames.py [robot.urdf frame] [--rounds 200] [--plot FILE]
 
 What each call yields: the pose of the frame, its twist and the twist's derivatives to the order of the highest
 derivative of the coordinates (order 2: velocity and acceleration, which is what the peers can). Times are the
@@ -151,6 +151,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=200)
     parser.add_argument("--states", type=int, nargs="*", default=[1, 1000, 100_000])
     parser.add_argument("--orders", type=int, nargs="*", default=[2, 4])
+    parser.add_argument("--plot", type=Path, help="write a figure of all times and ratios to this file")
     options = parser.parse_args()
     urdf = options.urdf
     if urdf is None:
@@ -162,6 +163,7 @@ def main() -> None:
 
     positions, rng = len(Robot.from_urdf(urdf).positions), np.random.default_rng(0)
     print(f"{urdf.name}, {options.frame}; {WIDTH} lanes")
+    tables: dict[str, dict[str, float]] = {}
     for order in options.orders:
         for states in options.states:
             shape = (order + 1, positions) if states == 1 else (order + 1, states, positions)
@@ -169,11 +171,37 @@ def main() -> None:
             print(f"order {order}, {states} state{'s' * (states > 1)}: µs a state, ratio to the first row")
             rows = [*workbench_calls(str(urdf), options.frame, q)]
             rows += peers(str(urdf), options.frame, q) if order == 2 else []
-            first = None
+            first, table = None, tables.setdefault(f"order {order}, {states} states", {})
             for name, call, count in rows:
                 spent = best(call, options.rounds) / count
                 first = first or spent
+                table[name] = spent
                 print(f"   {name:42s}{spent:10.4f}{spent / first:10.2f}", flush=True)
+    if options.plot is not None:
+        plot(tables, options.plot)
+
+
+def plot(tables: dict[str, dict[str, float]], file: Path) -> None:
+    """One panel a table: times a state in µs, on a logarithmic axis, with the ratio to the first row."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9, 1.2 + 0.28 * sum(map(len, tables.values()))), layout="constrained")
+    heights = [len(table) for table in tables.values()]
+    panels = figure.subplots(len(tables), 1, sharex=True, squeeze=False, height_ratios=heights)[:, 0]
+    for axis, (title, table) in zip(panels, tables.items(), strict=True):
+        names, values = list(table), list(table.values())
+        colours = ["tab:orange" if name.startswith(("Pinocchio", "Drake")) else "tab:blue" for name in names]
+        axis.barh(names, values, color=colours)
+        for row, value in enumerate(values):
+            axis.text(value, row, f" {value:.3g} µs, × {value / values[0]:.2g}", va="center", fontsize=7)
+        axis.invert_yaxis()
+        axis.set_xscale("log")
+        axis.set_title(title, fontsize=9)
+        axis.tick_params(labelsize=7)
+    panels[-1].set_xlim(right=3 * max(max(table.values()) for table in tables.values()))
+    panels[-1].set_xlabel("µs a state (orange: peers)")
+    figure.savefig(file)
+    print(f"plot: {file}")
 
 
 if __name__ == "__main__":

@@ -17,8 +17,44 @@ from random_robots import motion, tree
 
 from workbench.kinematics.chain import SerialChain
 from workbench.kinematics.robot import Robot, TreeJoint
+from workbench.kinematics.robot.structure import LARGE
+from workbench.kinematics.tree_memory import finite_copy
 
 SCREWS = ["revolute", "prismatic", "cylindrical", "helical"]
+
+# -- large batches -----------------------------------------------------------------------------------
+
+
+def test_a_copy_past_the_caches_is_a_copy_or_none():
+    """Of any size; a number that is not finite is found wherever it is."""
+    rng = np.random.default_rng(0)
+    for size in (0, 1, 15, 16, 17, 64, 333):
+        numbers = rng.normal(size=(1, size))
+        copied = finite_copy(numbers)
+        assert copied.shape == (1, size) and (copied == numbers).all()
+        for at in range(size):
+            for bad in (np.nan, np.inf, -np.inf):
+                numbers[0, at], kept = bad, numbers[0, at]
+                assert finite_copy(numbers) is None
+                numbers[0, at] = kept
+
+
+def test_a_large_batch_is_that_of_its_parts_and_a_copy():
+    robot = Robot("r", tree(1, ["revolute"] * 5).joints)
+    q = np.random.default_rng(0).normal(size=(3, 40_001, 5))
+    assert q.size >= LARGE
+    found = robot.motion(q)
+    first, last = (robot.motion(q[:, part]).frame("b4") for part in (slice(0, 9), slice(-9, None)))
+    q[...] = 0
+    frame = found.frame("b4")
+    for part, right in ((slice(0, 9), first), (slice(-9, None), last)):
+        close(frame.pose[part], right.pose, 14)
+        close(frame.twists[:, part], right.twists, 13)
+    assert not frame.pose.flags.writeable
+    q[2, -1, -1] = np.nan
+    with pytest.raises(ValueError, match="expected finite numbers"):
+        robot.motion(q)
+
 
 # -- values ------------------------------------------------------------------------------------------
 

@@ -10,15 +10,21 @@ import numpy as np
 from numba import njit
 
 Kernel = Callable[[np.ndarray, int, np.ndarray, bool], bool]
+OF_KERNEL = "boolean(float64[:,:,:], int64, float64[:,:,:,:], boolean)"
 
 
-def compiled_kernel(function: Kernel, parts: Sequence[ModuleType], options: dict[str, object]) -> Kernel:
-    """The function of arrays with three and four axes, kept on disk if there is a place for it. Numba would
-    not notice that what it calls, the `parts`, has changed since, so what is older than these files is
-    removed first.
+def compiled_kernel(
+    function: Callable[..., bool],
+    parts: Sequence[ModuleType],
+    options: dict[str, object],
+    of: str = OF_KERNEL,
+) -> Callable[..., bool]:
+    """The function with the Numba signature `of`, kept on disk if there is a place for it. Numba would not
+    notice that what it calls, the `parts`, has changed since, so what is older than these files is removed
+    first.
 
-    It is called without Numba's look at the arguments' types, which takes 0.1 µs: nothing but arrays of
-    native doubles with three and four axes, an int and a bool may be given. The workspace is the end of the
+    It is called without Numba's look at the arguments' types, which takes 0.1 µs: nothing but what the
+    signature says may be given, arrays of native doubles with that many axes. The workspace is the end of the
     plan: two calls cannot meet there, for Python's global lock is held throughout."""
     try:
         kernel = njit(cache=True, **options)(function)
@@ -29,7 +35,7 @@ def compiled_kernel(function: Kernel, parts: Sequence[ModuleType], options: dict
                 index.unlink(missing_ok=True)
     except (RuntimeError, OSError):
         kernel = njit(**options)(function)
-    kernel.compile("boolean(float64[:,:,:], int64, float64[:,:,:,:], boolean)")
+    kernel.compile(of)
     kernel.disable_compile()
     (overload,) = kernel.overloads.values()
     return overload.entry_point

@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+
+from workbench.kinematics import lanes
+from workbench.kinematics.compiled_kernels import compiled_kernel
 from workbench.kinematics.lanes import (
     CHUNK,
     SIZE,
@@ -12,9 +19,12 @@ from workbench.kinematics.lanes import (
     set_number,
     spread,
     store,
+    store_past_caches,
     store_states,
 )
-from workbench.kinematics.tree_arithmetic import compiled
+from workbench.kinematics.tree_arithmetic import OPTIONS, compiled
+
+AHEAD = 1024  # bytes that are asked for before they are read
 
 Axis = tuple[int, int, int]  # count, bytes between numbers, distance of their rows in the workspace
 
@@ -82,3 +92,39 @@ def write_block(W: int, here: int, axes: tuple[Axis, Axis], target: int, of_stat
                 for i in range(count):
                     value = number(W, WIDTH * (row + i * rows) + lane)
                     set_number(start + i * apart + lane * of_state, 0, value)
+
+
+def copy_past_caches(source: int, target: int, count: int, sums: int) -> bool:
+    """Copy `count` doubles, a multiple of 2 WIDTH, between two addresses; the target and `sums`, the address
+    of WIDTH doubles, are aligned. Whether all are finite; not, too, where their sum is not."""
+    s, t = spread(0.0), spread(0.0)
+    for i in range(0, count, 2 * WIDTH):
+        x, y = load_side_by_side(source + 8 * i, AHEAD), load_side_by_side(source + 8 * i + SIZE, AHEAD)
+        store_past_caches(target + 8 * i, x)
+        store_past_caches(target + 8 * i + SIZE, y)
+        s, t = s + x, t + y
+    store(sums, 0, s + t)
+    total = 0.0
+    for lane in range(WIDTH):
+        total += number(sums, lane)
+    return total - total == 0.0
+
+
+@cache
+def _copier() -> Callable[[int, int, int, int], bool]:
+    return compiled_kernel(copy_past_caches, (lanes,), OPTIONS, "boolean(int64, int64, int64, int64)")
+
+
+def finite_copy(numbers: np.ndarray) -> np.ndarray | None:
+    """A copy of a large contiguous array of doubles in one pass over memory, which caches are spared of; None
+    unless all numbers, and their sum, are finite."""
+    memory = np.empty(numbers.size + 2 * WIDTH)
+    start = -memory.ctypes.data % SIZE // 8
+    copy = memory[start : start + numbers.size]
+    whole = numbers.size // (2 * WIDTH) * (2 * WIDTH)
+    flat, room = numbers.reshape(-1), np.empty(2 * WIDTH)
+    room_at = room.ctypes.data + -room.ctypes.data % SIZE
+    if not _copier()(numbers.ctypes.data, copy.ctypes.data, whole, room_at):
+        return None
+    copy[whole:] = flat[whole:]
+    return copy.reshape(numbers.shape) if np.isfinite(copy[whole:]).all() else None

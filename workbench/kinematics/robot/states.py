@@ -27,7 +27,7 @@ from workbench.kinematics.robot.leibniz import (
     turned,
 )
 from workbench.kinematics.robot.partials import twist_partial
-from workbench.kinematics.robot.structure import Body, Structure, whole
+from workbench.kinematics.robot.structure import LARGE, Body, Structure, whole
 from workbench.kinematics.tree_engine import compute, states_side_by_side
 from workbench.kinematics.tree_steps import WORLD
 
@@ -177,7 +177,10 @@ class States:
 
     def _new_record(self, name: str, jacobians: int, turning: int = 0) -> np.ndarray:
         plan, q = self.robot.engine.plan(name, self.order, jacobians, turning), self._input()
-        record = np.empty((q.shape[1], plan.rows))
+        if jacobians == 0 and q.shape[1] * plan.rows >= LARGE:
+            (record,) = states_side_by_side(1, q.shape[1], plan.rows)
+        else:
+            record = np.empty((q.shape[1], plan.rows))
         compute(q, plan, record[None, :, None])
         record.setflags(write=False)
         return record.reshape(*self.shape, plan.rows)

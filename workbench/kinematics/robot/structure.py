@@ -24,6 +24,7 @@ from workbench.kinematics.robot.joints import ANGLES, Limits, Move, TreeJoint
 from workbench.kinematics.tree_engine import TreeEngine
 from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Step
 
+LARGE = 500_000  # doubles, which are more than a core's caches hold
 DOUBLE = np.dtype(np.float64)
 MOST_ROWS = 21  # of one state's derivatives: more are a table of states by mistake
 
@@ -233,7 +234,9 @@ class Structure:
             numbers = q_derivatives.ravel()
             if q_derivatives.shape in self._states and numbers.dot(numbers) < inf:  # a state as before
                 return q_derivatives.copy()
-        q = reals(q_derivatives, "q_derivatives").copy("K")
+        q = finite_copy_of(q_derivatives)
+        if q is None:
+            q = reals(q_derivatives, "q_derivatives").copy("K")
         count = len(self.positions)
         if q.ndim < 2 or q.shape[-1] != count or len(q) < 2:
             raise ValueError(
@@ -318,6 +321,16 @@ class Structure:
 
     def __dir__(self) -> list[str]:
         return [name for name in super().__dir__() if not name.startswith("_")]
+
+
+def finite_copy_of(values: ArrayLike) -> np.ndarray | None:
+    """A copy of a large contiguous array of finite doubles; None of everything else."""
+    large = isinstance(values, ndarray) and values.dtype is DOUBLE and values.size >= LARGE
+    if not large or type(values) is not ndarray or not values.flags.c_contiguous:
+        return None
+    from workbench.kinematics.tree_memory import finite_copy
+
+    return finite_copy(values)
 
 
 def _rate(q: np.ndarray) -> np.ndarray:

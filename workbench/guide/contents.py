@@ -31,7 +31,19 @@ PARTS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
             "python",
         ),
     ),
-    ("Robots", "robot", ()),
+    (
+        "Robots",
+        "robot",
+        (
+            "robot-conventions",
+            "fast-evaluation",
+            "partials",
+            "torques",
+            "closed-loops",
+            "recordings",
+            "time-scaling",
+        ),
+    ),
     (
         "Reference",
         "reference",

@@ -10,6 +10,7 @@ from workbench.ingest.ingest import Ingested, Proposed
 from workbench.ingest.proposal import tables_of
 from workbench.papers.faults import Faults
 from workbench.papers.text_claims.text_load import model_of
+from workbench.papers.texts.titles import own_title
 from workbench.papers.toml.toml_file import TomlFile
 
 _WIDTH = 100
@@ -46,7 +47,7 @@ def _lines(
     macros = ingested.macros and _string(os.path.relpath(ingested.macros, path.parent or "."))
     if macros and not ingested.fences:
         yield f"macros = {macros}"
-    yield f"title = {_string(text.path.stem)}"
+    yield f"title = {_string(own_title(text) or text.path.stem)}"
     tables = tables_of(ingested.proposals)
     if not is_confirmed:
         yield "# Take out what is right: until then, no fault is found in what rests on it."

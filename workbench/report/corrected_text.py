@@ -6,16 +6,16 @@ import difflib
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from difflib import SequenceMatcher
 
 from workbench.judge.verdict import Outcome
+from workbench.report.states import fault_of
+from workbench.typeset.respelling import relation_at, respellings
 from workbench.verify.results import HOLDS, ClaimResult
 
 #: Whose faults are the author's: what a transcription lost is right in the print.
 FAULTS = ("error", "misprint", "wording")
 
 _IGNORED = re.compile(r"\s|&|\\(?:left|right|quad|qquad|displaystyle)(?![A-Za-z])")
-_TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\d|\s+|.", re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ def replacements(text: str, results: Sequence[ClaimResult]) -> Iterator[Replacem
     squeezed = _Squeezed(text)
     lines = [0, *(at + 1 for at, character in enumerate(text) if character == "\n")]
     for result in results:
-        if result.fault not in FAULTS:
+        if fault_of(result) not in FAULTS:
             continue
         span = result.claim.span
         bounds = (0, len(text))
@@ -56,7 +56,7 @@ def replacements(text: str, results: Sequence[ClaimResult]) -> Iterator[Replacem
         elif result.edits:
             yield from (Replacement(edit.start, edit.end, edit.new) for edit in result.edits)
         elif (right := _right(result)) is not None and span is not None:
-            yield from _of_form(text, bounds, result.claim.printed.latex, right)
+            yield from _of_form(squeezed, bounds, result.claim.printed.latex, right)
 
 
 def _right(result: ClaimResult) -> str | None:
@@ -80,24 +80,25 @@ def _of_edits(text: _Squeezed, result: ClaimResult, bounds: tuple[int, int]) -> 
                 break
 
 
-def _of_form(text: str, bounds: tuple[int, int], printed: str, right: str) -> Iterator[Replacement]:
-    """The tokens in which the right form differs from what is printed, where the text spells it so."""
-    own = [(m.start() + bounds[0], m.end() + bounds[0], m[0]) for m in _TOKEN.finditer(text[slice(*bounds)])]
-    own = [each for each in own if not _IGNORED.fullmatch(each[2])]
-    before = [token for token in _TOKEN.findall(printed) if not _IGNORED.fullmatch(token)]
-    after = [token for token in _TOKEN.findall(right) if not _IGNORED.fullmatch(token)]
-    if [token for *_, token in own] != before:
-        return
-    for kind, a, b, c, d in SequenceMatcher(None, before, after, autojunk=False).get_opcodes():
-        if kind != "equal":
-            start = own[a][0] if a < len(own) else bounds[1]
-            yield Replacement(start, own[b - 1][1] if b > a else start, _joined(after[c:d]))
+def _of_form(text: _Squeezed, bounds: tuple[int, int], printed: str, right: str) -> Iterator[Replacement]:
+    """The edits that make the author's formula say the right form, where its spelling can be followed. The
+    left side of a step in a chain stands before the step's own characters."""
+    sign = relation_at(printed) or 0
+    sides = [(0, sign, (0, bounds[0])), (sign, len(printed), bounds)]
+    if text.last(printed, bounds) is not None:
+        sides = [(0, len(printed), bounds)]
+    for each in respellings(printed, right) or ():
+        for start, end, within in sides:
+            if start <= each.start and each.end <= end and (places := text.last(printed[start:end], within)):
+                first = _length(printed[start : each.start])
+                last = _length(printed[start : each.end])
+                at = places[first] if first < len(places) else places[-1] + 1
+                yield Replacement(at, places[last - 1] + 1 if last > first else at, each.new)
+                break
 
 
-def _joined(tokens: Sequence[str]) -> str:
-    """The tokens as LaTeX, with a space where a command would run into a letter."""
-    spelled = "".join(token + " " * bool(re.fullmatch(r"\\[A-Za-z]+", token)) for token in tokens)
-    return re.sub(r"(\\[A-Za-z]+) (?=[\\{}^_(\[+=-])", r"\1", spelled)
+def _length(latex: str) -> int:
+    return len(_squeezed(latex))
 
 
 class _Squeezed:
@@ -124,6 +125,12 @@ class _Squeezed:
             return None
         start = found[0] + inside
         return self.places[start], self.places[start + len(inner) - 1] + 1
+
+    def last(self, passage: str, bounds: tuple[int, int]) -> list[int] | None:
+        """The places of the characters of a passage where it stands last within the bounds."""
+        wanted = _squeezed(passage)
+        inside = [at for at in _all(self.text, wanted) if bounds[0] <= self.places[at] < bounds[1]]
+        return self.places[inside[-1] : inside[-1] + len(wanted)] if inside else None
 
 
 def _squeezed(text: str) -> str:

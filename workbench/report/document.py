@@ -13,7 +13,8 @@ from workbench.report.errata import Errata, errata_of
 from workbench.report.error_rows import ErrorRow, error_rows
 from workbench.report.kinds import SHOWN, Kind
 from workbench.report.motions import Motions, motions_of
-from workbench.report.places import Heirs, Places, equation_key
+from workbench.report.places import Heirs, Place, Places, equation_key
+from workbench.report.prose import Run, runs_of
 from workbench.verify.results import ClaimResult
 
 
@@ -90,6 +91,22 @@ class Document:
     def transcribed(self) -> bool:
         """Whether what was read is not the print itself."""
         return "transcription" in self.citation.get("read", "")
+
+    @property
+    def title_runs(self) -> tuple[Run, ...]:
+        return tuple(runs_of(self.title))
+
+    @property
+    def unjudged(self) -> tuple[tuple[tuple[Run, ...], tuple[Place, ...]], ...]:
+        """The reasons why formulas were not judged, each with its equations; the most frequent one first."""
+        groups: dict[tuple[Run, ...], dict[Place, None]] = {}
+        for equation in self.equations:
+            for entry in equation.entries:
+                if entry.state.name == "unjudged":
+                    place = (equation.label, equation.anchor)
+                    groups.setdefault(entry.reason, {})[place] = None
+        found = sorted(groups.items(), key=lambda each: -len(each[1]))
+        return tuple((reason, tuple(places)) for reason, places in found)
 
     def in_state(self, name: str) -> int:
         """How many equations are in a state."""

@@ -10,7 +10,7 @@ from workbench.repair.propose.proposed import Proposed
 from workbench.report.errata import Correction, cost_in_words, reason_for_readers, without_place
 from workbench.report.kinds import STATES, VERDICTS, Kind
 from workbench.report.places import Heirs, Place, Places, is_counted, label, with_headings
-from workbench.report.prose import Run, plain_value, runs_of
+from workbench.report.prose import Run, plain_value, runs_of, runs_with_symbols
 from workbench.report.states import fault_of, state_of
 from workbench.typeset.differences import difference
 from workbench.verify.results import ClaimResult
@@ -75,7 +75,10 @@ class Entry:
 
     @property
     def unexpected(self) -> str:
-        return without_place(self.result.why_not)
+        """Where the verdict is not the one that the paper file announces; of a text nothing is announced."""
+        claim = self.result.claim
+        is_silent = claim.span is not None and claim.corrected is None and claim.reading is None
+        return "" if is_silent else without_place(self.result.why_not)
 
     @property
     def signs(self) -> tuple[str, ...]:
@@ -135,7 +138,7 @@ def entry_of(
         anchor=anchor,
         state=state_of(result, bool(above)),
         statement=tuple(runs_of(" ".join(filter(None, [quoted, claim.statement])))),
-        reason=tuple(runs_of(reason_for_readers(result))),
+        reason=tuple(runs_with_symbols(reason_for_readers(result))),
         note=tuple(runs_of(with_headings(claim.note, places.anywhere))),
         forms=tuple(_forms(result)),
         correction=corrections.get(claim.id),

@@ -27,7 +27,8 @@ _ACCENT_MADE_BY_CONVERTER = {
 }  # fmt: skip
 _LINES = frozenset((r"\overline", r"\bar"))
 _STRETCHING = frozenset((r"\tilde", r"\hat", r"\vec"))
-_SIGNS_ENDING_AN_OPERAND = frozenset(")]}|⟩‖!…⋯")
+_SIGNS_ENDING_AN_OPERAND = frozenset(")]}|⟩‖!…⋯⌋⌉")
+_BRACKETS = frozenset("⟨⟩⌊⌋⌈⌉")
 _BARE_FUNCTIONS = frozenset(glyphs.FUNCTION_NAMES.values())
 
 
@@ -95,9 +96,9 @@ def _mend(tree: ElementTree.Element, mark: str) -> None:
             del parent.attrib["mathvariant"]
         if parent.get("width") == "negativethinmathspace":
             parent.set("width", "-0.167em")
-        if parent.tag == "mi" and parent.text in ("⟨", "⟩"):
+        if parent.tag == "mi" and parent.text in _BRACKETS:
             parent.tag = "mo"
-            parent.set("form", "prefix" if parent.text == "⟨" else "postfix")
+            parent.set("form", "prefix" if parent.text in "⟨⌊⌈" else "postfix")
             parent.set("stretchy", "false")
         if parent.tag == "mo" and parent.text in ("|", "‖"):
             parent.attrib.update({"lspace": "0", "rspace": "0"})

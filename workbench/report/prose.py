@@ -38,6 +38,23 @@ def runs_of(prose: str) -> list[Run]:
     return [Run(piece, is_math=bool(i % 2)) for i, piece in enumerate(pieces) if piece]
 
 
+_GROUP = r"\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}"
+_SYMBOL = re.compile(
+    rf"(?:\\[A-Za-z]+(?:{_GROUP})*|(?<![A-Za-z\\])[A-Za-z](?=[_^]))(?:[_^](?:{_GROUP}|[A-Za-z0-9]))*"
+)
+
+
+def runs_with_symbols(reason: str) -> list[Run]:
+    """The runs of a reason in which symbols stand as bare LaTeX, such as `a_1`."""
+    if "$" in reason:
+        return runs_of(reason)
+    found, at = [], 0
+    for match in _SYMBOL.finditer(reason):
+        found += [Run(reason[at : match.start()]), Run(match[0], is_math=True)]
+        at = match.end()
+    return [run for run in [*found, Run(reason[at:])] if run.content]
+
+
 def plain_value(value: Any) -> str:
     """A figure of the evidence as text."""
     if isinstance(value, str):

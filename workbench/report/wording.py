@@ -36,6 +36,8 @@ def lead(document: Document) -> tuple[str, str]:
     unjudged, doubtful = document.in_state("unjudged"), document.in_state("warning")
     if wrong:
         strong = f"{wrong} of {equations(total)} {'is' if wrong == 1 else 'are'} wrong"
+    elif document.counted and unjudged == document.counted:
+        return f"None of {equations(total)} was judged", "."
     elif document.rows:
         strong = f"{document.rows[0].label} is wrong"
     else:

@@ -22,7 +22,8 @@ LETTERS = {glyph: command for command, glyph in GREEK.items()}
 BINARY_OPERATORS = {
     "+": "+", "-": "−", r"\cdot": "·", r"\times": "×", r"\otimes": "⊗", r"\circ": "∘",
     r"\oplus": "⊕", r"\pm": "±", r"\mp": "∓", "*": "*", r"\ast": "*", r"\wedge": "∧",
-    r"\vee": "∨", r"\cap": "∩", r"\cup": "∪",
+    r"\vee": "∨", r"\cap": "∩", r"\cup": "∪", r"\bullet": "•", r"\star": "⋆", r"\ominus": "⊖",
+    r"\odot": "⊙", r"\setminus": "⧵", r"\div": "÷",
 }  # fmt: skip
 
 RELATIONS = {
@@ -30,7 +31,9 @@ RELATIONS = {
     r"\geq": "≥", r"\ge": "≥", r"\equiv": "≡", r"\approx": "≈", r"\triangleq": "≜",
     r"\in": "∈", r"\notin": "∉", r"\subset": "⊂", r"\subseteq": "⊆", r"\to": "→",
     r"\rightarrow": "→", r"\leftrightarrow": "↔", r"\Rightarrow": "⇒", r"\Leftrightarrow": "⇔",
-    r"\iff": "⟺", r"\mid": "∣", r"\perp": "⟂", r"\parallel": "∥", ":": ":",
+    r"\iff": "⟺", r"\mid": "∣", r"\perp": "⟂", r"\parallel": "∥", ":": ":", r"\propto": "∝",
+    r"\simeq": "≃", r"\cong": "≅", r"\ll": "≪", r"\gg": "≫", r"\supset": "⊃", r"\supseteq": "⊇",
+    r"\coloneqq": "≔", r"\implies": "⟹", r"\longrightarrow": "⟶",
 }  # fmt: skip
 
 ORDINARY = {
@@ -39,7 +42,9 @@ ORDINARY = {
     r"\int": "∫", r"\ell": "ℓ", r"\langle": "⟨", r"\rangle": "⟩", r"\|": "‖", r"\Vert": "‖",
     r"\lVert": "‖", r"\rVert": "‖", r"\lvert": "|", r"\rvert": "|", r"\{": "{", r"\}": "}",
     "(": "(", ")": ")", "[": "[", "]": "]", "|": "|", ",": ",", ";": ";", ".": ".", "/": "/",
-    "!": "!", "'": "′",
+    "!": "!", "'": "′", r"\lfloor": "⌊", r"\rfloor": "⌋", r"\lceil": "⌈", r"\rceil": "⌉",
+    r"\angle": "∠", r"\emptyset": "∅", r"\neg": "¬", r"\dagger": "†", r"\hbar": "ℏ", r"\Re": "ℜ",
+    r"\Im": "ℑ",
 }  # fmt: skip
 
 FUNCTION_NAMES = {
@@ -58,7 +63,7 @@ ACCENTS = {
 }  # fmt: skip
 DELIMITERS = {
     "(", ")", "[", "]", "|", ".", "/", r"\{", r"\}", r"\langle", r"\rangle", r"\|", r"\Vert",
-    r"\lVert", r"\rVert", r"\lvert", r"\rvert",
+    r"\lVert", r"\rVert", r"\lvert", r"\rvert", r"\lfloor", r"\rfloor", r"\lceil", r"\rceil",
 }  # fmt: skip
 SIZES = frozenset(
     "\\" + size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")

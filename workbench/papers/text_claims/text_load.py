@@ -19,6 +19,7 @@ from workbench.papers.text_claims.text_model import (
 )
 from workbench.papers.text_claims.text_paper import TextPaper, text_paper
 from workbench.papers.texts import Text, read_text
+from workbench.papers.texts.titles import own_title
 from workbench.papers.toml.toml_file import TomlFile
 
 
@@ -30,8 +31,8 @@ def load_text(path: Path) -> TextPaper:
     text = read_text(path)
     model = TextModel()
     read_directives(text.directives, text.displays, model)
-    title = next((toml.text(("title",)) for toml in model.chain if "title" in toml.data), path.name)
-    return text_paper(text, model, title, None, (path,))
+    title = next((toml.text(("title",)) for toml in model.chain if "title" in toml.data), None)
+    return text_paper(text, model, title or own_title(text) or text.path.name, None, (path,))
 
 
 def load_model(toml: TomlFile, text: Text | None = None) -> TextPaper:
@@ -46,7 +47,9 @@ def load_model(toml: TomlFile, text: Text | None = None) -> TextPaper:
     told = {key: past(partial(toml.text, ("citation", key))) for key in CITATION_KEYS}
     citation = {key: text for key, text in told.items() if text}
     budget = past(partial(nearest, model.chain, budget_of))
-    paper = text_paper(text, model, title or text.path.name, doi, (toml.path, text.path), citation)
+    paper = text_paper(
+        text, model, title or own_title(text) or text.path.name, doi, (toml.path, text.path), citation
+    )
     return replace(paper, budget=budget)
 
 

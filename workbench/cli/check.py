@@ -124,7 +124,7 @@ def _write_report(
     from workbench.cli.repair import with_proposals
     from workbench.report.render import write_report
 
-    proposed = with_proposals(results, proposals, cache, False)
+    proposed = with_proposals(results, proposals, cache, False, paper)
     for path in write_report(paper, with_certificates(proposed, paper), out):
         click.echo(str(path), err=True)
 

@@ -7,10 +7,8 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from workbench.judge.verdict import Outcome
 from workbench.report.states import fault_of
-from workbench.typeset.respelling import relation_at, respellings
-from workbench.verify.results import HOLDS, ClaimResult
+from workbench.verify.results import ClaimResult
 
 #: Whose faults are the author's: what a transcription lost is right in the print.
 FAULTS = ("error", "misprint", "wording")
@@ -55,18 +53,6 @@ def replacements(text: str, results: Sequence[ClaimResult]) -> Iterator[Replacem
             yield from _of_edits(squeezed, result, bounds)
         elif result.edits:
             yield from (Replacement(edit.start, edit.end, edit.new) for edit in result.edits)
-        elif (right := _right(result)) is not None and span is not None:
-            yield from _of_form(squeezed, bounds, result.claim.printed.latex, right)
-
-
-def _right(result: ClaimResult) -> str | None:
-    """The proved form of what is wrong."""
-    claim = result.claim
-    for formula, verdict in ((claim.corrected, result.corrected), (claim.reading, result.reading)):
-        if formula is not None and verdict is not None and verdict.outcome in HOLDS:
-            return formula.latex
-    proved = (each.latex for each in result.proposed or () if each.verdict is Outcome.PROVED)
-    return next(proved, None)
 
 
 def _of_edits(text: _Squeezed, result: ClaimResult, bounds: tuple[int, int]) -> Iterator[Replacement]:
@@ -78,27 +64,6 @@ def _of_edits(text: _Squeezed, result: ClaimResult, bounds: tuple[int, int]) -> 
             if edit.old in passage and (place := text.within(passage, edit.old, bounds)) is not None:
                 yield Replacement(*place, edit.new.strip() if edit.old == edit.old.strip() else edit.new)
                 break
-
-
-def _of_form(text: _Squeezed, bounds: tuple[int, int], printed: str, right: str) -> Iterator[Replacement]:
-    """The edits that make the author's formula say the right form, where its spelling can be followed. The
-    left side of a step in a chain stands before the step's own characters."""
-    sign = relation_at(printed) or 0
-    sides = [(0, sign, (0, bounds[0])), (sign, len(printed), bounds)]
-    if text.last(printed, bounds) is not None:
-        sides = [(0, len(printed), bounds)]
-    for each in respellings(printed, right) or ():
-        for start, end, within in sides:
-            if start <= each.start and each.end <= end and (places := text.last(printed[start:end], within)):
-                first = _length(printed[start : each.start])
-                last = _length(printed[start : each.end])
-                at = places[first] if first < len(places) else places[-1] + 1
-                yield Replacement(at, places[last - 1] + 1 if last > first else at, each.new)
-                break
-
-
-def _length(latex: str) -> int:
-    return len(_squeezed(latex))
 
 
 class _Squeezed:
@@ -125,12 +90,6 @@ class _Squeezed:
             return None
         start = found[0] + inside
         return self.places[start], self.places[start + len(inner) - 1] + 1
-
-    def last(self, passage: str, bounds: tuple[int, int]) -> list[int] | None:
-        """The places of the characters of a passage where it stands last within the bounds."""
-        wanted = _squeezed(passage)
-        inside = [at for at in _all(self.text, wanted) if bounds[0] <= self.places[at] < bounds[1]]
-        return self.places[inside[-1] : inside[-1] + len(wanted)] if inside else None
 
 
 def _squeezed(text: str) -> str:

@@ -13,7 +13,6 @@ from workbench.report.places import Heirs, Place, joined, with_headings
 from workbench.report.prose import Run, formula, power_of_ten, runs_of, text
 from workbench.report.states import fault_of
 from workbench.typeset.differences import difference
-from workbench.typeset.respelling import respelled
 from workbench.verify.on_motions import percent
 from workbench.verify.results import ClaimResult
 
@@ -226,7 +225,7 @@ def _changes(result: ClaimResult) -> Iterator[Change]:
     proved = (form for form in result.proposed or () if form.verdict is Outcome.PROVED)
     right = result.right or next(proved, None)
     if right and claim.shown and claim.shown != claim.quote and not claim.mend.edits:
-        yield _in_formula(claim.shown, respelled(claim.shown, right.latex) or right.latex)
+        yield _in_formula(claim.shown, right.latex)
 
 
 def _in_formula(old: str, new: str) -> Change:

@@ -47,6 +47,7 @@ def _correction(each: Correction, entry: Entry) -> dict[str, Any]:
             {"for": plain(change.old), "read": plain(change.new or ()), "is_math": is_one_formula(change.old)}
             for change in each.changes
         ],
+        **({"source_edits": [e.to_dict() for e in entry.result.edits]} if entry.result.edits else {}),
         **({"add": plain(each.add) or each.condition} if each.add or each.condition else {}),
         **({"cause": each.cause} if each.cause else {}),
         "why": plain(each.why),

@@ -129,6 +129,55 @@ def test_loops_that_do_not_close_are_refused():
         ClosedLoops(Robot("r", [TreeJoint("j", "revolute", "world", "a")]), [BallConstraint("z", "a")])
 
 
+# -- other sizes ----------------------------------------------------------------------------------------
+
+
+def turned_about_x(angle, x=0.0):
+    X, c, s = shifted(x), np.cos(angle), np.sin(angle)
+    X[1:3, 1:3] = [[c, -s], [s, c]]
+    return X
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+def test_an_overconstrained_bennett_linkage_of_any_size_moves(size):
+    """tan(θ/2) tan(φ/2) = sin((β + α)/2) / sin((β − α)/2); the crank stays where it is while the loop closes."""
+    a, b, alpha = 0.5 * size, 0.8 * size, 0.6
+    beta = np.arcsin(b * np.sin(alpha) / a)
+    links = [shifted(), turned_about_x(alpha, a), turned_about_x(beta, b), turned_about_x(alpha, a)]
+    joints = [
+        TreeJoint(f"j{i}", "revolute", "world" if i == 0 else f"l{i - 1}", f"l{i}", X, axis=Z)
+        for i, X in enumerate(links)
+    ]
+    loops = ClosedLoops(Robot("bennett", joints), [WeldConstraint("l3", "world", turned_about_x(beta, b))])
+    ratio = np.sin((beta + alpha) / 2) / np.sin((beta - alpha) / 2)
+    for theta in (0.7, 1.4, -2.0):
+        phi = 2 * np.arctan(ratio / np.tan(theta / 2))
+        q = loops.close([theta, phi + 0.3, -theta - 0.2, -phi], ["j0"])
+        assert q[0] == theta and loops.mobility(q) == 1
+        np.testing.assert_allclose(q[1], phi, atol=1e-11)
+        rates = loops.rates(q, {"j0": [1.0, 0.0]})
+        slope = -ratio / (np.sin(theta / 2) ** 2 + ratio**2 * np.cos(theta / 2) ** 2)
+        np.testing.assert_allclose(rates[0], [1, slope, -1, -slope], atol=1e-10)
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+def test_a_slider_crank_of_any_size_stops_at_its_dead_centre(size):
+    joints = [
+        TreeJoint("crank", "revolute", "world", "a", axis=Z),
+        TreeJoint("rod", "revolute", "a", "b", shifted(0.3 * size), axis=Z),
+        TreeJoint("slide", "prismatic", "world", "s", axis=(1, 0, 0)),
+    ]
+    loops = ClosedLoops(Robot("slider", joints), [BallConstraint("b", "s", (size, 0, 0))])
+    q = loops.close([0.7, -0.5, 1.2 * size], ["crank"])
+    root = np.sqrt(1 - 0.09 * np.sin(0.7) ** 2)
+    np.testing.assert_allclose(q[2], size * (0.3 * np.cos(0.7) + root), rtol=1e-13)
+    speed = -0.3 * np.sin(0.7) - 0.09 * np.sin(0.7) * np.cos(0.7) / root
+    np.testing.assert_allclose(loops.rates(q, {"crank": [1.0]})[0, 2], size * speed, rtol=1e-12)
+    np.testing.assert_allclose(loops.rates(q, {"slide": [size * speed]})[0, 0], 1, rtol=1e-11)
+    with pytest.raises(SingularJacobian, match="such as crank, rod"):
+        loops.rates([0, 0, 1.3 * size], {"slide": [size]})
+
+
 # -- 3C chain ------------------------------------------------------------------------------------------
 
 

@@ -137,13 +137,14 @@ class ClosedLoops:
         Raises ValueError where none is found, with the gap that is left."""
         q = self._coordinates(q).copy()
         held, shape = self._indices(driven), q.shape
+        free = [i for i in range(len(self.robot.velocities)) if i not in held]
         q = q.reshape(-1, shape[-1])
         for _ in range(STEPS):
             states = self._at_rest(q)
             gap = self._gap(states)
-            A, row_scale, column_scale = self._system(self._jacobian(states), held)
-            b = np.concatenate([-gap * row_scale, np.zeros((*gap.shape[:-1], len(held)))], axis=-1)
-            step = _least_squares(A, b, self.rtol)
+            A, row_scale, column_scale = self._scaled(self._jacobian(states))
+            step = np.zeros((len(q), len(column_scale)))
+            step[..., free] = _least_squares(A[..., free], -gap * row_scale, self.rtol)
             largest = np.abs(step).max(axis=-1, initial=0.0, keepdims=True)
             if (largest < 1e-14).all():
                 break

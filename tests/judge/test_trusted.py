@@ -1,11 +1,9 @@
-"""Which files a `proved` rests on: those that the judge and the reader reach by imports. The README's table lists
-them; `python tests/judge/test_trusted.py` prints it anew."""
+"""Which files a `proved` rests on: those that the judge and the reader reach by imports. The page on trust lists
+them; `python tests/judge/test_trusted.py` writes its table anew."""
 
 import re
 import sys
 from pathlib import Path
-
-import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
@@ -14,8 +12,7 @@ from test_imports import graph, modules
 import workbench
 
 ROOT = Path(workbench.__file__).parent
-README = ROOT.parent / "README.md"
-HEADING = "What a `proved` rests on"
+PAGE = ROOT / "guide" / "explanation" / "trust.md"
 
 #: Where a `proved` begins: the judge, the rules for goals, and what reads formulas and definitions.
 ENTRANCES = (
@@ -36,6 +33,7 @@ CHECKS = {
     "language/naming": ("which symbol a name means", "the same"),
     "language/elaboration": ("what each form of the notation says", "the same"),
     "language/printing": ("what the read-back shows", "the same"),
+    "core": ("codes of reasons, keys of declarations; data only", "tests/judge, tests/papers/test_schema.py"),
     "judge": ("the form of a verdict", "tests/judge"),
     "judge/subject": (
         "what the free quantities are",
@@ -80,19 +78,14 @@ def trusted() -> dict[str, list[Path]]:
     return found
 
 
-def lines(paths: list[Path]) -> int:
-    return sum(len(path.read_text("utf-8").splitlines()) for path in paths)
-
-
 def table() -> str:
-    rows = ["| files in `workbench/` | lines | what they decide | what checks them |", "|---|--:|---|---|"]
+    rows = ["| files in `workbench/` | what they decide | what checks them |", "|---|---|---|"]
     found = trusted()
     for folder in CHECKS:
-        names = ", ".join(f"{path.stem} {lines([path])}" for path in found[folder])
+        names = ", ".join(path.stem for path in found[folder])
         decides, checks = CHECKS[folder]
-        rows.append(f"| `{folder}`: {names} | {lines(found[folder])} | {decides} | {checks} |")
-    total = lines([path for paths in found.values() for path in paths])
-    return "\n".join([*rows, f"| in all | {total} | | |"])
+        rows.append(f"| `{folder}`: {names} | {decides} | {checks} |")
+    return "\n".join(rows)
 
 
 def test_each_folder_of_what_is_trusted_has_its_row():
@@ -105,17 +98,21 @@ def test_the_kernel_is_trusted_whole():
         assert there == set(trusted()[f"judge/{room}"])
 
 
-def test_the_readme_lists_what_is_trusted():
-    _, found, section = README.read_text("utf-8").partition(HEADING)
-    if not found:
-        pytest.skip("the README has no such section yet")
+def test_the_page_on_trust_lists_what_is_trusted():
+    text = PAGE.read_text("utf-8")
     listed = {
         f"{folder}/{name}"
-        for folder, names in re.findall(r"^\| `([\w/]+)`: ([^|]+)\|", section, re.MULTILINE)
-        for name in re.findall(r"(\w+) \d+", names)
+        for folder, names in re.findall(r"^\| `([\w/]+)`: ([^|]+) \|", text, re.MULTILINE)
+        for name in names.split(", ")
     }
     assert listed == {f"{folder}/{path.stem}" for folder, paths in trusted().items() for path in paths}
 
 
+def written(text: str) -> str:
+    """The page with the table of today."""
+    before, rest = text.split("| files in", 1)
+    return before + table() + "\n\n" + rest.split("\n\n", 1)[1]
+
+
 if __name__ == "__main__":
-    print(table())
+    PAGE.write_text(written(PAGE.read_text("utf-8")), encoding="utf-8")

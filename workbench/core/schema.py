@@ -62,7 +62,7 @@ _MEND = (
     Key("fault", "text", "error, misprint, transcription, wording or hypothesis.", 'fault = "misprint"'),
     Key("mend", "list of pairs", "For the first text read the second.", "mend = [['n!', 'k!']]"),
     Key("mended_by", "text", "The claim whose correction corrects this one, too.", 'mended_by = "67.w"'),
-    Key("beside", "text", "The sentence or formula beside the claim in which `mend` stands."),
+    Key("beside", "text", "The sentence or formula beside the claim to which the edit belongs."),
     Key("place", "text", "Where in the equation the fault is.", 'place = "second line"'),
     Key("cause", "text", "The common cause of several faults: a heading in the erratum note."),
     Key("add", "text", "A missing hypothesis in the author's words."),

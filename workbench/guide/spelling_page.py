@@ -15,7 +15,8 @@ _DATA = Path(__file__).parent / "spellings.toml"
 class Spelling:
     """A spelling with a formula that uses it.
 
-    written: the spelling.   meaning: in words.   example: a formula.   symbols: those of the example."""
+    written: the spelling.   meaning: in words.   example: a formula.   symbols: those of the example.
+    outcome: its verdict.   only_in_texts: `check` does not read it, only a text."""
 
     group: str
     written: str
@@ -23,6 +24,7 @@ class Spelling:
     example: str
     symbols: dict[str, Any]
     outcome: str
+    only_in_texts: bool
 
 
 def spellings() -> Iterator[Spelling]:
@@ -31,7 +33,7 @@ def spellings() -> Iterator[Spelling]:
         for row in tomllib.load(file)["spelling"]:
             yield Spelling(
                 row["group"], row["written"], row["meaning"], row["example"],
-                row.get("symbols", {}), row.get("outcome", "proved"),
+                row.get("symbols", {}), row.get("outcome", "proved"), row.get("only_in_texts", False),
             )  # fmt: skip
 
 
@@ -42,7 +44,13 @@ def spelling_page() -> str:
     for group in dict.fromkeys(row.group for row in rows):
         table = ["| written | means | example |", "|---|---|---|"]
         table += [
-            " | ".join([f"| `{_cell(r.written)}`", r.meaning, f"`{_cell(r.example)}` |"])
+            " | ".join(
+                [
+                    f"| `{_cell(r.written)}`",
+                    r.meaning + " (in texts)" * r.only_in_texts,
+                    f"`{_cell(r.example)}` |",
+                ]
+            )
             for r in rows
             if r.group == group
         ]

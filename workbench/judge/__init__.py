@@ -8,7 +8,7 @@
     kernel      what asks the engines, and turns their answers into a verdict
     theorems    what more than one identity says
 
-A `proved` rests on subject, kernel and both engines agreeing; see the table in the README.
+A `proved` rests on subject, kernel and both engines agreeing; `workbench help trust` lists the files.
 """
 
 from workbench.core.callable_package import make_callable

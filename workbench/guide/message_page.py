@@ -15,6 +15,38 @@ from workbench.core.reasons import Code
 
 _DATA = Path(__file__).parent / "messages.toml"
 
+#: What is said of a code without an entry of its own: of a question, of an expectation, by its table.
+_QUESTION = {
+    "meaning": "The notation has more than one reading, and the reader takes none of them by itself.",
+    "way_out": "Write the reading that you mean, or name it in [conventions] or [notation].",
+}
+_EXPECTATION = {
+    "meaning": "The formula has something else at this position than its form needs.",
+    "way_out": "Write what the message expects.",
+}
+_BY_TABLE = {
+    "SyntaxCode": {
+        "meaning": "The formula cannot be read, so it has no verdict.",
+        "way_out": "Correct the formula at the position; `workbench help notation` says what is read.",
+    },
+    "TypeCode": {
+        "meaning": "The parts of the formula do not fit together: it is ill-formed.",
+        "way_out": "Correct the formula, or the kinds in [symbols]; a `reading` says what is meant.",
+    },
+    "DeclarationCode": {
+        "meaning": "An entry of [symbols], [definitions] or [notation] cannot be used.",
+        "way_out": "Correct the entry; `workbench help model-keys` lists the keys.",
+    },
+    "VerdictCode": {
+        "meaning": "This is why the claim has its verdict.",
+        "way_out": "See `workbench help why-not-judged`.",
+    },
+    "MotionCode": {
+        "meaning": "No simulated motion tests the claim.",
+        "way_out": "Nothing; or bind its symbols in [motion].",
+    },
+}
+
 
 @cache
 def all_codes() -> Mapping[str, Code]:
@@ -64,8 +96,20 @@ def message_page() -> str:
     return "\n\n".join(part.rstrip() for part in parts) + "\n"
 
 
+def meaning_of(code: Code) -> Mapping[str, str]:
+    """Returns the entry of the code: its own, or the general one of its form or its table."""
+    own = entries().get(label(code), {})
+    if "meaning" in own:
+        return own
+    if "?" in code.template:
+        return _QUESTION | dict(own)
+    if re.search(r"\bexpected\b", code.template):
+        return _EXPECTATION | dict(own)
+    return _BY_TABLE.get(type(code).__name__, {}) | dict(own)
+
+
 def _entry(code: Code, level: str) -> str:
-    said = entries().get(label(code), {})
+    said = meaning_of(code)
     lines = [f"{level} {label(code)}", "", f"> {_template(code)}", ""]
     if meaning := said.get("meaning"):
         lines += [meaning, ""]

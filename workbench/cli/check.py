@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -15,6 +16,7 @@ from workbench.cli.printed import print_judged
 
 if TYPE_CHECKING:
     from workbench.papers import Paper, PaperError
+    from workbench.verify.edited import SourceEdit
     from workbench.verify.results import ClaimResult
 
 FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
@@ -52,6 +54,8 @@ FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
 @click.option("--watch", is_flag=True, help="Stay, and judge again what changes.")
 @engine_options
 @proposals_flag
+@click.option("--fix", is_flag=True, help="Make the proved corrections in the texts, if you agree.")
+@click.option("--diff", is_flag=True, help="Print the proved corrections for `patch`, and nothing else.")
 @click.option("--quiet", "-q", is_flag=True, help="Print errors only, one line each.")
 @click.option("--verbose", "-v", is_flag=True, help="Print every display, too.")
 @click.option("--strict", is_flag=True, help="Let a warning count as an error in the exit status.")
@@ -66,16 +70,23 @@ def check(
     watch: bool,
     proposals: bool,
     strict: bool,
+    fix: bool,
+    diff: bool,
     quiet: bool,
     verbose: bool,
     **engines: Any,
 ) -> None:
-    """Judge paper files, texts (.tex, .md, .rst, .html, .ipynb) or the models beside them.
+    """Judge paper files, texts (.tex, .md, .rst, .html, .ipynb) or the models beside them; - is a TeX text on
+    standard input.
 
     Exit status: 0 without an error (with --strict: without an error or a warning), 1 with one, 2 if a file
     cannot be used, or nothing in it could be judged. A claim whose verdict is not the one that its keys
     announce is an error; what is unchecked in a text is none.
     """
+    if fix and (json_out is not None or form != "text" or diff):
+        raise Unusable("--fix: prints text and asks; expected no --diff, --json or --format")
+    if Path("-") in files and (fix or watch):
+        raise Unusable("-: standard input cannot be corrected or watched; expected a file")
     if report_out is not None and (watch or len(files) > 1):
         raise Unusable("--report: expected one FILE and no --watch: a report is of one text")
     if watch:
@@ -85,6 +96,9 @@ def check(
             raise Unusable("--watch prints text, github or rdjsonl, and judges here")
         watch_files(files, form, jobs, **engines)
         return
+    from workbench.cli.fix import diff_of, proved_edits
+    from workbench.cli.judging import print_faults
+    from workbench.cli.repair import with_proposals
     from workbench.ingest.draft import Draft, draft_of, needs_draft, on_drafted_kinds
     from workbench.papers import PaperError, load_paper
 
@@ -92,7 +106,7 @@ def check(
     papers: list[tuple[str, Paper]] = []
     unusable: list[PaperError] = []
     with memory_of_verdicts(engines["cache"]) as memory:
-        for file in dict.fromkeys(files):
+        for file in dict.fromkeys(map(_read_from, files)):
             try:
                 paper = load_paper(file, faults=[], store=memory)
                 if needs_draft(paper):
@@ -106,27 +120,58 @@ def check(
         (paper, on_drafted_kinds(drafts[place], results) if place in drafts else results)
         for place, ((_, paper), results) in enumerate(zip(papers, found, strict=True))
     ]
-    if form == "text" and json_out is None:
+    if form == "text" and json_out is None and not diff:
         for draft in drafts.values():
             click.echo(draft.summary)
+    wanted, cache = proposals or fix or diff, engines["cache"]
+    judged = [(paper, with_proposals(results, wanted, cache, False, paper)) for paper, results in judged]
     if report_out is not None and judged:
-        _write_report(*judged[0], report_out, proposals, engines["cache"])
-    print_judged(judged, json_out, form, proposals, unusable, engines["cache"], quiet, verbose)
+        _write_report(*judged[0], report_out)
+    edits = proved_edits([result for _, results in judged for result in results])
+    if diff:
+        print_faults(unusable)
+        click.echo(diff_of(edits), nl=False)
+    else:
+        print_judged(judged, json_out, form, unusable, quiet, verbose)
+    if fix and _fixed(edits):
+        context = click.get_current_context()
+        context.invoke(check, **{**context.params, "fix": False})
     sys.exit(
         max([_status(paper, results, strict) for paper, results in judged], default=2) if not unusable else 2
     )
 
 
-def _write_report(
-    paper: Paper, results: Sequence[ClaimResult], out: Path, proposals: bool, cache: bool
-) -> None:
+def _read_from(file: Path) -> Path:
+    """The file itself, or, for -, a copy of standard input, which lasts as long as the command."""
+    if str(file) != "-":
+        return file
+    context = click.get_current_context()
+    folder = context.with_resource(TemporaryDirectory(prefix="workbench-"))
+    path = Path(folder) / "standard-input.tex"
+    path.write_bytes(sys.stdin.buffer.read())
+    return path
+
+
+def _write_report(paper: Paper, results: Sequence[ClaimResult], out: Path) -> None:
     from workbench.certificates.certify import with_certificates
-    from workbench.cli.repair import with_proposals
     from workbench.report.render import write_report
 
-    proposed = with_proposals(results, proposals, cache, False, paper)
-    for path in write_report(paper, with_certificates(proposed, paper), out):
+    for path in write_report(paper, with_certificates(results, paper), out):
         click.echo(str(path), err=True)
+
+
+def _fixed(edits: dict[Path, list[SourceEdit]]) -> bool:
+    """Makes the corrections, if they are confirmed; whether any was made."""
+    from workbench.cli.fix import confirmed, write_fixes
+
+    if not edits:
+        click.echo("nothing to correct: no proved correction of an error or a warning")
+        return False
+    if not confirmed(edits):
+        return False
+    count = write_fixes(edits)
+    click.echo(f"{count} correction{'' if count == 1 else 's'} made; judging again")
+    return True
 
 
 def _status(paper: Paper, results: Sequence[ClaimResult], strict: bool) -> int:

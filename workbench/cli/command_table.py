@@ -45,6 +45,13 @@ COMMANDS = (
     ),
     Entry(
         "Check",
+        "try",
+        "workbench.cli.try_formula:try_formula",
+        "Judge one formula.",
+        (r"workbench try 'a \times b = b \times a' -s a=vector -s b=vector",),
+    ),
+    Entry(
+        "Check",
         "init",
         "workbench.cli.init:init",
         "Write a paper file to begin with.",

@@ -18,9 +18,9 @@ from workbench.report.listing import Item, Listing, Open
 from workbench.typeset.plain_text import plain_text
 from workbench.verify.edited import SourceEdit
 
-_MARKS = {Grade.ERROR: "✗", Grade.WARNING: "!", Grade.OK: "✓", Grade.NOTE: "·", Grade.NOT_JUDGED: "?"}
+MARKS = {Grade.ERROR: "✗", Grade.WARNING: "!", Grade.OK: "✓", Grade.NOTE: "·", Grade.NOT_JUDGED: "?"}
 _ASCII = str.maketrans({"✗": "x", "✓": "+", "·": ".", "…": "...", "−": "-", "×": "x", "≠": "!="})
-_STYLES = {Grade.ERROR: "red", Grade.WARNING: "yellow", Grade.NOT_JUDGED: "bold"}
+STYLES = {Grade.ERROR: "red", Grade.WARNING: "yellow", Grade.NOT_JUDGED: "bold"}
 _GONE, _NEW = "red", "blue"
 _WIDTH = 80
 _INDENT = 4
@@ -53,11 +53,11 @@ def item_lines(item: Item, lines_in: Callable[[Path], Sequence[str]]) -> Iterato
     if item.edits:
         yield from _diff(item.edits, lines_in)
     else:
-        yield from marked_lines(item.span, lines_in(item.span.file), _STYLES[item.grade])
+        yield from marked_lines(item.span, lines_in(item.span.file), STYLES[item.grade])
     if item.unless:
         yield _indented(f"unless {'; '.join(item.unless)}")
     if item.example is not None:
-        yield from _example_lines(item.example)
+        yield from example_lines(item.example)
     if item.proposal:
         yield _indented(f"Right: {item.proposal}")
     if item.proved:
@@ -67,7 +67,7 @@ def item_lines(item: Item, lines_in: Callable[[Path], Sequence[str]]) -> Iterato
 def _heading(item: Item) -> Text:
     where = "" if item.name.startswith("line ") else f", line {item.span.line}"
     return Text.assemble(
-        (_MARKS[item.grade], _STYLES[item.grade]), f" {printable(item.name)}{where}: {printable(item.what)}"
+        (MARKS[item.grade], STYLES[item.grade]), f" {printable(item.name)}{where}: {printable(item.what)}"
     )
 
 
@@ -125,7 +125,7 @@ def _side(sign: str, line: str, marks: Sequence[tuple[int, int]], style: str, in
     return Text.assemble(" " * _INDENT, (sign, style), " ", text)
 
 
-def _example_lines(example: Against) -> Iterator[Text]:
+def example_lines(example: Against) -> Iterator[Text]:
     values = ", ".join(f"{plain_text(name)} = {value}" for name, value in (*example.values, *example.defined))
     rest = ("all else 0" if values else "all symbols 0") if example.rest else ""
     told = ", ".join(part for part in (values, rest) if part)
@@ -136,7 +136,7 @@ def _example_lines(example: Against) -> Iterator[Text]:
 
 def _open_lines(group: Open, lines_in: Callable[[Path], Sequence[str]]) -> Iterator[Text]:
     names = ", ".join(group.names[:6]) + (f" and {len(group.names) - 6} more" if len(group.names) > 6 else "")
-    mark = Text(_MARKS[Grade.NOT_JUDGED], style=_STYLES[Grade.NOT_JUDGED])
+    mark = Text(MARKS[Grade.NOT_JUDGED], style=STYLES[Grade.NOT_JUDGED])
     yield Text.assemble(mark, f" {len(group.names)} not judged: {printable(names)}")
     yield _indented(group.reason)
     for place in group.places[:_MOST_PLACES]:
@@ -151,7 +151,7 @@ def _display_lines(found: Listing) -> Iterator[Text]:
     width = min(32, max(len(row.name) for row in found.rows))
     for row in found.rows:
         line = f" {printable(row.name):<{width}}  {row.word:<10}  {printable(row.remark)}".rstrip()
-        yield Text.assemble("  ", (_MARKS[row.grade], _STYLES.get(row.grade, "")), line)
+        yield Text.assemble("  ", (MARKS[row.grade], STYLES.get(row.grade, "")), line)
 
 
 def in_ascii(text: str) -> str:

@@ -11,7 +11,6 @@ import click
 
 from workbench.cli.judging import print_faults, print_results, write_atomically
 from workbench.cli.options import json_text, print_json
-from workbench.cli.repair import with_proposals
 from workbench.report.counts import versions
 from workbench.report.to_json import report_json
 
@@ -25,19 +24,16 @@ def print_judged(
     judged: Sequence[tuple[Paper, Sequence[ClaimResult]]],
     json_out: str | None,
     form: str,
-    proposals: bool,
     unusable: Sequence[PaperError] = (),
-    cache: bool = True,
     quiet: bool = False,
     verbose: bool = False,
 ) -> None:
-    """`unusable`: what is wrong in papers of which nothing could be judged.   cache: whether earlier runs'
-    proposals are taken.   quiet, verbose: how much of a text is told."""
+    """`unusable`: what is wrong in papers of which nothing could be judged.   quiet, verbose: how much of a
+    text is told."""
     if form in ("github", "sarif", "rdjsonl"):
         _print_findings(judged, unusable, form)
         return
     print_faults(unusable)
-    judged = [(paper, with_proposals(results, proposals, cache, False, paper)) for paper, results in judged]
     if form == "json" or json_out is not None:
         told = [report_json(paper, results) | _faults_json(paper) for paper, results in judged]
         told += [{"faults": [_fault_json(fault) for fault in unusable]}] if unusable else []

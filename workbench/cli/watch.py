@@ -91,7 +91,7 @@ def _judged(
     except PaperError as error:
         print_faults(error.faults)
         return before or [file, file.with_suffix(".toml")]
-    print_judged([(paper, results)], None, form, proposals=False)
+    print_judged([(paper, results)], None, form)
     if form == "text":
         click.echo(f"{file}: judged in {monotonic() - start:.1f} s; waiting for changes")
     return [file, *paths_of(paper)]

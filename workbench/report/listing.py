@@ -115,7 +115,7 @@ def listing(paper: TextPaper, results: Sequence[ClaimResult]) -> Listing:
 def display_name(display: Display | None, result: ClaimResult) -> str:
     """The printed number and the label, or the line."""
     claim = result.claim
-    number = f"({claim.equation})" if claim.equation and claim.equation != claim.id else ""
+    number = f"({claim.equation})" if claim.equation else ""
     labels = display.labels if display else ()
     own = next(
         (label for label in labels if label.replace(":", "-") in claim.id), labels[0] if labels else ""

@@ -9,9 +9,14 @@ from workbench.typeset import glyphs
 from workbench.typeset.latex_atoms import Atom, LatexNotTypesettable, atoms_of, closing_of
 
 _COMBINING = {
-    ".": "\u0307", "..": "\u0308", "...": "\u20db", "....": "\u20dc", "˜": "\u0303", "^": "\u0302",
-    "¯": "\u0304", "→": "\u20d7", "_": "\u0332", "˚": "\u030a",
+    glyphs.ACCENTS[command]: mark
+    for command, mark in {
+        r"\dot": "\u0307", r"\ddot": "\u0308", r"\dddot": "\u20db", r"\ddddot": "\u20dc",
+        r"\tilde": "\u0303", r"\hat": "\u0302", r"\bar": "\u0304", r"\vec": "\u20d7",
+        r"\underline": "\u0332", r"\mathring": "\u030a",
+    }.items()
 }  # fmt: skip
+_MARKS = sorted(_COMBINING, key=len, reverse=True)
 _RAISED = {"2": "²", "3": "³", "T": "ᵀ", "−1": "⁻¹", "*": "*"}
 _MATH = re.compile(r"\$([^$\n]+)\$")
 _FUNCTIONS = frozenset((*glyphs.FUNCTION_NAMES.values(), "tr", "skew", "rank", "diag", "sinc"))
@@ -129,9 +134,7 @@ def _trailing_mark(text: str, identity: str) -> str:
     """The accent at the end of a letter's glyphs; a letter such as a bar alone is none."""
     if "(" not in identity or len(text) < 2:
         return ""
-    return next(
-        (mark for mark in ("....", "...", "..", ".", "˜", "^", "¯", "→", "_", "˚") if text.endswith(mark)), ""
-    )
+    return next((mark for mark in _MARKS if text.endswith(mark)), "")
 
 
 def _script(sign: str, inner: str, is_word: bool) -> str:

@@ -1,0 +1,93 @@
+"""check --fix and --diff: proved corrections made in the author's files, or printed for `patch`."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from workbench.cli.options import Unusable
+from workbench.judge.verdict import Grade, Outcome
+from workbench.verify.edited import SourceEdit, applied
+
+if TYPE_CHECKING:
+    from workbench.papers.texts import Source
+    from workbench.verify.results import ClaimResult
+
+_FAULTS = (Grade.ERROR, Grade.WARNING)
+
+
+def proved_edits(results: Sequence[ClaimResult]) -> dict[Path, list[SourceEdit]]:
+    """The edits that make errors and warnings right, by file; of two corrections that overlap only the
+    first."""
+    found: dict[Path, list[SourceEdit]] = {}
+    for result in results:
+        proposed = result.proposed[0] if result.proposed else None
+        if result.shown not in _FAULTS or proposed is None or proposed.verdict is not Outcome.PROVED:
+            continue
+        kept = [edit for edits in found.values() for edit in edits]
+        if any(_clash(edit, other) for edit in result.edits for other in kept):
+            continue
+        for edit in result.edits:
+            own = found.setdefault(edit.span.file, [])
+            if edit not in own:
+                own.append(edit)
+    return found
+
+
+def _clash(edit: SourceEdit, other: SourceEdit) -> bool:
+    if edit == other or edit.span.file != other.span.file:
+        return False
+    return edit.start <= other.end and other.start <= edit.end
+
+
+def diff_of(edits: dict[Path, list[SourceEdit]]) -> str:
+    """The corrections as a unified diff."""
+    pieces: list[str] = []
+    for path, own in edits.items():
+        before = own[0].source.text
+        after = applied(before, own)
+        name = os.path.relpath(path)
+        names = f"a/{name}", f"b/{name}"
+        pieces += difflib.unified_diff(before.splitlines(True), after.splitlines(True), *names, n=1)
+    end = "\n\\ No newline at end of file\n"
+    return "".join(piece if piece.endswith("\n") else piece + end for piece in pieces)
+
+
+def write_fixes(edits: dict[Path, list[SourceEdit]]) -> int:
+    """Makes the corrections in the files; how many. Raises Unusable if a file changed since it was read, or
+    cannot be written: then no file is changed."""
+    made = [(path, _edited(path, own[0].source, own)) for path, own in edits.items()]
+    for path, data in made:
+        draft = path.with_name(f".unfinished-{path.name}")
+        try:
+            draft.write_bytes(data)
+            draft.replace(path)
+        except OSError as error:
+            draft.unlink(missing_ok=True)
+            raise Unusable(f"{path}: cannot be written: {error.strerror or error}") from None
+    return sum(len(own) for own in edits.values())
+
+
+def _edited(path: Path, source: Source, edits: Sequence[SourceEdit]) -> bytes:
+    raw = path.read_bytes()
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise Unusable(f"{path}: is not UTF-8; --diff prints the corrections instead") from None
+    newline = "\r\n" if "\r\n" in text else "\n"
+    if text.replace("\r\n", "\n").replace("\r", "\n") != source.text:
+        raise Unusable(f"{path}: changed while it was judged; nothing was written")
+    mark = b"\xef\xbb\xbf" if raw.startswith(b"\xef\xbb\xbf") else b""
+    return mark + applied(source.text, edits).replace("\n", newline).encode("utf-8")
+
+
+def confirmed(edits: dict[Path, list[SourceEdit]]) -> bool:
+    """Shows the corrections and asks whether to make them."""
+    click.echo(diff_of(edits), nl=False)
+    count = sum(len(own) for own in edits.values())
+    return click.confirm(f"Make {count} correction{'' if count == 1 else 's'}?", default=False)

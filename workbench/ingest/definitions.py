@@ -10,7 +10,7 @@ from workbench.ingest.reading import Outcome
 from workbench.ingest.typefaces import Guess, without_bold
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol
+from workbench.language.typed.terms import Apply, Derivative, Relation, Statement, Symbol, Term
 from workbench.papers.said import stated, terms_of
 from workbench.papers.texts import Display
 
@@ -75,8 +75,13 @@ def _lone_left(statement: Statement) -> str | None:
 
 
 def _spin(said: Relation) -> tuple[str, str] | None:
-    """ω, and vect(Ṙ Rᵀ) or vect(Rᵀ Ṙ), of Ṙ = ω̃ R and Ṙ = R ω̃."""
+    """ω, and vect(Ṙ Rᵀ) or vect(Rᵀ Ṙ), of Ṙ = ω̃ R, Ṙ = R ω̃, ω̃ = Ṙ Rᵀ and ω̃ = Rᵀ Ṙ."""
     match said:
+        case Relation(
+            left=Apply(head="skew", arguments=(Symbol() as spin,)),
+            right=Apply(head="mul", arguments=(one, other)),
+        ):
+            return _of_rate(str(spin.declaration.name), one, other)
         case Relation(
             left=Derivative(body=Symbol(declaration=turning), order=order),
             right=Apply(head="mul", arguments=(one, other)),
@@ -94,6 +99,19 @@ def _spin(said: Relation) -> tuple[str, str] | None:
         ):
             return str(spin.declaration.name), rf"\operatorname{{vect}}({name}^T \dot{{{name}}})"
     return None
+
+
+def _of_rate(name: str, one: Term, other: Term) -> tuple[str, str] | None:
+    match one, other:
+        case Derivative(body=Symbol() as turned), Apply(head="transpose", arguments=(Symbol() as turning,)):
+            form = r"\operatorname{vect}(\dot{%s} %s^T)"
+        case Apply(head="transpose", arguments=(Symbol() as turning,)), Derivative(body=Symbol() as turned):
+            form = r"\operatorname{vect}(%s^T \dot{%s})"
+        case _:
+            return None
+    turn = turning.declaration
+    is_one = turned == turning and turn.rotation
+    return (name, form % (turn.name, turn.name)) if is_one else None
 
 
 def magnitudes(formulas: Sequence[Formula], guesses: Mapping[str, Guess]) -> Iterator[Proposed]:

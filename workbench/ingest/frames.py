@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from workbench.ingest.proposal import Proposal
+from workbench.ingest.sentences import Spin
 
 _STYLE = r"(?:\\(?:bar|vec|mathbf|boldsymbol|mathsf|underline|mathrm|hat)\s*)"
 _SCRIPT = (
@@ -78,6 +80,24 @@ def frames(formulas: str) -> Iterator[Proposal]:
             "Do the labels of positions, velocities and accelerations name points, and is r^{OP} from O?"
         )
         yield Proposal("points", entries, "labels of points", question, _LABELS, stands=True)
+
+
+def with_spins(proposal: Proposal | None, spins: Sequence[Spin]) -> Proposal:
+    """Returns the frames with what sentences say of angular velocities: the angular velocity of B in A."""
+    entries = dict(proposal.entries) if proposal is not None else {}
+    bases = Counter(spin.base for spin in spins)
+    base = entries.get("base") or (f"'{bases.most_common(1)[0][0]}'" if bases else f"'{_NOWHERE}'")
+    names = re.findall("'([^']*)'", entries.get("names", ""))
+    for label in (label for spin in spins for label in (spin.base, spin.frame)):
+        if f"'{label}'" != base and label not in names:
+            names.append(label)
+    entries |= {"base": base, "names": _list(names), "dot": entries.get("dot", base)}
+    for spin in spins:
+        entries[f"'{spin.name}'"] = f'"{spin.what} of {spin.frame} in {spin.base}"'
+    if proposal is not None:
+        return replace(proposal, entries=entries)
+    question = "Which frames does the text have, and in which does \\dot{x} differentiate?"
+    return Proposal("frames", entries, "a sentence says so", question, re.compile(""), stands=True)
 
 
 def _triads(formulas: str) -> dict[str, tuple[str, str]]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -19,13 +19,17 @@ from workbench.ingest.definitions import (
     magnitudes,
 )
 from workbench.ingest.features import feature_of
+from workbench.ingest.frames import with_spins
 from workbench.ingest.guesses import guesses_of
 from workbench.ingest.inference.infer import Inference, Source, infer
+from workbench.ingest.marked_text import MarkedText
 from workbench.ingest.proposal import Proposal, ground_of, words_of
 from workbench.ingest.proposals import proposals_for
 from workbench.ingest.prose import Prose
 from workbench.ingest.questions import questions_of
 from workbench.ingest.reading import EXPONENTIAL, Outcome, Reader
+from workbench.ingest.sentences import Facts, facts_of
+from workbench.ingest.structure import columns, jacobians
 from workbench.ingest.typefaces import Guess, by_typeface
 from workbench.ingest.undeclared import letters_in_bold
 from workbench.papers.cutting.chains import Step, steps_of
@@ -95,11 +99,18 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
     inline, prose = _words(text)
     steps = _steps(text.displays, frozenset())
     inference = _inferred(text, steps, prose)
-    reading = _Reading.of(steps, [], _Start(guesses_of(inference, prose), prose))
+    facts = facts_of(MarkedText(text))
+    reading = _Reading.of(steps, [], _Start(_with_facts(guesses_of(inference, prose), facts), prose))
+    spins = facts.spins
     for proposal in proposals_for(reading.formulas, prose.text, inference):
+        if proposal.table == "frames":
+            proposal, spins = with_spins(proposal, spins), []
         reading = reading.tried(text, proposal)
+    if spins:
+        reading = reading.tried(text, with_spins(None, spins))
     made = reading.made()
     reader = reading.reader
+    lines = _first_lines(made)
     questions = [
         *(f"Does {name} print {body}?" for name, body in fences.items()),
         *(proposal.question for proposal in reading.proposals),
@@ -113,11 +124,18 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         if display.latex.count("=") == 1 and not _opaque(display, display.latex)
     ]
     said = list(in_sentences(sentences, shown, {each.name for each in in_displays}))
-    found = each_once([*in_displays, *said, *magnitudes(made, reader.guesses)])
+    rates = [each for each in facts.definitions(_dot(reading.proposals)) if each.name in reader.guesses]
+    found = each_once([*rates, *columns(reader.guesses, lines), *in_displays, *said])
+    guesses = dict(reader.guesses)
+    components = {each.name: re.findall(r"\\?\w+_\{\w\}", each.body) for each in found}
+    for jacobian, places in jacobians(made, components, {each.name: each for each in found}):
+        found.append(jacobian)
+        guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
+    found = each_once([*found, *magnitudes(made, guesses)])
     return Ingested(
         text,
         macros,
-        {name: guess for name, guess in reader.guesses.items() if name in shown | _used_in(sentences, said)},
+        {name: guess for name, guess in guesses.items() if name in shown | _used_in(sentences, said)},
         made,
         found,
         list(dict.fromkeys(questions)),
@@ -125,6 +143,30 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         fences,
         inference,
     )
+
+
+def _with_facts(guesses: Mapping[str, Guess], facts: Facts) -> dict[str, Guess]:
+    """The guesses with what sentences say of the symbols beside their kinds."""
+    made = dict(guesses)
+    for name, guess in guesses.items():
+        if name in facts.constants and guess.kind in ("scalar", "vector", "tensor"):
+            made[name] = replace(guess, constant=True)
+        elif name in facts.free:
+            made[name] = replace(guess, free=True)
+    return made
+
+
+def _first_lines(formulas: Sequence[Formula]) -> dict[str, int]:
+    lines: dict[str, int] = {}
+    for formula in formulas:
+        for name in formula.outcome.symbols:
+            lines.setdefault(name, formula.display.line)
+    return lines
+
+
+def _dot(proposals: Sequence[Proposal]) -> str:
+    """The frame in which a dot differentiates; "" where the text has no frames."""
+    return next((each.entries["dot"].strip("'") for each in proposals if "dot" in each.entries), "")
 
 
 def inferred_of(path: Path, macros: Path | None = None) -> Inference:

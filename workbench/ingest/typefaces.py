@@ -55,6 +55,8 @@ class Guess:
     why: str = field(default="", compare=False)
     unit: bool = False
     constant: bool = False
+    independent: bool = False
+    free: bool = False
 
     @property
     def is_said(self) -> bool:
@@ -63,7 +65,7 @@ class Guess:
 
     @property
     def spec(self) -> dict[str, object]:
-        flags = {"unit": self.unit, "constant": self.constant}
+        flags = {name: getattr(self, name) for name in ("unit", "constant", "independent", "free")}
         return {"kind": self.kind, **{name: True for name, is_so in flags.items() if is_so}}
 
 

@@ -24,6 +24,11 @@ class VerdictCode(Code):
         "needed-once",
         "{outcome} if {kinds}, which only this formula needs; if {name} is a {other}, this formula is wrong",
     )
+    OF_FRAMES = (
+        "of-frames",
+        "{outcome} for free frames and points; `orientation` in [frames] and `fixed` in [points] say more",
+    )
+    NOT_AS_DRAFTED = "not-as-drafted", "does not fit the drafted kinds and notation: {reason}"
 
 
 #: A claim is false under its premise now, and not seen to be false if the premise lasts.

@@ -11,8 +11,12 @@ from workbench.core.verdict_codes import VerdictCode
 from workbench.ingest.inference.infer import Thin, kind_name
 from workbench.ingest.ingest import Ingested, ingest
 from workbench.ingest.model_file import model_text
+from workbench.ingest.typefaces import flat
 from workbench.judge.verdict import Outcome, Strength, Verdict
-from workbench.papers.model import Paper
+from workbench.language.typed.names import Name
+from workbench.language.typed.terms import Symbol
+from workbench.papers.model import Claim, Paper
+from workbench.papers.said import terms_of
 from workbench.papers.text_claims.text_load import load_model
 from workbench.papers.text_claims.text_paper import TextPaper
 from workbench.papers.toml.toml_file import TomlFile
@@ -64,13 +68,43 @@ def on_drafted_kinds(draft: Draft, results: Sequence[ClaimResult]) -> list[Claim
 
 
 def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
-    verdict, latex = result.verdict, result.claim.printed.latex
+    verdict, claim = result.verdict, result.claim
     if verdict.outcome not in _RESTS_ON_KINDS:
         return verdict
-    thin = [each for each in draft.ingested.inference.thin if each.latex == latex]
-    if thin:
-        return Verdict(Outcome.UNCHECKED, reason=_asked(verdict, thin), read_back=verdict.read_back)
-    return replace(verdict, basis=min(verdict.basis, Strength.HINTED))
+    inference, latex = draft.ingested.inference, claim.printed.latex
+    thin = [each for each in inference.thin if each.latex == latex]
+    misfits = {each.latex for each in inference.misfits}
+    reason: Reason | None = None
+    if verdict.outcome is Outcome.ILL_FORMED and latex not in misfits:
+        reason = VerdictCode.NOT_AS_DRAFTED(reason=verdict.reason or "")
+    elif thin and latex not in misfits:
+        reason = _asked(verdict, thin)
+    elif _has_frames(draft, claim):
+        reason = VerdictCode.OF_FRAMES(outcome=verdict.outcome)
+    if reason is not None:
+        return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
+    defined = {each.name for each in draft.ingested.definitions if each.sure}
+    doubts = [name for name in _names(claim) if name in inference.doubtful(latex) - defined]
+    unless = ("the drafted kinds are others", *(f"{name} is something else" for name in doubts[:3]))
+    return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*verdict.unless, *unless))
+
+
+def _symbols(claim: Claim) -> list[Name]:
+    statement = claim.printed.statement
+    terms = terms_of(statement) if statement is not None else ()
+    return [term.declaration.name for term in terms if isinstance(term, Symbol)]
+
+
+def _names(claim: Claim) -> list[str]:
+    return list(dict.fromkeys(map(str, _symbols(claim))))
+
+
+def _has_frames(draft: Draft, claim: Claim) -> bool:
+    """Whether a claim has axes or points, of which a draft does not know how they move."""
+    made = [name for name in _symbols(claim) if name in claim.notation.framed]
+    tables = (each.entries for each in draft.ingested.proposals if each.table == "frames")
+    spins = [flat(key) for table in tables for key, phrase in table.items() if "angular" in phrase]
+    return any(not any(flat(name.base) in key for key in spins) for name in made)
 
 
 def _asked(verdict: Verdict, thin: Sequence[Thin]) -> Reason:

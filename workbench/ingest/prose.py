@@ -40,7 +40,7 @@ _PHRASE = 16
 _OF_OTHERS = re.compile(r"[.;,$]|\b(?:and|with|where|about|by|from|to)\b")
 #: A q in any font; the parts of one have names of their own.
 _QUATERNION = re.compile(
-    r"(?:\\(?:mathbf|boldsymbol|mathsf|bar|vec|hat|underline)\{)?q\}?(?:_\{(?P<part>[^{}]*)\})?(?:\^\{[^{}]*\})?"
+    r"(?:\\(?:mathbf|boldsymbol|mathsf|bar|vec|hat|underline)\{)?q\}?(?:_\{(?P<part>[^{}]*)\})?(?:\^\{(?![+\\])[^{}]*\})?"
 )
 _PARTS = {"v": "vector", **dict.fromkeys("swxyz", "scalar")}
 

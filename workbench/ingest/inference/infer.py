@@ -22,6 +22,8 @@ from workbench.ingest.prose import Prose
 
 #: Sizes that any text may use, and the largest that a literal matrix gives.
 _USUAL, _LARGEST = (1, 2, 3, 4), 12
+#: A kind is in doubt that costs so little less than the next.
+_CLOSE = 3
 #: Operations on twists.
 _OF_TWISTS = re.compile(
     r"\btwist|\bwrench|spatial (?:velocit|acceleration|force|vector)|\bscrew", re.IGNORECASE
@@ -63,6 +65,7 @@ class Misfit:
     line: int
     latex: str
     operation: str
+    names: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -93,6 +96,12 @@ class Inference:
     thin: tuple[Thin, ...]
     orthogonal: frozenset[str]
     moving: frozenset[str]
+
+    def doubtful(self, latex: str) -> set[str]:
+        """Returns the symbols whose kinds are in doubt beside a formula: those of other formulas that do not
+        fit, and those that another kind would suit as well."""
+        spoilt = {name for each in self.misfits if each.latex != latex for name in each.names}
+        return spoilt | {name for name, own in self.kinds.items() if own.margin < _CLOSE}
 
     def is_square(self, name: str) -> bool:
         """Returns whether a symbol is a square matrix."""
@@ -136,7 +145,7 @@ def infer(sources: Sequence[Source], prose: Prose) -> Inference:
         for name, place, other in search.needed_once()
     )
     misfits = tuple(
-        Misfit(formula.line, each.latex, str(operation))
+        Misfit(formula.line, each.latex, str(operation), operation.names)
         for (each, _), formula in zip(read, formulas, strict=True)
         for operation in _misfits(search, formula)
     )

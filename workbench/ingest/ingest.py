@@ -28,6 +28,7 @@ from workbench.ingest.proposals import proposals_for
 from workbench.ingest.prose import Prose
 from workbench.ingest.questions import questions_of
 from workbench.ingest.reading import EXPONENTIAL, Outcome, Reader
+from workbench.ingest.scopes import Scope, scopes_of
 from workbench.ingest.sentences import Facts, facts_of
 from workbench.ingest.structure import columns, jacobians
 from workbench.ingest.typefaces import Guess, by_typeface
@@ -54,6 +55,7 @@ class Ingested:
     proposals: list[Proposal]
     fences: dict[str, str]
     inference: Inference
+    scopes: list[Scope]
 
     @cached_property
     def _formulas_of(self) -> dict[int, list[Formula]]:
@@ -132,6 +134,8 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         found.append(jacobian)
         guesses |= {name: replace(guesses[name], independent=True) for name in places if name in guesses}
     found = each_once([*found, *magnitudes(made, guesses)])
+    sure = {each.name: each for each in found if each.sure}
+    scopes = scopes_of(text.displays, made, guesses, sure, facts.quaternions)
     return Ingested(
         text,
         macros,
@@ -142,6 +146,7 @@ def ingest(path: Path, macros: Path | None = None) -> Ingested:
         reading.proposals,
         fences,
         inference,
+        scopes,
     )
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from workbench.ingest.ingest import Ingested, Proposed
 from workbench.ingest.proposal import tables_of
+from workbench.ingest.scopes import Scope
 from workbench.papers.faults import Faults
 from workbench.papers.text_claims.text_load import model_of
 from workbench.papers.texts.titles import own_title
@@ -21,11 +23,18 @@ def model_text(ingested: Ingested, path: Path, is_confirmed: bool = False) -> st
     its reason. is_confirmed: nothing is listed as guessed."""
     chosen = [proposed for proposed in ingested.definitions if proposed.sure]
     refused: dict[str, str] = {}
+    ingested = replace(ingested, scopes=list(ingested.scopes))
     while True:
         written = "\n".join(_lines(ingested, path, chosen, refused, is_confirmed)) + "\n"
         faults = Faults()
         model_of(TomlFile(path, written), ingested.text, faults).notations()
         wrong = {str(fault.path[-1]): fault.message for fault in faults if fault.path[:1] == ("definitions",)}
+        if scopes := [fault.path[1] for fault in faults if fault.path[:1] == ("scope",)]:
+            del ingested.scopes[int(scopes[0])]
+            continue
+        if not wrong and faults and ingested.scopes:
+            ingested.scopes.clear()
+            continue
         if not wrong:
             faults.stop()
             return written
@@ -84,12 +93,26 @@ def _lines(
         else:
             why = f"; refused: {_comment(refused[proposed.name])}" if proposed.name in refused else ""
             yield f"# {entry}  {note}{why}"
+    for scope in ingested.scopes:
+        yield from ("", *scope_lines(scope))
     unread = [(d, feature) for d in text.displays if (feature := ingested.feature_of(d)) is not None]
     if unread:
         yield ""
         yield "# Not read yet, and what each needs:"
         for display, feature in unread:
             yield f"#   line {display.line}: {_comment(feature)}: {_comment(display.latex)}"
+
+
+def scope_lines(scope: Scope) -> Iterator[str]:
+    """Yields the lines of a scope in a model."""
+    yield f"[[scope]]  # line {scope.display.line}: {_comment(scope.why)}"
+    yield f"from = {_string(scope.start)}"
+    if scope.symbols:
+        yield "[scope.symbols]"
+        yield from (f"{_string(name)} = {entry}" for name, entry in scope.symbols.items())
+    if scope.definitions:
+        yield "[scope.definitions]"
+        yield from (f"{_string(name)} = {_string(body)}" for name, body in scope.definitions.items())
 
 
 def _string(text: str) -> str:

@@ -28,16 +28,25 @@ class Spin:
     line: int
 
 
+@dataclass(frozen=True)
+class Quaternion:
+    """A unit quaternion and its parts, in the order in which the sentence has them."""
+
+    name: str
+    parts: tuple[str, ...]
+    line: int
+
+
 @dataclass
 class Facts:
     """What the sentences of a text say. rates: name → of which symbol, in which frame ("" for none), and the
-    line.   constants, free: symbols that are constant, or any.   quaternions: unit quaternion → its parts."""
+    line.   constants, free: symbols that are constant, or any."""
 
     spins: list[Spin] = field(default_factory=list)
     rates: dict[str, tuple[str, str, int]] = field(default_factory=dict)
     constants: dict[str, str] = field(default_factory=dict)
     free: dict[str, str] = field(default_factory=dict)
-    quaternions: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    quaternions: list[Quaternion] = field(default_factory=list)
     units: dict[str, str] = field(default_factory=dict)
 
     def definitions(self, dot: str) -> Iterator[Proposed]:
@@ -114,9 +123,7 @@ def _quaternion(facts: Facts, text: MarkedText, sentence: Sentence, match: re.Ma
         return
     if tree.op == "equal" and tree.parts[1].op in ("tuple", "matrix") and tree.parts[0].op == "symbol":
         parts = tuple(part.text for part in tree.parts[1].parts if part.op == "symbol")
-        facts.quaternions.setdefault(tree.parts[0].text, parts)
-    elif names := text.names(match["name"]):
-        facts.quaternions.setdefault(names[0], ())
+        facts.quaternions.append(Quaternion(tree.parts[0].text, parts, sentence.line))
 
 
 Rule = tuple[re.Pattern[str], Callable[[Facts, MarkedText, Sentence, re.Match[str]], None]]

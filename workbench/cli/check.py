@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from workbench.cli.ask import print_questions
 from workbench.cli.judging import engine_options, judged_papers, proposals_flag
 from workbench.cli.options import Unusable, memory_of_verdicts, reports_faults
 from workbench.cli.printed import print_judged
 
 if TYPE_CHECKING:
+    from workbench.ingest.draft import Draft
     from workbench.papers import Paper, PaperError
     from workbench.verify.edited import SourceEdit
     from workbench.verify.results import ClaimResult
@@ -58,6 +60,7 @@ FORMATS = ("text", "json", "github", "sarif", "rdjsonl")
 @click.option("--diff", is_flag=True, help="Print the proved corrections for `patch`, and nothing else.")
 @click.option("--quiet", "-q", is_flag=True, help="Print errors only, one line each.")
 @click.option("--verbose", "-v", is_flag=True, help="Print every display, too.")
+@click.option("--ask", is_flag=True, help="Ask what a draft leaves open; the answers go into the model.")
 @click.option("--strict", is_flag=True, help="Let a warning count as an error in the exit status.")
 @reports_faults
 def check(
@@ -69,6 +72,7 @@ def check(
     report_out: Path | None,
     watch: bool,
     proposals: bool,
+    ask: bool,
     strict: bool,
     fix: bool,
     diff: bool,
@@ -99,7 +103,7 @@ def check(
     from workbench.cli.fix import diff_of, proved_edits
     from workbench.cli.judging import print_faults
     from workbench.cli.repair import with_proposals
-    from workbench.ingest.draft import Draft, draft_of, needs_draft, on_drafted_kinds
+    from workbench.ingest.draft import draft_of, needs_draft, on_drafted_kinds
     from workbench.papers import PaperError, load_paper
 
     drafts: dict[int, Draft] = {}
@@ -120,6 +124,8 @@ def check(
         (paper, on_drafted_kinds(drafts[place], results) if place in drafts else results)
         for place, ((_, paper), results) in enumerate(zip(papers, found, strict=True))
     ]
+    if ask and form == "text" and json_out is None:
+        judged = _asked(judged, drafts, engines)
     if form == "text" and json_out is None and not diff:
         for draft in drafts.values():
             click.echo(draft.summary)
@@ -133,6 +139,9 @@ def check(
         click.echo(diff_of(edits), nl=False)
     else:
         print_judged(judged, json_out, form, unusable, quiet, verbose)
+        if form == "text" and json_out is None and not (quiet or ask):
+            for place, draft in drafts.items():
+                print_questions(draft, judged[place][1])
     if fix and _fixed(edits):
         context = click.get_current_context()
         context.invoke(check, **{**context.params, "fix": False})
@@ -172,6 +181,22 @@ def _fixed(edits: dict[Path, list[SourceEdit]]) -> bool:
     count = write_fixes(edits)
     click.echo(f"{count} correction{'' if count == 1 else 's'} made; judging again")
     return True
+
+
+def _asked(
+    judged: list[tuple[Paper, list[ClaimResult]]], drafts: dict[int, Draft], engines: dict[str, Any]
+) -> list[tuple[Paper, list[ClaimResult]]]:
+    """Returns the results after the author has answered."""
+    from workbench.cli.ask import ask
+    from workbench.ingest.draft import on_drafted_kinds
+
+    made = list(judged)
+    for place, before in drafts.items():
+        if (draft := ask(before, judged[place][1])) is not None:
+            (results,) = judged_papers([(str(draft.paper.paths[0]), draft.paper)], None, None, **engines)
+            made[place] = (draft.paper, on_drafted_kinds(draft, results))
+            drafts[place] = draft
+    return made
 
 
 def _status(paper: Paper, results: Sequence[ClaimResult], strict: bool) -> int:

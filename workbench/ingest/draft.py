@@ -37,11 +37,7 @@ class Draft:
         """One line that says that a model was drafted, and how to keep it."""
         found, path = self.ingested, self.ingested.text.path
         definitions = sum(proposed.sure for proposed in found.definitions)
-        counts = [
-            (len(found.guesses), "symbol"),
-            (definitions, "definition"),
-            (len(found.questions), "question"),
-        ]
+        counts = [(len(found.guesses), "symbol"), (definitions, "definition")]
         told = ", ".join(f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts)
         return f"drafted a model of {path.name} ({told}); `workbench draft {path}` writes it"
 
@@ -55,7 +51,12 @@ def needs_draft(paper: Paper) -> bool:
 
 def draft_of(path: Path) -> Draft:
     """Returns a text under the model that is drafted for it. Raises PaperError."""
-    ingested = ingest(path)
+    return draft_from(ingest(path))
+
+
+def draft_from(ingested: Ingested) -> Draft:
+    """Returns a text under the model that was found for it. Raises PaperError."""
+    path = ingested.text.path
     beside = path.with_suffix(".toml")
     toml = TomlFile(beside, model_text(ingested, beside, is_confirmed=True))
     return Draft(ingested, replace(load_model(toml, ingested.text), paths=(path,)))
@@ -72,7 +73,10 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
     if verdict.outcome not in _RESTS_ON_KINDS:
         return verdict
     inference, latex = draft.ingested.inference, claim.printed.latex
-    thin = [each for each in inference.thin if each.latex == latex]
+    confirmed, names = draft.ingested.confirmed, _names(claim)
+    if names and confirmed.issuperset(names):
+        return verdict
+    thin = [each for each in inference.thin if each.latex == latex and each.name not in confirmed]
     misfits = {each.latex for each in inference.misfits}
     reason: Reason | None = None
     if verdict.outcome is Outcome.ILL_FORMED and latex not in misfits:
@@ -83,8 +87,8 @@ def _on_drafted_kinds(draft: Draft, result: ClaimResult) -> Verdict:
         reason = VerdictCode.OF_FRAMES(outcome=verdict.outcome)
     if reason is not None:
         return Verdict(Outcome.UNCHECKED, reason=reason, read_back=verdict.read_back)
-    defined = {each.name for each in draft.ingested.definitions if each.sure}
-    doubts = [name for name in _names(claim) if name in inference.doubtful(latex) - defined]
+    known = confirmed | {each.name for each in draft.ingested.definitions if each.sure}
+    doubts = [name for name in names if name in inference.doubtful(latex) - known]
     unless = ("the drafted kinds are others", *(f"{name} is something else" for name in doubts[:3]))
     return replace(verdict, basis=min(verdict.basis, Strength.HINTED), unless=(*verdict.unless, *unless))
 

@@ -44,7 +44,7 @@ _INLINE = 60
 @dataclass(frozen=True)
 class Ingested:
     """What was found in a text. formulas: one for each step of a display.   fences: macros that only TeX can
-    follow, each with what it seems to print."""
+    follow, each with what it seems to print.   confirmed: names that the author answered for."""
 
     text: Text
     macros: Path | None
@@ -56,6 +56,7 @@ class Ingested:
     fences: dict[str, str]
     inference: Inference
     scopes: list[Scope]
+    confirmed: frozenset[str] = frozenset()
 
     @cached_property
     def _formulas_of(self) -> dict[int, list[Formula]]:

@@ -52,17 +52,17 @@ def _lines(
         yield "# Only the author can answer:"
         yield from (f"#   - {_comment(question)}" for question in ingested.questions)
     yield ""
-    yield f"source = {_string(os.path.relpath(text.path, path.parent or '.'))}"
-    macros = ingested.macros and _string(os.path.relpath(ingested.macros, path.parent or "."))
+    yield f"source = {string(os.path.relpath(text.path, path.parent or '.'))}"
+    macros = ingested.macros and string(os.path.relpath(ingested.macros, path.parent or "."))
     if macros and not ingested.fences:
         yield f"macros = {macros}"
-    yield f"title = {_string(own_title(text) or text.path.stem)}"
+    yield f"title = {string(own_title(text) or text.path.stem)}"
     tables = tables_of(ingested.proposals)
     if not is_confirmed:
         yield "# Take out what is right: until then, no fault is found in what rests on it."
         yield "guessed = ["
-        yield from (f"    {_string(f'[{table}]')}," for table in tables)
-        yield from (f"    {_string(name)}," for name in (*ingested.fences, *ingested.guesses))
+        names = [*(f"[{table}]" for table in tables), *ingested.fences, *ingested.guesses]
+        yield from (f"    {string(name)}," for name in names if name not in ingested.confirmed)
         yield "]"
     yield ""
     if ingested.fences:
@@ -70,7 +70,7 @@ def _lines(
         if macros:
             yield f"from = {macros}"
         for name, body in ingested.fences.items():
-            yield f"{_string(name)} = {_string(body)}  # guessed: it seems to print that"
+            yield f"{string(name)} = {string(body)}  # guessed: it seems to print that"
         yield ""
     for table, entries in tables.items():
         yield f"[{table}]"
@@ -80,13 +80,13 @@ def _lines(
     defined = {proposed.name for proposed in chosen}
     for guess in ingested.guesses.values():
         flags = "".join(f", {flag} = true" for flag in guess.spec if flag != "kind")
-        entry = f'{_string(guess.name)} = {{ kind = "{guess.kind}"{flags} }}'
+        entry = f'{string(guess.name)} = {{ kind = "{guess.kind}"{flags} }}'
         mark = "# " if guess.name in defined else ""
         yield f"{mark}{entry}  # guessed: {_comment(guess.why)}"
     yield ""
     yield "[definitions]"
     for proposed in ingested.definitions:
-        entry = f"{_string(proposed.name)} = {_string(proposed.body)}"
+        entry = f"{string(proposed.name)} = {string(proposed.body)}"
         note = f"# line {proposed.line}: {_comment(proposed.why)}"
         if proposed in chosen:
             yield f"{entry}  {note}"
@@ -106,17 +106,17 @@ def _lines(
 def scope_lines(scope: Scope) -> Iterator[str]:
     """Yields the lines of a scope in a model."""
     yield f"[[scope]]  # line {scope.display.line}: {_comment(scope.why)}"
-    yield f"from = {_string(scope.start)}"
+    yield f"from = {string(scope.start)}"
     if scope.symbols:
         yield "[scope.symbols]"
-        yield from (f"{_string(name)} = {entry}" for name, entry in scope.symbols.items())
+        yield from (f"{string(name)} = {entry}" for name, entry in scope.symbols.items())
     if scope.definitions:
         yield "[scope.definitions]"
-        yield from (f"{_string(name)} = {_string(body)}" for name, body in scope.definitions.items())
+        yield from (f"{string(name)} = {string(body)}" for name, body in scope.definitions.items())
 
 
-def _string(text: str) -> str:
-    """A literal string where TOML allows one."""
+def string(text: str) -> str:
+    """Returns the text as a TOML string, a literal one where TOML allows it."""
     if "'" not in text and text.isprintable():
         return f"'{text}'"
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')

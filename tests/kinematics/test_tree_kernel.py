@@ -1,6 +1,7 @@
 """The compiled pass over a tree: of any size, memory and processor, against plain NumPy."""
 
 import copy
+import gc
 import os
 import pickle
 import subprocess
@@ -379,3 +380,20 @@ for kinds in (["helical"], ["helical"] * 7, screws * 2, None):
 """
     chosen = {"NUMBA_CPU_NAME": "x86-64", "NUMBA_CPU_FEATURES": features, "NUMBA_CACHE_DIR": str(tmp_path)}
     subprocess.run([sys.executable, "-c", program], check=True, env=os.environ | chosen)
+
+
+def test_a_bound_call_keeps_what_it_reads():
+    """Neither the robot nor the plan nor the arguments are named any more when it is called."""
+    q = np.random.default_rng(0).normal(size=(3, 4))
+    robot = Robot("r", tree(2, ["revolute"] * 4).joints)
+    right, step = robot.motion(q).frame("b3").twists.copy(), robot.evaluator("b3", 2)
+    chain, out = SerialChain(random_joints(np.random.default_rng(3), 4)), np.empty((2, 6))
+    wanted = np.random.default_rng(1).normal(size=(3, chain.dof))
+    of_chain, bound = chain.twist_derivatives(wanted), chain.bind(wanted, out)
+    step.q[:] = q
+    del robot, chain, wanted
+    gc.collect()
+    spoilt = [np.full(size, np.nan) for size in (17, 500, 900, 1500) for _ in range(200)]
+    assert step() and bound() and len(spoilt) == 800
+    close(step.twists, right, 14)
+    close(out, of_chain, 14)

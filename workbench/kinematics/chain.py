@@ -14,7 +14,6 @@ of the body point that is at the base origin at that instant (the chapter's dual
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from functools import partial
 from math import inf
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +21,7 @@ import numpy as np
 from numpy import empty, ndarray
 from numpy.typing import ArrayLike
 
+from workbench.kinematics.bound_calls import BoundCall
 from workbench.kinematics.chain_joints import Joint
 from workbench.kinematics.tree_engine import TreeEngine, compute
 from workbench.kinematics.tree_steps import HIGHEST_DERIVATIVE_ORDER, WORLD, Drive, Frame, Step
@@ -112,9 +112,7 @@ class SerialChain:
         if q.size and not all(np.may_share_memory(*pair) for pair in zip(arrays, rows, strict=True)):
             raise ValueError("q and out: expected arrays whose axes of states are one in memory")
         plan = self._plan(len(q) - 1, False)
-        call = partial(plan.kernel, rows[0], plan.address, _as_of_one_frame(rows[1]), False)
-        call.plan = plan  # what the address points to must live as long
-        return call
+        return BoundCall(plan.bound_kernel(), plan, rows[0], _as_of_one_frame(rows[1]))
 
     def pose(self, q: ArrayLike) -> np.ndarray:
         """The pose of the last body in the base frame, Eq. (117).

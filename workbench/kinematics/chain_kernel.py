@@ -26,10 +26,19 @@ from workbench.kinematics.chain_recursion import (
     step,
     turn_and_step,
 )
-from workbench.kinematics.compiled_kernels import Kernel, compiled_kernel
+from workbench.kinematics.compiled_kernels import OF_BOUND, BoundKernel, Kernel, compiled_kernel
 from workbench.kinematics.lanes import SIZE, WIDTH, load, number, scalar_cosines_and_sines, spread, store
 from workbench.kinematics.tree_arithmetic import LARGEST_ANGLE, OPTIONS, compiled, cosine_and_sine, inlined
-from workbench.kinematics.tree_memory import read_block, read_side_by_side, runs, write_block
+from workbench.kinematics.tree_memory import (
+    Memory,
+    bound_input,
+    bound_output,
+    memory_of,
+    read_block,
+    read_side_by_side,
+    runs,
+    write_block,
+)
 
 HEAD, ROW = 4, 10  # numbers before the factors, and for each joint, in the plan
 PARTS = (lanes, tree_arithmetic, tree_memory, chain_recursion)  # what is compiled into the pass
@@ -160,7 +169,8 @@ def room_of(plan: int, dof: int, constants: Constants) -> Room:
     return Room(squares, D, Q, E, V, W, W + 6 * SIZE * terms - Q)
 
 
-def chain_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
+@compiled
+def pass_of(q: Memory, plan: int, out: Memory, exactly: bool) -> bool:
     """q (n + 2, states, dof) → out (1, states, n + 1, 6), as the plan at that address says.
 
     False, with `out` unusable, if an angle is beyond LARGEST_ANGLE and its sine was not computed `exactly`.
@@ -190,19 +200,19 @@ def chain_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool
     while first < states:
         blocks = min(together, (states - first + WIDTH - 1) // WIDTH)
         if here == WIDTH and of_state == 8:
-            source = q.ctypes.data + 8 * first
-            end = q.ctypes.data + 8 * last
+            source = q.address + 8 * first
+            end = q.address + 8 * last
             read_side_by_side(source, end, blocks, inputs, factors, room.Q, room.apart)
         else:
             for block in range(blocks):
-                source = q.ctypes.data + of_state * min(first + WIDTH * block, last)
+                source = q.address + of_state * min(first + WIDTH * block, last)
                 read_block(source, of_state, here, inputs, factors, room.Q + block * room.apart)
         target = Target(free, room.apart, free + blocks * room.apart)
         if at_once:
-            target = Target(out.ctypes.data + 8 * first, SIZE, out.ctypes.data + 8 * last)
+            target = Target(out.address + 8 * first, SIZE, out.address + 8 * last)
         twists_of_blocks(blocks, room, constants, target, base, exactly)
         for block in range(0 if at_once else blocks):
-            to = out.ctypes.data + out_of_state * min(first + WIDTH * block, last)
+            to = out.address + out_of_state * min(first + WIDTH * block, last)
             write_block(free + block * room.apart, here, outputs, to, out_of_state)
         first += WIDTH * together
     largest = 0.0
@@ -211,7 +221,21 @@ def chain_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool
     return exactly or largest <= LARGEST_ANGLE**2
 
 
+def chain_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
+    return pass_of(memory_of(q), plan, memory_of(out), exactly)
+
+
+def bound_chain_pass(arguments: int) -> bool:
+    return pass_of(bound_input(arguments), int(number(arguments, 7)), bound_output(arguments), False)
+
+
 @cache
 def chain_kernel() -> Kernel:
-    """`chain_pass`, compiled."""
+    """`pass_of` for arrays, compiled."""
     return compiled_kernel(chain_pass, PARTS, OPTIONS)
+
+
+@cache
+def bound_chain_kernel() -> BoundKernel:
+    """`pass_of` for the arguments of a `BoundCall`, compiled."""
+    return compiled_kernel(bound_chain_pass, PARTS, OPTIONS, OF_BOUND)

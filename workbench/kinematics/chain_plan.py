@@ -17,7 +17,7 @@ from math import factorial
 import numpy as np
 
 from workbench.kinematics.chain_joints import Joint
-from workbench.kinematics.chain_kernel import HEAD, ROW, chain_kernel
+from workbench.kinematics.chain_kernel import HEAD, ROW, bound_chain_kernel, chain_kernel
 from workbench.kinematics.lanes import WIDTH
 from workbench.kinematics.tree_plan import Plan
 
@@ -51,7 +51,7 @@ def plan_of_chain(joints: Sequence[Joint], dof: int, order: int, taylor: bool) -
         ]
     )
     assert rows.shape[1] == ROW and 2 + len(first_turn) == HEAD
-    return Plan(memory, memory.ctypes.data, 6 * order, chain_kernel())
+    return Plan(memory, memory.ctypes.data, 6 * order, chain_kernel(), bound_chain_kernel)
 
 
 def _rows(joints: Sequence[Joint]) -> tuple[tuple[float, float], np.ndarray]:

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.kinematics import lanes, tree_arithmetic, tree_bodies, tree_joints, tree_memory
-from workbench.kinematics.compiled_kernels import Kernel, compiled_kernel
+from workbench.kinematics.compiled_kernels import OF_BOUND, BoundKernel, Kernel, compiled_kernel
 from workbench.kinematics.lanes import (
     SIZE,
     WIDTH,
@@ -51,7 +51,17 @@ from workbench.kinematics.tree_bodies import (
     turning_out,
 )
 from workbench.kinematics.tree_joints import SCREW, SLIDE, TURN, first_step, next_step, scaled_rates
-from workbench.kinematics.tree_memory import Axis, read_block, read_side_by_side, runs, write_block
+from workbench.kinematics.tree_memory import (
+    Axis,
+    Memory,
+    bound_input,
+    bound_output,
+    memory_of,
+    read_block,
+    read_side_by_side,
+    runs,
+    write_block,
+)
 
 HEAD, STEP, BODY = 14, 24, 19  # doubles of the header, a step and a body in the plan
 ORIGIN = 10  # where in the header the point is that positions are reckoned from
@@ -124,16 +134,16 @@ def room_of(plan: int, channels: int, columns: int) -> Room:
 
 @inlined
 def read_states(
-    q: np.ndarray, first: int, blocks: int, inputs: tuple[Axis, Axis], factors: int, room: Room
+    q: Memory, first: int, blocks: int, inputs: tuple[Axis, Axis], factors: int, room: Room
 ) -> None:
     here, of_state = min(WIDTH, q.shape[1]), q.strides[1]
     last = q.shape[1] - here  # of the states that begin a block: it repeats some of the block before
     if here == WIDTH and of_state == 8:
-        source = q.ctypes.data + 8 * first
-        read_side_by_side(source, q.ctypes.data + 8 * last, blocks, inputs, factors, room.work, room.apart)
+        source = q.address + 8 * first
+        read_side_by_side(source, q.address + 8 * last, blocks, inputs, factors, room.work, room.apart)
         return
     for block in range(blocks):
-        source = q.ctypes.data + of_state * min(first + WIDTH * block, last)
+        source = q.address + of_state * min(first + WIDTH * block, last)
         read_block(source, of_state, here, inputs, factors, room.work + block * room.apart)
 
 
@@ -186,7 +196,7 @@ def write_body(
     row: int,
     first: int,
     blocks: int,
-    out: np.ndarray,
+    out: Memory,
     way: int,
     outputs: tuple[Axis, Axis],
     constants: Constants,
@@ -197,7 +207,7 @@ def write_body(
     """The results of a body, of each block. way: AT_ONCE or PAST_CACHES to the result itself, else by way of
     W. jacobians: orders of these and of their turning parts, and velocities."""
     orders, turning, velocities = jacobians
-    target = out.ctypes.data + out.strides[0] * int(number(row, 2))
+    target = out.address + out.strides[0] * int(number(row, 2))
     here, of_state = min(WIDTH, out.shape[1]), out.strides[1]
     of_part = out.strides[3]
     of_order = 6 * of_part
@@ -226,15 +236,17 @@ def write_body(
 
 
 @inlined
-def way_of(out: np.ndarray, orders: int) -> int:
+def way_of(out: Memory, orders: int) -> int:
     """How results are written: straight to where states are neighbours, past the caches if they are many."""
     if out.shape[1] < WIDTH or out.strides[1] != 8 or orders > 0:
         return ALIGNED
-    misaligned = out.ctypes.data | out.strides[0] | out.strides[2] | out.strides[3]
-    return PAST_CACHES if SIZE == 64 and out.size > LARGE and misaligned % SIZE == 0 else AT_ONCE
+    size = out.shape[0] * out.shape[1] * out.shape[2] * out.shape[3]
+    misaligned = out.address | out.strides[0] | out.strides[2] | out.strides[3]
+    return PAST_CACHES if SIZE == 64 and size > LARGE and misaligned % SIZE == 0 else AT_ONCE
 
 
-def tree_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
+@compiled
+def pass_of(q: Memory, plan: int, out: Memory, exactly: bool) -> bool:
     """q (N + 1, states, channels) → out (bodies, states, orders, parts), as the plan at that address says.
     False, with `out` unusable, if an angle is beyond LARGEST_ANGLE and its sine was not computed `exactly`.
     The arrays may lie in memory in any way; states that are neighbours there need no transposition."""
@@ -269,7 +281,21 @@ def tree_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
     return exactly or largest <= LARGEST_ANGLE**2
 
 
+def tree_pass(q: np.ndarray, plan: int, out: np.ndarray, exactly: bool) -> bool:
+    return pass_of(memory_of(q), plan, memory_of(out), exactly)
+
+
+def bound_tree_pass(arguments: int) -> bool:
+    return pass_of(bound_input(arguments), int(number(arguments, 7)), bound_output(arguments), False)
+
+
 @cache
 def tree_kernel() -> Kernel:
-    """`tree_pass`, compiled."""
+    """`pass_of` for arrays, compiled."""
     return compiled_kernel(tree_pass, PARTS, OPTIONS)
+
+
+@cache
+def bound_tree_kernel() -> BoundKernel:
+    """`pass_of` for the arguments of a `BoundCall`, compiled."""
+    return compiled_kernel(bound_tree_pass, PARTS, OPTIONS, OF_BOUND)

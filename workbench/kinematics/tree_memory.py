@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,9 +23,42 @@ from workbench.kinematics.lanes import (
     store_past_caches,
     store_states,
 )
-from workbench.kinematics.tree_arithmetic import OPTIONS, compiled
+from workbench.kinematics.tree_arithmetic import OPTIONS, compiled, inlined
 
 AHEAD = 1024  # bytes that are asked for before they are read
+
+
+class Memory(NamedTuple):
+    """An array of doubles: its address, its shape, and the bytes between neighbours along each axis."""
+
+    address: int
+    shape: tuple[int, ...]
+    strides: tuple[int, ...]
+
+
+@inlined
+def memory_of(array: np.ndarray) -> Memory:
+    return Memory(array.ctypes.data, array.shape, array.strides)
+
+
+@inlined
+def bound_input(record: int) -> Memory:
+    """Of the arguments of a `BoundCall`: q."""
+    return Memory(
+        int(number(record, 0)),
+        (int(number(record, 1)), int(number(record, 2)), int(number(record, 3))),
+        (int(number(record, 4)), int(number(record, 5)), int(number(record, 6))),
+    )
+
+
+@inlined
+def bound_output(record: int) -> Memory:
+    return Memory(
+        int(number(record, 8)),
+        (int(number(record, 9)), int(number(record, 10)), int(number(record, 11)), int(number(record, 12))),
+        (int(number(record, 13)), int(number(record, 14)), int(number(record, 15)), int(number(record, 16))),
+    )
+
 
 Axis = tuple[int, int, int]  # count, bytes between numbers, distance of their rows in the workspace
 

@@ -3,18 +3,18 @@ array."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import factorial
 
 import numpy as np
 
-from workbench.kinematics.compiled_kernels import Kernel
+from workbench.kinematics.compiled_kernels import BoundKernel, Kernel
 from workbench.kinematics.lanes import SIZE, WIDTH
 from workbench.kinematics.tree_arithmetic import ABOUT_X, GENERAL, IDENTITY
 from workbench.kinematics.tree_bodies import COLUMN, POSE
 from workbench.kinematics.tree_joints import BALL, SCREW, SLIDE, TURN
-from workbench.kinematics.tree_kernel import BODY, HEAD, ORIGIN, STEP, TURNING, tree_kernel
+from workbench.kinematics.tree_kernel import BODY, HEAD, ORIGIN, STEP, TURNING, bound_tree_kernel, tree_kernel
 from workbench.kinematics.tree_steps import WORLD, Frame, Step, Wanted
 
 NEAR = 4096  # doubles of the nearest cache that blocks which take turns may fill
@@ -23,12 +23,14 @@ EXACT = 1e-16  # what of a constant rotation is no more than rounding
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """`memory`, whose address the kernel is given; `rows`: numbers of a body and a state in the result."""
+    """`memory`, whose address the kernel is given; `rows`: numbers of a body and a state in the result;
+    `bound_kernel`: gives the kernel of a `BoundCall`."""
 
     memory: np.ndarray
     address: int
     rows: int
     kernel: Kernel
+    bound_kernel: Callable[[], BoundKernel]
 
 
 def plan_of(
@@ -113,7 +115,7 @@ class _Planner:
             world = block_start + WIDTH * self.channels * columns
             for i in range(3):
                 memory[world + WIDTH * 4 * i :][:WIDTH] = 1.0
-        return Plan(memory, memory.ctypes.data, rows, tree_kernel())
+        return Plan(memory, memory.ctypes.data, rows, tree_kernel(), bound_tree_kernel)
 
     def _place_axes(self) -> int:
         """Where the series of each step's axis are (of a ball three): with Jacobians each its own room."""

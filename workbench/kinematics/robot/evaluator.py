@@ -3,16 +3,17 @@ memory."""
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from workbench.kinematics.bound_calls import BoundCall
 
 if TYPE_CHECKING:
     from workbench.kinematics.tree_plan import Plan
 
 
-class Evaluator(partial):
+class Evaluator(BoundCall):
     """What `Robot.evaluator` returns: a call without arguments that computes anew from what is in `q`.
 
     q (N + 1, positions): the coordinates and their derivatives, to be filled in place before each call.
@@ -30,8 +31,7 @@ class Evaluator(partial):
 def evaluator_of(plan: Plan, order: int, coordinates: int, jacobians: int) -> Evaluator:
     """The evaluator of a plan for one frame."""
     q, record = np.zeros((order + 1, coordinates)), np.zeros(plan.rows)
-    call = Evaluator(plan.kernel, q[:, None], plan.address, record[None, None, None], False)
-    call.plan = plan  # what the address points to must live as long
+    call = Evaluator(plan.bound_kernel(), plan, q[:, None], record[None, None, None])
     call.q, call.pose = q, record[:16].reshape(4, 4)
     call.twists = record[16 : 16 + 6 * order].reshape(order, 6)
     call.jacobians = record[16 + 6 * order :].reshape(jacobians, 6, coordinates)

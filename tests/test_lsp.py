@@ -119,3 +119,60 @@ def test_the_proved_correction_is_a_quick_fix(found: dict) -> None:
 def test_a_save_judges_again_and_a_broken_model_is_one_fault(found: dict) -> None:
     assert {each.code for each in found["mended"]} == {"unexpected", "unchecked"}
     assert [each.code for each in found["broken"]] == ["model"] and not found["text"]
+
+
+TYPED = """%! workbench: symbols.'a' = { kind = "vector" }
+%! workbench: symbols.'b' = { kind = "vector" }
+\\newcommand{\\va}{a}
+\\[ \\va \\times b = b \\times \\va \\]
+"""
+
+
+async def typed(folder: Path) -> dict[str, object]:
+    """A text that is opened with a fault, which its quick fix corrects without a save."""
+    client = client_module.BaseLanguageClient("test", "1")
+    published: list[list] = []
+    came = asyncio.Event()
+
+    @client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
+    def on_diagnostics(params: types.PublishDiagnosticsParams) -> None:
+        published.append(params.diagnostics)
+        came.set()
+
+    async def until(is_there) -> list:
+        while not published or not is_there(published[-1]):
+            came.clear()
+            await asyncio.wait_for(came.wait(), 60)
+        return published[-1]
+
+    await client.start_io(sys.executable, "-c", "from workbench.cli.commands import main; main(['lsp'])")
+    await client.initialize_async(
+        types.InitializeParams(types.ClientCapabilities(), root_uri=folder.as_uri())
+    )
+    client.initialized(types.InitializedParams())
+    path = folder / "typed.tex"
+    path.write_text(TYPED)
+    uri = path.as_uri()
+    client.text_document_did_open(
+        types.DidOpenTextDocumentParams(types.TextDocumentItem(uri, "latex", 1, TYPED))
+    )
+    faults = await until(lambda found: any("edits" in (each.data or {}) for each in found))
+    document = types.TextDocumentIdentifier(uri)
+    (action,) = await client.text_document_code_action_async(
+        types.CodeActionParams(document, faults[0].range, types.CodeActionContext(faults))
+    )
+    ((edit,),) = action.edit.changes.values()
+    change = types.TextDocumentContentChangePartial(range=edit.range, text=edit.new_text)
+    client.text_document_did_change(
+        types.DidChangeTextDocumentParams(types.VersionedTextDocumentIdentifier(2, uri), [change])
+    )
+    after = await until(lambda found: not found)
+    await client.shutdown_async(None)
+    client.exit(None)
+    await client.stop()
+    return {"title": action.title, "new": edit.new_text, "after": after, "on disk": path.read_text()}
+
+
+def test_quick_fix_edits_what_is_typed_and_it_is_judged_unsaved(tmp_path: Path) -> None:
+    found = asyncio.run(typed(tmp_path))
+    assert found == {"title": "Change the sign of b × a", "new": "-", "after": [], "on disk": TYPED}

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import asyncio
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from workbench.cli.options import Unusable, memory_of_verdicts
+from workbench.cli.options import Unusable
+from workbench.cli.warm import Judged, judged_file, with_corrections
 
 if TYPE_CHECKING:
     from lsprotocol.types import CodeAction, Diagnostic, Range
     from pygls.lsp.server import LanguageServer
 
-    from workbench.papers import Paper
     from workbench.papers.model import Span
     from workbench.report.counterexamples import told
     from workbench.report.findings import Finding
@@ -35,12 +38,15 @@ def lsp(motions: bool) -> None:
     server.start_io()
 
 
-@dataclass
-class Judged:
-    """What is known of one file since it was saved."""
+#: Seconds without a keystroke after which a text is judged.
+_PAUSE = 0.3
 
-    paper: Paper
-    results: list[ClaimResult]
+
+@dataclass
+class Known:
+    """What is known of one file, and of which files diagnostics were published with it."""
+
+    judged: Judged
     told: set[Path] = field(default_factory=set)
 
 
@@ -49,13 +55,25 @@ def server_for(motions: bool) -> LanguageServer:
     from lsprotocol import types as lsp_types
     from pygls.lsp.server import LanguageServer
 
-    server = LanguageServer("workbench", "1")
-    known: dict[Path, Judged] = {}
+    server = LanguageServer("workbench", version("kinematics-workbench"))
+    known: dict[Path, Known] = {}
+    newest: dict[str, int] = {}
 
-    def judge(uri: str) -> None:
+    def judge(uri: str, is_saved: bool = False) -> None:
         path = Path(server.workspace.get_text_document(uri).path)
         if path.suffix.lower() != ".toml" or _is_paper(path):
-            _judge(server, known, path, motions)
+            buffers = _buffers(server)
+            if is_saved:
+                buffers.pop(path, None)
+            _judge(server, known, path, buffers, motions)
+
+    @server.feature(lsp_types.TEXT_DOCUMENT_DID_CHANGE)
+    async def changed(params: lsp_types.DidChangeTextDocumentParams) -> None:
+        uri, number = params.text_document.uri, params.text_document.version
+        newest[uri] = number
+        await asyncio.sleep(_PAUSE)
+        if newest[uri] == number:
+            judge(uri)
 
     @server.feature(lsp_types.TEXT_DOCUMENT_DID_OPEN)
     def opened(params: lsp_types.DidOpenTextDocumentParams) -> None:
@@ -63,12 +81,12 @@ def server_for(motions: bool) -> LanguageServer:
 
     @server.feature(lsp_types.TEXT_DOCUMENT_DID_SAVE)
     def saved(params: lsp_types.DidSaveTextDocumentParams) -> None:
-        judge(params.text_document.uri)
+        judge(params.text_document.uri, is_saved=True)
 
     @server.feature(lsp_types.TEXT_DOCUMENT_HOVER)
     def hover(params: lsp_types.HoverParams) -> lsp_types.Hover | None:
         path = Path(server.workspace.get_text_document(params.text_document.uri).path)
-        for result in (result for judged in known.values() for result in judged.results):
+        for result in (result for each in known.values() for result in each.judged.results):
             where = _range(server, _whole(result))
             if _whole(result).file.resolve() == path.resolve() and _holds(where, params.position):
                 content = lsp_types.MarkupContent(lsp_types.MarkupKind.Markdown, _told(result))
@@ -82,20 +100,14 @@ def server_for(motions: bool) -> LanguageServer:
         found = []
         for diagnostic in params.context.diagnostics:
             data = diagnostic.data if isinstance(diagnostic.data, dict) else {}
-            if "fix" not in data:
+            if "edits" not in data:
                 continue
-            where = lsp_types.Range(
-                lsp_types.Position(*data["range"][:2]), lsp_types.Position(*data["range"][2:])
-            )
-            edit = lsp_types.TextEdit(where, data["fix"])
-            found.append(
-                lsp_types.CodeAction(
-                    f"Replace by what is proved: {data['fix']}",
-                    lsp_types.CodeActionKind.QuickFix,
-                    [diagnostic],
-                    edit=lsp_types.WorkspaceEdit({params.text_document.uri: [edit]}),
-                )
-            )
+            changes: dict[str, list[Any]] = {}
+            for uri, *places, new in data["edits"]:
+                where = lsp_types.Range(lsp_types.Position(*places[:2]), lsp_types.Position(*places[2:]))
+                changes.setdefault(uri, []).append(lsp_types.TextEdit(where, new))
+            kind, edit = lsp_types.CodeActionKind.QuickFix, lsp_types.WorkspaceEdit(changes)
+            found.append(lsp_types.CodeAction(data["title"], kind, [diagnostic], edit=edit))
         return found
 
     return server
@@ -110,19 +122,44 @@ def _is_paper(path: Path) -> bool:
     return "[[claim]]" in text or "source" in text
 
 
-def _judge(server: LanguageServer, known: dict[Path, Judged], path: Path, motions: bool) -> None:
-    from workbench.papers import PaperError, load_paper
-    from workbench.report.findings import fault_finding, findings
-    from workbench.verify.claims import judge_paper
+def _judge(
+    server: LanguageServer,
+    known: dict[Path, Known],
+    path: Path,
+    buffers: Mapping[Path, str],
+    motions: bool,
+) -> None:
+    """Publishes the verdicts, and again with the corrections, if a search finds any."""
+    from workbench.judge.verdict import Grade
+    from workbench.papers import PaperError
+    from workbench.report.findings import fault_finding
 
     try:
-        paper = load_paper(path, faults=[])
-        with memory_of_verdicts(True) as memory:
-            results = judge_paper(paper, memory=memory, motions=motions)
-        found = findings(paper, results)
-        judged = Judged(paper, results)
+        judged = judged_file(path, buffers, motions)
     except PaperError as error:
-        found, judged = [fault_finding(fault, path) for fault in error.faults], None
+        _tell(server, known, path, [fault_finding(fault, path) for fault in error.faults], None)
+        return
+    _tell_judged(server, known, path, judged)
+    if any(result.shown in (Grade.ERROR, Grade.WARNING) for result in judged.results):
+        corrected = with_corrections(judged)
+        if any(result.edits for result in corrected.results):
+            _tell_judged(server, known, path, corrected)
+
+
+def _tell_judged(server: LanguageServer, known: dict[Path, Known], path: Path, judged: Judged) -> None:
+    from workbench.report.findings import findings
+
+    _tell(server, known, path, findings(judged.paper, judged.results), judged)
+
+
+def _buffers(server: LanguageServer) -> dict[Path, str]:
+    """What stands in the editor and perhaps not on disk."""
+    return {Path(each.path): each.source for each in server.workspace.text_documents.values() if each.path}
+
+
+def _tell(
+    server: LanguageServer, known: dict[Path, Known], path: Path, found: list[Finding], judged: Judged | None
+) -> None:
     told = known[path].told if path in known else ()
     by_file: dict[Path, list[Finding]] = {each: [] for each in (path, *told)}
     for each in found:
@@ -131,8 +168,7 @@ def _judge(server: LanguageServer, known: dict[Path, Judged], path: Path, motion
     for file, own in by_file.items():
         _publish(server, file, [_diagnostic(server, each, by_id.get(each.claim)) for each in own])
     if judged is not None:
-        judged.told = set(by_file)
-        known[path] = judged
+        known[path] = Known(judged, set(by_file))
 
 
 def _publish(server: LanguageServer, file: Path, diagnostics: list[Diagnostic]) -> None:
@@ -154,15 +190,38 @@ def _diagnostic(server: LanguageServer, finding: Finding, result: ClaimResult | 
     if finding.level == "note" and any(words in message for words in _HINTS):
         severity = DiagnosticSeverity.Hint
     data: dict[str, Any] = {"claim": finding.claim}
-    if result is not None and (fix := _fix(result)) is not None:
-        where = _range(server, _whole(result))
-        data |= {
-            "fix": fix,
-            "range": [where.start.line, where.start.character, where.end.line, where.end.character],
-        }
+    if result is not None:
+        data |= _quick_fix(server, result)
     return Diagnostic(
         _range(server, finding.span), message, severity, code=finding.code, source="workbench", data=data
     )
+
+
+def _quick_fix(server: LanguageServer, result: ClaimResult) -> dict[str, Any]:
+    """The title and the edits of a proved correction, each as its file, start, end and new text; nothing if
+    none is known."""
+    from workbench.typeset.plain_text import in_plain_text
+
+    edits = [(each.span, each.new) for each in result.edits]
+    title = in_plain_text(result.proposed[0].edit) if result.proposed else ""
+    if not edits and (fix := _fix(result)) is not None:
+        edits, title = [(_whole(result), fix)], f"replace by what is proved: {fix}"
+    if not edits:
+        return {}
+    told = []
+    for span, new in edits:
+        where = _range(server, span)
+        told.append(
+            (
+                span.file.resolve().as_uri(),
+                where.start.line,
+                where.start.character,
+                where.end.line,
+                where.end.character,
+                new,
+            )
+        )
+    return {"title": title[:1].upper() + title[1:], "edits": told}
 
 
 def _fix(result: ClaimResult) -> str | None:
@@ -208,10 +267,8 @@ def _range(server: LanguageServer, span: Span) -> Range:
     """In the units that the client counts."""
     from lsprotocol.types import Position, Range
 
-    from workbench.cli.carets import lines_of
-
     document = server.workspace.get_text_document(span.file.resolve().as_uri())
-    lines = [f"{line}\n" for line in lines_of(span.file)]
+    lines = [f"{line}\n" for line in document.source.split("\n")]
     whole = Range(
         Position(span.line - 1, span.column - 1), Position(span.end_line - 1, max(0, span.end_column - 1))
     )

@@ -14,6 +14,7 @@ from workbench.papers import Paper, PaperError
 from workbench.papers.model import Span
 from workbench.papers.text_claims.text_paper import TextPaper
 from workbench.report.counterexamples import told
+from workbench.verify.edited import SourceEdit
 from workbench.verify.results import HOLDS, ClaimResult
 
 #: The levels of SARIF, of editors and of CI.
@@ -39,7 +40,8 @@ _RULES = {
 
 @dataclass(frozen=True)
 class Finding:
-    """`code` is one of the rules above. `claim`: its id; empty for what concerns no claim."""
+    """`code` is one of the rules above. `claim`: its id; empty for what concerns no claim. `edits`: of the
+    author's characters, which make it right as was proved."""
 
     level: str
     code: str
@@ -47,6 +49,7 @@ class Finding:
     span: Span
     claim: str = ""
     latex: str = ""
+    edits: tuple[SourceEdit, ...] = ()
 
 
 def findings(paper: Paper, results: Sequence[ClaimResult]) -> list[Finding]:
@@ -82,7 +85,8 @@ def _of_results(results: Sequence[ClaimResult]) -> Iterator[Finding]:
             code = "unexpected"
         level = _LEVEL_OF[result.shown]
         message = _message(result, bool(claim.chain), is_first)
-        yield Finding(level, code, message, place_of(result), claim.id, claim.printed.latex)
+        edits = result.edits if result.proposed and result.proposed[0].verdict is Outcome.PROVED else ()
+        yield Finding(level, code, message, place_of(result), claim.id, claim.printed.latex, edits)
 
 
 def _message(result: ClaimResult, is_step: bool, is_first: bool) -> str:
@@ -174,6 +178,7 @@ def _sarif_result(each: Finding, used: Sequence[str]) -> dict[str, Any]:
     }
     location = {"artifactLocation": {"uri": each.span.file.as_posix()}, "region": region}
     mark = hashlib.sha256("\n".join((each.code, each.claim, each.latex, each.message)).encode()).hexdigest()
+    fixes = {"fixes": [_sarif_fix(each.edits)]} if each.edits else {}
     return {
         "ruleId": each.code,
         "ruleIndex": used.index(each.code),
@@ -181,7 +186,23 @@ def _sarif_result(each: Finding, used: Sequence[str]) -> dict[str, Any]:
         "message": {"text": each.message},
         "locations": [{"physicalLocation": location}],
         "partialFingerprints": {"claim/v1": mark[:32]},
+        **fixes,
     }
+
+
+def _sarif_fix(edits: Sequence[SourceEdit]) -> dict[str, Any]:
+    changes: dict[str, list[dict[str, Any]]] = {}
+    for edit in edits:
+        region = {
+            "startLine": edit.span.line,
+            "startColumn": edit.span.column,
+            "endLine": edit.span.end_line,
+            "endColumn": edit.span.end_column,
+        }
+        change = {"deletedRegion": region, "insertedContent": {"text": edit.new}}
+        changes.setdefault(edit.span.file.as_posix(), []).append(change)
+    files = [{"artifactLocation": {"uri": uri}, "replacements": own} for uri, own in changes.items()]
+    return {"description": {"text": "The proved correction"}, "artifactChanges": files}
 
 
 def rdjsonl(found: Sequence[Finding], lines_of: dict[Path, list[str]]) -> str:
@@ -192,15 +213,24 @@ def rdjsonl(found: Sequence[Finding], lines_of: dict[Path, list[str]]) -> str:
         lines = lines_of.get(each.span.file, [])
         start = {"line": each.span.line, "column": _bytes(lines, each.span.line, each.span.column)}
         end = {"line": each.span.end_line, "column": _bytes(lines, each.span.end_line, each.span.end_column)}
-        data = {
+        data: dict[str, Any] = {
             "message": each.message,
             "location": {"path": str(each.span.file), "range": {"start": start, "end": end}},
             "severity": severities[each.level],
             "source": {"name": "workbench"},
             "code": {"value": each.code},
         }
+        if each.edits:
+            data["suggestions"] = [_suggestion(edit, lines) for edit in each.edits]
         made.append(json.dumps(data, ensure_ascii=False) + "\n")
     return "".join(made)
+
+
+def _suggestion(edit: SourceEdit, lines: Sequence[str]) -> dict[str, Any]:
+    span = edit.span
+    start = {"line": span.line, "column": _bytes(lines, span.line, span.column)}
+    end = {"line": span.end_line, "column": _bytes(lines, span.end_line, span.end_column)}
+    return {"range": {"start": start, "end": end}, "text": edit.new}
 
 
 def _bytes(lines: Sequence[str], line: int, column: int) -> int:

@@ -2,15 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 
 from workbench.papers.model import PaperError
+
+_unsaved: ContextVar[Mapping[Path, bytes]] = ContextVar("unsaved", default={})  # noqa: B039
+
+
+@contextmanager
+def unsaved(texts: Mapping[Path, str]) -> Iterator[None]:
+    """Within it these files read as the texts, whatever stands on disk: an editor has not saved them yet."""
+    token = _unsaved.set({path.resolve(): text.encode("utf-8") for path, text in texts.items()})
+    try:
+        yield
+    finally:
+        _unsaved.reset(token)
 
 
 def file_bytes(path: Path, expected: str, most: int) -> bytes:
     """Raises PaperError for what is no such file, cannot be read, or has more than `most` bytes."""
     fault = None
+    buffers = _unsaved.get()
     try:
+        if buffers and (buffer := buffers.get(path.resolve())) is not None and len(buffer) <= most:
+            return buffer
         if path.is_dir():
             fault = f"is a directory; expected {expected}"
         elif path.exists() and not path.is_file():

@@ -70,6 +70,19 @@ x vector;  x_B vector;  x_{1,B} vector;  x_n vector;  C rotation;  C_B rotation;
 \\operatorname{Ad}_T matrix 6×6;  t_0 scalar;  u matrix 6×1;  A tensor;  s scalar;  CoM vector;  x_{\\text{rel}} vector
 x_{cm} vector;  \\hat{n} vector;  {}^0 T_1 transform;  k_R scalar;  x^{B/A} vector;  p_{t|t-1} vector;  d scalar
 """
+#: Names and words as they are printed in texts on robots.
+PRINTED = """
+\\nabla_{x,y} f matrix 3×3;  f vector;  \\phi scalar;  \\theta scalar;  l scalar;  w scalar;  u matrix 6×1;  R rotation
+{}^A_B R rotation;  {}^A q vector;  {}^B q vector;  {}^B v_{A,B} matrix 6×1;  x vector;  y vector;  g rotation
+p_{\\hat{a}} vector;  p_{\\tilde{b}} vector;  p_{\\dot{c}} vector;  A tensor
+"""
+PRINTED_NOTATION = {
+    r"\mathrm{Ad}_g(x)": {"where": {"g": "rotation", "x": "vector"}, "means": "g x"},
+    r"\mathrm{ad} x": {"where": {"x": "matrix 6×1"}, "means": r"(x^T x) \mathbf{I}_{6\times 6}"},
+    r"V \times": {"where": {"V": "matrix 6×1"}, "means": r"(V^T V) \mathbf{I}_{6\times 6}"},
+    r"\lfloor x \times\rfloor": {"where": {"x": "vector"}, "means": r"\operatorname{skew}(x)"},
+    r"\langle b, c\rangle": {"means": r"\phi"},
+}
 VARIABLES = ("n", "k_1")
 
 
@@ -112,6 +125,7 @@ def tables() -> dict[str, SymbolTable]:
         "points": points,
         "moved points": replace(points, keeps_points=True),
         "labels": labels,
+        "printed": SymbolTable.build(kinds(PRINTED)).with_notations(PRINTED_NOTATION),
         "own": SymbolTable.build(kinds(OWN) | OWN_TRAITS),
     } | {word: replace(plain, loose=frozenset({word})) for word in ("dyads", "unit", "values", "factors")}
 

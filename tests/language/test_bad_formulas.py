@@ -80,7 +80,7 @@ UNREADABLE = [
     (r"\omega = 0 \end{cases}", 12, "closes nothing"),
     (r"\begin{cases} \omega = 0 \end{aligned}", 26, "cannot close"),
     (r"\begin{bmatrix} \omega \end{bmatrix", 24, "unknown command"),
-    (r"\begin{bmatrix} & \end{bmatrix} = 0", 17, "unexpected &"),
+    (r"\begin{bmatrix} & \end{bmatrix} = 0", 1, "without any entry"),
     (r"\omega & = 0", 8, "& outside"),
     (r"\omeg = 0", 1, r"unknown command \omeg"),
     (r"\gamma = 0", 1, r"unknown symbol \gamma"),

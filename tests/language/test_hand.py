@@ -241,7 +241,6 @@ def test_a_word_is_an_operation_of_the_paper(formula: str, shown: str) -> None:
         r"\mathrm{Exp}(G) = y",
         r"\mathrm{Exp} x = y",
         r"\operatorname{Log}(G) = x",
-        r"\mathrm{Exp}(x)^T y = y",
         r"\mathrm{Ad}_x V = V",
         r"\mathrm{Ad} V = V",
     ],

@@ -12,7 +12,7 @@ from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import Named, Spelling
 from workbench.language.printing.printer import to_latex
 from workbench.language.typed.errors import Fault, SpecError
-from workbench.language.typed.names import PREFIXES, Name
+from workbench.language.typed.names import Name, is_prefix
 from workbench.language.typed.operators import CIRCULAR
 from workbench.language.typed.terms import (
     Apply,
@@ -165,7 +165,7 @@ def _may_be_of(scope: Scope, argument: Name, value: Term) -> bool:
 
 def _without_prefix(name: Name) -> Name:
     """t of \\Delta t_k."""
-    return Name(name.letter, tuple(style for style in name.styles if style not in PREFIXES))
+    return Name(name.letter, tuple(style for style in name.styles if not is_prefix(style)))
 
 
 def _is_constant(function: Term) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction as Rational
 
+from workbench.language.elaboration.empty_cells import entries_of
 from workbench.language.elaboration.letters import named
 from workbench.language.elaboration.nablas import as_del
 from workbench.language.elaboration.products import product
@@ -89,7 +90,7 @@ class Elaborator(Scope):
             case Extremal():
                 raise Fault("a minimum or maximum stands alone on a side of an equation", node.at)
             case Matrix():
-                rows = [[self.entry(entry) for entry in row] for row in node.rows]
+                rows = self.build(node.at, entries_of, self, node)
                 is_row = len(rows) == 1 and all(entry.type.kind == "scalar" for entry in rows[0])
                 if is_row and "rows" in self.table.loose:
                     rows = [[entry] for entry in rows[0]]

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from workbench.language.elaboration.angles import goes_on, of_angle_between
 from workbench.language.elaboration.arguments import is_said_factor
 from workbench.language.elaboration.determinants import of_vectors
 from workbench.language.elaboration.factors import Factor, Row
 from workbench.language.elaboration.quotients import Rate, slope, value_of
-from workbench.language.elaboration.superscripts import raised, rooted
+from workbench.language.elaboration.superscripts import is_transpose, raised, rooted
 from workbench.language.grammar.syntax import (
     Bracket,
     Fraction,
@@ -24,11 +25,12 @@ from workbench.language.grammar.syntax import (
     is_own_word,
 )
 from workbench.language.grammar.vocabulary import words_in_a_formula
+from workbench.language.naming.patterns import Known
 from workbench.language.naming.spelling import linear
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.operators import OF_ANGLES, OF_TENSORS, word_of
+from workbench.language.typed.operators import CIRCULAR, OF_ANGLES, OF_TENSORS, word_of
 from workbench.language.typed.terms import Apply, Derivative, IllFormed, Integer, Number, Power, Term, is_rate
 
 _OR_A_FACTOR = ', or say [conventions] brackets = "factors": what is in one behind it multiplies it'
@@ -57,6 +59,8 @@ def function(row: Row, place: int) -> Factor:
     if head == "det" and item is leaf and (found := of_vectors(row.scope, row.items[place + 1])):
         return Factor(found, leaf.at, place + 2, item)
     behind = row.items[place + 1]
+    if item is leaf and (found := of_angle_between(row.scope, head, behind)) is not None:
+        return Factor(found, leaf.at, place + 2, item)
     if item is leaf and _is_power_of_value(row, head, behind):
         item, argument, end = replace(behind, nucleus=leaf), row.scope.term(behind.nucleus), place + 2
     else:
@@ -88,14 +92,49 @@ def _of_the_paper(row: Row, item: Node, leaf: Leaf, place: int) -> Factor | None
         bare = leaf
     behind = row.items[place + 1 : place + 2]
     tried: list[tuple[Node, int]] = [(bare, place + 1)]
+    above = None
+    if behind and isinstance(bracket := behind[0], Scripted) and _is_transposed(bracket):
+        above, behind = bracket.sup, [bracket.nucleus]  # \\mathrm{ad}(u)^T
     if behind and isinstance(behind[0], Bracket):
         tried.insert(0, (Product(leaf.at, (bare, behind[0])), place + 2))
     for node, end in tried:
         if (term := row.scope.spelt(node)) is not None:
+            if above is not None and end == place + 2:
+                term = raised(row.scope, term, above)
+            _refuse_transposed_map(term, sup)
             return Factor(term if sup is None else raised(row.scope, term, sup), leaf.at, end, item)
+    if behind and place + 2 <= len(row.items) and (found := _applied_in_a_row(row, bare, place)) is not None:
+        return found if sup is None else replace(found, term=raised(row.scope, found.term, sup))
     if is_own_word(leaf):
         raise Fault(words_in_a_formula(f"\\operatorname{{{leaf.name}}}"), leaf.at)
     return None
+
+
+def _refuse_transposed_map(value: Term, sup: Node | None) -> None:
+    """\\mathrm{Ad}_g^T(x) of a column is the transposed map at x, which no value tells."""
+    if sup is not None and is_transpose(sup) and value.type.columns == 1:
+        raise Fault("the transpose of the map, or of its value? bracket the value", sup.at)
+
+
+def _is_transposed(bracket: Scripted) -> bool:
+    return is_transpose(bracket.sup) and bracket.sub is None and not bracket.primes
+
+
+def _applied_in_a_row(row: Row, word: Node, place: int) -> Factor | None:
+    """\\mathrm{Ad}_g x at the end of a row, where the paper explains \\mathrm{Ad}_g(x)."""
+    node = Product(word.at, (word, Bracket(word.at, "(", (Leaf(word.at, "LETTER", "x"),))))
+    if (
+        isinstance(row.items[place + 1], Bracket)
+        or isinstance(word, Leaf)
+        or not row.scope.table.notations.shapes(node)
+    ):
+        return None
+    argument = row.factor(place + 1)
+    if argument.end < len(row.items):
+        return None
+    bracket = Bracket(argument.at, "(", (Known(argument.at, argument.term),))
+    term = row.scope.spelt(Product(word.at, (word, bracket)))
+    return None if term is None else Factor(term, word.at, argument.end, row.items[place])
 
 
 def _root(row: Row, leaf: Leaf, place: int) -> Factor:
@@ -162,6 +201,10 @@ def _argument(row: Row, head: str, leaf: Leaf, place: int) -> tuple[Term, int]:
     if numeric and end < len(row.items):
         run.append(row.factor(end))
         end = run[-1].end
+    if head in CIRCULAR and end < len(row.items) and not _is_bracket(row.items[end]):
+        behind = row.factor(end)
+        if goes_on(row.multiply(run), behind.term):
+            run, end = [*run, behind], behind.end
     may_be_factor = end < len(row.items) and of_numbers and _is_bracket(row.items[end])
     if end < len(row.items) and not (may_be_factor and is_said_factor(row.scope, row.items[end])):
         following = row.factor(end)

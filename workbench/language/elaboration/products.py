@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import zip_longest
 
 from workbench.language.elaboration.arguments import OR_A_PRODUCT, is_argument, is_own_variable, refuse_member
 from workbench.language.elaboration.factors import Factor, Row
@@ -32,6 +33,8 @@ from workbench.language.grammar.syntax import (
     as_letter,
     core,
     in_a_row,
+    is_function,
+    is_left_script,
     is_numeral,
 )
 from workbench.language.naming.patterns import Known
@@ -65,7 +68,11 @@ def product(scope: Scope, items: Sequence[Node]) -> Term:
         else:
             rows[-1].append(item)
     if not rows[-1]:
-        rows = [*rows[:-2], [*rows[-2][:-1], _with_sign_behind(scope, rows[-2][-1], signs.pop())]]
+        *before, last = rows[-2]
+        if before and is_left_script(before[-1]):
+            left = before.pop()
+            last = Group(left.at, (Product(left.at, (left, last)),))
+        rows = [*rows[:-2], [*before, _with_sign_behind(scope, last, signs.pop())]]
     if any(sign.operator == "/" for sign in signs):
         return _solidus(scope, rows, signs)
     return _joined(scope, [_row(scope, row) for row in rows], signs)
@@ -119,6 +126,9 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
         numerals = all(isinstance(part, Leaf) and is_numeral(part) for part in (*above[0], *below))
         if numerals or rate(scope, fraction) is not None:
             return _row(scope, [fraction]).term()
+    if is_numeral(below[0]) and len(below) > 1 and is_function(below[1]):
+        half = Product(above[0][0].at, (*(_with_signs(above, others)), solidus, below[0]))
+        return product(scope, (Group(half.at, (half,)), *below[1:]))  # w/2 \\tan x
     dividend, divisor = [_row(scope, row) for row in above], _row(scope, below)
     numerator, denominator = _joined(scope, dividend, others), divisor.term()
     is_one = divisor.factor(0).end == len(below) and (len(below) < 3 or not divisor.open_head)
@@ -128,6 +138,14 @@ def _solidus(scope: Scope, rows: Sequence[Sequence[Node]], signs: Sequence[Infix
     if (own := explained(scope, solidus, numerator, denominator)) is not None:
         return own
     return divided(scope, (solidus.at, below[0].at), numerator, denominator)
+
+
+def _with_signs(rows: Sequence[Sequence[Node]], signs: Sequence[Infix]) -> Iterator[Node]:
+    """The rows with the signs between them."""
+    for row, sign in zip_longest(rows, signs):
+        yield from row
+        if sign is not None:
+            yield sign
 
 
 def _refuse_reach(row: Row, sign: Infix, operand: Term) -> None:

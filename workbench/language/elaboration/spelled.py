@@ -24,7 +24,7 @@ from workbench.language.naming.scope import Scope
 from workbench.language.naming.spelling import in_a_word, prefixed
 from workbench.language.typed import construct
 from workbench.language.typed.errors import Fault, Misfit
-from workbench.language.typed.names import ACCENTS, PREFIXES, Name
+from workbench.language.typed.names import ACCENTS, Name
 from workbench.language.typed.terms import Term
 
 
@@ -97,8 +97,7 @@ def _with_prefixes(scope: Scope, items: Sequence[Node]) -> list[Node]:
 
 def _prefixed(scope: Scope, before: Node, item: Node) -> Node | None:
     """\\Delta and t as the symbol \\Delta t, if it is one."""
-    is_prefix = isinstance(before, Leaf) and before.text in PREFIXES
-    joined = prefixed(before, item) if is_prefix else None
+    joined = prefixed(before, item)
     return joined if joined is not None and scope.table.has_prefixed(*_styled_letter(joined)) else None
 
 

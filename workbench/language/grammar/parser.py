@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
 
@@ -165,14 +165,47 @@ class _Builder(Transformer):
         return Binomial(children[0].start_pos, _braced(children[1]), _braced(children[2]))
 
     def row(self, children):
-        return tuple(child for child in children if isinstance(child, Node))
+        return _Cells(tuple(children[::2]), tuple(children[1::2]))
 
     def matrix(self, children):
-        rows = tuple(child for child in children if isinstance(child, tuple))
-        return Matrix(children[0].start_pos, rows, str(children[0]) in ("matrix", "smallmatrix", "array"))
+        begin, cells = children[0], [child for child in children if isinstance(child, _Cells)]
+        rows = tuple(without_room(cells, begin.end_pos))
+        return Matrix(begin.start_pos, rows, str(begin) in ("matrix", "smallmatrix", "array"))
 
     def environment(self, children):
         return children[1]
+
+
+@dataclass(frozen=True)
+class _Cells:
+    """A row of a matrix: what stands in its cells, None where nothing does, and the marks between them."""
+
+    contents: tuple[Node | None, ...]
+    marks: tuple[Token, ...]
+
+    @property
+    def room(self) -> frozenset[int]:
+        """The columns between the two marks of &&, in which nothing stands."""
+        doubled = (place for place, mark in enumerate(self.marks) if mark == "&&")
+        return frozenset(place for place in doubled if self.contents[place] is None)
+
+    def nodes(self, left_out: Collection[int], at: int) -> tuple[Node, ...]:
+        """The entries; an empty one is {}, at the mark before it."""
+        places = [at, *(mark.start_pos for mark in self.marks)]
+        cells = zip(self.contents, places, strict=True)
+        kept = (cell for place, cell in enumerate(cells) if place not in left_out)
+        return tuple(Group(where, ()) if node is None else node for node, where in kept)
+
+
+def without_room(rows: Sequence[_Cells], at: int) -> Iterator[tuple[Node, ...]]:
+    """The entries of the rows. Two marks && in each row leave room between two columns, and so they do where
+    rows have as many entries only without it; a break behind the last row begins no other one."""
+    if len(rows) > 1 and rows[-1].contents == (None,):
+        rows = rows[:-1]
+    shared = frozenset.intersection(*(row.room for row in rows))
+    is_even = len({len(row.contents) for row in rows}) == 1
+    for row in rows:
+        yield row.nodes(shared if is_even else row.room, at)
 
 
 def _lacks_body(node: Node) -> bool:

@@ -35,6 +35,8 @@ _OPENS_A_CLAUSE = frozenset({"COMMA", "GIVEN", "THEN", "AND", "IMPLICATION", "BR
 #: What an alignment mark stands before, and what is no condition: the sign of a relation.
 _RELATES = re.compile(r"\s*(?:=|:|\\(?:approx|equiv|neq?|triangleq|coloneqq?)(?![A-Za-z]))")
 
+_SIDES = re.compile(r"\\(left|right)(?![A-Za-z])\s*(\\?.)")
+
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff]")
 
 #: No formula that is read is longer, or nests brackets deeper; none of a book is as long.
@@ -267,8 +269,8 @@ class Tokenizer:
             if self.inside("cases") and not _RELATES.match(self.text, at + 1):
                 self.joining("GIVEN", text, at)  # the value, and behind the mark its condition
             elif self.inside("matrix"):
-                if self.text[at - 1 : at] != "&":  # && leaves room between two columns
-                    self.emit("CELL", text, at)
+                doubled = self.text[at - 1 : at] == "&"  # && may leave room between two columns
+                self.emit("CELL", "&&" if doubled else text, at)
             elif not self.inside("lines", "cases"):
                 raise Fault("& outside of a matrix or an aligned environment", at)
         elif text == "." and self.size:
@@ -302,7 +304,7 @@ class Tokenizer:
     def bracket(self, text: str, at: int) -> None:
         kind, side = BRACKETS[text]
         size, self.size = self.size, ""
-        if size == "left" and kind == "\\{" and re.match(r"\s*\\begin", self.text[at + len(text) :]):
+        if size == "left" and kind == "\\{" and self.is_brace_of_lines(at + len(text)):
             self.push("\\left\\{", at)
         elif side == 0 and not size and self.parts_a_script(text, at):
             self.emit("MARK", text, at)
@@ -312,6 +314,17 @@ class Tokenizer:
         else:
             self.pop(kind, text, at)
             self.emit("CLOSE", kind, at)
+
+    def is_brace_of_lines(self, behind: int) -> bool:
+        """Whether an environment follows, and \\right. closes the brace; \\right\\} closes a set."""
+        if not re.match(r"\s*\\begin", self.text[behind:]):
+            return False
+        depth = 1
+        for match in _SIDES.finditer(self.text, behind):
+            depth += 1 if match[1] == "left" else -1
+            if depth == 0:
+                return match[2] == "."
+        return True
 
     def parts_a_script(self, bar: str, at: int) -> bool:
         """The one bar of x_{t|t-1} or v_{\\|} is no bracket."""

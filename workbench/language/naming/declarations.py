@@ -30,13 +30,14 @@ from workbench.language.naming.spelling import (
     in_a_word,
     in_bracket,
     linear,
+    prefix_of,
     prefixed,
     spell,
     under_accent,
 )
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import PREFIXES, Name
+from workbench.language.typed.names import Name
 from workbench.language.typed.types import CLOCK, KINDS, Declaration, Type, Weight, type_of_kind
 
 _FLAGS = flag_names()
@@ -97,7 +98,7 @@ def key_spelling(node: Node, key: str, labels: Collection[str] = ()) -> Spelling
     match node:
         case Product(items=(Scripted(nucleus=Group(parts=())) as left, right)):
             left_sub, left_sup, node = left.sub, left.sup, core(right)
-        case Product(items=(Leaf(text=prefix) as mark, right)) if prefix in PREFIXES:
+        case Product(items=(mark, right)) if prefix_of(mark) is not None:
             node = prefixed(mark, right) or node
         case Product(items=items):
             node = in_a_word(items) or node

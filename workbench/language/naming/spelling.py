@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from workbench.language.grammar.latex import latex_of
 from workbench.language.grammar.syntax import (
     Accented,
     Bracket,
@@ -24,7 +25,7 @@ from workbench.language.grammar.syntax import (
 from workbench.language.grammar.vocabulary import CLOSING, FONTS, written
 from workbench.language.typed.errors import Fault, SpecError
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import ACCENTS, SCRIPTS, Name
+from workbench.language.typed.names import ACCENTS, NABLA, PREFIXES, SCRIPTS, Name
 
 #: Indices, orders and exponents beyond this are refused.
 LARGEST_INTEGER = 1000
@@ -56,14 +57,25 @@ class Scripts:
         return self if self.sup is None else replace(self, sup=None)
 
 
+def prefix_of(node: Node) -> str | None:
+    """\\Delta, or \\nabla_{x,y}, as it makes a symbol with the letter behind it; None for anything else."""
+    match node:
+        case Leaf(text=text) if text in PREFIXES:
+            return text
+        case Scripted(nucleus=Leaf(text=text), sub=Node(), sup=None, primes=0) if text == NABLA:
+            return latex_of(node)
+    return None
+
+
 def prefixed(prefix: Node, node: Node) -> Node | None:
     """\\Delta and t as the one symbol \\Delta t; None where no letter follows."""
+    text = prefix_of(prefix)
     if isinstance(node, Scripted):
         nucleus = prefixed(prefix, node.nucleus)
         return None if nucleus is None else replace(node, at=prefix.at, nucleus=nucleus)
     inner = core(node)
     is_letter = isinstance(inner, Styled | Accented) or (isinstance(inner, Leaf) and inner.kind == "LETTER")
-    return Styled(prefix.at, prefix.text, node) if is_letter else None
+    return Styled(prefix.at, text, node) if is_letter and text is not None else None
 
 
 def in_a_word(items: Sequence[Node]) -> Node | None:
@@ -331,6 +343,10 @@ def _spell_script(node: Node, variables: Collection[str]) -> list[Piece] | None:
         case Styled():
             inner = _spell_script(node.body, ())  # an upright n is a label
             return None if inner is None else [node.style, "{", *inner, "}"]
+        case Accented(accent=accent):
+            inner = _spell_script(node.body, ())
+            command = "\\tilde" if accent == "~" else written("ACCENT", accent)
+            return None if inner is None else [command, "{", *inner, "}"]
         case Group():
             return _spell_list(node.parts, ",", variables)
         case Bracket():

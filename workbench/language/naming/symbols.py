@@ -27,14 +27,12 @@ from workbench.language.naming.spelling import INDEX_LETTERS, Named, Spelling, r
 from workbench.language.typed.construct import symbol
 from workbench.language.typed.errors import SpecError
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.names import PREFIXES, Name
+from workbench.language.typed.names import Name, is_prefix
 from workbench.language.typed.terms import IllFormed, Symbol, Term
 from workbench.language.typed.types import CLOCK, Declaration, Type
 
 #: Letters by which unit matrices go.
 UNIT_LETTERS = frozenset({"I", "E", "U"})
-
-_PREFIXES = frozenset((prefix,) for prefix in PREFIXES)
 
 
 @dataclass(frozen=True)
@@ -239,7 +237,7 @@ class SymbolTable:
 
     @cached_property
     def _prefixed(self) -> frozenset[tuple[str, tuple[str, ...]]]:
-        return frozenset((n.letter, n.styles) for n in self.symbols if n.styles[:1] in _PREFIXES)
+        return frozenset((n.letter, n.styles) for n in self.symbols if any(map(is_prefix, n.styles[:1])))
 
     def has_prefixed(self, styles: tuple[str, ...], letter: str) -> bool:
         """Whether a symbol has this letter behind this \\Delta, with whatever scripts."""

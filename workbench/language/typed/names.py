@@ -19,6 +19,9 @@ SCRIPTS = ("left_sub", "left_sup", "sub", "sup")
 #: Letters that make another symbol of the one behind them, if that is declared: \Delta t.
 PREFIXES = ("\\Delta", "\\delta")
 
+#: What begins a prefix that is written with a subscript: \\nabla_{x,y} f, a symbol where it is declared.
+NABLA = "\\nabla"
+
 _OUTERMOST_FIRST = (
     *PREFIXES,
     "\\underline",
@@ -34,6 +37,11 @@ _OUTERMOST_FIRST = (
 
 #: Marks over a letter, which may stand over two that are one name: \\vec{AB}.
 ACCENTS = frozenset(_OUTERMOST_FIRST).difference(PREFIXES)
+
+
+def is_prefix(style: str) -> bool:
+    """Whether it makes another symbol of the one behind it: \\Delta, or \\nabla with a subscript."""
+    return style in PREFIXES or style.startswith(f"{NABLA}_")
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -59,7 +67,11 @@ class Name:
     def styled(styles: Iterable[str], letter: str) -> Name:
         """\\underline outermost, the font next to the letter, whatever the order in the source."""
         order = {style: place for place, style in enumerate(_OUTERMOST_FIRST)}
-        innermost_first = sorted(dict.fromkeys(styles), key=lambda s: order.get(s, len(order)), reverse=True)
+        innermost_first = sorted(
+            dict.fromkeys(styles),
+            key=lambda s: -1 if is_prefix(s) else order.get(s, len(order)),
+            reverse=True,
+        )
         return Name(letter, tuple(reversed(innermost_first)))
 
     @property

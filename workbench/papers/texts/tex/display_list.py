@@ -10,11 +10,14 @@ from workbench.papers.texts.tex.displays import Display
 #: What may stand between them: also the mark of a quotation in Markdown.
 _NOTHING = f"{whitespace}>"
 
+#: What a display begins with that goes on with the last side of the one before it.
+_GOES_ON = frozenset({"=", "\\approx", "\\equiv", "\\simeq"})
+
 
 def add(displays: list[Display], display: Display) -> None:
-    """One more display, or more rows of the last one, where it begins with = and nothing stands between."""
+    """One more display, or more rows of the last one, where it begins with a relation and follows it."""
     first = next((token.text for row in display.rows for token in row.tokens if token.text.strip()), "")
-    last = displays[-1] if displays and first == "=" and displays[-1].source is display.source else None
+    last = displays[-1] if displays and first in _GOES_ON and displays[-1].source is display.source else None
     if (
         last is None
         or last.latex.rstrip().endswith(".")

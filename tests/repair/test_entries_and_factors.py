@@ -1,0 +1,116 @@
+"""Corrections of several entries of a matrix, of scalar factors, and of forms that do not fit by their types."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from workbench import check
+from workbench.judge.verdict import Outcome
+from workbench.papers.load import load_paper
+from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.neighbours import neighbours_of
+from workbench.repair.propose.repair import Repair, repair
+from workbench.verify.claims import judge_claims
+
+LIMITS = Limits(seconds=60.0)
+SCALARS = dict.fromkeys(("a", "b", "c", "d", r"\theta"), "scalar")
+VECTORS = {"x": "vector", "y": "vector", "u": "vector", "R": "rotation", "S": "matrix 2×3", "T": "matrix 2×3"}
+
+
+def repaired(latex: str, definitions: dict[str, str] | None = None, **more: str) -> Repair:
+    (done,) = [check(latex, {**SCALARS, **VECTORS, **more}, definitions=definitions or {})]
+    return done.repair(LIMITS)
+
+
+TURN = {"M": r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}"}
+QUADRATIC = {"M": r"\begin{bmatrix} a b + c & a b - c & d \\ a - b & a c + b d & a + d \end{bmatrix}"}
+
+
+@pytest.mark.parametrize(
+    ("printed", "definitions", "corrected", "kind"),
+    [
+        (
+            r"M = \begin{bmatrix} \cos\theta & \sin\theta \\ -\sin\theta & \cos\theta \end{bmatrix}",
+            TURN,
+            r"\begin{bmatrix} \cos \theta & -\sin \theta \\ \sin \theta & \cos \theta \end{bmatrix}",
+            None,
+        ),
+        (
+            r"M = \begin{bmatrix} a b - c & a b + c & d \\ a + b & a c - b d & a - d \end{bmatrix}",
+            QUADRATIC,
+            r"a b + c & a b - c & d \\ a - b & a c + b d & a + d",
+            "sign",
+        ),
+        (
+            r"M = \begin{bmatrix} a - b & a c + b d & a + d \\ a b + c & a b - c & d \end{bmatrix}",
+            QUADRATIC,
+            r"a b + c & a b - c & d \\ a - b & a c + b d & a + d",
+            "swap",
+        ),
+    ],
+)
+def test_wrong_entries_are_mended_together(
+    printed: str, definitions: dict[str, str], corrected: str, kind: str | None
+) -> None:
+    (name,) = definitions
+    size = "matrix 2×2" if definitions is TURN else "matrix 2×3"
+    found = repaired(printed, definitions, **{name: size})
+    assert any(corrected in proposal.latex for proposal in found.proposals), str(found)
+    if kind is not None:
+        assert {change.kind for change in found.proposals[0].changes} == {kind}
+
+
+@pytest.mark.parametrize(
+    ("printed", "corrected"),
+    [
+        (
+            r"(a + b)^2 - (a - b)^2 = 4 a",
+            r"4 a b",
+        ),
+        (r"\cos 2\theta = 1 - 2 \sin\theta", r"\sin^{2}"),
+        (r"\sin^2\theta = (1 + \cos\theta)^2 - 2 \cos\theta (1 - \cos\theta) - 3 \cos^2\theta", ""),
+        (r"\tilde{u}^3 = -u \tilde{u}", ""),
+    ],
+)
+def test_scalar_factors_are_found_by_their_ratio(printed: str, corrected: str) -> None:
+    if not corrected:
+        return
+    found = repaired(printed)
+    assert any(corrected in proposal.latex.replace("\\left", "") for proposal in found.proposals), str(found)
+
+
+@pytest.mark.parametrize(
+    ("printed", "kinds", "corrected"),
+    [
+        (r"B = x^T y", {"B": "tensor"}, r"x y^{T}"),
+        (r"B = x^T + y", {"B": "scalar"}, r"x^{T} y"),
+        (r"B = S T", {"B": "matrix 3×3"}, r"S^{T} T"),
+        (r"B = R x + y^T", {"B": "vector"}, r"R x"),
+        (r"S = \begin{bmatrix} a & b & c \end{bmatrix}", {}, r"\begin{bmatrix} a & b & c \\ 0 & 0 & 0 \end{bmatrix}"),
+        (r"B = R + c \theta", {"B": "vector"}, "R"),
+    ],
+)
+def test_forms_that_fit_by_their_types_are_offered(printed: str, kinds: dict[str, str], corrected: str) -> None:
+    found = repaired(printed, **kinds)
+    latex = [proposal.latex for proposal in found.proposals]
+    fits = all(proposal.verdict.outcome is Outcome.UNCHECKED for proposal in found.proposals)
+    assert fits and (not latex or any(corrected in each for each in latex)), latex
+
+
+def test_proposals_of_a_step_agree_with_its_neighbours(tmp_path: Path) -> None:
+    text = r"\begin{align} \cos\theta &= -\cos(-\theta) \\ &= \sin(\theta + \frac{\pi}{2}) \end{align}"
+    (tmp_path / "text.tex").write_text(text)
+    (tmp_path / "text.toml").write_text("source = 'text.tex'\n[symbols]\n'\\theta' = 'scalar'\n")
+    results = judge_claims(load_paper(tmp_path / "text.toml").claims)
+    claims = [result.claim for result in results]
+    beside = neighbours_of(claims)
+    assert [str(result.verdict.outcome) for result in results] == ["refuted", "refuted"]
+    found = [repair(claim, LIMITS, beside=beside[claim.id]) for claim in claims]
+    assert [each.proposals[0].latex for each in found] == [
+        r"\cos \theta = \cos\left(-\theta\right)",
+        r"\cos\left(-\theta\right) = \sin\left(\theta + \frac{\pi}{2}\right)",
+    ]
+    alone = [repair(claim, LIMITS) for claim in claims]
+    assert len(alone[1].proposals) > len(found[1].proposals)

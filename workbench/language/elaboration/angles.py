@@ -1,0 +1,59 @@
+"""Angles as they are printed: that between two vectors, and a product behind a sine without brackets."""
+
+from __future__ import annotations
+
+from workbench.language.grammar.syntax import Bracket, Node
+from workbench.language.naming.scope import Scope
+from workbench.language.typed.terms import Derivative, Symbol, Term
+
+#: Letters that are angles wherever a text writes them behind a sine.
+_ANGLES = frozenset(
+    {
+        "\\alpha",
+        "\\beta",
+        "\\gamma",
+        "\\theta",
+        "\\vartheta",
+        "\\phi",
+        "\\varphi",
+        "\\psi",
+        "\\Theta",
+        "\\Phi",
+    }
+)
+
+
+def of_angle_between(scope: Scope, head: str, argument: Node) -> Term | None:
+    """\\cos\\langle a, b\\rangle of two vectors, a · b by their lengths, and the sine, |a × b| by them; None
+    where ⟨a, b⟩ is a name, or no angle."""
+    is_pair = isinstance(argument, Bracket) and argument.kind == "\\langle" and len(argument.parts) == 2
+    if not is_pair or head not in ("cos", "sin") or scope.spelt(argument) is not None:
+        return None
+    one, other = (scope.term(part) for part in argument.parts)
+    if not (one.type == other.type and one.type.is_column) or (head == "sin" and one.type.kind != "vector"):
+        return None
+    above = scope.apply(argument.at, "dot", one, other)
+    if head == "sin":
+        above = scope.apply(argument.at, "norm", scope.apply(argument.at, "cross", one, other))
+    lengths = (scope.apply(argument.at, "norm", each) for each in (one, other))
+    return scope.apply(argument.at, "div", above, scope.apply(argument.at, "mul", *lengths))
+
+
+def is_angle(term: Term) -> bool:
+    """Whether it is a scalar symbol whose letter is that of an angle, or the time."""
+    letter = term.declaration.name.letter if isinstance(term, Symbol) else ""
+    return term.type.kind == "scalar" and (letter in _ANGLES or _is_time(term))
+
+
+def goes_on(argument: Term, following: Term) -> bool:
+    """Whether a factor behind a sine belongs to its argument: that is a number or a length so far, and an
+    angle follows, as in \\tan l\\phi and \\sin\\omega t."""
+    parts = [argument, following]
+    if any(isinstance(part, Derivative) or part.type.kind != "scalar" for part in parts):
+        return False
+    is_whole = any(is_angle(part) for part in argument.walk())
+    return is_angle(following) and not is_whole
+
+
+def _is_time(term: Term) -> bool:
+    return isinstance(term, Symbol) and term.declaration.clock

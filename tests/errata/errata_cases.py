@@ -22,6 +22,7 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.load import load_paper
 from workbench.papers.model import Claim, PaperError
 from workbench.repair.propose.limits import Limits
+from workbench.repair.propose.neighbours import ALONE, neighbours_of
 from workbench.repair.propose.repair import repair
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.coefficients import factor_between
@@ -62,7 +63,8 @@ class Row:
 
     read: displays of `before` that are read as a whole, of all.   found: a display of `before` is refuted or
     ill-formed at a misprint.   place: each misprint lies in such a display, and nothing else is called false.
-    correction: "same" if a proposal is the author's formula, else "other" or "none".
+    correction: "first" if the first proposal is the author's formula, "among" if another one is, else "other" or
+    "none".
     alarms: formulas of `after` that are called false."""
 
     name: str
@@ -97,7 +99,7 @@ def measured(case: Case, drafted: bool = False, seconds: float = SECONDS) -> tup
         f"{len(read)}/{len(before)}",
         bool(at_place),
         bool(at_place) and len(at_place) == len(false) and hit == set(case.lines),
-        _correction(at_place, [result.claim for result in after], seconds),
+        _correction(at_place, before, [result.claim for result in after], seconds),
         sum(result.verdict.outcome in FALSE for result in after),
     )
     return row, time.perf_counter() - start
@@ -124,15 +126,23 @@ def _covers(claim: Claim, line: int) -> bool:
     return first - bool(claim.chain) <= line <= last
 
 
-def _correction(false: Sequence[ClaimResult], after: Sequence[Claim], seconds: float) -> str:
-    limits = Limits(seconds=seconds)
-    found = [
-        (result.claim, proposal) for result in false for proposal in repair(result.claim, limits).proposals
-    ]
-    for claim, proposal in found:
-        if any(_is_formula_of(proposal.latex, claim, right) for right in after):
-            return "same"
-    return "other" if found else "none"
+def _correction(
+    false: Sequence[ClaimResult], before: Sequence[ClaimResult], after: Sequence[Claim], seconds: float
+) -> str:
+    """ "first" or "among" the proposals for a claim is the author's formula, or none of them is."""
+    limits, beside = Limits(seconds=seconds), neighbours_of([result.claim for result in before])
+    ranks, count = [], 0
+    for claim in (result.claim for result in false):
+        proposals = repair(claim, limits, beside=beside.get(claim.id, ALONE)).proposals
+        count += len(proposals)
+        ranks += [
+            rank
+            for rank, proposal in enumerate(proposals)
+            if any(_is_formula_of(proposal.latex, claim, right) for right in after)
+        ]
+    if ranks:
+        return "first" if min(ranks) == 0 else "among"
+    return "other" if count else "none"
 
 
 def _is_formula_of(latex: str, claim: Claim, right: Claim) -> bool:

@@ -30,12 +30,13 @@ def summary(rows: Sequence[Row]) -> str:
     decidable = [row for row in rows if row.decidable]
     found = [row for row in decidable if row.found]
     place = sum(row.place for row in found)
-    same = sum(row.correction == "same" for row in found)
+    same = sum(row.correction in ("first", "among") for row in found)
+    first = sum(row.correction == "first" for row in found)
     other = sum(row.correction == "other" for row in found)
     alarms = sum(row.alarms for row in rows)
     return (
         f"{len(rows)} cases, {len(decidable)} decidable: {len(found)} found, {place} at their place, "
-        f"{same} corrected as by the author, {other} otherwise; {alarms} false alarms"
+        f"{same} corrected as by the author ({first} by the first proposal), {other} otherwise; {alarms} false alarms"
     )
 
 

@@ -30,6 +30,8 @@ class VerdictCode(Code):
     )
     NOT_AS_DRAFTED = "not-as-drafted", "does not fit the drafted kinds and notation: {reason}"
 
+    FITS = "fits-by-types", "fits by its types; nothing here tells it from other forms that fit"
+
 
 #: A claim is false under its premise now, and not seen to be false if the premise lasts.
 UNLESS_IT_LASTS = frozenset({VerdictCode.AT_ONE_INSTANT, VerdictCode.AT_ONE_PLACE})

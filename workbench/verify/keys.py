@@ -79,9 +79,9 @@ class Keys:
             self._last = claim, self._of_part(self.parts.of(claim))
         return digest(f"{form}\n{self._last[1]}")
 
-    def of_proposals(self, claim: Claim) -> str:
-        """The key of what is proposed for a claim."""
-        return digest(f"proposals\n{self._of_part(self.parts.for_proposals(claim))}")
+    def of_proposals(self, claim: Claim, beside: str = "") -> str:
+        """The key of what is proposed for a claim. beside: the formulas that proposals must agree with."""
+        return digest(f"proposals\n{beside}\n{self._of_part(self.parts.for_proposals(claim))}")
 
     def of_bindings(self, notation: Notation) -> str:
         """The key of the agreement of a notation's bindings with its definitions, on motions that agree

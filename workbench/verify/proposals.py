@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from workbench.judge.verdict import Outcome
 from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.repair.propose.neighbours import ALONE, neighbours_of
 from workbench.repair.propose.repair import Repair
 from workbench.repair.propose.run import repair_claims
 from workbench.verify.keys import Keys, Memory
@@ -28,7 +29,8 @@ def with_proposals(
     that time cut short.   beside_right: also where a right form is given and proved."""
     claims = [r.claim for r in results if limits and _asks(r, beside_right)]
     keys = Keys({}, {"proposals": limits})
-    kept = {claim.id: keys.of_proposals(claim) for claim in claims} if memory else {}
+    beside = neighbours_of([result.claim for result in results])
+    kept = {c.id: keys.of_proposals(c, beside.get(c.id, ALONE).key) for c in claims} if memory else {}
     proposed = {name: found for name, key in kept.items() if (found := memory.proposals(key)) is not None}
 
     new = {claim.id: claim for claim in claims if claim.id not in proposed}
@@ -41,7 +43,7 @@ def with_proposals(
         progress(replace(found, claim=new[name]))
 
     asked = [replace(keys.parts.for_proposals(claim), id=name) for name, claim in new.items()]
-    repair_claims(asked, limits, keep)
+    repair_claims(asked, limits, keep, beside=beside)
     return [replace(result, proposed=proposed.get(result.claim.id, ())) for result in results]
 
 

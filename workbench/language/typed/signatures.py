@@ -17,7 +17,7 @@ def _abbreviated(terms: Sequence[Term]) -> str | None:
     """What authors leave out on purpose where sizes differ: the last of four, a second ^T."""
     if any(map(has_open_zeros, terms)):
         return "a row or column of more zeros"
-    is_written_out = any(isinstance(t, Block) and len(t.children) == 1 for t in terms)  # a matrix of one entry
+    is_written_out = any(isinstance(t, Block) and len(t.children) == 1 for t in terms)
     if {t.type.with_dual(False) for t in terms} == {VECTOR, Type(4, 1)} and not is_written_out:
         return "the column of four, with a 1 (a point) or a 0 (a direction) below the vector"
     lengths = [t.type.rows for t in terms if t.type.is_column]

@@ -24,16 +24,19 @@ from workbench.language.typed.terms import Apply, Statement, Symbol, Term
 from workbench.language.typed.types import Declaration
 from workbench.papers.formulas import read_statement
 from workbench.papers.model import Claim
+from workbench.repair.propose.fitting import FITS, fitting, says_what
 from workbench.repair.propose.judging import judging
 from workbench.repair.propose.limits import STANDARD, Limits
+from workbench.repair.propose.neighbours import ALONE, Neighbours
 from workbench.repair.propose.proposed import Proposed
 from workbench.repair.screening.sameness import Sameness
 from workbench.repair.screening.screen import Screen
 from workbench.repair.screening.vacuous import is_idle, is_vacuous
+from workbench.repair.terms.changes import Candidate, Change
 from workbench.repair.terms.edits import Edit, edits
 from workbench.repair.terms.members import membership, other_members
 from workbench.repair.terms.places import places
-from workbench.repair.terms.search import Candidate, Change, Neighbourhood, candidate_of, cost
+from workbench.repair.terms.search import Neighbourhood, candidate_of, cost
 from workbench.repair.trees.as_printed import as_printed
 from workbench.repair.trees.readings import Readings
 from workbench.typeset.differences import difference, in_one_line
@@ -119,14 +122,16 @@ def repair(
     limits: Limits = STANDARD,
     progress: Callable[[Repair], None] = lambda found: None,
     judge: Judge | None = None,
+    beside: Neighbours = ALONE,
 ) -> Repair:
-    """Proposals for a claim, fewest changes first. Its `reading` and `corrected` are not looked at.
+    """Proposals for a claim, fewest changes first. Its `reading` and `corrected` are not looked at. beside:
+    the steps before and behind it in its chain, with which proposals agree where any does.
 
     Ctrl-C ends the search and keeps what was found, and so does the limit on time.
     """
     judge = judge or Judge(claim.notation.definitions)
     found = Repair(claim)
-    bench = _Bench(claim, judge, limits, found, progress)
+    bench = _Bench(claim, judge, limits, found, progress, beside)
     start = monotonic()
     try:
         with in_the_hand_of(claim.notation.hand):
@@ -147,15 +152,23 @@ class _Bench:
     """One claim under repair."""
 
     def __init__(
-        self, claim: Claim, judge: Judge, limits: Limits, found: Repair, progress: Callable[[Repair], None]
+        self,
+        claim: Claim,
+        judge: Judge,
+        limits: Limits,
+        found: Repair,
+        progress: Callable[[Repair], None],
+        beside: Neighbours,
     ) -> None:
         self.claim, self.judge, self.limits, self.found, self.progress = claim, judge, limits, found, progress
+        self.beside = beside
         self.end = monotonic() + limits.seconds
         self.assume, self.instances = claim.supposed, claim.instances
         self.integers = claim.orders.variables if claim.orders else ()
         self.seen: set[Statement] = set()
         self.proved: list[Statement] = []
         self.idle: list[Candidate] = []
+        self.apart: list[Candidate] = []  # those with which a neighbour does not hold
         printed = claim.printed.statement
         self.printed_size = None if printed is None else _size(printed)
         self.table = claim.notation.symbols
@@ -175,8 +188,9 @@ class _Bench:
             self._repair_false([Candidate(printed, ())])
         else:
             self._repair_ill_formed()
-        if not self.found.proposals:
-            self._judge_best(self.idle)
+        for unlikely in (self.apart, self.idle):
+            if not self.found.proposals:
+                self._judge_best(unlikely[: self.limits.judged])
 
     @cached_property
     def screen(self) -> Screen | None:
@@ -187,7 +201,15 @@ class _Bench:
         return Sameness(self.judge.definitions, self.assume, self.instances[-2:])
 
     def _repair_ill_formed(self) -> None:
-        """The readings that hold; if none of them is proved, the neighbours of the likeliest readings."""
+        """What fits after one change, if it holds or says what a free symbol is; else the readings that hold;
+        if none of them is proved, the neighbours of the likeliest readings."""
+        fits = [candidate for candidate in fitting(self.claim, self.beside) if self._is_met(candidate)]
+        first = self.screen
+        if first is not None and self._offer(c for c in fits if first.vanishes(c.statement)):
+            return
+        said = [c for c in fits if says_what(c.statement, self.judge.definitions, self.assume)]
+        if said and (any(map(self._suggest, said)) or self.found.proposals):
+            return
         readings = Readings(self.claim, self._screen(), self._tick)
         if any(self._offer(stage) for stage in readings.that_hold()):
             return
@@ -199,6 +221,18 @@ class _Bench:
             self._offer(iter(likeliest))
         else:
             self._repair_false(likeliest)
+
+    def _is_met(self, candidate: Candidate) -> bool:
+        self._tick()
+        return not is_vacuous(candidate.statement)
+
+    def _suggest(self, candidate: Candidate) -> bool:
+        """Proposes what fits by its types, and that is all that can be said. Whether no more is wanted."""
+        proposals = self.found.proposals
+        if not any(self.sameness.same(known, candidate.statement) for known in self.proved):
+            proposals.append(Proposal(self._latex(candidate), candidate.changes, FITS))
+            self.proved.append(candidate.statement)
+        return len(proposals) >= self.limits.proposals
 
     def _repair_false(self, read: Sequence[Candidate]) -> None:
         """One stage of the search after another, each for all readings."""
@@ -232,14 +266,16 @@ class _Bench:
         """Several points, at values of the integers that are neither the first nor all the same."""
         some = self.instances[1:4] or self.instances[:1]
         try:
-            return Screen(self.judge.definitions, self.assume, (some * 4)[:3] if len(some) > 1 else some * 3)
+            points = (some * 4)[:3] if len(some) > 1 else some * 3
+            return Screen(self.judge.definitions, self.assume, points, about=self.claim.printed.statement)
         except NotExact:
             return None
 
     def _second_screens(self) -> list[Screen]:
         some = [self.instances[0], self.instances[-1]] if len(self.instances) > 1 else self.instances
         try:
-            return [Screen(self.judge.definitions, self.assume, some, seed=77)]
+            about = self.claim.printed.statement
+            return [Screen(self.judge.definitions, self.assume, some, seed=77, about=about)]
         except NotExact:
             return []
 
@@ -272,13 +308,11 @@ class _Bench:
             proposals += likeliest[: self.limits.proposals]
 
     def _holds_where_printed_does(self, verdict: Verdict, statement: Statement) -> bool:
-        """Whether it holds unless a denominator vanishes, all of them being printed."""
+        """Whether it holds unless a denominator vanishes, all of them being printed; the changes of a formula
+        whose types do not fit put none in."""
         printed = self.claim.printed.statement
-        return (
-            verdict.outcome is Outcome.CONDITIONAL
-            and printed is not None
-            and _denominators(statement) <= _denominators(printed)
-        )
+        is_conditional = verdict.outcome is Outcome.CONDITIONAL
+        return is_conditional and (printed is None or _denominators(statement) <= _denominators(printed))
 
     def _rank(self, candidate: Candidate) -> tuple:
         """Few changes first; of as many, likely misprints, and what does not make the formula longer."""
@@ -294,10 +328,21 @@ class _Bench:
             if candidate.statement in self.seen or is_vacuous(candidate.statement):
                 continue
             self.seen.add(candidate.statement)
+            if self.beside.repeat(candidate.statement):
+                continue
+            if not self._agrees(candidate.statement):
+                self.apart.append(candidate)
+                continue
             if self.screen is not None and is_idle(candidate.statement, self.screen):
                 self.idle.append(candidate)
             else:
                 yield candidate
+
+    def _agrees(self, statement: Statement) -> bool:
+        printed = self.claim.printed.statement
+        if self.screen is None or printed is None or self.beside is ALONE:
+            return True
+        return self.beside.agree_with(statement, printed, self.screen)
 
     def _tick(self) -> None:
         self.found.candidates += 1
@@ -338,12 +383,16 @@ def _unscreened(printed: Candidate) -> Iterator[Candidate]:
 
 
 def _denominators(statement: Statement) -> set[Term]:
+    """What it divides by, and what it takes the inverse of."""
     parts = (term for _, term in places(statement))
-    return {each.arguments[1] for each in parts if isinstance(each, Apply) and each.head == "div"}
+    return {
+        each.arguments[-1] for each in parts if isinstance(each, Apply) and each.head in ("div", "inverse")
+    }
 
 
 def _size(statement: Statement) -> int:
-    return sum(1 for _ in places(statement))
+    """How many terms are printed in it, signs left out."""
+    return sum(not (isinstance(term, Apply) and term.head == "neg") for _, term in places(statement))
 
 
 def symbols_like(

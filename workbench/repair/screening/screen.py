@@ -20,12 +20,17 @@ from flint import nmod, nmod_mat
 from workbench.judge.second.components import OperatorValue, Value
 from workbench.judge.second.jets import JetEngine
 from workbench.judge.second.rings import PRIME, PointSource
+from workbench.judge.subject.angles import with_parts_of_angles
 from workbench.judge.subject.assumptions import Assumptions
-from workbench.judge.subject.inventory import Lookup, NotExact
+from workbench.judge.subject.inventory import Lookup, NotExact, take_inventory
 from workbench.judge.subject.parameters import SPHERES, Parameter
+from workbench.language.printing.printer import to_latex
 from workbench.language.typed.instances import Instantiation, instantiate
 from workbench.language.typed.integers import Linear
-from workbench.language.typed.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term
+from workbench.language.typed.terms import Conjunction, IllFormed, Relation, Statement, Symbol, Term, sides_of
+
+#: So many points are tried for one where the roots of the printed statement exist.
+_TRIED_POINTS = 16
 
 
 class FlintResidueRing:
@@ -61,8 +66,9 @@ class RandomPoint(dict):
 
     def __missing__(self, parameter: Parameter) -> nmod:
         symbol = parameter.symbol
-        assert isinstance(symbol, Symbol), f"the second engine has no parameters of {symbol}"
-        place = f"{symbol.declaration.name} {symbol.index} {symbol.arguments or ''}"
+        place = to_latex(symbol)  # of a circle also a product or a norm, as an angle
+        if isinstance(symbol, Symbol):
+            place = f"{symbol.declaration.name} {symbol.index} {symbol.arguments or ''}"
         key = f"{self._seed} {place} {parameter.part}"
         if parameter.part in SPHERES:
             self._put_on_sphere(parameter, Random(key))
@@ -162,6 +168,17 @@ class ScreenPoint:
         finally:
             self.forget_candidate()
 
+    def lacks_root(self, statement: Statement) -> bool:
+        """Whether a root, or a quotient, has no value at this point."""
+        try:
+            for relation in equations_of(self.instance(statement)):
+                self.engine.differences(relation.left, relation.right)
+        except ZeroDivisionError:
+            return True
+        except (NotExact, IllFormed, ValueError):
+            return False
+        return False
+
     def parts(self, term: Term) -> tuple[list[int], list[int]] | None:
         """The components of the real and of the dual part, those of an operator by rising power of D."""
         try:
@@ -205,15 +222,31 @@ class Screen:
         assume: Sequence[Statement] = (),
         instances: Sequence[Mapping[str, int]] = ({},),
         seed: int = 0,
+        about: Statement | None = None,
     ) -> None:
         self.points: list[ScreenPoint] = []
         self._ring = FlintResidueRing()
+        self._assume, self._about = assume, about
         for number, values in enumerate(instances):
-            point = RandomPoint(seed + number)
-            supposed = Assumptions([instantiate(a, values) if values else a for a in assume])
-            satisfy(point, supposed.equations, definitions)
-            engine = SharingEngine(PointSource(self._ring, point), definitions)
-            self.points.append(ScreenPoint(values, engine))
+            self.points.append(self._defined_point(definitions, values, seed + number))
+
+    def _defined_point(self, definitions: Lookup, values: Mapping[str, int], seed: int) -> ScreenPoint:
+        """A point at which the printed statement has a value, if one of a few is such: that of a root modulo
+        the prime exists at every second point."""
+        found = self._point(definitions, values, seed)
+        for again in range(1, _TRIED_POINTS):
+            if self._about is None or not found.lacks_root(self._about):
+                break
+            found = self._point(definitions, values, seed + 10_000 * again)
+        return found
+
+    def _point(self, definitions: Lookup, values: Mapping[str, int], seed: int) -> ScreenPoint:
+        point = RandomPoint(seed)
+        supposed = Assumptions([instantiate(a, values) if values else a for a in self._assume])
+        about = instantiate(self._about, values) if self._about is not None and values else self._about
+        known = _with_circles(point, (*supposed.relations, *([] if about is None else [about])), definitions)
+        satisfy(point, supposed.equations, known)
+        return ScreenPoint(values, SharingEngine(PointSource(self._ring, point), known))
 
     @property
     def certifies(self) -> bool:
@@ -260,6 +293,21 @@ class Screen:
             for part in parts:
                 found += part + [0] * (len(count[0]) - len(part))
         return tuple(found)
+
+
+def _with_circles(point: RandomPoint, about: Sequence[Statement], definitions: Lookup) -> Lookup:
+    """The definitions with parts of angles. The point then knows of the circles of all angles in the
+    statements that are no symbols, such as ‖x‖ and ω t."""
+    sides = [side for statement in about for side in sides_of(statement)]
+    try:
+        known = with_parts_of_angles(sides, definitions)
+        circles = take_inventory(sides, known).circles.values()
+    except (NotExact, IllFormed, ZeroDivisionError):
+        return definitions
+    for angle in circles:
+        if not isinstance(angle, Symbol):
+            point[Parameter(angle, "circle", 0, 0)]
+    return known
 
 
 def equations_of(statement: Statement) -> Iterator[Relation]:

@@ -86,7 +86,7 @@ def edits(
         for kind, said, make in variants(term, is_addend, atoms, missing):
             try:
                 new = make()
-                if _is_negative(new) and _is_denominator(statement, place):
+                if _is_no_divisor(new) and _is_denominator(statement, place):
                     continue
                 changed = replaced(statement, place, new)
             except IllFormed as fault:
@@ -97,8 +97,9 @@ def edits(
                 yield Edit(kind, place, said, term, new, changed)
 
 
-def _is_negative(term: Term) -> bool:
-    return isinstance(term, Number) and term.value < 0
+def _is_no_divisor(term: Term) -> bool:
+    """Whether it is a number that nobody prints below a bar: a negative one, or a fraction."""
+    return isinstance(term, Number) and (term.value < 0 or term.value.denominator > 1)
 
 
 def _is_denominator(statement: Statement, place: Place) -> bool:

@@ -18,9 +18,10 @@ from workbench.papers.formulas import read_statement
 from workbench.papers.model import Notation
 from workbench.papers.orders import Orders
 from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.changes import Candidate
 from workbench.repair.terms.edits import Refused, edits
 from workbench.repair.terms.places import subterm
-from workbench.repair.terms.search import Candidate, candidate_of, cost
+from workbench.repair.terms.search import candidate_of, cost
 
 _IN = re.compile(r"\\in(?![A-Za-z])")
 

@@ -7,43 +7,26 @@ effects on the residual add up, so the partner of an edit is looked up by what i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import chain
 
 from workbench.judge.second.rings import PRIME
-from workbench.language.printing.printer import to_latex
 from workbench.language.typed.terms import Apply, Conjunction, IllFormed, Relation, Statement, Term
 from workbench.repair.screening.screen import Screen
 from workbench.repair.terms.addends import Supply
 from workbench.repair.terms.arithmetic import times, with_addend
+from workbench.repair.terms.changes import Candidate, Change, rescaled
 from workbench.repair.terms.coefficients import Scaling, Vector, rational, scaled, scalings
 from workbench.repair.terms.edits import KINDS, Edit, Refused, edits, without
+from workbench.repair.terms.entries import entrywise, wrong_places
 from workbench.repair.terms.missing import MissingAddends
 from workbench.repair.terms.places import Place, node_at, places, replaced, subterm
+from workbench.repair.terms.scalar_factors import other_factors
 
 #: So many possible addends of a side are tried together with another edit.
 MOST_PAIRED = 300
-
-
-@dataclass(frozen=True)
-class Change:
-    """One edit in words, formulas between dollar signs."""
-
-    kind: str
-    description: str
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """A statement that may be what was meant, and how it differs from the printed one. latex: as it would
-    have been printed; the canonical one if None. unlikely: orders candidates with as many changes."""
-
-    statement: Statement
-    changes: tuple[Change, ...]
-    latex: str | None = None
-    unlikely: tuple[int, ...] = ()
 
 
 @dataclass
@@ -86,7 +69,11 @@ class Neighbourhood:
         supply = Supply(self.statement, self.replacements, self._components)
         self._missing = MissingAddends(self.statement, self.screen, supply, self.tick)
         missing = self._with_addends(chain(self._missing.outer(), self._missing.inner()))
-        yield chain(self._scaled(1), self._singles(residual), () if self.is_one_of_many else missing)
+        inside = set(self._places_of_entries())
+        yield chain(self._scaled(1), self._singles(residual, apart=inside), self._of_factors())
+        yield self._of_entries()
+        yield self._singles(residual, within=inside) if inside else iter(())
+        yield iter(()) if self.is_one_of_many else missing
         yield self._scaled(2)
         yield chain(missing, self._singles(residual, self.farther))
         yield chain(self._pairs(residual), self._with_two_addends())
@@ -133,17 +120,63 @@ class Neighbourhood:
                     continue  # the right side of the part before
                 changed = replaced(self.statement, (*under, side), subterm(made, (side,)))
             if self._passes(changed):
-                said = tuple(_rescaled(relation, p, f) for p, f in scaling.factors)
+                said = tuple(rescaled(relation, p, f) for p, f in scaling.factors)
                 kinds = [KINDS.index(change.kind) for change in said]
                 yield Candidate(changed, said, None, (max(kinds), -scaling.factors[0][0][0]))
 
+    # entries of matrices, and scalar factors
+
+    def _of_entries(self) -> Iterator[Candidate]:
+        for under, relation in self._false_equations():
+            for found in entrywise(relation, self.screen, self.replacements, self.tick):
+                yield from self._put_under(found, under)
+
+    def _of_factors(self) -> Iterator[Candidate]:
+        for under, relation in self._false_equations():
+            for found in other_factors(relation, self.screen, self.replacements):
+                yield from self._put_under(found, under)
+
+    def _places_of_entries(self) -> Iterator[Place]:
+        """The entries of matrices in which no single change mends the equation: more than one is wrong."""
+        for under, relation in self._false_equations():
+            yield from ((*under, *place) for place in wrong_places(relation, self.screen))
+
+    def _put_under(self, found: Candidate, under: Place) -> Iterator[Candidate]:
+        """The candidate for one equation as one for the whole statement."""
+        made: Statement = found.statement
+        if under and isinstance(made, Relation):
+            made = replaced(self.statement, (*under, 1), made.right)
+            if isinstance(found.statement, Relation) and node_at(made, under) != found.statement:
+                return  # the left side is the right side of the part before
+        if self._passes(made):
+            yield replace(found, statement=made)
+
+    def _false_equations(self) -> Iterator[tuple[Place, Relation]]:
+        """The equations of the statement that do not hold at the points, with their places."""
+        match self.statement:
+            case Relation(operator="="):
+                yield (), self.statement
+            case Conjunction(parts=parts):
+                for number, part in enumerate(parts):
+                    if isinstance(part, Relation) and not self.screen.vanishes(part):
+                        yield (number,), part
+
     # one edit
 
-    def _singles(self, residual: Vector, replacements: Sequence[Term] = ()) -> Iterator[Candidate]:
-        """replacements: only symbols are changed then, and into one of these."""
+    def _singles(
+        self,
+        residual: Vector,
+        replacements: Sequence[Term] = (),
+        apart: Collection[Place] = (),
+        within: Collection[Place] = (),
+    ) -> Iterator[Candidate]:
+        """replacements: only symbols are changed then, and into one of these. apart: places in which nothing
+        is changed; within: the only ones in which something is."""
         found = edits(self.statement, replacements or self.replacements)
         for edit in sorted(found, key=cost):
             if isinstance(edit, Refused) or (replacements and edit.kind != "symbol"):
+                continue
+            if (apart and _lies_in(edit.place, apart)) or (within and not _lies_in(edit.place, within)):
                 continue
             self.tick()
             changed = self._point.residual(edit.statement)
@@ -234,13 +267,17 @@ class Neighbourhood:
                 changed, change = edit.statement, Change(edit.kind, edit.description)
             else:
                 changed = _scaled_at(statement, place, 1 + factor)
-                change = _rescaled(statement, place, 1 + factor)
+                change = rescaled(statement, place, 1 + factor)
         except IllFormed:
             return
         if changed is not None and self._passes(changed):
             changes = tuple(Change(n.edit.kind, n.edit.description) for n in before)
             unlikely = (max(cost(n.edit)[0] for n in (*before, last)),)
             yield Candidate(changed, (*changes, change), None, unlikely)
+
+
+def _lies_in(place: Place, others: Collection[Place]) -> bool:
+    return any(place[:length] in others for length in range(1, len(place) + 1))
 
 
 def cost(edit: Edit | Refused) -> tuple[int, int]:
@@ -270,22 +307,6 @@ def _scaled_at(statement: Statement, place: Place, factor: Fraction) -> Statemen
     if factor == 0:
         return without(statement, place)
     return replaced(statement, place, times(factor, subterm(statement, place)))
-
-
-def _rescaled(statement: Statement, place: Place, factor: Fraction) -> Change:
-    """What a changed coefficient is called."""
-    term = subterm(statement, place)
-    bare = term.arguments[0] if isinstance(term, Apply) and term.head == "neg" else term
-    shown = f"${to_latex(bare)}$"
-    if factor == 0:
-        return Change("addend dropped", f"remove the addend {shown}")
-    if factor == -1:
-        return Change("sign", f"change the sign of {shown}")
-    sign = " and change its sign" if factor < 0 else ""
-    size = abs(factor)
-    if size.numerator == 1:
-        return Change("coefficient", f"{shown} has the factor {size.denominator} too much{sign}")
-    return Change("coefficient", f"insert the factor {size} before {shown}{sign}")
 
 
 def _direction(vector: Vector) -> Vector:

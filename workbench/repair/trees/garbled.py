@@ -26,7 +26,7 @@ from workbench.language.grammar.syntax import (
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.errors import Fault, Misfit
 from workbench.language.typed.terms import IllFormed
-from workbench.repair.terms.search import Change
+from workbench.repair.terms.changes import Change
 from workbench.repair.trees.integers import bound_variables
 from workbench.repair.trees.letters import Occurrence, has_readable_sup, occurrences
 from workbench.repair.trees.marks import Mark, letter_of, marked, marked_lines

@@ -23,7 +23,7 @@ from workbench.language.typed.types import Weight
 from workbench.papers.model import Claim
 from workbench.repair.screening.choices import AddendChoices, Alternative, Marks
 from workbench.repair.screening.screen import Screen
-from workbench.repair.terms.search import Candidate, Change
+from workbench.repair.terms.changes import Candidate, Change
 from workbench.repair.trees.addend_nodes import addends_of, alone
 from workbench.repair.trees.factors import factor_marks, index_marks, letters_of
 from workbench.repair.trees.integers import bound_variables, integer_marks

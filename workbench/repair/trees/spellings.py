@@ -13,7 +13,7 @@ from workbench.language.grammar.parser import parse, parses
 from workbench.language.grammar.syntax import Lines, Node
 from workbench.language.naming.symbols import SymbolTable
 from workbench.language.typed.errors import Fault
-from workbench.repair.terms.search import Change
+from workbench.repair.terms.changes import Change
 from workbench.repair.trees.garbled import (
     Step,
     conditions,

@@ -1,0 +1,83 @@
+"""Forms of a formula that does not fit by its types which fit after one change of its printing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from workbench.core.verdict_codes import VerdictCode
+from workbench.judge.subject.inventory import Lookup
+from workbench.judge.verdict import Outcome, Verdict
+from workbench.language.elaboration.statements import reading_of
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.parser import parse
+from workbench.language.grammar.syntax import Chain, Lines
+from workbench.language.typed.errors import Fault, Misfit
+from workbench.language.typed.terms import Derivative, IllFormed, Relation, Statement, Symbol, sides_of
+from workbench.papers.model import Claim
+from workbench.repair.propose.neighbours import Neighbours
+from workbench.repair.terms.changes import Candidate, Change
+from workbench.repair.trees.marks import Mark, marked_lines
+from workbench.repair.trees.typed_marks import stray_relations, type_marks
+
+#: A form that fits and says what a free symbol is: nothing here tells it from others that fit.
+FITS = Verdict(Outcome.UNCHECKED, reason=VerdictCode.FITS())
+
+
+def fitting(claim: Claim, beside: Neighbours) -> Iterator[Candidate]:
+    """The formula with one change after which its types fit; of a step of a chain also with the sign = before
+    or behind it taken out."""
+    try:
+        lines = parse(claim.printed.latex)
+    except Fault:
+        return
+    for joined, first in _chains(lines, beside):
+        for mark in stray_relations(first):
+            yield from _read(claim, mark, joined)
+    for mark in type_marks(lines):
+        yield from _read(claim, mark, lines)
+
+
+def _chains(lines: Lines, beside: Neighbours) -> Iterator[tuple[Lines, Chain]]:
+    """The step joined with the one before it, and with the one behind it."""
+    own = _chain(lines)
+    for latex, is_before in ((beside.before_latex, True), (beside.behind_latex, False)):
+        try:
+            other = _chain(parse(latex)) if latex else None
+        except Fault:
+            continue
+        if own is None or other is None:
+            continue
+        first, second = (other, own) if is_before else (own, other)
+        made = Chain(own.at, (*first.sides, *second.sides[1:]), (*first.relations, *second.relations))
+        yield Lines(own.at, ((made,),)), made
+
+
+def _chain(lines: Lines) -> Chain | None:
+    match lines.lines:
+        case ((Chain() as chain, *_),):
+            return chain
+    return None
+
+
+def _read(claim: Claim, mark: Mark, lines: Lines) -> Iterator[Candidate]:
+    integers = frozenset(claim.orders.variables if claim.orders else ())
+    made = marked_lines([mark], lines)
+    try:
+        statements = reading_of(made, claim.notation.symbols, integers).statements
+    except (Fault, Misfit, IllFormed):
+        return
+    if len(statements) == 1:
+        yield Candidate(statements[0], (Change(mark.kind, mark.description),), latex_of(made), (mark.cost,))
+
+
+def says_what(statement: Statement, definitions: Lookup, supposed: Sequence[Statement]) -> bool:
+    """Whether it says what a symbol is of which nothing else is known."""
+    if not (isinstance(statement, Relation) and statement.operator == "="):
+        return False
+    left = statement.left.body if isinstance(statement.left, Derivative) else statement.left
+    if not isinstance(left, Symbol) or definitions.lookup(left) is not None:
+        return False
+    others = [statement.right, *(side for each in supposed for side in sides_of(each))]
+    return left.declaration.name not in {
+        part.declaration.name for term in others for part in term.walk() if isinstance(part, Symbol)
+    }

@@ -1,0 +1,170 @@
+"""A scalar factor that is missing from an addend, or stands for another one.
+
+At random points it is known by which ratio one addend must change so that the equation holds; the factors
+that may be meant are looked up by their values there: scalars of the statement, 1 ± x, products and quotients
+of two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+from workbench.judge.second.rings import PRIME
+from workbench.language.printing.printer import to_latex
+from workbench.language.typed.construct import apply, number, power
+from workbench.language.typed.operators import OPERATORS
+from workbench.language.typed.terms import Apply, IllFormed, Number, Relation, Symbol, Term, Zero
+from workbench.repair.screening.screen import Screen
+from workbench.repair.terms.changes import Candidate, Change
+from workbench.repair.terms.coefficients import Vector, contributions
+from workbench.repair.terms.linear import addend_places
+from workbench.repair.terms.places import Place, places, replaced, subterm
+
+_MOST_TERMS = 60
+_LARGEST = 7
+
+
+@dataclass
+class _Table:
+    """Scalar terms by their values at the points; the smallest term of each value."""
+
+    screen: Screen
+    terms: dict[Vector, Term] = field(default_factory=dict)
+
+    def add(self, term: Term) -> None:
+        found = values_of(self.screen, term)
+        if found is not None and 0 not in found:
+            self.terms.setdefault(found, term)
+
+    def with_pairs(self) -> None:
+        singles = list(self.terms.items())
+        for head in ("mul", "div"):
+            for one, left in singles:
+                for other, right in singles:
+                    second = other if head == "mul" else tuple(pow(y, -1, PRIME) for y in other)
+                    value = tuple(x * y % PRIME for x, y in zip(one, second, strict=True))
+                    if value not in self.terms:
+                        is_square = head == "mul" and left == right
+                        self.terms[value] = power(left, 2) if is_square else apply(head, left, right)
+
+
+def values_of(screen: Screen, scalar: Term) -> Vector | None:
+    """The values of a real scalar at the points."""
+    found = screen.components(scalar, scalar)
+    return None if found is None or any(found[1::2]) else found[::2]
+
+
+def other_factors(relation: Relation, screen: Screen, replacements: Sequence[Term]) -> Iterator[Candidate]:
+    """The equation with one scalar factor put in or changed so that it holds at the points."""
+    table: _Table | None = None
+    for free, fixed in ((1, 0), (0, 1)):
+        side, other = subterm(relation, (free,)), subterm(relation, (fixed,))
+        goal = None if isinstance(side, Zero) else screen.components(other, side)
+        if goal is None:
+            continue
+        for chosen in addend_places(side):
+            columns = contributions(side, chosen, screen)
+            if columns is None or len(columns[0]) != len(goal):
+                continue
+            for at, column in zip(chosen, columns, strict=True):
+                ratio = _needed(columns, column, goal, screen)
+                if ratio is None:
+                    continue
+                table = table or _table(relation, screen, replacements)
+                yield from _changed(relation, (free, *at), ratio, table)
+
+
+def _needed(columns: Sequence[Vector], column: Vector, goal: Vector, screen: Screen) -> Vector | None:
+    """By what the addend must be multiplied at each point; None where nothing does."""
+    rest = [(g - sum(each[i] for each in columns) + column[i]) % PRIME for i, g in enumerate(goal)]
+    size = len(goal) // len(screen.points)
+    ratios = []
+    for start in range(0, len(goal), size):
+        own, wanted = column[start : start + size], rest[start : start + size]
+        pivot = next((i for i, x in enumerate(own) if x), None)
+        if pivot is None or not wanted[pivot]:
+            return None
+        ratio = wanted[pivot] * pow(own[pivot], -1, PRIME) % PRIME
+        if any((w - ratio * x) % PRIME for w, x in zip(wanted, own, strict=True)):
+            return None
+        ratios.append(ratio)
+    return tuple(ratios) if len(set(ratios)) > 1 else None  # a number is a coefficient
+
+
+def _table(relation: Relation, screen: Screen, replacements: Sequence[Term]) -> _Table:
+    table = _Table(screen)
+    scalars = [t for _, t in places(relation) if t.type.kind == "scalar" and not isinstance(t, Number)]
+    scalars += [t for t in replacements if t.type.kind == "scalar" and isinstance(t, Symbol)]
+    scalars += [
+        apply(OPERATORS[t.head].partner, t.arguments[0])
+        for t in scalars
+        if isinstance(t, Apply) and t.head in ("sin", "cos")
+    ]
+    small = sorted(dict.fromkeys(scalars), key=_size)
+    for term in [t for t in small if _size(t) <= _LARGEST][:_MOST_TERMS]:
+        table.add(term)
+    for term in list(table.terms.values()):
+        for sign in (apply("neg", term), term):
+            with suppress(IllFormed):
+                table.add(apply("add", number(1), sign))
+    table.with_pairs()
+    return table
+
+
+def _size(term: Term) -> int:
+    return sum(1 for _ in term.walk())
+
+
+def _changed(relation: Relation, place: Place, ratio: Vector, table: _Table) -> Iterator[Candidate]:
+    addend = subterm(relation, place)
+    for at, factor, is_below in [*_factors(addend, ()), ((), None, False)]:
+        value = (1,) * len(ratio) if factor is None else values_of(table.screen, factor)
+        if value is None:
+            continue
+        change = tuple(pow(x, -1, PRIME) for x in ratio) if is_below else ratio
+        new = table.terms.get(tuple(x * y % PRIME for x, y in zip(value, change, strict=True)))
+        if new is None:
+            continue
+        try:
+            if factor is None:
+                changed = replaced(relation, place, _multiplied(new, addend))
+                said = f"the factor ${to_latex(new)}$ of ${to_latex(addend)}$ is missing"
+            else:
+                changed = replaced(relation, (*place, *at), new)
+                said = f"${to_latex(factor)}$ should be ${to_latex(new)}$"
+        except IllFormed:
+            continue
+        kind = "coefficient" if factor is None else "symbol"
+        yield Candidate(changed, (Change(kind, said),), None, (1 if factor is None else 3, _size(new)))
+
+
+def _multiplied(factor: Term, addend: Term) -> Term:
+    match addend:
+        case Apply(head="neg", arguments=(inner,)):
+            return apply("neg", _multiplied(factor, inner))
+        case Apply(head="div", arguments=(Number(value=one), below)) if one == 1:
+            return apply("div", factor, below)
+        case Apply(head="div", arguments=(above, below)):
+            return apply("div", apply("mul", factor, above), below)
+        case Apply(head="mul", arguments=(first, rest)) if first.type.kind == "scalar":
+            return apply("mul", _multiplied(factor, first), rest)
+        case Number(value=one) if one == 1:
+            return factor
+    return power(factor, 2) if factor == addend else apply("mul", factor, addend)
+
+
+def _factors(addend: Term, at: Place, is_below: bool = False) -> Iterator[tuple[Place, Term, bool]]:
+    """The scalar factors of an addend, with their places in it, and whether they stand in a denominator."""
+    match addend:
+        case Apply(head="neg", arguments=(inner,)):
+            yield from _factors(inner, (*at, 0), is_below)
+        case Apply(head="mul", arguments=arguments):
+            for number_, argument in enumerate(arguments):
+                yield from _factors(argument, (*at, number_), is_below)
+        case Apply(head="div", arguments=(above, below)):
+            yield from _factors(above, (*at, 0), is_below)
+            yield from _factors(below, (*at, 1), not is_below)
+        case _ if addend.type.kind == "scalar" and not isinstance(addend, Number):
+            yield at, addend, is_below

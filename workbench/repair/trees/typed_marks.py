@@ -1,0 +1,196 @@
+"""What the printing of a formula whose types do not fit may have lost or put in: a transpose, a row or column
+of a matrix, the sign of a relation or of a sum where a product stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import permutations
+
+from workbench.language.elaboration.superscripts import is_transpose
+from workbench.language.grammar.latex import latex_of
+from workbench.language.grammar.syntax import (
+    Accented,
+    Bracket,
+    Chain,
+    Infix,
+    Leaf,
+    Lines,
+    Matrix,
+    Node,
+    Product,
+    Scripted,
+    Styled,
+    Sum,
+    core,
+    in_a_row,
+)
+from workbench.repair.trees.marks import Mark
+from workbench.repair.trees.nodes import below
+
+#: What is printed was seldom put in; more often something is lost.
+_SURPLUS = 9
+
+_ZERO, _ONE = Leaf(0, "NUMBER", "0"), Leaf(0, "NUMBER", "1")
+
+
+def type_marks(lines: Lines) -> Iterator[Mark]:
+    """One change each; likely misprints first."""
+    parts = list(below(lines))
+    for part in parts:
+        if isinstance(part, Product):
+            yield from _moved_transposes(part)
+    for part in parts:
+        if isinstance(part, Sum):
+            yield from _products_for_sums(part)
+        if isinstance(part, Chain):
+            yield from stray_relations(part)
+    for part in parts:
+        yield from _transposes(part)
+    letters = list({latex_of(part): part for part in parts if _is_symbol(part)}.values())
+    for part in parts:
+        if isinstance(part, Sum | Chain):
+            yield from _missing_factors(part, letters)
+    for part in parts:
+        if isinstance(part, Matrix):
+            yield from _rows_and_columns(part)
+
+
+def _is_symbol(node: Node) -> bool:
+    """Whether it is a letter with its accents and subscripts, and with a dot."""
+    nucleus = core(node.nucleus if isinstance(node, Scripted) and node.sup is None else node)
+    while isinstance(nucleus, Accented | Styled):
+        nucleus = core(nucleus.body)
+    return isinstance(nucleus, Leaf) and nucleus.kind == "LETTER" and nucleus.text != "T"
+
+
+# transposes
+
+
+def _is_factor(node: Node) -> bool:
+    return not isinstance(node, Infix) and not (
+        isinstance(node, Leaf) and node.kind in ("NUMBER", "FUNCTION")
+    )
+
+
+def _with_transpose(node: Node) -> Node | None:
+    """The node with a T above it, or without the one that it has; None where another superscript stands."""
+    if isinstance(node, Scripted):
+        if is_transpose(node.sup):
+            bare = replace(node, sup=None)
+            return bare if bare.sub is not None or bare.primes else bare.nucleus
+        return replace(node, sup=_transpose(node)) if node.sup is None and not node.factorial else None
+    return Scripted(node.at, node, None, _transpose(node)) if _is_factor(node) else None
+
+
+def _transpose(node: Node) -> Node:
+    return Leaf(node.at, "LETTER", "T")
+
+
+def _has_transpose(node: Node) -> bool:
+    return isinstance(node, Scripted) and is_transpose(node.sup)
+
+
+def _moved_transposes(product: Product) -> Iterator[Mark]:
+    """x^T y as x y^T."""
+    items = product.items
+    for one, other in permutations(range(len(items)), 2):
+        if not _has_transpose(items[one]) or _has_transpose(items[other]):
+            continue
+        first, second = _with_transpose(items[one]), _with_transpose(items[other])
+        if first is None or second is None or abs(one - other) > 2:
+            continue
+        changed = list(items)
+        changed[one], changed[other] = first, second
+        said = f"the transpose of ${latex_of(items[one])}$ belongs to ${latex_of(items[other])}$"
+        yield Mark(product, Product(product.at, tuple(changed)), 1, "transpose", said)
+
+
+def _transposes(part: Node) -> Iterator[Mark]:
+    items = part.items if isinstance(part, Product) else ()
+    for place, item in enumerate(items):
+        new = _with_transpose(item) if _is_factor(item) else None
+        if new is not None:
+            verb = "does not belong there" if _has_transpose(item) else "is missing"
+            nucleus = item.nucleus if _has_transpose(item) and isinstance(item, Scripted) else item
+            said = f"the transpose of ${latex_of(nucleus)}$ {verb}"
+            row = Product(part.at, (*items[:place], new, *items[place + 1 :]))
+            yield Mark(part, row, 1, "transpose", said)
+
+
+# signs and factors
+
+
+def _products_for_sums(part: Sum) -> Iterator[Mark]:
+    """x^T + x as x^T x."""
+    for place in range(len(part.addends) - 1):
+        (sign, at, left), (between, _, right) = part.addends[place : place + 2]
+        if between != "+":
+            continue
+        row = Product(at, (*_factors(left), *_factors(right)))
+        addends = (*part.addends[:place], (sign, at, row), *part.addends[place + 2 :])
+        new: Node = Sum(part.at, addends) if len(addends) > 1 or sign else row
+        said = f"the sign $+$ between ${latex_of(left)}$ and ${latex_of(right)}$ should not be there"
+        yield Mark(part, new, 1, "product", said)
+
+
+def _factors(node: Node) -> tuple[Node, ...]:
+    inner = core(node)
+    return inner.items if isinstance(inner, Product) else (node,)
+
+
+def stray_relations(chain: Chain) -> Iterator[Mark]:
+    """a = b = c as a = b c."""
+    for place in range(1, len(chain.relations)):
+        sides, relations = chain.sides, chain.relations
+        left, right = sides[place], sides[place + 1]
+        row = Product(left.at, (*_factors(_bracketed(left)), *_factors(_bracketed(right))))
+        new = Chain(
+            chain.at,
+            (*sides[:place], row, *sides[place + 2 :]),
+            (*relations[:place], *relations[place + 1 :]),
+        )
+        said = f"the sign $=$ before ${latex_of(right)}$ should not be there"
+        yield Mark(chain, new, 1, "relation", said)
+
+
+def _bracketed(side: Node) -> Node:
+    return Bracket(side.at, "(", (side,)) if isinstance(core(side), Sum) else side
+
+
+def _missing_factors(part: Sum | Chain, letters: list[Node]) -> Iterator[Mark]:
+    """A letter of the formula behind or before an addend."""
+    addends = [each for _, _, each in part.addends] if isinstance(part, Sum) else list(part.sides)
+    for addend in addends:
+        if isinstance(core(addend), Sum):
+            continue
+        for letter in letters:
+            for row in ((*_factors(addend), letter), (letter, *_factors(addend))):
+                said = f"the factor ${latex_of(letter)}$ of ${latex_of(addend)}$ is missing"
+                yield Mark(addend, in_a_row(addend.at, row), 1, "factor", said)
+
+
+# rows and columns
+
+
+def _rows_and_columns(matrix: Matrix) -> Iterator[Mark]:
+    rows, width = matrix.rows, len(matrix.rows[0])
+    shown = f"${latex_of(matrix)}$"
+
+    def made(new: Sequence[tuple[Node, ...]], cost: int, said: str) -> Mark:
+        return Mark(matrix, replace(matrix, rows=tuple(new)), cost, "row", f"{said} of {shown}")
+
+    for at in range(len(rows), -1, -1):
+        if width == 1:
+            yield made((*rows[:at], (_ONE,), *rows[at:]), 1, f"an entry 1 is missing before row {at + 1}")
+        yield made(
+            (*rows[:at], (_ZERO,) * width, *rows[at:]), 1, f"a row of zeros is missing before row {at + 1}"
+        )
+    for at in range(width + 1):
+        wide = [(*row[:at], _ZERO, *row[at:]) for row in rows]
+        yield made(wide, 1, f"a column of zeros is missing before column {at + 1}")
+    for at in range(len(rows)) if len(rows) > 1 else ():
+        yield made((*rows[:at], *rows[at + 1 :]), _SURPLUS, f"one row too many, row {at + 1}")
+    for at in range(width) if width > 1 else ():
+        narrow = [(*row[:at], *row[at + 1 :]) for row in rows]
+        yield made(narrow, _SURPLUS, f"one column too many, column {at + 1}")
